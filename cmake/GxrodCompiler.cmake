@@ -1,0 +1,15 @@
+# Compiler flags, as one interface target that the library, the program and the tests share.
+add_library(gxrod_compiler INTERFACE)
+
+target_compile_options(gxrod_compiler INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
+  # Equal decks give equal bits: no contraction that depends on how the compiler inlines.
+  -ffp-contract=off)
+if(GXROD_WARNINGS_AS_ERRORS)
+  target_compile_options(gxrod_compiler INTERFACE -Werror)
+endif()
+if(GXROD_SANITIZE)
+  target_compile_options(gxrod_compiler INTERFACE
+    -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -O1)
+  target_link_options(gxrod_compiler INTERFACE -fsanitize=address,undefined)
+endif()

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+// What is asked of the model: how to integrate and what to record. The defaults here are the deck's defaults.
+namespace gxrod {
+
+enum class Scheme { newmark_simplified, newmark_ibrahimbegovic, generalized_alpha, sdirk_4, runge_kutta_4 };
+
+enum class TangentKind {
+    consistent,  // the exact derivative
+    paper,       // Rubin (2007), (5.6), with its additive update; rigid bodies under newmark_simplified
+    difference   // central differences of the residual
+};
+
+enum class LinearSolverKind { automatic, klu };
+
+struct NewtonSettings {
+    double tolerance = 1e-8;  // of the residual, relative to the largest force and moment at any node
+    int max_iterations = 20;
+    TangentKind tangent = TangentKind::consistent;
+    // If positive, the largest residual component must fall below this instead, in the deck's units.
+    double absolute_residual = 0.0;
+};
+
+struct DynamicSettings {
+    double end_time = 0.0;
+    long steps = 0;  // equal steps from 0 to end_time
+    Scheme scheme = Scheme::newmark_simplified;
+    double beta = 0.25;
+    double gamma = 0.5;
+    double spectral_radius = 0.9;  // at infinite frequency, of generalized_alpha
+    NewtonSettings newton;
+    LinearSolverKind linear_solver = LinearSolverKind::automatic;
+};
+
+// A quantity that a history can record.
+enum class Quantity {
+    position,
+    displacement,
+    rotation_vector,
+    quaternion,
+    orientation,
+    velocity,
+    angular_velocity,
+    angular_velocity_material,
+    acceleration,
+    centre_of_mass,
+    force,
+    moment,
+    force_spatial,
+    moment_spatial,
+    strain,
+    curvature,
+    reaction_force,
+    reaction_moment
+};
+
+// Names a point and what to record there at every accepted step.
+struct HistoryRequest {
+    std::string name;
+    std::string at;  // as the deck has it
+    int node = 0;
+    int body = -1;         // index in Model::bodies if the point is a body's
+    int rod = -1;          // index in Model::rods if the point is a rod's
+    int position_in_rod = 0;  // index in Rod::nodes
+    std::vector<Quantity> quantities;
+};
+
+struct OutputSettings {
+    long every = 1;  // steps between frames; the first and the last are always written
+    std::vector<HistoryRequest> histories;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+
+#include "rotation/types.hpp"
+#include "state/state.hpp"
+
+// What an analysis hands to the results at an accepted step.
+namespace gxrod {
+
+struct LedgerRow {
+    double kinetic_energy = 0.0;
+    double strain_energy = 0.0;
+    double external_work = 0.0;      // of loads, gravity included, since t = 0
+    double dissipated_energy = 0.0;  // by material and mass-proportional damping since t = 0
+    double energy_error = 0.0;       // (kinetic + strain) − its value at t = 0 − external work + dissipated
+    Vec3 linear_momentum = Vec3::Zero();
+    Vec3 angular_momentum = Vec3::Zero();  // about the origin
+};
+
+struct SolverRow {
+    double time_step = 0.0;
+    int newton_iterations = 0;  // over all stages of the step
+    double residual = 0.0;      // scaled, of the last equilibrium
+    int rejected_steps = 0;     // trials cut before this step was accepted
+};
+
+// Section forces and strains at the middle of one element, material axes.
+struct SectionValues {
+    Vec3 force, moment;
+    Vec3 strain, curvature;
+    Quat axes;  // section axes there: columns are x, y, z
+};
+
+// The accepted state and what is derived from it. Valid during the call that passes it only.
+struct Snapshot {
+    double time;
+    std::span<const NodeMotion> nodes;
+    std::span<const SectionValues> elements;  // of all rods, in the order of Model::rods, from start to end
+    std::span<const Vec6> reactions;          // per node: force and moment that its support exerts; zero if free
+};
+
+}  // namespace gxrod
