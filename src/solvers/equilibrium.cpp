@@ -117,7 +117,8 @@ class Equilibrium {
         const bool small = settings_.absolute_residual > 0.0
                                ? largest_component(system_, workspace_.residual) <= settings_.absolute_residual
                                : report_.residual <= settings_.tolerance;
-        if (small || last_increment_ <= 1e-4 * settings_.tolerance) return true;
+        const double round_off = 1e-14;  // some 50 units of the last place: no increment gets smaller
+        if (small || last_increment_ <= std::max(1e-4 * settings_.tolerance, round_off)) return true;
         if (report_.iterations < settings_.max_iterations) return false;
         report_.outcome = Outcome::out_of_iterations;
         return true;
@@ -151,10 +152,10 @@ class Equilibrium {
             for (int i = 0; i < 6; ++i) delta[i] = equations[i] < 0 ? 0.0 : workspace_.vector[equations[i]];
             const Vec3 delta_r = delta.head<3>();
             const Vec3 delta_phi = delta.tail<3>();
-            last_increment_ = std::max({last_increment_,
-                                        delta_r.lpNorm<Eigen::Infinity>() / system_.length_scale(),
-                                        delta_phi.lpNorm<Eigen::Infinity>()});
             NodeMotion& trial = state_.trial[node];
+            last_increment_ = std::max({last_increment_,
+                                        delta_r.lpNorm<Eigen::Infinity>() / std::max(system_.length_scale(), trial.r.norm()),
+                                        delta_phi.lpNorm<Eigen::Infinity>()});
             if (settings_.tangent == TangentKind::paper) {
                 place(state_.previous[node], trial.r + delta_r, trial.theta + delta_phi, trial);
             } else {
