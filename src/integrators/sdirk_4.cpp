@@ -17,7 +17,8 @@ const std::array<std::array<double, Sdirk4::stages>, Sdirk4::stages> Sdirk4::a{{
 
 namespace {
 
-// What a stage takes from the stages before it: the part of r, θ, v and ω that does not depend on its own rates.
+// What a stage takes from the stages before it: the part of r, θ, v and ω that does not depend on its own
+// rates.
 struct Known {
     Vec3 r, theta, v, omega;
 };
@@ -38,7 +39,9 @@ Known compute_known(const State& state, const Stage& stage, std::size_t node) {
 
 }  // namespace
 
-double Sdirk4::stage_fraction(int stage) const { return std::accumulate(a[stage].begin(), a[stage].end(), 0.0); }
+double Sdirk4::stage_fraction(int stage) const {
+    return std::accumulate(a[stage].begin(), a[stage].end(), 0.0);
+}
 
 void Sdirk4::begin_stage(State& state, const Stage& stage) const {
     state.stages.resize(stages);
