@@ -169,8 +169,9 @@ TEST_CASE("Between any two system calls of its writer the file is whole", "[resu
     const sample::ScratchFolder folder;
     const Model model = sample::make_model();
     const auto path = folder / "traced";
+    constexpr int not_allowed = 77;
     const pid_t child = run_child([&] {
-        ::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr);
+        if (::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0) return not_allowed;
         ResultsFile file({path}, sample::make_deck(), model, make_output());
         ::raise(SIGSTOP);
         // So many chunks that B-trees split at the root and, later, below it.
@@ -185,6 +186,10 @@ TEST_CASE("Between any two system calls of its writer the file is whole", "[resu
 
     // Stops before each system call and after it.
     int status = wait_for(child);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == not_allowed) {
+        WARN("skipped: processes may not be traced here");
+        return;
+    }
     REQUIRE(WIFSTOPPED(status));
     ::ptrace(PTRACE_SETOPTIONS, child, nullptr, PTRACE_O_TRACESYSGOOD | PTRACE_O_EXITKILL);
     std::size_t checks = 0, steps = 0, frames = 0;
@@ -203,6 +208,7 @@ TEST_CASE("Between any two system calls of its writer the file is whole", "[resu
         if (found.steps < steps || found.frames < frames) fault = "fewer steps than before";
         if (!found.fault.empty()) fault = found.fault;
         if (!fault.empty()) break;
+        if (checks % 50 == 0) CHECK(is_complete(path));
         steps = found.steps;
         frames = found.frames;
     }
