@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "rotation/types.hpp"
+#include "state/section_values.hpp"
 #include "state/state.hpp"
 
 // What an analysis hands to the results at an accepted step.
@@ -23,13 +23,6 @@ struct SolverRow {
     int newton_iterations = 0;  // over all stages of the step
     double residual = 0.0;      // scaled, of the last equilibrium
     int rejected_steps = 0;     // trials cut before this step was accepted
-};
-
-// Section forces and strains at the middle of one element, material axes.
-struct SectionValues {
-    Vec3 force, moment;
-    Vec3 strain, curvature;
-    Quat axes;  // section axes there: columns are x, y, z
 };
 
 // The accepted state and what is derived from it. Valid during the call that passes it only.

@@ -14,8 +14,11 @@ struct SectionHistory {
 
 // Rates of a node at one stage of a Runge-Kutta step.
 struct StageRates {
-    Vec3 v, a;
-    Vec3 theta_dot, alpha;
+    Vec3 v = Vec3::Zero();
+    Vec3 a = Vec3::Zero();
+    Vec3 alpha = Vec3::Zero();
+    Vec3 theta_dot = Vec3::Zero();                             // of the rotation vector of the step
+    Eigen::Vector4d quaternion_dot = Eigen::Vector4d::Zero();  // (x, y, z, w)
 };
 
 // Algorithmic accelerations of generalized-α.

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <tuple>
+#include <vector>
+
+#include "assembly/scatter.hpp"
+#include "elements/element.hpp"
+#include "elements/rigid_body.hpp"
+#include "elements/rod/simo_element.hpp"
+
+namespace gxrod {
+
+// All elements of one kind and one number of nodes, with where their entries go.
+template <Element E>
+struct ElementBlock {
+    static constexpr int node_count = E::node_count;
+    static constexpr int force_point_count = E::force_point_count;
+
+    std::vector<E> elements;
+    std::vector<ElementSlots<node_count>> slots;
+    std::size_t first_history = 0;    // of this block in State::sections
+    std::vector<int> section_index;   // of a rod element among all rod elements of the model
+
+    Histories histories(const State& state, std::size_t element) const {
+        return {state.sections.data() + first_history + element * force_point_count, force_point_count};
+    }
+    std::span<SectionHistory> histories(State& state, std::size_t element) const {
+        return {state.sections.data() + first_history + element * force_point_count, force_point_count};
+    }
+    Motions<node_count> motions(const std::vector<NodeMotion>& nodes, std::size_t element) const {
+        return point_at(nodes, elements[element].nodes);
+    }
+    template <class T>
+    static std::array<const T*, node_count> point_at(const std::vector<T>& nodal,
+                                                     const std::array<int, node_count>& nodes) {
+        std::array<const T*, node_count> pointers;
+        for (int i = 0; i < node_count; ++i) pointers[i] = &nodal[nodes[i]];
+        return pointers;
+    }
+};
+
+// Every kind of element: one entry here and a builder in system.cpp make a new one known.
+using ElementBlocks = std::tuple<ElementBlock<RigidBody>, ElementBlock<SimoElement<2>>>;
+
+// Calls visit(block) for each kind.
+template <class Blocks, class Visitor>
+void for_each_block(Blocks& blocks, Visitor&& visit) {
+    std::apply([&](auto&... block) { (visit(block), ...); }, blocks);
+}
+
+}  // namespace gxrod

@@ -1,0 +1,56 @@
+#include "assembly/sparse_pattern.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace gxrod {
+
+namespace {
+
+// For each node the nodes that share an element with it, itself included, ascending.
+std::vector<std::vector<int>> compute_neighbours(std::size_t node_count, std::span<const NodeGroup> groups) {
+    std::vector<std::vector<int>> neighbours(node_count);
+    for (const NodeGroup& group : groups) {
+        for (const int node : group) {
+            neighbours[node].insert(neighbours[node].end(), group.begin(), group.end());
+        }
+    }
+    for (auto& list : neighbours) {
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+    return neighbours;
+}
+
+}  // namespace
+
+std::int64_t SparsePattern::slot(std::int64_t row, std::int64_t column) const {
+    const auto first = rows.begin() + column_starts[column];
+    const auto last = rows.begin() + column_starts[column + 1];
+    const auto found = std::lower_bound(first, last, row);
+    assert(found != last && *found == row);
+    return found - rows.begin();
+}
+
+SparsePattern compute_pattern(const EquationNumbers& equations, std::span<const NodeGroup> groups) {
+    int highest = -1;
+    for (const auto& unknown : equations.unknowns()) highest = std::max(highest, unknown.node);
+    for (const NodeGroup& group : groups) {
+        for (const int node : group) highest = std::max(highest, node);
+    }
+    const auto neighbours = compute_neighbours(static_cast<std::size_t>(highest + 1), groups);
+    SparsePattern pattern;
+    pattern.column_starts.push_back(0);
+    for (const auto& unknown : equations.unknowns()) {
+        for (const int node : neighbours[unknown.node]) {
+            // Equations are numbered node by node, so the rows come out ascending.
+            for (const std::int64_t row : equations.of_node(node)) {
+                if (row >= 0) pattern.rows.push_back(row);
+            }
+        }
+        pattern.column_starts.push_back(pattern.nonzeros());
+    }
+    return pattern;
+}
+
+}  // namespace gxrod

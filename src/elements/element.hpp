@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <span>
+
+#include "elements/rigid_inertia.hpp"
+#include "state/state.hpp"
+
+// What every element offers, so that assembly and the every_element tests treat all kinds alike.
+//
+// Node I of an element owns rows 6I … 6I+5 of its vectors and matrices: force (or δr), then moment about the node
+// (or the spatial spin δφ). All spatial. A force is what the element asks of its nodes: internal + inertial −
+// external = 0 is equilibrium.
+namespace gxrod {
+
+template <int Nodes>
+using NodalVector = Eigen::Matrix<double, 6 * Nodes, 1>;
+template <int Nodes>
+using NodalMatrix = Eigen::Matrix<double, 6 * Nodes, 6 * Nodes>;
+
+template <int Nodes>
+using Motions = std::array<const NodeMotion*, Nodes>;
+template <int Nodes>
+using Linearizations = std::array<const NodeLinearization*, Nodes>;
+
+// The histories of an element's force points, one after the other.
+using Histories = std::span<const SectionHistory>;
+
+template <class E>
+concept Element = requires(const E& element,
+                           const Motions<E::node_count>& motions,
+                           const Linearizations<E::node_count>& linearizations,
+                           Histories histories,
+                           std::span<SectionHistory> writable,
+                           const Vec3& gravity,
+                           NodalVector<E::node_count>& force,
+                           NodalMatrix<E::node_count>& tangent) {
+    { E::node_count } -> std::convertible_to<int>;
+    { E::force_point_count } -> std::convertible_to<int>;
+    { element.nodes } -> std::convertible_to<std::array<int, E::node_count>>;
+    element.add_internal_force(motions, histories, force);
+    element.add_internal_tangent(motions, histories, linearizations, tangent);
+    element.add_inertial_force(motions, gravity, force);
+    element.add_inertial_tangent(motions, gravity, linearizations, tangent);
+    element.start(writable);
+    element.commit(motions, writable);
+    { element.strain_energy(motions, histories) } -> std::same_as<double>;
+    { element.kinetic_energy(motions) } -> std::same_as<double>;
+    { element.gravity_potential(motions, gravity) } -> std::same_as<double>;
+    { element.momentum(motions) } -> std::same_as<Momentum>;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "elements/element.hpp"
+#include "model/model.hpp"
+
+namespace gxrod {
+
+// A rigid body on one node: inertia and gravity only (Rubin 2007, section 5).
+class RigidBody {
+  public:
+    static constexpr int node_count = 1;
+    static constexpr int force_point_count = 0;
+    std::array<int, 1> nodes;
+
+    explicit RigidBody(const Body& body);
+
+    void add_internal_force(const Motions<1>&, Histories, NodalVector<1>&) const {}
+    void add_internal_tangent(const Motions<1>&, Histories, const Linearizations<1>&, NodalMatrix<1>&) const {}
+    void add_inertial_force(const Motions<1>& motions, const Vec3& gravity, NodalVector<1>& force) const;
+    void add_inertial_tangent(const Motions<1>& motions,
+                              const Vec3& gravity,
+                              const Linearizations<1>& linearizations,
+                              NodalMatrix<1>& tangent) const;
+    void start(std::span<SectionHistory>) const {}
+    void commit(const Motions<1>&, std::span<SectionHistory>) const {}
+    double strain_energy(const Motions<1>&, Histories) const { return 0.0; }
+    double kinetic_energy(const Motions<1>& motions) const;
+    double gravity_potential(const Motions<1>& motions, const Vec3& gravity) const;
+    Momentum momentum(const Motions<1>& motions) const;
+
+  private:
+    RigidInertia inertia_;
+};
+
+static_assert(Element<RigidBody>);
+
+}  // namespace gxrod

@@ -1,0 +1,66 @@
+#include "integrators/generalized_alpha.hpp"
+
+#include "rotation/tangent_map.hpp"
+#include "state/increment.hpp"
+
+namespace gxrod {
+
+GeneralizedAlpha::GeneralizedAlpha(double spectral_radius)
+    : alpha_m_((2.0 * spectral_radius - 1.0) / (spectral_radius + 1.0)),
+      alpha_f_(spectral_radius / (spectral_radius + 1.0)),
+      newmark_{0.25 * (1.0 - alpha_m_ + alpha_f_) * (1.0 - alpha_m_ + alpha_f_), 0.5 - alpha_m_ + alpha_f_} {}
+
+void GeneralizedAlpha::start(State& state) const {
+    state.algorithmic_trial.resize(state.trial.size());
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        state.algorithmic_trial[i] = {state.trial[i].a, state.trial[i].alpha};
+    }
+    state.algorithmic_previous = state.algorithmic_trial;
+}
+
+void GeneralizedAlpha::begin_stage(State& state, const Stage& stage) const {
+    const double dt = stage.time_step;
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        const NodeMotion& previous = state.previous[i];
+        const AlgorithmicAcceleration& A = state.algorithmic_previous[i];
+        place(previous,
+              previous.r + dt * previous.v + (0.5 * dt * dt) * A.a,
+              dt * previous.omega + (0.5 * dt * dt) * A.alpha,
+              state.trial[i]);
+    }
+    update_rates(state, stage);
+}
+
+void GeneralizedAlpha::update_rates(State& state, const Stage& stage) const {
+    const double dt = stage.time_step;
+    // α from A, A_n and α_n.
+    const auto accelerate = [this](const Vec3& A, const Vec3& A_n, const Vec3& alpha_n) -> Vec3 {
+        return ((1.0 - alpha_m_) * A + alpha_m_ * A_n - alpha_f_ * alpha_n) / (1.0 - alpha_f_);
+    };
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        const NodeMotion& previous = state.previous[i];
+        const AlgorithmicAcceleration& A_n = state.algorithmic_previous[i];
+        AlgorithmicAcceleration& A = state.algorithmic_trial[i];
+        NodeMotion& trial = state.trial[i];
+        A.a = newmark_.acceleration((trial.r - previous.r) / dt, previous.v, A_n.a, dt);
+        A.alpha = newmark_.acceleration(trial.theta / dt, previous.omega, A_n.alpha, dt);
+        trial.v = newmark_.velocity(previous.v, A_n.a, A.a, dt);
+        trial.omega = newmark_.velocity(previous.omega, A_n.alpha, A.alpha, dt);
+        trial.a = accelerate(A.a, A_n.a, previous.a);
+        trial.alpha = accelerate(A.alpha, A_n.alpha, previous.alpha);
+    }
+}
+
+void GeneralizedAlpha::linearize(const State& state,
+                                 const Stage& stage,
+                                 std::vector<NodeLinearization>& linearizations) const {
+    const double rate = newmark_.rate(stage.time_step);
+    const double acceleration =
+        newmark_.acceleration_rate(stage.time_step) * (1.0 - alpha_m_) / (1.0 - alpha_f_);
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        const Mat3 T_inverse = tangent_map_inverse(state.trial[i].theta);
+        linearizations[i] = {1.0, rate, acceleration, rate * T_inverse, acceleration * T_inverse};
+    }
+}
+
+}  // namespace gxrod

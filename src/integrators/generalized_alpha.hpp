@@ -1,0 +1,29 @@
+#pragma once
+
+#include "integrators/integrator.hpp"
+#include "integrators/newmark.hpp"
+
+namespace gxrod {
+
+// Generalized-α of Chung & Hulbert on the rotation group in the form of Arnold & Brüls (2007): equilibrium at the
+// end of the step, spatial rates, and an algorithmic acceleration A per node that lags the true one:
+// (1 − α_m) A + α_m A_n = (1 − α_f) α + α_f α_n. Second order; the spectral radius at infinite frequency sets the
+// damping, from 1 (none) to 0.
+class GeneralizedAlpha : public Integrator {
+  public:
+    explicit GeneralizedAlpha(double spectral_radius);
+
+    void start(State& state) const override;
+    void begin_stage(State& state, const Stage& stage) const override;
+    void update_rates(State& state, const Stage& stage) const override;
+    void linearize(const State& state,
+                   const Stage& stage,
+                   std::vector<NodeLinearization>& linearizations) const override;
+
+  private:
+    double alpha_m_;
+    double alpha_f_;
+    Newmark newmark_;
+};
+
+}  // namespace gxrod

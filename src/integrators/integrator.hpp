@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "model/settings.hpp"
+#include "state/state.hpp"
+
+namespace gxrod {
+
+// One equilibrium (or, explicit, one evaluation) of a step.
+struct Stage {
+    int index;         // 0 … stage_count − 1
+    double step_time;  // where the step starts
+    double time_step;  // Δt of the whole step
+};
+
+// How time advances. A step is a sequence of stages; for each, begin_stage places the trial motions and the solver
+// then makes them satisfy equilibrium at stage_time: an implicit scheme by moving (r, Λ) and calling update_rates,
+// an explicit one by finding the accelerations at the given motions. The last stage leaves the motion at the end
+// of the step. Integrators hold no state and never see an element.
+class Integrator {
+  public:
+    virtual ~Integrator() = default;
+
+    virtual int stage_count() const { return 1; }
+    // Where in the step the stage's equilibrium lies, 0 … 1.
+    virtual double stage_fraction(int) const { return 1.0; }
+    double stage_time(const Stage& stage) const {
+        return stage.step_time + stage_fraction(stage.index) * stage.time_step;
+    }
+    virtual bool is_explicit() const { return false; }
+
+    // Once, when the initial accelerations stand in `previous` and `trial`.
+    virtual void start(State&) const {}
+    // Places the trial motions: an implicit scheme predicts, an explicit one sets what the accelerations are for.
+    virtual void begin_stage(State& state, const Stage& stage) const = 0;
+    // Velocities and accelerations of the trial from its r, Λ and θ. Implicit schemes only.
+    virtual void update_rates(State& state, const Stage& stage) const = 0;
+    // How the trial motions follow (δr, δφ).
+    virtual void linearize(const State& state,
+                           const Stage& stage,
+                           std::vector<NodeLinearization>& linearizations) const = 0;
+    // The paper's linearization (5.6), in δθ with T(θ) taken as I; only where has_paper_tangent.
+    virtual bool has_paper_tangent() const { return false; }
+    virtual void linearize_as_paper(const State&, const Stage&, std::vector<NodeLinearization>&) const {}
+    // After the stage's equilibrium is found.
+    virtual void end_stage(State&, const Stage&) const {}
+
+    // Weights of the load power over a step, in order: at its start, then at each stage. They integrate the work of
+    // the loads to the scheme's order. Empty for one-stage schemes, whose work is the mean load times displacement.
+    virtual std::vector<double> power_weights() const { return {}; }
+};
+
+// The integrator that the settings name, with their parameters.
+std::unique_ptr<Integrator> make_integrator(const DynamicSettings& settings);
+
+// The linearization that leaves a mass matrix: accelerations alone.
+std::vector<NodeLinearization> mass_linearizations(std::size_t node_count);
+
+}  // namespace gxrod

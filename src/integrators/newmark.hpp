@@ -1,0 +1,33 @@
+#pragma once
+
+#include "rotation/types.hpp"
+#include "state/state.hpp"
+
+// The Newmark update that its rotational variants share (Rubin 2007, section 4).
+namespace gxrod {
+
+struct Newmark {
+    double beta = 0.25;
+    double gamma = 0.5;
+
+    // The acceleration at the end of a step whose mean velocity was w = increment/Δt, (4.7a).
+    Vec3 acceleration(const Vec3& w, const Vec3& velocity_n, const Vec3& acceleration_n, double time_step) const {
+        return (w - velocity_n) / (beta * time_step) - ((1.0 - 2.0 * beta) / (2.0 * beta)) * acceleration_n;
+    }
+    // The velocity at the end of a step between two accelerations, (4.7b).
+    Vec3 velocity(const Vec3& velocity_n, const Vec3& acceleration_n, const Vec3& acceleration, double time_step) const {
+        return velocity_n + time_step * ((1.0 - gamma) * acceleration_n + gamma * acceleration);
+    }
+    // Derivatives of velocity and acceleration by the increment.
+    double rate(double time_step) const { return gamma / (beta * time_step); }
+    double acceleration_rate(double time_step) const { return 1.0 / (beta * time_step * time_step); }
+};
+
+// v and a of a node from its displacement over the step.
+void update_translation(const Newmark& newmark, const NodeMotion& previous, double time_step, NodeMotion& trial);
+
+// Places every node where the velocity and acceleration of the last step would take it in the time h:
+// r + h v + ½h² a and θ = h ω + ½h² α.
+void predict_constant_acceleration(State& state, double h);
+
+}  // namespace gxrod

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "integrators/integrator.hpp"
+#include "integrators/newmark.hpp"
+
+namespace gxrod {
+
+// Scheme (I), Ibrahimbegovic's Newmark scheme (Rubin 2007, (4.3)): the same update as (S) in the frame of the last
+// step, then turned with the body by Λ(θ).
+class NewmarkIbrahimbegovic : public Integrator {
+  public:
+    explicit NewmarkIbrahimbegovic(const Newmark& newmark) : newmark_(newmark) {}
+
+    void begin_stage(State& state, const Stage& stage) const override;
+    void update_rates(State& state, const Stage& stage) const override;
+    void linearize(const State& state,
+                   const Stage& stage,
+                   std::vector<NodeLinearization>& linearizations) const override;
+
+  private:
+    Newmark newmark_;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "integrators/integrator.hpp"
+
+namespace gxrod {
+
+// The classical explicit Runge-Kutta scheme of order 4 on (r, q, v, ω), q the unit quaternion of a node's rotation
+// with q̇ = ½ ω q, normalised after each step.
+//
+// Stage k places the motion for which rate number k + 1 is evaluated; rate 0 is that of the step's start, and the
+// last stage is the end of the step, whose accelerations are the next step's rate 0.
+class RungeKutta4 : public Integrator {
+  public:
+    int stage_count() const override { return 4; }
+    double stage_fraction(int stage) const override { return stage < 2 ? 0.5 : 1.0; }
+    bool is_explicit() const override { return true; }
+    void begin_stage(State& state, const Stage& stage) const override;
+    void update_rates(State&, const Stage&) const override {}
+    void linearize(const State& state,
+                   const Stage& stage,
+                   std::vector<NodeLinearization>& linearizations) const override;
+    void end_stage(State& state, const Stage& stage) const override;
+    std::vector<double> power_weights() const override {
+        return {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0, 0.0};
+    }
+};
+
+}  // namespace gxrod

@@ -1,0 +1,100 @@
+#include "integrators/sdirk_4.hpp"
+
+#include <numeric>
+
+#include "rotation/tangent_map.hpp"
+#include "state/increment.hpp"
+
+namespace gxrod {
+
+const std::array<std::array<double, Sdirk4::stages>, Sdirk4::stages> Sdirk4::a{{
+    {1.0 / 4.0, 0.0, 0.0, 0.0, 0.0},
+    {1.0 / 2.0, 1.0 / 4.0, 0.0, 0.0, 0.0},
+    {17.0 / 50.0, -1.0 / 25.0, 1.0 / 4.0, 0.0, 0.0},
+    {371.0 / 1360.0, -137.0 / 2720.0, 15.0 / 544.0, 1.0 / 4.0, 0.0},
+    {25.0 / 24.0, -49.0 / 48.0, 125.0 / 16.0, -85.0 / 12.0, 1.0 / 4.0},
+}};
+
+namespace {
+
+// What a stage takes from the stages before it: the part of r, θ, v and ω that does not depend on its own rates.
+struct Known {
+    Vec3 r, theta, v, omega;
+};
+
+Known compute_known(const State& state, const Stage& stage, std::size_t node) {
+    const NodeMotion& previous = state.previous[node];
+    Known known{previous.r, Vec3::Zero(), previous.v, previous.omega};
+    for (int j = 0; j < stage.index; ++j) {
+        const StageRates& rates = state.stages[j][node];
+        const double weight = stage.time_step * Sdirk4::a[stage.index][j];
+        known.r += weight * rates.v;
+        known.theta += weight * rates.theta_dot;
+        known.v += weight * rates.a;
+        known.omega += weight * rates.alpha;
+    }
+    return known;
+}
+
+}  // namespace
+
+double Sdirk4::stage_fraction(int stage) const { return std::accumulate(a[stage].begin(), a[stage].end(), 0.0); }
+
+void Sdirk4::begin_stage(State& state, const Stage& stage) const {
+    state.stages.resize(stages);
+    for (auto& stage_rates : state.stages) stage_rates.resize(state.trial.size());
+    const double h = stage_fraction(stage.index) * stage.time_step;
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        const NodeMotion& previous = state.previous[i];
+        place(previous,
+              previous.r + h * previous.v + (0.5 * h * h) * previous.a,
+              h * previous.omega + (0.5 * h * h) * previous.alpha,
+              state.trial[i]);
+    }
+    update_rates(state, stage);
+}
+
+void Sdirk4::update_rates(State& state, const Stage& stage) const {
+    const double h = diagonal * stage.time_step;
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        const Known known = compute_known(state, stage, i);
+        NodeMotion& trial = state.trial[i];
+        trial.v = (trial.r - known.r) / h;
+        trial.a = (trial.v - known.v) / h;
+        trial.omega = tangent_map(trial.theta) * ((trial.theta - known.theta) / h);
+        trial.alpha = (trial.omega - known.omega) / h;
+    }
+}
+
+void Sdirk4::linearize(const State& state,
+                       const Stage& stage,
+                       std::vector<NodeLinearization>& linearizations) const {
+    const double h = diagonal * stage.time_step;
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        const Vec3& theta = state.trial[i].theta;
+        const Vec3 theta_dot = (theta - compute_known(state, stage, i).theta) / h;
+        const Mat3 d_omega =
+            tangent_map_derivative(theta, theta_dot) * tangent_map_inverse(theta) + Mat3::Identity() / h;
+        linearizations[i] = {1.0, 1.0 / h, 1.0 / (h * h), d_omega, d_omega / h};
+    }
+}
+
+void Sdirk4::end_stage(State& state, const Stage& stage) const {
+    const double h = diagonal * stage.time_step;
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        const NodeMotion& trial = state.trial[i];
+        StageRates& rates = state.stages[stage.index][i];
+        rates.theta_dot = (trial.theta - compute_known(state, stage, i).theta) / h;
+        rates.v = trial.v;
+        rates.a = trial.a;
+        rates.alpha = trial.alpha;
+    }
+}
+
+std::vector<double> Sdirk4::power_weights() const {
+    std::vector<double> weights{0.0};
+    weights.insert(weights.end(), a.back().begin(), a.back().end());
+    return weights;
+}
+
+}  // namespace gxrod

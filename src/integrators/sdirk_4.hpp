@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+
+#include "integrators/integrator.hpp"
+
+namespace gxrod {
+
+// The L-stable diagonally implicit Runge-Kutta scheme of order 4 with five stages (Hairer & Wanner 1996, SDIRK4,
+// table IV.6.5), in the rotation vector of the step: θ_i = Δt Σ_j a_ij T(θ_j)⁻¹ ω_j, ω_i = ω_n + Δt Σ_j a_ij α_j.
+// The last stage is the end of the step. Each stage is an equilibrium at its own time.
+class Sdirk4 : public Integrator {
+  public:
+    static constexpr int stages = 5;
+    static constexpr double diagonal = 0.25;
+    static const std::array<std::array<double, stages>, stages> a;
+
+    int stage_count() const override { return stages; }
+    double stage_fraction(int stage) const override;
+    void begin_stage(State& state, const Stage& stage) const override;
+    void update_rates(State& state, const Stage& stage) const override;
+    void linearize(const State& state,
+                   const Stage& stage,
+                   std::vector<NodeLinearization>& linearizations) const override;
+    void end_stage(State& state, const Stage& stage) const override;
+    std::vector<double> power_weights() const override;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,88 @@
+#include "solvers/difference_tangent.hpp"
+
+#include "state/increment.hpp"
+
+namespace gxrod {
+
+namespace {
+
+constexpr double step_angle = 1e-6;  // rad; lengths are this times the model's length
+
+void move(const System& system,
+          const Integrator& integrator,
+          const Stage& stage,
+          const std::vector<std::int64_t>& group,
+          double sign,
+          State& state) {
+    for (const std::int64_t equation : group) {
+        const auto& [node, component] = system.equations().unknown(equation);
+        Vec3 delta_r = Vec3::Zero();
+        Vec3 delta_phi = Vec3::Zero();
+        if (component < 3) {
+            delta_r[component] = sign * step_angle * system.length_scale();
+        } else {
+            delta_phi[component - 3] = sign * step_angle;
+        }
+        apply_spin(state.previous[node], delta_r, delta_phi, state.trial[node]);
+    }
+    integrator.update_rates(state, stage);
+}
+
+}  // namespace
+
+std::vector<std::vector<std::int64_t>> group_columns(const SparsePattern& pattern) {
+    std::vector<std::vector<std::int64_t>> groups;
+    std::vector<std::int64_t> last_column_with_row;  // per group and row, the latest member that touches the row
+    const std::int64_t size = pattern.size();
+    for (std::int64_t column = 0; column < size; ++column) {
+        const auto touches = [&](std::size_t group) {
+            for (std::int64_t k = pattern.column_starts[column]; k < pattern.column_starts[column + 1]; ++k) {
+                if (last_column_with_row[group * size + pattern.rows[k]] >= 0) return true;
+            }
+            return false;
+        };
+        std::size_t group = 0;
+        while (group < groups.size() && touches(group)) ++group;
+        if (group == groups.size()) {
+            groups.emplace_back();
+            last_column_with_row.resize(groups.size() * size, -1);
+        }
+        groups[group].push_back(column);
+        for (std::int64_t k = pattern.column_starts[column]; k < pattern.column_starts[column + 1]; ++k) {
+            last_column_with_row[group * size + pattern.rows[k]] = column;
+        }
+    }
+    return groups;
+}
+
+DifferenceTangent::DifferenceTangent(const System& system)
+    : system_(&system), groups_(group_columns(system.pattern())) {}
+
+void DifferenceTangent::compute(const Integrator& integrator,
+                                const Stage& stage,
+                                State& state,
+                                std::vector<double>& values) {
+    const SparsePattern& pattern = system_->pattern();
+    const double time = integrator.stage_time(stage);
+    values.assign(pattern.rows.size(), 0.0);
+    const std::vector<NodeMotion> here = state.trial;
+    for (const auto& group : groups_) {
+        move(*system_, integrator, stage, group, 1.0, state);
+        system_->compute_residual(state, time, forward_);
+        state.trial = here;
+        move(*system_, integrator, stage, group, -1.0, state);
+        system_->compute_residual(state, time, backward_);
+        state.trial = here;
+        for (const std::int64_t column : group) {
+            const bool is_position = system_->equations().unknown(column).component < 3;
+            const double width = 2.0 * step_angle * (is_position ? system_->length_scale() : 1.0);
+            for (std::int64_t k = pattern.column_starts[column]; k < pattern.column_starts[column + 1]; ++k) {
+                const auto& [node, component] = system_->equations().unknown(pattern.rows[k]);
+                values[k] = (forward_.nodal[node][component] - backward_.nodal[node][component]) / width;
+            }
+        }
+    }
+    integrator.update_rates(state, stage);
+}
+
+}  // namespace gxrod

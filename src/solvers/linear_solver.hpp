@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "assembly/sparse_pattern.hpp"
+#include "model/settings.hpp"
+
+namespace gxrod {
+
+struct Factorization {
+    bool regular = true;
+    std::int64_t singular_equation = -1;  // where the pivot vanished, if known
+};
+
+// A direct solver of sparse unsymmetric systems on one pattern: the symbolic work is done once, each factorization
+// finds its pivots anew, so that equal values give equal bits whatever was solved before.
+class LinearSolver {
+  public:
+    virtual ~LinearSolver() = default;
+
+    // Factorizes the matrix with these values on the pattern.
+    virtual Factorization factorize(const std::vector<double>& values) = 0;
+    // Replaces the right-hand side by the solution. After a regular factorization only.
+    virtual void solve(Eigen::VectorXd& right_hand_side) = 0;
+};
+
+// The pattern must outlive the solver. Throws std::runtime_error if memory does not suffice.
+std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, const SparsePattern& pattern);
+
+}  // namespace gxrod

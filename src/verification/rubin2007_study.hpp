@@ -1,0 +1,65 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verification/rubin2007_problem.hpp"
+
+namespace gxrod::rubin2007 {
+
+// S and I: the Newmark schemes of Rubin (2007), (4.7) and (4.3). RK4: the classical scheme on the nine entries of Λ,
+// (6.20). SDIRK4: beyond the paper. RK4Q: the deck's runge-kutta-4, on unit quaternions.
+enum class StudyScheme { S, I, RK4, SDIRK4, RK4Q };
+std::string name_of(StudyScheme scheme);
+
+// One scheme over the whole cycle in a number of steps: maxima over the ends of the steps.
+struct Row {
+    StudyScheme scheme;
+    long steps;
+    bool diverged = false;                        // then the rest is empty
+    std::optional<double> max_theta_deg;          // rotation within a step; not of RK4
+    std::optional<Errors> errors;
+    std::optional<double> iterations_per_step;    // linear solves; implicit schemes
+};
+
+// The state at the end of one step, as errors see it.
+struct Sample {
+    double time;
+    Errors errors;
+};
+struct Trace {
+    Row row;
+    std::vector<Sample> samples;  // t = 0 and the end of each step
+};
+
+// Newton's method to 1e-12 H₀.
+Trace run_scheme(StudyScheme scheme, long steps);
+
+// What an independent program found at N steps. Agreement to 5 significant digits is asked; of momentum and energy
+// to as many as the reference has.
+struct Reference {
+    StudyScheme scheme;
+    long steps;
+    bool diverges;
+    std::optional<double> max_theta_deg;
+    Errors errors;  // a momentum error of 0 means that neither it nor the energy error was computed
+    int momentum_digits = 5;
+};
+const std::vector<Reference>& references();
+
+struct Comparison {
+    const Reference* reference = nullptr;  // null if there is none
+    bool matches = true;
+};
+Comparison compare(const Row& row);
+
+// Every scheme at every N.
+std::vector<Row> run_study(const std::vector<long>& steps);
+
+// The data of Figs. 2, 3 and 4 as fig2.csv, fig3.csv (at figure_steps) and fig4.csv. Throws FileError.
+void write_figure_data(const std::filesystem::path& folder, const std::vector<Row>& rows);
+inline constexpr long figure_steps = 400;
+
+}  // namespace gxrod::rubin2007
