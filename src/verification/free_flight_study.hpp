@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/settings.hpp"
 #include "verification/free_flight_problem.hpp"
 #include "verification/study.hpp"
 
