@@ -130,6 +130,7 @@ LedgerRow make_ledger(double time) {
 TEST_CASE("Write results to draw", "[.plot-sample]") {
     const char* path = std::getenv("GXROD_PLOT_SAMPLE");
     REQUIRE(path);
+    const char* killed = std::getenv("GXROD_PLOT_SAMPLE_KILLED");
     const Model model = make_model();
     ResultsFile file({path, Existing::replace},
                      {"spring.toml",
@@ -139,15 +140,15 @@ TEST_CASE("Write results to draw", "[.plot-sample]") {
                      model,
                      make_output());
     for (int step = 0; step <= steps; ++step) {
+        if (killed && step == std::atoi(killed)) {
+            file.flush();
+            std::raise(SIGKILL);
+        }
         const double time = end_time * step / steps;
         const Motion motion = move(model, time);
         const Snapshot snapshot{time, motion.nodes, motion.sections, motion.reactions};
         file.record_step(snapshot, make_ledger(time), {end_time / steps, 3, 1e-10, 0});
         if (step % 4 == 0) file.write_frame(snapshot);
-        if (step == steps / 2 && std::getenv("GXROD_PLOT_SAMPLE_KILLED")) {
-            file.flush();
-            std::raise(SIGKILL);
-        }
     }
     file.close(RunStatus::complete, "end_time reached");
 }
