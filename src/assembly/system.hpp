@@ -72,7 +72,7 @@ class System {
     ElementBlocks blocks_;
     EquationNumbers equations_;
     SparsePattern pattern_;
-    std::vector<ElementSlots<1>> load_slots_;  // of the loads that turn with their node, others empty
+    std::vector<ElementSlots<1>> load_slots_;  // of each load's node
     double length_scale_ = 1.0;
     std::size_t history_count_ = 0;
     int rod_element_count_ = 0;
