@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "tools/random_values.hpp"
+#include "assembly/sample_model.hpp"
 
 using namespace gxrod;
 using namespace gxrod::tools;
@@ -52,13 +52,7 @@ TEST_CASE("scattered element matrices make the sum that dense assembly makes", "
     }
     const Dense selection = make_selection(equations);
     const Dense expected = selection * dense * selection.transpose();
-    Dense assembled = Dense::Zero(equations.count(), equations.count());
-    for (std::int64_t column = 0; column < pattern.size(); ++column) {
-        for (std::int64_t k = pattern.column_starts[column]; k < pattern.column_starts[column + 1]; ++k) {
-            assembled(pattern.rows[k], column) = values[k];
-        }
-    }
-    CHECK(assembled == expected);
+    CHECK(make_dense(pattern, values) == expected);
 }
 
 TEST_CASE("element vectors add up at nodes and free components are gathered", "[assembly]") {
