@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "solvers/difference_tangent.hpp"
@@ -117,7 +118,9 @@ class Equilibrium {
         const bool small = settings_.absolute_residual > 0.0
                                ? largest_component(system_, workspace_.residual) <= settings_.absolute_residual
                                : report_.residual <= settings_.tolerance;
-        if (small || last_increment_ <= 1e-4 * settings_.tolerance) return true;
+        // Below a few roundings of its largest part a motion cannot be improved, whatever the tolerance.
+        constexpr double round_off = 4.0 * std::numeric_limits<double>::epsilon();
+        if (small || last_increment_ <= std::max(1e-4 * settings_.tolerance, round_off)) return true;
         if (report_.iterations < settings_.max_iterations) return false;
         report_.outcome = Outcome::out_of_iterations;
         return true;

@@ -51,7 +51,7 @@ struct SolverWorkspace {
 //
 // Converged when the largest residual force and moment are below tolerance times the largest force and moment that
 // an element or load puts on a node; or, where round-off hides that, when the last increment was below
-// 1e-4 × tolerance (δr relative to the model's length, δφ in rad).
+// 1e-4 × tolerance or four units of rounding (δr relative to the model's length, δφ in rad).
 EquilibriumReport solve_equilibrium(const System& system,
                                     const Integrator& integrator,
                                     const NewtonSettings& settings,
