@@ -20,7 +20,7 @@ EquilibriumReport DynamicAnalysis::start() {
 }
 
 bool DynamicAnalysis::take_step(EquilibriumReport& report) {
-    const Stage first_stage{0, control_.time(), control_.time_step()};
+    const Stage first_stage{0, control_.time(), control_.time_step(), control_.next_time()};
     const State last_accepted = state_;
     try {
         report = solve_step(system_, *integrator_, settings_.newton, first_stage, workspace_, state_);

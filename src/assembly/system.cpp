@@ -91,6 +91,11 @@ State System::initial_state() const {
         state.trial[i].r = model_->nodes[i].position;
         state.trial[i].v = model_->nodes[i].velocity;
         state.trial[i].omega = model_->nodes[i].angular_velocity;
+        const auto& equations = equations_.of_node(static_cast<int>(i));
+        for (int k = 0; k < 3; ++k) {
+            if (equations[k] < 0) state.trial[i].v[k] = 0.0;
+            if (equations[k + 3] < 0) state.trial[i].omega[k] = 0.0;
+        }
     }
     state.previous = state.trial;
     state.sections.resize(history_count_);

@@ -43,7 +43,7 @@ class System {
     double length_scale() const { return length_scale_; }
     std::size_t element_count() const;
 
-    // At rest in the reference shape or with the model's initial velocities; accelerations zero.
+    // The reference shape with the model's initial velocities, zero where a support holds; accelerations zero.
     State initial_state() const;
 
     // Of the trial motions, with loads at `time`.
@@ -74,7 +74,7 @@ class System {
     ElementBlocks blocks_;
     EquationNumbers equations_;
     SparsePattern pattern_;
-    std::vector<ElementSlots<1>> load_slots_;  // of the loads that turn with their node, others empty
+    std::vector<ElementSlots<1>> load_slots_;  // of each load's node
     double length_scale_ = 1.0;
     std::size_t history_count_ = 0;
     int rod_element_count_ = 0;

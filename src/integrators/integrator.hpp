@@ -13,6 +13,7 @@ struct Stage {
     int index;         // 0 … stage_count − 1
     double step_time;  // where the step starts
     double time_step;  // Δt of the whole step
+    double end_time;   // where the step ends: step_time + time_step but for rounding
 };
 
 // How time advances. A step is a sequence of stages; for each, begin_stage places the trial motions and the
@@ -26,8 +27,10 @@ class Integrator {
     virtual int stage_count() const { return 1; }
     // Where in the step the stage's equilibrium lies, 0 … 1.
     virtual double stage_fraction(int) const { return 1.0; }
+    // The end of the step to the last bit, so that a load that switches on the grid of steps does so here too.
     double stage_time(const Stage& stage) const {
-        return stage.step_time + stage_fraction(stage.index) * stage.time_step;
+        const double fraction = stage_fraction(stage.index);
+        return fraction == 1.0 ? stage.end_time : stage.step_time + fraction * stage.time_step;
     }
     virtual bool is_explicit() const { return false; }
 
