@@ -118,7 +118,7 @@ double a2(double angle) {
 double b2(double angle) {
     const double x = angle * angle;
     if (angle < switches.b2) return evaluate_polynomial(b2_series, x);
-    return (c1(angle) - 5.0 * b1(angle)) / x;
+    return -(a2(angle) + 4.0 * b1(angle)) / x;
 }
 
 double c2(double angle) {
