@@ -20,7 +20,7 @@ EquilibriumReport DynamicAnalysis::start() {
 }
 
 bool DynamicAnalysis::take_step(EquilibriumReport& report) {
-    const Stage first_stage{0, control_.time(), control_.time_step()};
+    const Stage first_stage{0, control_.time(), control_.time_step(), control_.next_time()};
     const State last_accepted = state_;
     try {
         report = solve_step(system_, *integrator_, settings_.newton, first_stage, workspace_, state_);
@@ -52,7 +52,8 @@ EquilibriumReport DynamicAnalysis::advance() {
 Snapshot DynamicAnalysis::snapshot() {
     section_values_ = system_.compute_section_values(state_);
     system_.compute_residual(state_, state_.time, residual_);
-    for (const auto& [node, component] : system_.equations().unknowns()) residual_.nodal[node][component] = 0.0;
+    for (const auto& [node, component] : system_.equations().unknowns())
+        residual_.nodal[node][component] = 0.0;
     return {state_.time, state_.trial, section_values_, residual_.nodal};
 }
 

@@ -1,7 +1,5 @@
 #include "integrators/sdirk_4.hpp"
 
-#include <numeric>
-
 #include "rotation/tangent_map.hpp"
 #include "state/increment.hpp"
 
@@ -17,7 +15,8 @@ const std::array<std::array<double, Sdirk4::stages>, Sdirk4::stages> Sdirk4::a{{
 
 namespace {
 
-// What a stage takes from the stages before it: the part of r, θ, v and ω that does not depend on its own rates.
+// What a stage takes from the stages before it: the part of r, θ, v and ω that does not depend on its own
+// rates.
 struct Known {
     Vec3 r, theta, v, omega;
 };
@@ -38,7 +37,11 @@ Known compute_known(const State& state, const Stage& stage, std::size_t node) {
 
 }  // namespace
 
-double Sdirk4::stage_fraction(int stage) const { return std::accumulate(a[stage].begin(), a[stage].end(), 0.0); }
+// The sums of the rows of a, without their rounding.
+double Sdirk4::stage_fraction(int stage) const {
+    static constexpr std::array<double, stages> fractions{0.25, 0.75, 0.55, 0.5, 1.0};
+    return fractions[stage];
+}
 
 void Sdirk4::begin_stage(State& state, const Stage& stage) const {
     state.stages.resize(stages);

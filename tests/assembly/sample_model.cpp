@@ -1,0 +1,102 @@
+#include "assembly/sample_model.hpp"
+
+#include "state/increment.hpp"
+
+namespace gxrod::tools {
+
+namespace {
+
+Rod make_rod(const Quat& axes, const Vec3& start, std::vector<Node>& nodes) {
+    Rod rod;
+    rod.name = "arm";
+    for (int i = 0; i <= rod_end; ++i) {
+        nodes.push_back({"arm node " + std::to_string(i), start + axes * Vec3(0.5 * i, 0.0, 0.0)});
+        rod.nodes.push_back(i);
+        rod.arc_length.push_back(0.5 * i);
+        rod.triads.push_back(axes);
+    }
+    return rod;
+}
+
+Body make_body(RandomValues& random, int node, const Vec3& centre_of_mass) {
+    Body body;
+    body.name = "body at " + std::to_string(node);
+    body.node = node;
+    body.mass = random.number(0.5, 2.0);
+    body.inertia = random.positive_definite<3>();
+    body.centre_of_mass = centre_of_mass;
+    body.attitude = random.rotation();
+    return body;
+}
+
+NodalLoad make_load(RandomValues& random, int node, Frame frame) {
+    NodalLoad load;
+    load.node = node;
+    load.frame = frame;
+    load.axes = random.rotation();
+    for (int i = 0; i < 3; ++i) {
+        const double force = random.number(-3.0, 3.0);
+        load.force[i] = TimeFunction([force](double t) { return (1.0 + t) * force; });
+        load.moment[i] = random.number(-2.0, 2.0);
+    }
+    return load;
+}
+
+}  // namespace
+
+Model make_sample_model() {
+    RandomValues random(81);
+    Model model;
+    model.gravity = Vec3(0.1, 0.4, -9.0);
+    Section section{"tube", random.positive_definite<6>(), Mat6::Zero()};
+    section.mass.topLeftCorner<3, 3>() = 1.3 * Mat3::Identity();
+    section.mass.bottomRightCorner<3, 3>() = random.positive_definite<3>();
+    model.sections.push_back(section);
+    model.rods.push_back(make_rod(random.rotation(), random.vector(), model.nodes));
+    model.nodes.push_back({"lone", random.vector()});
+    for (Node& node : model.nodes) {
+        node.velocity = random.vector();
+        node.angular_velocity = random.vector();
+    }
+    model.bodies.push_back(make_body(random, rod_end, random.vector()));
+    model.bodies.push_back(make_body(random, lone_node, random.vector()));
+    model.loads.push_back(make_load(random, 1, Frame::spatial));
+    model.loads.push_back(make_load(random, 2, Frame::follower));
+    model.loads.push_back(make_load(random, rod_end, Frame::body));
+    model.loads.push_back(make_load(random, lone_node, Frame::follower));
+    model.supports.push_back({0, {true, true, true, false, false, false}});
+    model.supports.push_back({lone_node, {false, false, false, true, true, false}});
+    return model;
+}
+
+State make_sample_state(const System& system, unsigned seed) {
+    RandomValues random(seed);
+    State state = system.initial_state();
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        NodeMotion& previous = state.previous[i];
+        previous.r += random.vector(0.2);
+        previous.Lambda = random.rotation();
+        previous.v = random.vector();
+        previous.a = random.vector();
+        previous.omega = random.vector();
+        previous.alpha = random.vector();
+        place(previous,
+              previous.r + random.vector(0.2),
+              random.number(0.2, 1.2) * random.direction(),
+              state.trial[i]);
+    }
+    for (SectionHistory& history : state.sections) history = {random.rotation(), random.vector(0.4)};
+    return state;
+}
+
+Eigen::MatrixXd make_dense(const SparsePattern& pattern, const std::vector<double>& values) {
+    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(pattern.size(), pattern.size());
+    for (std::int64_t column = 0; column < pattern.size(); ++column) {
+        for (std::int64_t k = pattern.column_starts[column]; k < pattern.column_starts[column + 1]; ++k) {
+            dense(pattern.rows[k], column) = values[k];
+        }
+    }
+    return dense;
+}
+
+}  // namespace gxrod::tools

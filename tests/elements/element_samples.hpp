@@ -1,0 +1,92 @@
+#pragma once
+
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "elements/rigid_body.hpp"
+#include "elements/rod/simo_element.hpp"
+#include "tools/isometry.hpp"
+#include "tools/random_values.hpp"
+
+// One of each kind of element in a random place, in random finite motion, for the every_element tests. A new
+// kind of element joins by an entry in make_samples().
+namespace gxrod::tools {
+
+// What one element sees. Node I of the element is number I.
+template <Element E>
+struct ElementSample {
+    static constexpr int node_count = E::node_count;
+    using Force = NodalVector<node_count>;
+    using Tangent = NodalMatrix<node_count>;
+    using Nodal = std::array<NodeMotion, node_count>;
+
+    std::string name;
+    E element;
+    std::array<Vec3, node_count> reference;  // node positions at t = 0
+    Nodal previous;                          // the last accepted step
+    Nodal motions;                           // now
+    std::vector<SectionHistory> histories;   // of an earlier deformed step: K_n is not zero
+
+    static Motions<node_count> point_at(const Nodal& nodal) {
+        Motions<node_count> pointers;
+        for (int i = 0; i < node_count; ++i) pointers[i] = &nodal[i];
+        return pointers;
+    }
+
+    Force internal_force(const Nodal& nodal, const std::vector<SectionHistory>& remembered) const {
+        Force force = Force::Zero();
+        element.add_internal_force(point_at(nodal), remembered, force);
+        return force;
+    }
+    Force internal_force(const Nodal& nodal) const { return internal_force(nodal, histories); }
+    Force inertial_force(const Nodal& nodal, const Vec3& gravity) const {
+        Force force = Force::Zero();
+        element.add_inertial_force(point_at(nodal), gravity, force);
+        return force;
+    }
+    double strain_energy(const Nodal& nodal, const std::vector<SectionHistory>& remembered) const {
+        return element.strain_energy(point_at(nodal), remembered);
+    }
+    double strain_energy(const Nodal& nodal) const { return strain_energy(nodal, histories); }
+    double kinetic_energy(const Nodal& nodal) const { return element.kinetic_energy(point_at(nodal)); }
+    Momentum momentum(const Nodal& nodal) const { return element.momentum(point_at(nodal)); }
+    // The histories of the reference shape.
+    std::vector<SectionHistory> start() const {
+        std::vector<SectionHistory> histories_at_start(histories.size());
+        element.start(histories_at_start);
+        return histories_at_start;
+    }
+};
+
+// A piece of rod in a random place, 0.7 long, stiffness and rotary inertia full and positive definite.
+struct RodPiece {
+    RodElementGeometry<2> geometry;
+    Section section;
+};
+RodPiece make_rod_piece(RandomValues& random);
+
+// A body with a full inertia tensor.
+Body make_body(RandomValues& random, const Vec3& centre_of_mass);
+
+using ElementSamples =
+    std::tuple<ElementSample<RigidBody>, ElementSample<RigidBody>, ElementSample<SimoElement<2>>>;
+// The isometry carries the elements, their material axes, motions and histories to another place or into a
+// mirror.
+ElementSamples make_samples(unsigned seed, const Isometry& isometry = {});
+
+constexpr unsigned sample_seeds = 3;
+
+// Calls check(sample) for every kind of element, several of each.
+template <class Check>
+void for_each_sample(Check&& check) {
+    for (unsigned seed = 1; seed <= sample_seeds; ++seed) {
+        const ElementSamples samples = make_samples(seed);
+        std::apply([&](const auto&... sample) { (check(sample), ...); }, samples);
+    }
+}
+
+// A node moved along the direction (δr, δφ) by the factor `amount`, in place only.
+NodeMotion move(const NodeMotion& previous, const NodeMotion& motion, const Vec6& direction, double amount);
+
+}  // namespace gxrod::tools
