@@ -1,1 +1,1 @@
-"""Pictures of gxrod's results: deflected shapes, histories, the energy ledger, and the figures of rubin2007."""
+"""Pictures of gxrod's results: shapes, histories, the energy ledger, the figures of rubin2007."""

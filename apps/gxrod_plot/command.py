@@ -38,8 +38,9 @@ def main(arguments):
 
 
 def parse(arguments):
-    parser = argparse.ArgumentParser(prog="gxrod-plot", description="Draws the results of gxrod.", epilog=EPILOG,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter, allow_abbrev=False)
+    parser = argparse.ArgumentParser(
+        prog="gxrod-plot", description="Draws the results of gxrod.", epilog=EPILOG, allow_abbrev=False,
+        formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("results", nargs="?", metavar="RESULTS.vtkhdf",
                         help="results file, also of a job that runs or was killed")
     parser.add_argument("-o", "--output", metavar="FILE", help="picture, .png, .svg or .pdf (RESULTS.png)")
@@ -51,7 +52,8 @@ def parse(arguments):
     which.add_argument("--frames", type=positive_integer, metavar="N", help="how many shapes to draw (12)")
     parser.add_argument("--view", choices=("xy", "xz", "yz", "3d"),
                         help="plane or space (space, unless all lies in a plane)")
-    parser.add_argument("--figures", metavar="DIR", help="draw the figures of the rubin2007 study from DIR/fig*.csv")
+    parser.add_argument("--figures", metavar="DIR",
+                        help="draw the figures of the rubin2007 study from DIR/fig*.csv")
     parser.add_argument("--format", choices=("png", "svg", "pdf"), default="png", help="of --figures (png)")
     request = parser.parse_args(arguments)
     if bool(request.results) == bool(request.figures):
@@ -75,8 +77,8 @@ def output_path(request):
 
 def save(figure, path):
     """Writes the figure; the same figure gives the same file."""
-    dates = {"Date": None} if path.suffix == ".svg" else {"CreationDate": None} if path.suffix == ".pdf" else {}
+    dates = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
     try:
-        figure.savefig(path, metadata=dates)
+        figure.savefig(path, metadata=dates.get(path.suffix.lower(), {}))
     except OSError as error:
         raise FileFault(f"{path}: cannot be written: {error.strerror or error}") from error

@@ -8,7 +8,7 @@ from .shapes import choose_frames, draw_shapes
 from .style import BLACK, new_figure
 
 WIDTH = 12.5
-SHAPES_WIDTH = 8.4  # of a figure that has nothing else
+NARROW_WIDTH = 8.4  # of a figure of shapes or the ledger only
 SHAPES_HEIGHT = 7.6
 PANEL_HEIGHT = 2.3
 HEADING_HEIGHT = 0.62
@@ -24,13 +24,14 @@ def draw_page(results, request):
             raise FileFault(f"{request.results}: has no histories")
         return draw_sections(results, [(row_count(panels) * PANEL_HEIGHT, histories_drawer(results, panels))])
     if request.what == "ledger":
-        return draw_sections(results, [(PANELS * PANEL_HEIGHT, lambda figure: draw_ledger(figure, results))], SHAPES_WIDTH)
+        section = (PANELS * PANEL_HEIGHT, lambda figure: draw_ledger(figure, results))
+        return draw_sections(results, [section], NARROW_WIDTH)
     if len(results.frame_times) == 0:
         raise FileFault(f"{request.results}: holds no complete frame yet")
     frames = choose_frames(results, request.times, request.frames)
     if request.what == "shapes":
         section = (SHAPES_HEIGHT, lambda figure: draw_shapes(figure, results, frames, request.view))
-        return draw_sections(results, [section], SHAPES_WIDTH)
+        return draw_sections(results, [section], NARROW_WIDTH)
     sections = [(SHAPES_HEIGHT, lambda figure: draw_overview(figure, results, frames, request.view))]
     if panels:
         sections.append((row_count(panels) * PANEL_HEIGHT, histories_drawer(results, panels)))

@@ -103,7 +103,7 @@ def text_of(attributes, name):
 
 
 def read_results(path, draw):
-    """Calls `draw` with the Results of the file at `path`; tries again if a running job is just writing it."""
+    """Calls `draw` with the Results of the file at `path`; again if a job is just writing it."""
     path = Path(path)
     if not path.exists():
         raise FileFault(f"{path}: there is no such file")

@@ -34,7 +34,7 @@ def draw_figures(folder, extension, save):
 
 
 def read_table(path, columns):
-    """Columns of a CSV file: arrays of numbers (nan where a cell is empty), of text for the column `scheme`."""
+    """Columns of a CSV file: arrays of numbers, nan where a cell is empty; text in the column `scheme`."""
     try:
         with open(path, newline="", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
@@ -66,7 +66,7 @@ def draw_exact_rotation(path):
         axes.plot(tau, broken[:, index], color=colour, label=f"$φ_{index + 1}$")
     axes.plot(table["tau"], table["angle"], color=BLACK, linewidth=1.8, label="$Φ$")
     axes.set_ylim(-1.06 * math.pi, 1.06 * math.pi)
-    axes.set_yticks([-math.pi, -math.pi / 2, 0.0, math.pi / 2, math.pi], ["−π", "−π/2", "0", "π/2", "π"])
+    axes.set_yticks(math.pi * np.linspace(-1.0, 1.0, 5), ["−π", "−π/2", "0", "π/2", "π"])
     axes.set_xlim(0.0, 1.0)
     axes.set_xlabel("time $τ = Ωt/2π$")
     axes.set_ylabel("rad")
@@ -94,22 +94,23 @@ def draw_errors(path):
 
 
 def lowest_decade(values):
-    """Lower end of a log axis: the start of a cycle has errors near rounding, which would squeeze the rest."""
+    """Lower end of a log axis. A cycle starts with errors near rounding, which would squeeze the rest."""
     positive = values[values > 0.0]
     return 10.0 ** math.floor(math.log10(np.quantile(positive, 0.02))) if len(positive) else None
 
 
 def draw_maxima(path):
     """Fig. 4: greatest step rotation and errors against the number of steps."""
-    columns = {"max_theta_deg": r"max $|θ|$ of a step, degrees", **{key: f"max {text}" for key, text in ERRORS.items()}}
+    columns = {"max_theta_deg": r"max $|θ|$ of a step, degrees"}
+    columns |= {column: f"max {label}" for column, label in ERRORS.items()}
     table = read_table(path, ("scheme", "steps", *columns))
     figure = new_figure(9.6, 7.4)
     panels = figure.subplots(2, 2, sharex=True)
     for axes, (column, label) in zip(panels.flat, columns.items()):
         for scheme, (name, colour, marker) in SCHEMES.items():
             chosen = (table["scheme"] == scheme) & (table[column] > 0.0)
-            axes.loglog(table["steps"][chosen], table[column][chosen], color=colour, marker=marker, markersize=4.5,
-                        label=name)
+            axes.loglog(table["steps"][chosen], table[column][chosen], color=colour, marker=marker,
+                        markersize=4.5, label=name)
         axes.set_ylabel(label)
     steps = np.unique(table["steps"])
     for axes in panels.flat[1:]:
@@ -139,5 +140,5 @@ def draw_slopes(axes, steps):
     for power, height in ((2, 0.16), (4, 0.32)):
         start = 10.0 ** (math.log10(low) + height * math.log10(high / low))
         axes.loglog(ends, start * (ends / first) ** -float(power), color=GREY, linewidth=1.0)
-        axes.annotate(f"order {power}", (first, start), xytext=(0, 4), textcoords="offset points", fontsize=7.5,
-                      color=GREY)
+        axes.annotate(f"order {power}", (first, start), xytext=(0, 4), textcoords="offset points",
+                      fontsize=7.5, color=GREY)

@@ -28,7 +28,8 @@ class Scene:
 
     def points(self):
         tips = [tip for origin, axes in self.triads for tip in (origin, *axes.values())]
-        return np.concatenate([points for points, _ in self.shapes + self.traces] + [np.reshape(tips, (-1, 3))])
+        drawn = [points for points, _ in self.shapes + self.traces]
+        return np.concatenate([*drawn, np.reshape(tips, (-1, 3))])
 
 
 def choose_frames(results, times=None, count=None):
@@ -39,7 +40,7 @@ def choose_frames(results, times=None, count=None):
         slack = 1e-9 * (last - first)
         for time in times:
             if not first - slack <= time <= last + slack:
-                raise UsageError(f"time {time:g} lies outside the frames, which go from {first:g} to {last:g}")
+                raise UsageError(f"there is no frame at {time:g}; they go from {first:g} to {last:g}")
         return sorted({int(np.abs(all_times - time).argmin()) for time in times})
     wanted = np.linspace(all_times[-1], all_times[0], count or DEFAULT_FRAMES)  # the last one always
     return sorted({int(np.abs(all_times - time).argmin()) for time in wanted})
@@ -74,7 +75,7 @@ def triad_size(scene):
 
 
 def add_triads(scene, results, node, frames, size):
-    """The axes of a body in the last of the frames, and in those where it has moved on by more than their length."""
+    """The axes of a body in the last frame, and in those where it has moved on by more than their length."""
     drawn = None
     for index in frames:
         origin = results.frame(index)[node]
@@ -108,7 +109,8 @@ def draw_shapes(figure, results, frames, view=None):
     title = "Shapes over time" if results.rods else "Motion over time"
     figure.suptitle(title, x=0.02, ha="left", fontsize=9.5, fontweight="bold")
     if scene.triads:
-        figure.supxlabel("bodies by their axes: x red, y green, z blue", x=0.02, ha="left", fontsize=8, color="#5b616b")
+        figure.supxlabel("bodies by their axes: x red, y green, z blue", x=0.02, ha="left", fontsize=8,
+                         color="#5b616b")
     bar = figure.colorbar(ScalarMappable(norm, TIME_COLOURS), ax=axes, shrink=0.7, aspect=30,
                           pad=0.09 if view == "3d" else 0.02)
     bar.outline.set_visible(False)

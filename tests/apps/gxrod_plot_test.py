@@ -29,7 +29,8 @@ def write_sample(path, killed_at=None):
     environment = dict(os.environ, GXROD_PLOT_SAMPLE=str(path))
     if killed_at is not None:
         environment["GXROD_PLOT_SAMPLE_KILLED"] = str(killed_at)
-    ended = subprocess.run([TESTS, "[.plot-sample]"], env=environment, capture_output=True, text=True, check=False)
+    ended = subprocess.run([TESTS, "[.plot-sample]"], env=environment, capture_output=True, text=True,
+                           check=False)
     if (ended.returncode == 0) != (killed_at is None):
         raise RuntimeError(ended.stdout + ended.stderr)
 
@@ -94,7 +95,8 @@ class Pictures(PlotTest):
             self.assertGreater(near.sum(), 200, f"no line at {time} of the time")
 
     def test_views_differ(self):
-        pictures = [self.draw(f"{view}.png", "--what", "shapes", "--view", view) for view in ("xy", "xz", "yz", "3d")]
+        views = ("xy", "xz", "yz", "3d")
+        pictures = [self.draw(f"{view}.png", "--what", "shapes", "--view", view) for view in views]
         for first, second in zip(pictures, pictures[1:]):
             self.assertTrue(first.shape != second.shape or (first != second).any())
 
@@ -125,8 +127,8 @@ class Pictures(PlotTest):
         ended = self.run_plot(killed)
         self.assertEqual(ended.returncode, 0, ended.stderr)
         self.read_picture(self.folder / "killed.png")
-        found = results.read_results(killed, lambda file: (file.status, len(file.times), len(file.frame_times)))
-        self.assertEqual(found, ("running", 150, 38))
+        found = results.read_results(killed, lambda run: (run.status, len(run.times), run.frame_times[-1]))
+        self.assertEqual(found, ("running", 150, 3.7))
 
 
 class Errors(PlotTest):
@@ -149,7 +151,8 @@ class Errors(PlotTest):
 
     def test_unknown_histories(self):
         self.assert_fails(2, self.sample, "--history", "tap", says=["'tap'", "tip, top"])
-        self.assert_fails(2, self.sample, "--history", "tip/force", says=["'force'", "displacement, moment, velocity"])
+        self.assert_fails(2, self.sample, "--history", "tip/force",
+                          says=["'force'", "displacement, moment, velocity"])
 
     def test_times_and_frames_that_are_not_there(self):
         self.assert_fails(2, self.sample, "--times", "11", says=["11", "from 0 to 10"])
@@ -176,7 +179,8 @@ class Figures(PlotTest):
         rows = [f"{scheme},400,{t},{1e-3 * t},{1e-4 * t},{1e-5 * t}" for scheme in self.SCHEMES for t in tau]
         (folder / "fig3.csv").write_text(
             "\n".join(["scheme,steps,tau,error_orientation,error_momentum,error_energy", *rows]))
-        rows = [f"{scheme},{n},{4000 / n},{1 / n},{2 / n},{3 / n}" for scheme in self.SCHEMES for n in (50, 100, 200)]
+        rows = [f"{scheme},{n},{4000 / n},{1 / n},{2 / n},{3 / n}" for scheme in self.SCHEMES
+                for n in (50, 100, 200)]
         rows += ["RK4,400,,0.01,0.01,0.01", "RK4,25,,,,"]
         (folder / "fig4.csv").write_text(
             "\n".join(["scheme,steps,max_theta_deg,error_orientation,error_momentum,error_energy", *rows]))

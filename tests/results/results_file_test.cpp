@@ -151,6 +151,28 @@ TEST_CASE("Steps reach the disk by themselves after a while", "[results]") {
     CHECK(!Hdf5Reader(folder / "a.vtkhdf").numbers("/histories/time").empty());
 }
 
+TEST_CASE("Two results files may be open at once", "[results]") {
+    const sample::ScratchFolder folder;
+    const Model model = sample::make_model();
+    {
+        ResultsFile first({folder / "a.vtkhdf"}, sample::make_deck(), model, sample::make_output());
+        ResultsFile second({folder / "b.vtkhdf"}, sample::make_deck(), model, sample::make_output());
+        for (const double time : times) {
+            const Motion motion(time);
+            first.record_step(motion.snapshot(), sample::make_ledger(time), sample::make_solver(time));
+            second.record_step(motion.snapshot(), sample::make_ledger(time), sample::make_solver(time));
+            second.write_frame(motion.snapshot());
+        }
+        first.close(RunStatus::complete, "");
+        second.close(RunStatus::failed, "");
+    }
+    const Hdf5Reader first(folder / "a.vtkhdf"), second(folder / "b.vtkhdf");
+    CHECK(first.numbers("/histories/time") == times);
+    CHECK(second.numbers("/histories/time") == times);
+    CHECK(first.integer_attribute("/VTKHDF/Steps", "NSteps") == 0);
+    CHECK(second.integer_attribute("/VTKHDF/Steps", "NSteps") == 5);
+}
+
 TEST_CASE("Equal runs write equal results files", "[results]") {
     const sample::ScratchFolder folder;
     const Model model = sample::make_model();
