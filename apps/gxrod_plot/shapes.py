@@ -61,10 +61,16 @@ def make_scene(results, frames):
         if travels:
             add_triads(scene, results, node, frames, size)
         else:
-            # A body that turns on the spot: the path of its z axis shows how.
+            # A body that turns on the spot: the path of its steadiest axis shows how.
             add_triads(scene, results, node, frames[-1:], 2.0 * size)
-            scene.traces.append((path + 2.0 * size * results.trace(node, stride, "axis_z"), times))
+            scene.traces.append((path + 2.0 * size * steadiest_axis(results, node, stride), times))
     return scene
+
+
+def steadiest_axis(results, node, stride):
+    """The body axis [F,3] whose tip travels least from frame to frame: that about which the body spins, if it does."""
+    axes = [results.trace(node, stride, f"axis_{axis}") for axis in "zyx"]
+    return min(axes, key=lambda axis: np.linalg.norm(np.diff(axis, axis=0), axis=1).sum())
 
 
 def triad_size(scene):
