@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "deck/suggestion.hpp"
 #include "exit_code.hpp"
 #include "figures.hpp"
 #include "verbs.hpp"
@@ -28,14 +29,15 @@ std::vector<const Study*> choose_studies(const VerifyArguments& arguments) {
         if (arguments.all || std::find(names.begin(), names.end(), study.name) != names.end())
             chosen.push_back(&study);
     }
+    std::vector<std::string> known;
+    for (const Study& study : studies()) known.push_back(study.name);
     for (const std::string& name : arguments.names) {
-        const bool known = std::any_of(
-            studies().begin(), studies().end(), [&](const Study& study) { return study.name == name; });
-        if (!known) {
-            std::string list;
-            for (const Study& study : studies()) list += " " + study.name;
-            throw CLI::ValidationError("NAME", "no study is called '" + name + "'; there are:" + list);
-        }
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        throw CLI::ValidationError("NAME",
+                                   fmt::format("there is no study \"{}\"{}; there are {}",
+                                               name,
+                                               did_you_mean(name, known),
+                                               plain_list(known)));
     }
     if (chosen.empty()) throw CLI::ValidationError("NAME", "name a study, or --all, or --list");
     return chosen;
