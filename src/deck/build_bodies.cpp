@@ -81,13 +81,16 @@ void set_motion(const Setting& setting,
 
 void build_bodies(BuildContext& context) {
     std::vector<const CheckedTable*> velocity_setters, spin_setters;
-    for (const CheckedTable& table : context.deck.tables("body")) {
+    const std::vector<CheckedTable>& tables = context.deck.tables("body");
+    context.body_nodes.assign(tables.size(), -1);
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        const CheckedTable& table = tables[i];
         Body body{.name = table.name, .mass = table.get<double>("mass")};
         body.inertia = find_inertia(table, context).value_or(Mat3::Identity());
         body.centre_of_mass = table.get<Vec3>("centre_of_mass");
         body.attitude = exp_quaternion(table.get<Vec3>("rotation_vector"));
         const int node = find_node(table, context);
-        context.body_nodes.push_back(node);
+        context.body_nodes[i] = node;
         body.node = std::max(node, 0);
         context.model.bodies.push_back(body);
         if (node < 0) continue;

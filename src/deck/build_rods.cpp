@@ -64,7 +64,7 @@ std::optional<Vec3> find_y_axis(const CheckedTable& rod, const Vec3& tangent, co
         return projected;
     }
     const Vec3& given = rod.get<Vec3>("y_axis");
-    if (given.norm() == 0.0) {
+    if (given.isZero(0.0)) {
         context.add_fault(rod, "y_axis", "expected a direction, found a vector of zero length");
         return std::nullopt;
     }

@@ -89,13 +89,25 @@ void check_velocities(const CheckedTable& body,
             context.add_fault(
                 body,
                 key,
-                fmt::format("{} holds this body's {}{}", supported.tables.front()->path, axes, "xyz"[held]));
+                fmt::format("a [[support]] fixes {}{} here; expected 0 along it", axes, "xyz"[held]));
         };
         Node& moved = context.model.nodes[node];
         check("velocity", fixed, moved.velocity, "");
         check("angular_velocity", fixed + 3, moved.angular_velocity, "r");
         check("angular_velocity_material", fixed + 3, moved.angular_velocity, "r");
     }
+}
+
+// A model without an unknown is a mistake.
+void check_freedom(const std::vector<NodeSupport>& supports, const BuildContext& context) {
+    const auto is_clamped = [](const NodeSupport& supported) {
+        const Components& fixed = supported.support.fixed;
+        return std::find(fixed.begin(), fixed.end(), false) == fixed.end();
+    };
+    const bool all_supported = !supports.empty() && supports.size() == context.model.nodes.size();
+    if (!all_supported || !std::all_of(supports.begin(), supports.end(), is_clamped)) return;
+    context.add_fault(
+        *supports.front().tables.front(), "fix", "every node of the deck is fixed; nothing can move");
 }
 
 }  // namespace
@@ -110,6 +122,7 @@ void build_supports(BuildContext& context) {
         check_rotations(supported, context);
         context.model.supports.push_back(supported.support);
     }
+    check_freedom(supports, context);
     const std::vector<CheckedTable>& bodies = context.deck.tables("body");
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (context.body_nodes[i] >= 0) check_velocities(bodies[i], context.body_nodes[i], supports, context);

@@ -110,8 +110,7 @@ class ExpressionCheck {
         std::vector<std::string> known{"pi"};
         if (time_ == TimeUse::free) known.emplace_back("t");
         for (const auto& [parameter, value] : symbols_.parameters) known.push_back(parameter);
-        throw ExpressionError(fmt::format(
-            "unknown name \"{}\"{}; available: {}", name, did_you_mean(name, known), plain_list(known)));
+        throw_unknown("name", did_you_mean(name, known), known);
     }
 
     void check_time() {
@@ -136,8 +135,15 @@ class ExpressionCheck {
         const std::string hint = name == "ln"    ? "; did you mean \"log\" (natural)?"
                                  : name == "pow" ? "; write a^b for a power"
                                                  : did_you_mean(name, known);
-        throw ExpressionError(
-            fmt::format("unknown function \"{}\"{}; available: {}", name, hint, plain_list(known)));
+        throw_unknown("function", hint, known);
+    }
+
+    [[noreturn]] void throw_unknown(const char* kind,
+                                    const std::string& hint,
+                                    const std::vector<std::string>& known) const {
+        const char* separator = hint.ends_with('?') ? "" : ";";
+        throw ExpressionError(fmt::format(
+            "unknown {} \"{}\"{}{} available: {}", kind, token().text, hint, separator, plain_list(known)));
     }
 
     void check_deck_function(const std::string& name) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "deck/override_key.hpp"
 #include "deck/schema.hpp"
@@ -68,6 +69,7 @@ class Walk {
         for (at_ = 0; at_ + 1 < steps_.size(); ++at_) enter();
         if (const auto* name = std::get_if<std::string>(&steps_[at_])) {
             DeckNode::Table& table = need_table();
+            remove_alternatives(table, *name);
             if (DeckEntry* entry = node_->find(*name)) {
                 *entry = {*name, place_, std::move(value)};
             } else {
@@ -83,8 +85,11 @@ class Walk {
 
     DeckNode::Table& need_table() {
         if (DeckNode::Table* table = node_->table()) return *table;
-        throw OverrideFault{path(),
-                            "not a table, so that it has no key " + std::get<std::string>(steps_[at_])};
+        const std::string& name = std::get<std::string>(steps_[at_]);
+        const std::string hint = node_->array() == nullptr
+                                     ? ""
+                                     : fmt::format("; write {}[0].{} for the first of a list", path(), name);
+        throw OverrideFault{path(), fmt::format("not a table, so that it has no key {}{}", name, hint)};
     }
 
     DeckNode& need_element() {
@@ -100,6 +105,7 @@ class Walk {
     void enter() {
         if (std::holds_alternative<std::size_t>(steps_[at_])) {
             node_ = &need_element();
+            table_ = std::exchange(named_, nullptr);
             return;
         }
         const std::string& name = std::get<std::string>(steps_[at_]);
@@ -120,24 +126,44 @@ class Walk {
     }
 
     std::string explain_missing(const DeckNode::Table& table, const std::string& name) const {
+        if (table_ != nullptr && table_->find(name) != nullptr) return "the deck has none";
         std::vector<std::string> known;
         for (const DeckEntry& entry : table) known.push_back(entry.key);
-        if (table_ != nullptr) {
-            for (const KeySpec& key : table_->keys) known.push_back(key.name);
-        }
-        return "the deck has no such table" + did_you_mean(name, known);
+        const std::string hint = did_you_mean(name, known);
+        return "the deck has none" + (hint.empty() ? "; known here: " + plain_list(known) : hint);
     }
 
-    // Follows the schema as far as tables that are there once go.
+    // Takes out the keys of the deck's text that cannot stand beside the new one, as steps beside time_step.
+    void remove_alternatives(DeckNode::Table& table, const std::string& name) const {
+        if (table_ == nullptr) return;
+        for (const KeyGroup& group : table_->groups) {
+            const auto has = [&](const std::string& key) {
+                return std::find(group.keys.begin(), group.keys.end(), key) != group.keys.end();
+            };
+            if (group.rule == GroupRule::at_least_one || !has(name)) continue;
+            std::erase_if(table, [&](const DeckEntry& entry) {
+                return entry.key != name && has(entry.key) && entry.place.override_index < 0;
+            });
+        }
+    }
+
     void descend_schema(const std::string& name) {
+        if (named_ != nullptr) {
+            table_ = std::exchange(named_, nullptr);
+            return;
+        }
         const KeySpec* key = table_ == nullptr ? nullptr : table_->find(name);
-        table_ = key != nullptr && key->type == ValueType::table ? key->table : nullptr;
+        const TableSpec* found = key == nullptr ? nullptr : key->table;
+        const bool is_group = found != nullptr && key->type != ValueType::table;
+        table_ = is_group ? nullptr : found;
+        named_ = is_group ? found : nullptr;
     }
 
     const std::vector<KeyStep>& steps_;
     Place place_;
     DeckNode* node_;
-    const TableSpec* table_;  // of the table at hand; nullptr inside of named tables and arrays
+    const TableSpec* table_;            // of the table at hand, if the schema has one
+    const TableSpec* named_ = nullptr;  // of the tables that the table or list at hand holds
     std::size_t at_ = 0;
 };
 

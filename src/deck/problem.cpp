@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <fstream>
 #include <sstream>
+#include <system_error>
 
 #include "deck/build_analysis.hpp"
 #include "deck/build_bodies.hpp"
@@ -80,7 +82,7 @@ std::string read_file(const std::filesystem::path& path) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) throw FileError(path, "is a folder, expected a deck");
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw FileError(path, "cannot be read");
+    if (!file) throw FileError(path, "cannot be read", std::generic_category().message(errno));
     std::ostringstream text;
     text << file.rdbuf();
     if (file.bad()) throw FileError(path, "cannot be read");

@@ -131,7 +131,7 @@ std::string describe_expected(const KeySpec& key) {
         case ValueType::text:
             return "text";
         case ValueType::reference:
-            return "a name";
+            return "the name of a " + key.name;
         case ValueType::point:
             return "a point, such as \"rod.end\", \"rod@0.25\" or \"body\"";
         case ValueType::choice:

@@ -124,7 +124,6 @@ void read_functions(const DeckNode& deck, Symbols& symbols, FaultList& faults) {
     const DeckNode* const table = deck.find("function") == nullptr ? nullptr : &deck.find("function")->node;
     const DeckNode::Table& entries = entries_of(deck, "function");
     for (const DeckEntry& entry : entries) {
-        symbols.functions[entry.key] = std::nullopt;
         if (!symbols.parameters.contains(entry.key)) continue;
         faults.add(entry.place, "function." + entry.key, "a parameter has this name too; choose another one");
     }
@@ -147,6 +146,7 @@ void read_functions(const DeckNode& deck, Symbols& symbols, FaultList& faults) {
 
 Symbols read_symbols(const DeckNode& deck, FaultList& faults) {
     Symbols symbols;
+    for (const DeckEntry& entry : entries_of(deck, "function")) symbols.functions[entry.key] = std::nullopt;
     read_parameters(deck, symbols, faults);
     read_functions(deck, symbols, faults);
     return symbols;

@@ -111,6 +111,16 @@ DeckFault explain_syntax_fault(std::string_view text,
             "{0} is no TOML value: text and expressions stand in quotes, \"{0}\"", bare_value(line, byte));
         return {file, place.line, place.column, "", message};
     }
+    if (byte >= line.size() && description.find("control characters") != std::string_view::npos) {
+        return {file, place.line, place.column, "", "text without its closing quote"};
+    }
+    if (description.find("could not be interpreted as a value") != std::string_view::npos) {
+        return {file,
+                place.line,
+                column_of(line, word.begin),
+                "",
+                fmt::format("{} is out of the range of numbers", word.text)};
+    }
     return {file, place.line, place.column, "", fmt::format("not TOML: {}", reason_of(description))};
 }
 

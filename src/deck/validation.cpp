@@ -154,11 +154,20 @@ class Validator {
     void check_presence(const DeckNode& node, const std::string& path, const TableSpec& spec) const {
         for (const KeySpec& key : spec.keys) {
             if (key.presence == Presence::optional || node.find(key.name) != nullptr) continue;
+            if (has_misspelling(node, key.name, spec)) continue;
             const std::string remark = key.remark.empty() ? "" : "; " + key.remark;
             add(node.place,
                 join_path(path, key.name),
                 "missing; expected " + describe_expected(key) + remark);
         }
+    }
+
+    // Whether an unknown key, reported as such, was to be this one.
+    static bool has_misspelling(const DeckNode& node, const std::string& key, const TableSpec& spec) {
+        const std::vector<std::string> known = spec.key_names();
+        return std::any_of(node.table()->begin(), node.table()->end(), [&](const DeckEntry& entry) {
+            return spec.find(entry.key) == nullptr && nearest_spelling(entry.key, known) == key;
+        });
     }
 
     void check_groups(const DeckNode& node, const std::string& path, const TableSpec& spec) const {

@@ -36,7 +36,7 @@ std::optional<std::string> read_word(const DeckNode& node,
     const std::vector<std::string>& words = key.choices;
     if (text != nullptr && std::find(words.begin(), words.end(), *text) != words.end()) return *text;
     const std::string hint = text == nullptr ? "" : did_you_mean(*text, words);
-    const std::string remark = key.remark.empty() ? "" : "; " + key.remark;
+    const std::string remark = key.remark.empty() ? "" : (hint.empty() ? "; " : " ") + key.remark;
     context.faults.add(node.place,
                        path,
                        fmt::format("expected {}{}, found {}{}{}",

@@ -1,0 +1,57 @@
+#include "deck/decks.hpp"
+
+namespace gxrod::test {
+
+TEST_CASE("A time step that makes too many steps is an error", "[deck]") {
+    CHECK(faults_of(replaced(body_deck, "steps = 10", "time_step = 1e-300")) ==
+          "x.toml:7:13: analysis.time_step: 1e+300 steps are too many; expected at most 1000000000000");
+}
+
+TEST_CASE("The paper's tangent is for bodies under newmark-simplified", "[deck]") {
+    CHECK(
+        faults_of(body_deck + R"(integrator = "newmark-ibrahimbegovic"
+newton = { tangent = "paper" })") ==
+        R"(x.toml:9:22: analysis.newton.tangent: "paper" belongs to integrator "newmark-simplified", not to "newmark-ibrahimbegovic")");
+    CHECK(
+        faults_of(rod_deck + R"(newton = { tangent = "paper" })") ==
+        R"(x.toml:13:22: analysis.newton.tangent: "paper" is for decks of bodies alone; this one has rods)");
+    CHECK(
+        faults_of(rod_deck + R"(integrator = "sdirk-4"
+newton = { tangent = "paper" })") ==
+        R"(x.toml:14:22: analysis.newton.tangent: "paper" belongs to integrator "newmark-simplified", not to "sdirk-4"
+x.toml:14:22: analysis.newton.tangent: "paper" is for decks of bodies alone; this one has rods)");
+}
+
+TEST_CASE("A time step that divides the time makes that many steps, another one shorter steps", "[deck]") {
+    const auto problem = [](const std::string& end_time, const std::string& time_step) {
+        return read(replaced(replaced(body_deck, "end_time = 1.0", "end_time = " + end_time),
+                             "steps = 10",
+                             "time_step = " + time_step));
+    };
+    CHECK(problem("1.0", "0.1").analysis.steps == 10);
+    CHECK(problem("0.3", "0.1").analysis.steps == 3);
+    CHECK(problem("2.0", "1e-4").analysis.steps == 20000);
+    CHECK(problem("\"2*pi\"", "\"2*pi/400\"").analysis.steps == 400);
+    CHECK(problem("1.0", "0.1").notes.empty());
+    CHECK(problem("1.0", "0.3").analysis.steps == 4);
+    CHECK(problem("1.0", "0.3").notes ==
+          std::vector<std::string>{"analysis.time_step: 0.3 does not divide 1; 4 steps of 0.25 are taken"});
+    CHECK(problem("1.0", "3.0").analysis.steps == 1);
+    CHECK(problem("1.0", "0.100001").analysis.steps == 10);
+    CHECK(problem("1.0", "0.099999").analysis.steps == 11);
+}
+
+TEST_CASE("Every integrator, tangent and solver has its word", "[deck]") {
+    const auto analysis = [](const std::string& line) { return read(body_deck + line).analysis; };
+    CHECK(analysis("").scheme == Scheme::newmark_simplified);
+    CHECK(analysis("integrator = \"newmark-simplified\"").scheme == Scheme::newmark_simplified);
+    CHECK(analysis("integrator = \"newmark-ibrahimbegovic\"").scheme == Scheme::newmark_ibrahimbegovic);
+    CHECK(analysis("integrator = \"generalized-alpha\"").scheme == Scheme::generalized_alpha);
+    CHECK(analysis("integrator = \"sdirk-4\"").scheme == Scheme::sdirk_4);
+    CHECK(analysis("integrator = \"runge-kutta-4\"").scheme == Scheme::runge_kutta_4);
+    CHECK(analysis("newton.tangent = \"consistent\"").newton.tangent == TangentKind::consistent);
+    CHECK(analysis("newton.tangent = \"difference\"").newton.tangent == TangentKind::difference);
+    CHECK(analysis("linear_solver = \"auto\"").linear_solver == LinearSolverKind::automatic);
+}
+
+}  // namespace gxrod::test

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "deck/problem.hpp"
+
+// Small decks that tests change, and what the reader says of them.
+namespace gxrod::test {
+
+// Lines 1 to 7; text that is added begins in line 8.
+inline const std::string body_deck = R"([body.top]
+mass = 1.0
+inertia = [1, 1, 1]
+[analysis]
+kind = "dynamic"
+end_time = 1.0
+steps = 10
+)";
+
+// Lines 1 to 12; text that is added begins in line 13.
+inline const std::string rod_deck = R"([section.s]
+stiffness = { EA = 1e4, GAy = 2e4, GAz = 3e4, GJ = 500, EIy = 600, EIz = 700 }
+inertia = { rhoA = 1.0, rhoJ = 20, rhoIy = 10, rhoIz = 11 }
+[rod.r]
+section = "s"
+line = { from = [0, 0, 0], to = [10, 0, 0] }
+elements = 10
+element = "simo"
+[analysis]
+kind = "dynamic"
+end_time = 1.0
+steps = 10
+)";
+
+// The deck with one piece of text, which it must have, replaced by another.
+std::string replaced(std::string deck, const std::string& old_text, const std::string& new_text);
+
+Problem read(const std::string& deck, const std::vector<std::string>& overrides = {});
+
+// All faults of a deck named x.toml, a line each; "" if it has none.
+std::string faults_of(const std::string& deck, const std::vector<std::string>& overrides = {});
+
+}  // namespace gxrod::test

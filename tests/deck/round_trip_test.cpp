@@ -1,0 +1,276 @@
+#include <functional>
+#include <set>
+
+#include "deck/decks.hpp"
+#include "deck/schema.hpp"
+
+// Every key of the schema, set to a value that is not its default, is seen in the problem that the reader
+// builds.
+namespace gxrod::test {
+namespace {
+
+// A deck with a value other than the default for one key, and whether the problem has that value.
+struct RoundTrip {
+    std::string key;  // path in the schema
+    std::string deck;
+    std::function<bool(const Problem&)> is_seen;
+};
+
+std::string with_body_key(const std::string& line) {
+    return replaced(body_deck, "[analysis]", line + "\n[analysis]");
+}
+std::string with_rod_key(const std::string& line) {
+    return replaced(rod_deck, "[analysis]", line + "\n[analysis]");
+}
+std::string with_history(const std::string& line) {
+    const std::string rest = "name = \"h\"\nat = \"r.end\"\nquantities = \"position\"\n";
+    const std::string key = line.substr(0, line.find(' '));
+    const std::size_t at = rest.find(key);
+    return rod_deck + "[[history]]\n" + std::string(rest).replace(at, rest.find('\n', at) - at, line);
+}
+
+const std::string force = "[[load]]\nat = \"r.end\"\nforce = [\"2*t\", 0, 3]\n";
+
+std::vector<RoundTrip> top_level_trips() {
+    return {
+        {"title",
+         "title = \"A title\"\n" + body_deck,
+         [](const Problem& p) { return p.record.title == "A title"; }},
+        {"units",
+         "units = \"mm t s\"\n" + body_deck,
+         [](const Problem& p) { return p.record.units == "mm t s"; }},
+        {"gravity",
+         "gravity = [1, \"2\", -9.5]\n" + body_deck,
+         [](const Problem& p) { return p.model.gravity == Vec3(1, 2, -9.5); }},
+        {"parameters",
+         replaced(body_deck, "mass = 1.0", "mass = \"2*m\"") + "[parameters]\nm = 4\n",
+         [](const Problem& p) { return p.model.bodies[0].mass == 8.0; }},
+        {"function.NAME.table",
+         body_deck +
+             "[function.f]\ntable = [[0, 0], [2, 6]]\n[[load]]\nat = \"top\"\nforce = [\"f(t)\", 0, 0]\n",
+         [](const Problem& p) { return p.model.loads[0].force[0](1.0) == 3.0; }},
+        {"function.NAME.expression",
+         body_deck + "[function.f]\nexpression = \"t^2\"\n[[load]]\nat = \"top\"\nforce = [\"f(t)\", 0, 0]\n",
+         [](const Problem& p) { return p.model.loads[0].force[0](3.0) == 9.0; }}};
+}
+
+std::vector<RoundTrip> section_trips() {
+    const auto stiffness = [](int i, double value) {
+        return [=](const Problem& p) { return p.model.sections[0].stiffness(i, i) == value; };
+    };
+    const auto mass = [](int i, double value) {
+        return [=](const Problem& p) { return p.model.sections[0].mass(i, i) == value; };
+    };
+    return {{"section.NAME.stiffness.EA", replaced(rod_deck, "EA = 1e4", "EA = 77"), stiffness(0, 77)},
+            {"section.NAME.stiffness.GAy", replaced(rod_deck, "GAy = 2e4", "GAy = 77"), stiffness(1, 77)},
+            {"section.NAME.stiffness.GAz", replaced(rod_deck, "GAz = 3e4", "GAz = 77"), stiffness(2, 77)},
+            {"section.NAME.stiffness.GJ", replaced(rod_deck, "GJ = 500", "GJ = 77"), stiffness(3, 77)},
+            {"section.NAME.stiffness.EIy", replaced(rod_deck, "EIy = 600", "EIy = 77"), stiffness(4, 77)},
+            {"section.NAME.stiffness.EIz", replaced(rod_deck, "EIz = 700", "EIz = 77"), stiffness(5, 77)},
+            {"section.NAME.inertia.rhoA",
+             replaced(rod_deck, "rhoA = 1.0", "rhoA = 7"),
+             [](const Problem& p) { return p.model.sections[0].mass.diagonal().head<3>() == Vec3(7, 7, 7); }},
+            {"section.NAME.inertia.rhoJ", replaced(rod_deck, "rhoJ = 20", "rhoJ = 77"), mass(3, 77)},
+            {"section.NAME.inertia.rhoIy", replaced(rod_deck, "rhoIy = 10", "rhoIy = 77"), mass(4, 77)},
+            {"section.NAME.inertia.rhoIz", replaced(rod_deck, "rhoIz = 11", "rhoIz = 77"), mass(5, 77)}};
+}
+
+std::vector<RoundTrip> rod_trips() {
+    return {{"rod.NAME.section",
+             replaced(rod_deck, "section = \"s\"", "section = \"other\"") +
+                 "[section.other]\nstiffness = { EA = 1, GAy = 1, GAz = 1, GJ = 1, EIy = 1, EIz = 1 }\n"
+                 "inertia = { rhoA = 1, rhoIy = 1, rhoIz = 1 }\n",
+             [](const Problem& p) { return p.model.sections[p.model.rods[0].section].name == "other"; }},
+            {"rod.NAME.line.from",
+             replaced(rod_deck, "from = [0, 0, 0]", "from = [1, 2, 3]"),
+             [](const Problem& p) {
+                 return p.model.nodes[p.model.rods[0].nodes.front()].position == Vec3(1, 2, 3);
+             }},
+            {"rod.NAME.line.to",
+             replaced(rod_deck, "to = [10, 0, 0]", "to = [1, 2, 3]"),
+             [](const Problem& p) {
+                 return p.model.nodes[p.model.rods[0].nodes.back()].position == Vec3(1, 2, 3);
+             }},
+            {"rod.NAME.elements",
+             replaced(rod_deck, "elements = 10", "elements = \"3 + 4\""),
+             [](const Problem& p) { return p.model.rods[0].element_count() == 7; }},
+            {"rod.NAME.order",
+             with_rod_key("").replace(rod_deck.find("[analysis]"), 0, "order = 1"),
+             [](const Problem& p) { return p.model.rods[0].order == 1; }},
+            {"rod.NAME.element",
+             rod_deck,
+             [](const Problem& p) { return p.model.rods[0].kind == ElementKind::simo; }},
+            {"rod.NAME.y_axis",
+             replaced(rod_deck, "element = \"simo\"", "element = \"simo\"\ny_axis = [5, 0, -2]"),
+             [](const Problem& p) {
+                 return (p.model.rods[0].triads[0] * Vec3::UnitY()).isApprox(Vec3(0, 0, -1), 1e-15);
+             }}};
+}
+
+std::vector<RoundTrip> body_trips() {
+    const auto node = [](const Problem& p) { return p.model.nodes[p.model.bodies[0].node]; };
+    return {{"body.NAME.mass",
+             replaced(body_deck, "mass = 1.0", "mass = 2.5"),
+             [](const Problem& p) { return p.model.bodies[0].mass == 2.5; }},
+            {"body.NAME.inertia",
+             replaced(body_deck, "[1, 1, 1]", "[2, 3, 4]"),
+             [](const Problem& p) { return p.model.bodies[0].inertia == Mat3(Vec3(2, 3, 4).asDiagonal()); }},
+            {"body.NAME.at",
+             with_body_key("at = [1, 2, 3]"),
+             [=](const Problem& p) { return node(p).position == Vec3(1, 2, 3); }},
+            {"body.NAME.centre_of_mass",
+             with_body_key("centre_of_mass = [1, 2, 3]"),
+             [](const Problem& p) { return p.model.bodies[0].centre_of_mass == Vec3(1, 2, 3); }},
+            {"body.NAME.rotation_vector",
+             with_body_key("rotation_vector = [0, 0, \"pi/2\"]"),
+             [](const Problem& p) {
+                 return (p.model.bodies[0].attitude * Vec3::UnitX()).isApprox(Vec3::UnitY(), 1e-15);
+             }},
+            {"body.NAME.velocity",
+             with_body_key("velocity = [1, 2, 3]"),
+             [=](const Problem& p) { return node(p).velocity == Vec3(1, 2, 3); }},
+            {"body.NAME.angular_velocity",
+             with_body_key("rotation_vector = [0, 0, \"pi/2\"]\nangular_velocity = [1, 2, 3]"),
+             [=](const Problem& p) { return node(p).angular_velocity == Vec3(1, 2, 3); }},
+            {"body.NAME.angular_velocity_material",
+             with_body_key("rotation_vector = [0, 0, \"pi/2\"]\nangular_velocity_material = [1, 2, 3]"),
+             [=](const Problem& p) { return node(p).angular_velocity.isApprox(Vec3(-2, 1, 3), 1e-15); }}};
+}
+
+std::vector<RoundTrip> load_and_support_trips() {
+    return {{"load.at", rod_deck + force, [](const Problem& p) { return p.model.loads[0].node == 10; }},
+            {"load.force",
+             rod_deck + force,
+             [](const Problem& p) {
+                 return p.model.loads[0].force[0](4.0) == 8.0 && p.model.loads[0].force[2](0.0) == 3.0;
+             }},
+            {"load.moment",
+             rod_deck + replaced(force, "force", "moment"),
+             [](const Problem& p) {
+                 return p.model.loads[0].moment[0](4.0) == 8.0 && p.model.loads[0].moment[2](0.0) == 3.0;
+             }},
+            {"load.frame",
+             rod_deck + force + "frame = \"follower\"",
+             [](const Problem& p) { return p.model.loads[0].frame == Frame::follower; }},
+            {"support.at",
+             rod_deck + "[[support]]\nat = \"r.start\"\nfix = \"x\"\n",
+             [](const Problem& p) { return p.model.supports[0].node == 0; }},
+            {"support.fix",
+             rod_deck + "[[support]]\nat = \"r.end\"\nfix = [\"y\", \"rx\", \"rz\"]\n",
+             [](const Problem& p) {
+                 return p.model.supports[0].fixed == std::array{false, true, false, true, false, true};
+             }}};
+}
+
+std::vector<RoundTrip> analysis_trips() {
+    return {
+        {"analysis.kind", body_deck, [](const Problem& p) { return p.analysis.steps == 10; }},
+        {"analysis.end_time",
+         replaced(body_deck, "end_time = 1.0", "end_time = 2.5"),
+         [](const Problem& p) { return p.analysis.end_time == 2.5; }},
+        {"analysis.time_step",
+         replaced(body_deck, "steps = 10", "time_step = 0.125"),
+         [](const Problem& p) { return p.analysis.steps == 8; }},
+        {"analysis.steps",
+         replaced(body_deck, "steps = 10", "steps = 123"),
+         [](const Problem& p) { return p.analysis.steps == 123; }},
+        {"analysis.integrator",
+         body_deck + "integrator = \"sdirk-4\"",
+         [](const Problem& p) { return p.analysis.scheme == Scheme::sdirk_4; }},
+        {"analysis.beta", body_deck + "beta = 0.3", [](const Problem& p) { return p.analysis.beta == 0.3; }},
+        {"analysis.gamma",
+         body_deck + "gamma = 0.6",
+         [](const Problem& p) { return p.analysis.gamma == 0.6; }},
+        {"analysis.spectral_radius",
+         body_deck + "integrator = \"generalized-alpha\"\nspectral_radius = 0.3",
+         [](const Problem& p) { return p.analysis.spectral_radius == 0.3; }},
+        {"analysis.newton.tolerance",
+         body_deck + "newton = { tolerance = 1e-5 }",
+         [](const Problem& p) { return p.analysis.newton.tolerance == 1e-5; }},
+        {"analysis.newton.max_iterations",
+         body_deck + "newton = { max_iterations = 7 }",
+         [](const Problem& p) { return p.analysis.newton.max_iterations == 7; }},
+        {"analysis.newton.tangent",
+         body_deck + "newton = { tangent = \"paper\" }",
+         [](const Problem& p) { return p.analysis.newton.tangent == TangentKind::paper; }},
+        {"analysis.linear_solver",
+         body_deck + "linear_solver = \"klu\"",
+         [](const Problem& p) { return p.analysis.linear_solver == LinearSolverKind::klu; }},
+        {"output.every",
+         body_deck + "[output]\nevery = 5",
+         [](const Problem& p) { return p.output.every == 5; }},
+        {"history.name",
+         with_history("name = \"tip-1\""),
+         [](const Problem& p) { return p.output.histories[0].name == "tip-1"; }},
+        {"history.at",
+         with_history("at = \"r@0.3\""),
+         [](const Problem& p) {
+             return p.output.histories[0].at == "r@0.3" && p.output.histories[0].node == 3;
+         }},
+        {"history.quantities", with_history("quantities = [\"strain\", \"velocity\"]"), [](const Problem& p) {
+             return p.output.histories[0].quantities == std::vector{Quantity::strain, Quantity::velocity};
+         }}};
+}
+
+std::vector<RoundTrip> all_trips() {
+    std::vector<RoundTrip> all;
+    for (const auto& trips : {top_level_trips(),
+                              section_trips(),
+                              rod_trips(),
+                              body_trips(),
+                              load_and_support_trips(),
+                              analysis_trips()}) {
+        all.insert(all.end(), trips.begin(), trips.end());
+    }
+    return all;
+}
+
+void add_leaf_paths(const TableSpec& table, const std::string& prefix, std::set<std::string>& paths) {
+    for (const KeySpec& key : table.keys) {
+        const std::string path = prefix + key.name;
+        switch (key.type) {
+            case ValueType::table:
+            case ValueType::table_list:
+                add_leaf_paths(*key.table, path + ".", paths);
+                break;
+            case ValueType::named_tables:
+                add_leaf_paths(*key.table, path + ".NAME.", paths);
+                break;
+            default:
+                paths.insert(path);
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("Every key of a deck is seen in the problem", "[deck]") {
+    for (const RoundTrip& trip : all_trips()) {
+        INFO(trip.key << "\n" << trip.deck);
+        CHECK(trip.is_seen(read(trip.deck)));
+    }
+}
+
+TEST_CASE("The values that round trips see are not there by default", "[deck]") {
+    // These have one valid value only.
+    const std::set<std::string> single{"rod.NAME.order", "rod.NAME.element", "analysis.kind"};
+    for (const RoundTrip& trip : all_trips()) {
+        if (single.contains(trip.key)) continue;
+        const bool has_loads = trip.key.starts_with("load") || trip.key.starts_with("function");
+        const bool has_others = trip.key.starts_with("support") || trip.key.starts_with("history");
+        if (has_loads || has_others) continue;  // not there at all without their table
+        const bool of_rod = trip.key.starts_with("rod") || trip.key.starts_with("section");
+        INFO(trip.key);
+        CHECK_FALSE(trip.is_seen(read(of_rod ? rod_deck : body_deck)));
+    }
+}
+
+TEST_CASE("Every key of the schema has a round trip", "[deck]") {
+    std::set<std::string> in_schema;
+    add_leaf_paths(deck_schema(), "", in_schema);
+    std::set<std::string> tried;
+    for (const RoundTrip& trip : all_trips()) tried.insert(trip.key);
+    CHECK(tried == in_schema);
+}
+
+}  // namespace gxrod::test
