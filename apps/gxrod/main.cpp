@@ -1,5 +1,70 @@
 #include <fmt/core.h>
 
-#include "model/version.hpp"
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <new>
 
-int main() { fmt::print("gxrod {}\n", gxrod::version); }
+#include "deck/fault.hpp"
+#include "deck/suggestion.hpp"
+#include "exit_code.hpp"
+#include "model/file_error.hpp"
+#include "model/version.hpp"
+#include "verbs.hpp"
+
+namespace {
+
+// Throws if the first argument is meant as a verb and is none.
+void check_verb(const CLI::App& program, int argc, char** argv) {
+    const std::string verb = argc > 1 ? argv[1] : "-";
+    if (verb.empty() || verb[0] == '-') return;
+    std::vector<std::string> verbs;
+    for (const CLI::App* known : program.get_subcommands({})) verbs.push_back(known->get_name());
+    if (std::find(verbs.begin(), verbs.end(), verb) != verbs.end()) return;
+    throw CLI::ValidationError("gxrod has no verb '" + verb + "'" + gxrod::did_you_mean(verb, verbs));
+}
+
+// Runs the verb; errors become a message and an exit code.
+int run_program(int argc, char** argv) {
+    CLI::App program{"gxrod: geometrically exact rods and rigid bodies in motion"};
+    program.set_version_flag("--version", std::string("gxrod ") + gxrod::version);
+    program.require_subcommand(1);
+    program.failure_message([](const CLI::App*, const CLI::Error& error) {
+        return std::string("gxrod: ") + error.what() + "\nTry 'gxrod --help' or 'gxrod VERB --help'.\n";
+    });
+    program.footer(
+        "Exit codes: 0 done, 1 internal error, 2 usage or deck fault, 3 did not converge,\n"
+        "4 a file could not be read or written, 5 a verification missed its reference, 130 interrupted.");
+    int exit_code = gxrod::exit_done;
+    gxrod::add_run_verb(program, exit_code);
+    gxrod::add_check_verb(program, exit_code);
+    gxrod::add_verify_verb(program, exit_code);
+    gxrod::add_schema_verb(program, exit_code);
+    try {
+        check_verb(program, argc, argv);
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? gxrod::exit_done : gxrod::exit_bad_input;
+    }
+    return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run_program(argc, argv);
+    } catch (const gxrod::DeckError& error) {
+        fmt::print(stderr, "{}\n", error.what());
+        return gxrod::exit_bad_input;
+    } catch (const gxrod::FileError& error) {
+        fmt::print(stderr, "gxrod: {}\n", error.what());
+        return gxrod::exit_file;
+    } catch (const std::bad_alloc&) {
+        fmt::print(stderr, "gxrod: out of memory\n");
+        return gxrod::exit_internal_error;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "gxrod: internal error: {}\n", error.what());
+        return gxrod::exit_internal_error;
+    }
+}

@@ -52,7 +52,8 @@ EquilibriumReport DynamicAnalysis::advance() {
 Snapshot DynamicAnalysis::snapshot() {
     section_values_ = system_.compute_section_values(state_);
     system_.compute_residual(state_, state_.time, residual_);
-    for (const auto& [node, component] : system_.equations().unknowns()) residual_.nodal[node][component] = 0.0;
+    for (const auto& [node, component] : system_.equations().unknowns())
+        residual_.nodal[node][component] = 0.0;
     return {state_.time, state_.trial, section_values_, residual_.nodal};
 }
 

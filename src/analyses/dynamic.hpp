@@ -19,8 +19,8 @@ class DynamicAnalysis {
 
     // Solves for the initial accelerations; before anything else.
     EquilibriumReport start();
-    // One accepted step, of the nominal length or a part of it. If even the shortest step fails, the report says why
-    // and the state is the last accepted one.
+    // One accepted step, of the nominal length or a part of it. If even the shortest step fails, the report
+    // says why and the state is the last accepted one.
     EquilibriumReport advance();
     bool finished() const { return control_.finished(); }
 

@@ -9,7 +9,10 @@ Ledger::Ledger(const System& system, const Integrator& integrator, const State& 
     initial_potential_ = balance.gravity_potential;
 }
 
-void Ledger::add_work(const State& state, double time, const std::vector<double>& load_power, double time_step) {
+void Ledger::add_work(const State& state,
+                      double time,
+                      const std::vector<double>& load_power,
+                      double time_step) {
     if (power_weights_.empty()) {
         load_work_ += system_->compute_load_work(state, time);
         return;

@@ -12,8 +12,8 @@ class Ledger {
     // `state` is the initial one.
     Ledger(const System& system, const Integrator& integrator, const State& state);
 
-    // Adds the work of the loads over the step from state.previous to state.trial, which ends at `time`; before the
-    // step is committed. load_power is what the step's stages recorded.
+    // Adds the work of the loads over the step from state.previous to state.trial, which ends at `time`;
+    // before the step is committed. load_power is what the step's stages recorded.
     void add_work(const State& state, double time, const std::vector<double>& load_power, double time_step);
 
     LedgerRow row(const State& state) const;

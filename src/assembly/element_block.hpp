@@ -18,8 +18,8 @@ struct ElementBlock {
 
     std::vector<E> elements;
     std::vector<ElementSlots<node_count>> slots;
-    std::size_t first_history = 0;    // of this block in State::sections
-    std::vector<int> section_index;   // of a rod element among all rod elements of the model
+    std::size_t first_history = 0;   // of this block in State::sections
+    std::vector<int> section_index;  // of a rod element among all rod elements of the model
 
     Histories histories(const State& state, std::size_t element) const {
         return {state.sections.data() + first_history + element * force_point_count, force_point_count};

@@ -11,7 +11,8 @@
 // From an element's matrix to the global one, and from nodal vectors to equations and back.
 namespace gxrod {
 
-// The slot of each entry of an element's matrix, column by column; −1 where a support holds the row or column.
+// The slot of each entry of an element's matrix, column by column; −1 where a support holds the row or
+// column.
 template <int Nodes>
 using ElementSlots = std::array<std::int64_t, 36 * Nodes * Nodes>;
 
@@ -34,7 +35,9 @@ ElementSlots<Nodes> compute_slots(const std::array<int, Nodes>& nodes,
 
 // Adds an element's matrix to the values of the global one.
 template <int Nodes>
-void add_to_values(const NodalMatrix<Nodes>& matrix, const ElementSlots<Nodes>& slots, std::vector<double>& values) {
+void add_to_values(const NodalMatrix<Nodes>& matrix,
+                   const ElementSlots<Nodes>& slots,
+                   std::vector<double>& values) {
     for (std::size_t entry = 0; entry < slots.size(); ++entry) {
         if (slots[entry] >= 0) values[slots[entry]] += matrix.data()[entry];
     }
@@ -42,7 +45,9 @@ void add_to_values(const NodalMatrix<Nodes>& matrix, const ElementSlots<Nodes>& 
 
 // Adds an element's vector to its nodes.
 template <int Nodes>
-void add_to_nodes(const NodalVector<Nodes>& force, const std::array<int, Nodes>& nodes, std::vector<Vec6>& nodal) {
+void add_to_nodes(const NodalVector<Nodes>& force,
+                  const std::array<int, Nodes>& nodes,
+                  std::vector<Vec6>& nodal) {
     for (int i = 0; i < Nodes; ++i) nodal[nodes[i]] += force.template segment<6>(6 * i);
 }
 

@@ -27,8 +27,8 @@ void raise_scales(const Vector& force, Residual& residual) {
     for (int i = 0; i < force.size(); i += 6) {
         residual.force_scale =
             std::max(residual.force_scale, force.template segment<3>(i).template lpNorm<Eigen::Infinity>());
-        residual.moment_scale =
-            std::max(residual.moment_scale, force.template segment<3>(i + 3).template lpNorm<Eigen::Infinity>());
+        residual.moment_scale = std::max(residual.moment_scale,
+                                         force.template segment<3>(i + 3).template lpNorm<Eigen::Infinity>());
     }
 }
 
@@ -41,7 +41,8 @@ System::System(const Model& model) : model_(&model), equations_(compute_fixed_co
 }
 
 void System::build_blocks() {
-    for (const Body& body : model_->bodies) std::get<ElementBlock<RigidBody>>(blocks_).elements.emplace_back(body);
+    for (const Body& body : model_->bodies)
+        std::get<ElementBlock<RigidBody>>(blocks_).elements.emplace_back(body);
     for (const Rod& rod : model_->rods) {
         add_rod(*model_, rod, rod_element_count_, std::get<ElementBlock<SimoElement<2>>>(blocks_));
         rod_element_count_ += rod.element_count();
@@ -55,7 +56,8 @@ void System::build_blocks() {
 void System::build_pattern() {
     std::vector<NodeGroup> groups;
     for_each_block(blocks_, [&](const auto& block) {
-        for (const auto& element : block.elements) groups.emplace_back(element.nodes.begin(), element.nodes.end());
+        for (const auto& element : block.elements)
+            groups.emplace_back(element.nodes.begin(), element.nodes.end());
     });
     pattern_ = compute_pattern(equations_, groups);
     for_each_block(blocks_, [this](auto& block) {
@@ -98,7 +100,8 @@ State System::initial_state() const {
     state.previous = state.trial;
     state.sections.resize(history_count_);
     for_each_block(blocks_, [&](const auto& block) {
-        for (std::size_t e = 0; e < block.elements.size(); ++e) block.elements[e].start(block.histories(state, e));
+        for (std::size_t e = 0; e < block.elements.size(); ++e)
+            block.elements[e].start(block.histories(state, e));
     });
     return state;
 }
@@ -211,8 +214,8 @@ std::vector<SectionValues> System::compute_section_values(const State& state) co
     for_each_block(blocks_, [&](const auto& block) {
         for (std::size_t e = 0; e < block.section_index.size(); ++e) {
             if constexpr (std::remove_cvref_t<decltype(block)>::force_point_count > 0) {
-                values[block.section_index[e]] =
-                    block.elements[e].section_values(block.motions(state.trial, e), block.histories(state, e));
+                values[block.section_index[e]] = block.elements[e].section_values(
+                    block.motions(state.trial, e), block.histories(state, e));
             }
         }
     });

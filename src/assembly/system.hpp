@@ -15,7 +15,8 @@ namespace gxrod {
 // What is out of balance at every node: internal + inertial − external.
 struct Residual {
     std::vector<Vec6> nodal;  // supported components hold the force that the support exerts
-    // The largest force and moment that one element or load puts on a node; a residual is small against these.
+    // The largest force and moment that one element or load puts on a node; a residual is small against
+    // these.
     double force_scale = 0.0;
     double moment_scale = 0.0;
 };
@@ -37,7 +38,8 @@ class System {
     const Model& model() const { return *model_; }
     const EquationNumbers& equations() const { return equations_; }
     const SparsePattern& pattern() const { return pattern_; }
-    // The model's length for scaling: the largest of its extent and the bodies' own sizes; 1 if both are zero.
+    // The model's length for scaling: the largest of its extent and the bodies' own sizes; 1 if both are
+    // zero.
     double length_scale() const { return length_scale_; }
     std::size_t element_count() const;
 

@@ -9,9 +9,9 @@
 
 // What every element offers, so that assembly and the every_element tests treat all kinds alike.
 //
-// Node I of an element owns rows 6I … 6I+5 of its vectors and matrices: force (or δr), then moment about the node
-// (or the spatial spin δφ). All spatial. A force is what the element asks of its nodes: internal + inertial −
-// external = 0 is equilibrium.
+// Node I of an element owns rows 6I … 6I+5 of its vectors and matrices: force (or δr), then moment about the
+// node (or the spatial spin δφ). All spatial. A force is what the element asks of its nodes: internal +
+// inertial − external = 0 is equilibrium.
 namespace gxrod {
 
 template <int Nodes>

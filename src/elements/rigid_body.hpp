@@ -15,7 +15,8 @@ class RigidBody {
     explicit RigidBody(const Body& body);
 
     void add_internal_force(const Motions<1>&, Histories, NodalVector<1>&) const {}
-    void add_internal_tangent(const Motions<1>&, Histories, const Linearizations<1>&, NodalMatrix<1>&) const {}
+    void add_internal_tangent(const Motions<1>&, Histories, const Linearizations<1>&, NodalMatrix<1>&) const {
+    }
     void add_inertial_force(const Motions<1>& motions, const Vec3& gravity, NodalVector<1>& force) const;
     void add_inertial_tangent(const Motions<1>& motions,
                               const Vec3& gravity,

@@ -2,11 +2,12 @@
 
 #include "state/motion.hpp"
 
-// The inertia of a rigid body about a node that need not be its centre of mass. It serves rigid bodies and the
-// nodal rotary inertia of rods alike.
+// The inertia of a rigid body about a node that need not be its centre of mass. It serves rigid bodies and
+// the nodal rotary inertia of rods alike.
 //
-// Legend: Lambda rotation since t = 0, s = Λ S first moment of mass about the node, J = Λ J₀ Λᵀ inertia about the
-// node (both spatial), a' = a − g acceleration less gravity. Force and moment about the node are stacked in a Vec6.
+// Legend: Lambda rotation since t = 0, s = Λ S first moment of mass about the node, J = Λ J₀ Λᵀ inertia about
+// the node (both spatial), a' = a − g acceleration less gravity. Force and moment about the node are stacked
+// in a Vec6.
 namespace gxrod {
 
 // Constants in the global axes of t = 0.
@@ -22,8 +23,8 @@ struct Momentum {
     Vec3 angular = Vec3::Zero();  // about the origin
 };
 
-// The constants of a body given about its centre of mass: `axes` are its axes at t = 0, `centre_of_mass` runs from
-// the node in those axes, `inertia` is about the centre of mass in those axes.
+// The constants of a body given about its centre of mass: `axes` are its axes at t = 0, `centre_of_mass` runs
+// from the node in those axes, `inertia` is about the centre of mass in those axes.
 RigidInertia compute_rigid_inertia(double mass,
                                    const Mat3& inertia,
                                    const Vec3& centre_of_mass,
@@ -33,7 +34,8 @@ RigidInertia compute_rigid_inertia(double mass,
 // (Rubin 2007, (5.1), with an offset).
 Vec6 compute_inertial_force(const RigidInertia& body, const NodeMotion& motion, const Vec3& gravity);
 
-// The derivative of compute_inertial_force with respect to (δr, δφ); with no offset, the tangent (5.6) of Rubin (2007).
+// The derivative of compute_inertial_force with respect to (δr, δφ); with no offset, the tangent (5.6) of
+// Rubin (2007).
 Mat6 compute_inertial_tangent(const RigidInertia& body,
                               const NodeMotion& motion,
                               const NodeLinearization& linearization,

@@ -5,9 +5,9 @@
 
 namespace gxrod {
 
-// Generalized-α of Chung & Hulbert on the rotation group in the form of Arnold & Brüls (2007): equilibrium at the
-// end of the step, spatial rates, and an algorithmic acceleration A per node that lags the true one:
-// (1 − α_m) A + α_m A_n = (1 − α_f) α + α_f α_n. Second order; the spectral radius at infinite frequency sets the
+// Generalized-α of Chung & Hulbert on the rotation group in the form of Arnold & Brüls (2007): equilibrium at
+// the end of the step, spatial rates, and an algorithmic acceleration A per node that lags the true one: (1 −
+// α_m) A + α_m A_n = (1 − α_f) α + α_f α_n. Second order; the spectral radius at infinite frequency sets the
 // damping, from 1 (none) to 0.
 class GeneralizedAlpha : public Integrator {
   public:

@@ -11,11 +11,16 @@ namespace gxrod {
 std::unique_ptr<Integrator> make_integrator(const DynamicSettings& settings) {
     const Newmark newmark{settings.beta, settings.gamma};
     switch (settings.scheme) {
-        case Scheme::newmark_ibrahimbegovic: return std::make_unique<NewmarkIbrahimbegovic>(newmark);
-        case Scheme::generalized_alpha: return std::make_unique<GeneralizedAlpha>(settings.spectral_radius);
-        case Scheme::sdirk_4: return std::make_unique<Sdirk4>();
-        case Scheme::runge_kutta_4: return std::make_unique<RungeKutta4>();
-        case Scheme::newmark_simplified: break;
+        case Scheme::newmark_ibrahimbegovic:
+            return std::make_unique<NewmarkIbrahimbegovic>(newmark);
+        case Scheme::generalized_alpha:
+            return std::make_unique<GeneralizedAlpha>(settings.spectral_radius);
+        case Scheme::sdirk_4:
+            return std::make_unique<Sdirk4>();
+        case Scheme::runge_kutta_4:
+            return std::make_unique<RungeKutta4>();
+        case Scheme::newmark_simplified:
+            break;
     }
     return std::make_unique<NewmarkSimplified>(newmark);
 }

@@ -16,10 +16,10 @@ struct Stage {
     double end_time;   // where the step ends: step_time + time_step but for rounding
 };
 
-// How time advances. A step is a sequence of stages; for each, begin_stage places the trial motions and the solver
-// then makes them satisfy equilibrium at stage_time: an implicit scheme by moving (r, Λ) and calling update_rates,
-// an explicit one by finding the accelerations at the given motions. The last stage leaves the motion at the end
-// of the step. Integrators hold no state and never see an element.
+// How time advances. A step is a sequence of stages; for each, begin_stage places the trial motions and the
+// solver then makes them satisfy equilibrium at stage_time: an implicit scheme by moving (r, Λ) and calling
+// update_rates, an explicit one by finding the accelerations at the given motions. The last stage leaves the
+// motion at the end of the step. Integrators hold no state and never see an element.
 class Integrator {
   public:
     virtual ~Integrator() = default;
@@ -36,7 +36,8 @@ class Integrator {
 
     // Once, when the initial accelerations stand in `previous` and `trial`.
     virtual void start(State&) const {}
-    // Places the trial motions: an implicit scheme predicts, an explicit one sets what the accelerations are for.
+    // Places the trial motions: an implicit scheme predicts, an explicit one sets what the accelerations are
+    // for.
     virtual void begin_stage(State& state, const Stage& stage) const = 0;
     // Velocities and accelerations of the trial from its r, Λ and θ. Implicit schemes only.
     virtual void update_rates(State& state, const Stage& stage) const = 0;
@@ -50,8 +51,9 @@ class Integrator {
     // After the stage's equilibrium is found.
     virtual void end_stage(State&, const Stage&) const {}
 
-    // Weights of the load power over a step, in order: at its start, then at each stage. They integrate the work of
-    // the loads to the scheme's order. Empty for one-stage schemes, whose work is the mean load times displacement.
+    // Weights of the load power over a step, in order: at its start, then at each stage. They integrate the
+    // work of the loads to the scheme's order. Empty for one-stage schemes, whose work is the mean load times
+    // displacement.
     virtual std::vector<double> power_weights() const { return {}; }
 };
 

@@ -4,7 +4,10 @@
 
 namespace gxrod {
 
-void update_translation(const Newmark& newmark, const NodeMotion& previous, double time_step, NodeMotion& trial) {
+void update_translation(const Newmark& newmark,
+                        const NodeMotion& previous,
+                        double time_step,
+                        NodeMotion& trial) {
     const Vec3 w = (trial.r - previous.r) / time_step;
     trial.a = newmark.acceleration(w, previous.v, previous.a, time_step);
     trial.v = newmark.velocity(previous.v, previous.a, trial.a, time_step);

@@ -11,11 +11,17 @@ struct Newmark {
     double gamma = 0.5;
 
     // The acceleration at the end of a step whose mean velocity was w = increment/Δt, (4.7a).
-    Vec3 acceleration(const Vec3& w, const Vec3& velocity_n, const Vec3& acceleration_n, double time_step) const {
+    Vec3 acceleration(const Vec3& w,
+                      const Vec3& velocity_n,
+                      const Vec3& acceleration_n,
+                      double time_step) const {
         return (w - velocity_n) / (beta * time_step) - ((1.0 - 2.0 * beta) / (2.0 * beta)) * acceleration_n;
     }
     // The velocity at the end of a step between two accelerations, (4.7b).
-    Vec3 velocity(const Vec3& velocity_n, const Vec3& acceleration_n, const Vec3& acceleration, double time_step) const {
+    Vec3 velocity(const Vec3& velocity_n,
+                  const Vec3& acceleration_n,
+                  const Vec3& acceleration,
+                  double time_step) const {
         return velocity_n + time_step * ((1.0 - gamma) * acceleration_n + gamma * acceleration);
     }
     // Derivatives of velocity and acceleration by the increment.
@@ -24,7 +30,10 @@ struct Newmark {
 };
 
 // v and a of a node from its displacement over the step.
-void update_translation(const Newmark& newmark, const NodeMotion& previous, double time_step, NodeMotion& trial);
+void update_translation(const Newmark& newmark,
+                        const NodeMotion& previous,
+                        double time_step,
+                        NodeMotion& trial);
 
 // Places every node where the velocity and acceleration of the last step would take it in the time h:
 // r + h v + ½h² a and θ = h ω + ½h² α.

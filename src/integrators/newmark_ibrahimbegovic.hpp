@@ -5,8 +5,8 @@
 
 namespace gxrod {
 
-// Scheme (I), Ibrahimbegovic's Newmark scheme (Rubin 2007, (4.3)): the same update as (S) in the frame of the last
-// step, then turned with the body by Λ(θ).
+// Scheme (I), Ibrahimbegovic's Newmark scheme (Rubin 2007, (4.3)): the same update as (S) in the frame of the
+// last step, then turned with the body by Λ(θ).
 class NewmarkIbrahimbegovic : public Integrator {
   public:
     explicit NewmarkIbrahimbegovic(const Newmark& newmark) : newmark_(newmark) {}

@@ -8,8 +8,8 @@ namespace {
 
 constexpr int rate_count = 4;
 
-// Rates of a motion: ṙ = v, q̇ = ½ ω q, v̇ = a, ω̇ = α. q is the quaternion before it was normalised: the equation
-// for q is linear, and a scheme of order 4 only if it is integrated as it stands.
+// Rates of a motion: ṙ = v, q̇ = ½ ω q, v̇ = a, ω̇ = α. q is the quaternion before it was normalised: the
+// equation for q is linear, and a scheme of order 4 only if it is integrated as it stands.
 StageRates compute_rates(const NodeMotion& motion, const Quat& q) {
     const Quat omega(0.0, motion.omega.x(), motion.omega.y(), motion.omega.z());
     StageRates rates;
@@ -69,7 +69,9 @@ void RungeKutta4::begin_stage(State& state, const Stage& stage) const {
     }
 }
 
-void RungeKutta4::linearize(const State& state, const Stage&, std::vector<NodeLinearization>& linearizations) const {
+void RungeKutta4::linearize(const State& state,
+                            const Stage&,
+                            std::vector<NodeLinearization>& linearizations) const {
     linearizations = mass_linearizations(state.trial.size());
 }
 

@@ -15,7 +15,8 @@ const std::array<std::array<double, Sdirk4::stages>, Sdirk4::stages> Sdirk4::a{{
 
 namespace {
 
-// What a stage takes from the stages before it: the part of r, θ, v and ω that does not depend on its own rates.
+// What a stage takes from the stages before it: the part of r, θ, v and ω that does not depend on its own
+// rates.
 struct Known {
     Vec3 r, theta, v, omega;
 };

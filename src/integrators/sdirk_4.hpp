@@ -6,9 +6,9 @@
 
 namespace gxrod {
 
-// The L-stable diagonally implicit Runge-Kutta scheme of order 4 with five stages (Hairer & Wanner 1996, SDIRK4,
-// table IV.6.5), in the rotation vector of the step: θ_i = Δt Σ_j a_ij T(θ_j)⁻¹ ω_j, ω_i = ω_n + Δt Σ_j a_ij α_j.
-// The last stage is the end of the step. Each stage is an equilibrium at its own time.
+// The L-stable diagonally implicit Runge-Kutta scheme of order 4 with five stages (Hairer & Wanner 1996,
+// SDIRK4, table IV.6.5), in the rotation vector of the step: θ_i = Δt Σ_j a_ij T(θ_j)⁻¹ ω_j, ω_i = ω_n + Δt
+// Σ_j a_ij α_j. The last stage is the end of the step. Each stage is an equilibrium at its own time.
 class Sdirk4 : public Integrator {
   public:
     static constexpr int stages = 5;

@@ -13,7 +13,7 @@ struct LedgerRow {
     double strain_energy = 0.0;
     double external_work = 0.0;      // of loads, gravity included, since t = 0
     double dissipated_energy = 0.0;  // by material and mass-proportional damping since t = 0
-    double energy_error = 0.0;       // (kinetic + strain) − its value at t = 0 − external work + dissipated
+    double energy_error = 0.0;  // (kinetic + strain) − its value at t = 0 − external work + dissipated
     Vec3 linear_momentum = Vec3::Zero();
     Vec3 angular_momentum = Vec3::Zero();  // about the origin
 };
@@ -30,7 +30,7 @@ struct Snapshot {
     double time;
     std::span<const NodeMotion> nodes;
     std::span<const SectionValues> elements;  // of all rods, in the order of Model::rods, from start to end
-    std::span<const Vec6> reactions;          // per node: force and moment that its support exerts; zero if free
+    std::span<const Vec6> reactions;  // per node: force and moment that its support exerts; zero if free
 };
 
 }  // namespace gxrod

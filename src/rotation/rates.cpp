@@ -16,13 +16,14 @@ constexpr double singular_angle = 1e-14;
 
 // The rotation vector of Λ. At π the sign of the axis follows (3.12–3.13): the angle is about to fall.
 Vec3 compute_moving_log(const Mat3& Lambda, const Vec3& omega, const Vec3& omega_dot) {
-    const Vec3 phi = log(Lambda);
+    Vec3 phi = log(Lambda);
     const double angle = phi.norm();
     if (angle < std::numbers::pi - singular_angle) return phi;
     const double velocity = phi.dot(omega);
     const bool turns = std::abs(velocity) > singular_angle * angle * omega.norm();
     const double rate = turns ? velocity : phi.dot(omega_dot);
-    return rate > 0.0 ? Vec3(-phi) : phi;
+    if (rate > 0.0) phi = -phi;
+    return phi;
 }
 
 }  // namespace

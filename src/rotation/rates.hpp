@@ -29,9 +29,9 @@ struct RotationVectorMotion {
 // φ̇ and φ̈ at a regular φ, 0 ≤ |φ| < 2π, (3.7a,b); the limit (3.11) at φ = 0.
 RotationVectorMotion rotation_vector_motion(const Vec3& phi, const Vec3& omega, const Vec3& omega_dot);
 
-// The unit axis f of the rotation vector, also at the two singular angles: at Φ = 0 that of (3.11), the direction
-// in which φ is about to leave; at Φ = π that of (3.12–3.13), about which the angle is about to fall below π.
-// The zero vector if nothing moves at Φ = 0.
+// The unit axis f of the rotation vector, also at the two singular angles: at Φ = 0 that of (3.11), the
+// direction in which φ is about to leave; at Φ = π that of (3.12–3.13), about which the angle is about to
+// fall below π. The zero vector if nothing moves at Φ = 0.
 Vec3 rotation_axis(const Mat3& Lambda, const Vec3& omega, const Vec3& omega_dot);
 
 // φ, φ̇ and φ̈ of a body whose rotation tensor is Λ, |φ| ≤ π, with both singular limits (3.11–3.13).

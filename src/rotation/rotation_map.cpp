@@ -45,7 +45,7 @@ Vec3 log(const Quat& q) {
 
 Vec3 log_nearest(const Quat& q, const Vec3& guess) {
     constexpr double turn = 2.0 * std::numbers::pi;
-    const Vec3 principal = log(q);
+    Vec3 principal = log(q);
     const bool has_axis = principal.norm() > smallest_angle_with_axis;
     const Vec3 axis = (has_axis ? principal : guess).stableNormalized();
     const double turns = std::round((guess - principal).dot(axis) / turn);

@@ -2,8 +2,8 @@
 
 #include "rotation/types.hpp"
 
-// Rotation vectors, rotation tensors and quaternions into each other. Angles in radians; every vector is in the
-// fixed frame. Equation numbers: Rubin (2007).
+// Rotation vectors, rotation tensors and quaternions into each other. Angles in radians; every vector is in
+// the fixed frame. Equation numbers: Rubin (2007).
 namespace gxrod {
 
 // [a]×, the matrix with [a]× b = a × b.
@@ -25,8 +25,8 @@ Vec3 log(const Mat3& Lambda);
 // The rotation vector φ, |φ| ≤ π, of a unit quaternion of either sign.
 Vec3 log(const Quat& q);
 
-// The rotation vector of the rotation q that is nearest to `guess`: log(q) plus the whole turns about its axis
-// that bring it closest. For |guess| of any size.
+// The rotation vector of the rotation q that is nearest to `guess`: log(q) plus the whole turns about its
+// axis that bring it closest. For |guess| of any size.
 Vec3 log_nearest(const Quat& q, const Vec3& guess);
 
 // The rotation vector of `second` after `first`: exp(result) = exp(second) exp(first), |result| ≤ π.

@@ -2,8 +2,8 @@
 
 #include "rotation/types.hpp"
 
-// The tangent map T(φ) of the rotation vector, which takes a rate of φ to a spin: ω = T(φ) φ̇ (Rubin 2007, 3.6a),
-// its inverse and their derivatives. T(φ)ᵀ = T(−φ), and exp(φ)ᵀ T(φ) = T(φ)ᵀ.
+// The tangent map T(φ) of the rotation vector, which takes a rate of φ to a spin: ω = T(φ) φ̇ (Rubin
+// 2007, 3.6a), its inverse and their derivatives. T(φ)ᵀ = T(−φ), and exp(φ)ᵀ T(φ) = T(φ)ᵀ.
 namespace gxrod {
 
 // T(φ) = a I + b φ⊗φ + c [φ]×, (3.6a).

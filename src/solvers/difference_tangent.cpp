@@ -32,7 +32,8 @@ void move(const System& system,
 
 std::vector<std::vector<std::int64_t>> group_columns(const SparsePattern& pattern) {
     std::vector<std::vector<std::int64_t>> groups;
-    std::vector<std::int64_t> last_column_with_row;  // per group and row, the latest member that touches the row
+    std::vector<std::int64_t>
+        last_column_with_row;  // per group and row, the latest member that touches the row
     const std::int64_t size = pattern.size();
     for (std::int64_t column = 0; column < size; ++column) {
         const auto touches = [&](std::size_t group) {

@@ -7,12 +7,12 @@
 
 namespace gxrod {
 
-// Groups of equations whose columns share no row of the pattern, so that one difference of the residual gives all
-// of them (Curtis, Powell & Reid 1974).
+// Groups of equations whose columns share no row of the pattern, so that one difference of the residual gives
+// all of them (Curtis, Powell & Reid 1974).
 std::vector<std::vector<std::int64_t>> group_columns(const SparsePattern& pattern);
 
-// The tangent by central differences of the residual, moving the nodes' (δr, δφ) through the integrator; values on
-// the pattern. Slow: for checking a tangent, or where there is none. Restores the state.
+// The tangent by central differences of the residual, moving the nodes' (δr, δφ) through the integrator;
+// values on the pattern. Slow: for checking a tangent, or where there is none. Restores the state.
 class DifferenceTangent {
   public:
     explicit DifferenceTangent(const System& system);

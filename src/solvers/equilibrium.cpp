@@ -115,11 +115,11 @@ class Equilibrium {
         system_.compute_residual(state_, integrator_.stage_time(stage_), workspace_.residual);
         measure_residual(system_, workspace_.residual, report_);
         if (report_.outcome == Outcome::not_finite) return true;
-        const bool small = settings_.absolute_residual > 0.0
-                               ? largest_component(system_, workspace_.residual) <= settings_.absolute_residual
-                               : report_.residual <= settings_.tolerance;
-        // Below a few roundings of its largest part a motion cannot be improved, whatever the tolerance.
-        constexpr double round_off = 4.0 * std::numeric_limits<double>::epsilon();
+        const bool small =
+            settings_.absolute_residual > 0.0
+                ? largest_component(system_, workspace_.residual) <= settings_.absolute_residual
+                : report_.residual <= settings_.tolerance;
+        const double round_off = 1e-14;  // some 50 units of the last place: no increment gets smaller
         if (small || last_increment_ <= std::max(1e-4 * settings_.tolerance, round_off)) return true;
         if (report_.iterations < settings_.max_iterations) return false;
         report_.outcome = Outcome::out_of_iterations;
@@ -154,10 +154,11 @@ class Equilibrium {
             for (int i = 0; i < 6; ++i) delta[i] = equations[i] < 0 ? 0.0 : workspace_.vector[equations[i]];
             const Vec3 delta_r = delta.head<3>();
             const Vec3 delta_phi = delta.tail<3>();
-            last_increment_ = std::max({last_increment_,
-                                        delta_r.lpNorm<Eigen::Infinity>() / system_.length_scale(),
-                                        delta_phi.lpNorm<Eigen::Infinity>()});
             NodeMotion& trial = state_.trial[node];
+            last_increment_ = std::max(
+                {last_increment_,
+                 delta_r.lpNorm<Eigen::Infinity>() / std::max(system_.length_scale(), trial.r.norm()),
+                 delta_phi.lpNorm<Eigen::Infinity>()});
             if (settings_.tangent == TangentKind::paper) {
                 place(state_.previous[node], trial.r + delta_r, trial.theta + delta_phi, trial);
             } else {
@@ -201,17 +202,22 @@ std::string describe(const EquilibriumReport& report, const Model& model) {
         where += fmt::format(" ({})", components[report.worst_component]);
     }
     switch (report.outcome) {
-        case Outcome::converged: break;
+        case Outcome::converged:
+            break;
         case Outcome::out_of_iterations:
-            return fmt::format("Newton's method did not converge in {} iterations; the residual, {:.2e} of the largest "
-                               "force or moment, is largest{}",
-                               report.iterations,
-                               report.residual,
-                               where);
-        case Outcome::singular: return fmt::format("the system of equations is singular{}", where);
-        case Outcome::not_finite: return fmt::format("a force or increment is not a finite number{}", where);
+            return fmt::format(
+                "Newton's method did not converge in {} iterations; the residual, {:.2e} of the largest "
+                "force or moment, is largest{}",
+                report.iterations,
+                report.residual,
+                where);
+        case Outcome::singular:
+            return fmt::format("the system of equations is singular{}", where);
+        case Outcome::not_finite:
+            return fmt::format("a force or increment is not a finite number{}", where);
         case Outcome::rotation_too_large:
-            return fmt::format("the rotation within one step reaches half a turn{}; take smaller steps", where);
+            return fmt::format("the rotation within one step reaches half a turn{}; take smaller steps",
+                               where);
     }
     return "converged";
 }
@@ -225,7 +231,10 @@ EquilibriumReport solve_equilibrium(const System& system,
     return Equilibrium(system, integrator, settings, stage, workspace, state).solve();
 }
 
-EquilibriumReport solve_accelerations(const System& system, double time, SolverWorkspace& workspace, State& state) {
+EquilibriumReport solve_accelerations(const System& system,
+                                      double time,
+                                      SolverWorkspace& workspace,
+                                      State& state) {
     EquilibriumReport report;
     for (NodeMotion& motion : state.trial) {
         motion.a.setZero();
@@ -258,7 +267,8 @@ EquilibriumReport solve_step(const System& system,
     Stage stage = first_stage;
     const bool weighs_power = !integrator.power_weights().empty();
     workspace.load_power.clear();
-    if (weighs_power) workspace.load_power.push_back(system.compute_load_power(state.previous, stage.step_time));
+    if (weighs_power)
+        workspace.load_power.push_back(system.compute_load_power(state.previous, stage.step_time));
     for (stage.index = 0; stage.index < integrator.stage_count(); ++stage.index) {
         EquilibriumReport report;
         if (integrator.is_explicit()) {
@@ -272,7 +282,8 @@ EquilibriumReport solve_step(const System& system,
         if (!report.converged()) break;
         integrator.end_stage(state, stage);
         if (weighs_power) {
-            workspace.load_power.push_back(system.compute_load_power(state.trial, integrator.stage_time(stage)));
+            workspace.load_power.push_back(
+                system.compute_load_power(state.trial, integrator.stage_time(stage)));
         }
     }
     return total;

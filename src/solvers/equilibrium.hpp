@@ -14,18 +14,18 @@ namespace gxrod {
 
 enum class Outcome {
     converged,
-    out_of_iterations,   // the residual did not fall below the tolerance
-    singular,            // the tangent (or mass) matrix has no inverse
-    not_finite,          // a residual or an increment is not a number
-    rotation_too_large   // a node turns by π or more within the step
+    out_of_iterations,  // the residual did not fall below the tolerance
+    singular,           // the tangent (or mass) matrix has no inverse
+    not_finite,         // a residual or an increment is not a number
+    rotation_too_large  // a node turns by π or more within the step
 };
 
 // How the search for one equilibrium went. Not converging is a value, not an exception.
 struct EquilibriumReport {
     Outcome outcome = Outcome::converged;
-    int iterations = 0;      // linear solves
-    double residual = 0.0;   // the larger of force and moment, each relative to its scale
-    int worst_node = -1;     // where: of the residual, the pivot, the rotation or the non-finite number
+    int iterations = 0;     // linear solves
+    double residual = 0.0;  // the larger of force and moment, each relative to its scale
+    int worst_node = -1;    // where: of the residual, the pivot, the rotation or the non-finite number
     int worst_component = -1;
 
     bool converged() const { return outcome == Outcome::converged; }
@@ -41,7 +41,8 @@ struct SolverWorkspace {
     std::vector<double> values;
     Eigen::VectorXd vector;
     std::unique_ptr<LinearSolver> linear_solver;
-    std::vector<double> load_power;  // of the last step, at its start and at each stage, if the scheme weighs them
+    std::vector<double>
+        load_power;  // of the last step, at its start and at each stage, if the scheme weighs them
     PhaseSeconds seconds;
 
     SolverWorkspace(const System& system, LinearSolverKind kind);
@@ -49,9 +50,10 @@ struct SolverWorkspace {
 
 // Newton's method for the equilibrium of one stage of an implicit scheme, from the integrator's prediction.
 //
-// Converged when the largest residual force and moment are below tolerance times the largest force and moment that
-// an element or load puts on a node; or, where round-off hides that, when the last increment was below
-// 1e-4 × tolerance or four units of rounding (δr relative to the model's length, δφ in rad).
+// Converged when the largest residual force and moment are below tolerance times the largest force and moment
+// that an element or load puts on a node; or, where round-off hides that, when the last increment was below
+// 1e-4 × tolerance or 1e-14 (δr relative to the model's length or the node's distance from the origin, δφ in
+// rad).
 EquilibriumReport solve_equilibrium(const System& system,
                                     const Integrator& integrator,
                                     const NewtonSettings& settings,
@@ -60,7 +62,10 @@ EquilibriumReport solve_equilibrium(const System& system,
                                     State& state);
 
 // Sets the trial accelerations from equilibrium at the trial's positions, rotations and velocities: M a = f.
-EquilibriumReport solve_accelerations(const System& system, double time, SolverWorkspace& workspace, State& state);
+EquilibriumReport solve_accelerations(const System& system,
+                                      double time,
+                                      SolverWorkspace& workspace,
+                                      State& state);
 
 // One whole step of any scheme: each stage in turn, until one fails. The trial motions hold the result.
 EquilibriumReport solve_step(const System& system,

@@ -29,7 +29,8 @@ SuiteSparse_long* as_klu(const std::vector<std::int64_t>& indices) {
 
 }  // namespace
 
-KluSolver::KluSolver(const SparsePattern& pattern) : handles_(std::make_unique<Handles>()), pattern_(&pattern) {
+KluSolver::KluSolver(const SparsePattern& pattern)
+    : handles_(std::make_unique<Handles>()), pattern_(&pattern) {
     klu_l_defaults(&handles_->common);
     if (pattern.size() == 0) return;
     handles_->symbolic =

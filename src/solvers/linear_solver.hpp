@@ -16,8 +16,8 @@ struct Factorization {
     std::int64_t singular_equation = -1;  // where the pivot vanished, if known
 };
 
-// A direct solver of sparse unsymmetric systems on one pattern: the symbolic work is done once, each factorization
-// finds its pivots anew, so that equal values give equal bits whatever was solved before.
+// A direct solver of sparse unsymmetric systems on one pattern: the symbolic work is done once, each
+// factorization finds its pivots anew, so that equal values give equal bits whatever was solved before.
 class LinearSolver {
   public:
     virtual ~LinearSolver() = default;

@@ -4,8 +4,9 @@
 
 namespace gxrod {
 
-// Where the next step ends: equal nominal steps from 0 to end_time, halved while they fail and doubled again as soon
-// as they fit the grid. Times are fractions of end_time counted in whole ticks, so that the grid is met exactly.
+// Where the next step ends: equal nominal steps from 0 to end_time, halved while they fail and doubled again
+// as soon as they fit the grid. Times are fractions of end_time counted in whole ticks, so that the grid is
+// met exactly.
 class StepControl {
   public:
     StepControl(double end_time, long nominal_steps);

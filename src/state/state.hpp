@@ -8,8 +8,8 @@ namespace gxrod {
 
 // What a section of a rod remembers between steps at one of its force points (Simo & Vu-Quoc 1986).
 struct SectionHistory {
-    Quat Lambda;       // section axes at the last accepted step
-    Vec3 K;            // curvature Λᵀ Λ′ (material, total) at the last accepted step
+    Quat Lambda;  // section axes at the last accepted step
+    Vec3 K;       // curvature Λᵀ Λ′ (material, total) at the last accepted step
 };
 
 // Rates of a node at one stage of a Runge-Kutta step.
@@ -29,11 +29,12 @@ struct AlgorithmicAcceleration {
 
 // What evolves. Copying it is all that is needed to come back to it.
 struct State {
-    double time = 0.0;                 // of `previous`
-    std::vector<NodeMotion> previous;  // per node, at the last accepted step
-    std::vector<NodeMotion> trial;     // per node, where equilibrium is asked
+    double time = 0.0;                     // of `previous`
+    std::vector<NodeMotion> previous;      // per node, at the last accepted step
+    std::vector<NodeMotion> trial;         // per node, where equilibrium is asked
     std::vector<SectionHistory> sections;  // per force point, in element order
-    std::vector<AlgorithmicAcceleration> algorithmic_previous, algorithmic_trial;  // per node; generalized-α only
+    std::vector<AlgorithmicAcceleration> algorithmic_previous,
+        algorithmic_trial;                        // per node; generalized-α only
     std::vector<std::vector<StageRates>> stages;  // [stage][node]; Runge-Kutta schemes only
 };
 

@@ -2,8 +2,8 @@
 
 #include "model/model.hpp"
 
-// A flexible rod in free flight in space (Simo & Vu-Quoc 1988): 10 long, at rest from (6,0,0) to (0,8,0), driven at
-// its start by the force (m/10, 0, 0) and the moment (0, −m/2, −m), then free.
+// A flexible rod in free flight in space (Simo & Vu-Quoc 1988): 10 long, at rest from (6,0,0) to (0,8,0),
+// driven at its start by the force (m/10, 0, 0) and the moment (0, −m/2, −m), then free.
 namespace gxrod::free_flight {
 
 enum class Pulse {
@@ -14,7 +14,8 @@ enum class Pulse {
 double load(Pulse pulse, double time);
 Model make_model(Pulse pulse, int elements);
 
-// Positions of the loaded (start) and free (end) tips, and the energy and angular momentum that stay after t = 5.
+// Positions of the loaded (start) and free (end) tips, and the energy and angular momentum that stay after t
+// = 5.
 struct Reference {
     Vec3 loaded_early, free_early;  // t = 2.5
     Vec3 loaded_late, free_late;    // t = 5

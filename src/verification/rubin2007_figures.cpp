@@ -32,7 +32,8 @@ void write_exact_rotation(const std::filesystem::path& path) {
     for (int i = 0; i <= samples; ++i) {
         const double tau = static_cast<double>(i) / samples;
         const Vec3 phi = log(exact_rotation(tau * period));
-        csv.line(fmt::format("{:.6f},{:.12g},{:.12g},{:.12g},{:.12g}", tau, phi.norm(), phi[0], phi[1], phi[2]));
+        csv.line(
+            fmt::format("{:.6f},{:.12g},{:.12g},{:.12g},{:.12g}", tau, phi.norm(), phi[0], phi[1], phi[2]));
     }
 }
 

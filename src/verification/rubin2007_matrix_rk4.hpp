@@ -9,8 +9,8 @@ struct MatrixMotion {
     Vec3 omega;
 };
 
-// One step of the classical Runge-Kutta scheme on the nine entries of Λ and on ω, as Rubin (2007) takes it for
-// comparison, (6.20): Λ̇ = [ω]× Λ, ω̇ = J⁻¹(M − ω × J ω) with J = Λ J̄ Λᵀ inverted as it stands, Λ never
+// One step of the classical Runge-Kutta scheme on the nine entries of Λ and on ω, as Rubin (2007) takes it
+// for comparison, (6.20): Λ̇ = [ω]× Λ, ω̇ = J⁻¹(M − ω × J ω) with J = Λ J̄ Λᵀ inverted as it stands, Λ never
 // re-orthogonalised.
 MatrixMotion step_matrix_rk4(const MatrixMotion& motion, double time, double time_step);
 

@@ -10,7 +10,9 @@ const double period = 2.0 * std::numbers::pi;
 
 namespace {
 
-Mat3 rotation_about(const Vec3& axis, double angle) { return Eigen::AngleAxisd(angle, axis).toRotationMatrix(); }
+Mat3 rotation_about(const Vec3& axis, double angle) {
+    return Eigen::AngleAxisd(angle, axis).toRotationMatrix();
+}
 
 // sin²θ₀/I₁ + cos²θ₀/I₃
 double compliance() {

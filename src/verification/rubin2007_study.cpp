@@ -18,10 +18,17 @@ DynamicSettings make_settings(StudyScheme scheme, long steps) {
     settings.steps = steps;
     settings.newton.absolute_residual = 1e-12 * momentum_scale;
     switch (scheme) {
-        case StudyScheme::I: settings.scheme = Scheme::newmark_ibrahimbegovic; break;
-        case StudyScheme::SDIRK4: settings.scheme = Scheme::sdirk_4; break;
-        case StudyScheme::RK4Q: settings.scheme = Scheme::runge_kutta_4; break;
-        default: settings.scheme = Scheme::newmark_simplified;
+        case StudyScheme::I:
+            settings.scheme = Scheme::newmark_ibrahimbegovic;
+            break;
+        case StudyScheme::SDIRK4:
+            settings.scheme = Scheme::sdirk_4;
+            break;
+        case StudyScheme::RK4Q:
+            settings.scheme = Scheme::runge_kutta_4;
+            break;
+        default:
+            settings.scheme = Scheme::newmark_simplified;
     }
     return settings;
 }
@@ -100,11 +107,16 @@ bool agrees(double value, double reference, int digits) {
 
 std::string name_of(StudyScheme scheme) {
     switch (scheme) {
-        case StudyScheme::S: return "S";
-        case StudyScheme::I: return "I";
-        case StudyScheme::RK4: return "RK4";
-        case StudyScheme::SDIRK4: return "SDIRK4";
-        case StudyScheme::RK4Q: break;
+        case StudyScheme::S:
+            return "S";
+        case StudyScheme::I:
+            return "I";
+        case StudyScheme::RK4:
+            return "RK4";
+        case StudyScheme::SDIRK4:
+            return "SDIRK4";
+        case StudyScheme::RK4Q:
+            break;
     }
     return "RK4Q";
 }
@@ -123,7 +135,8 @@ Comparison compare(const Row& row) {
             matches = matches && agrees(row.errors->momentum, reference.errors.momentum, digits) &&
                       agrees(row.errors->energy, reference.errors.energy, digits);
         }
-        if (reference.max_theta_deg) matches = matches && agrees(*row.max_theta_deg, *reference.max_theta_deg, 5);
+        if (reference.max_theta_deg)
+            matches = matches && agrees(*row.max_theta_deg, *reference.max_theta_deg, 5);
         return {&reference, matches};
     }
     return {};

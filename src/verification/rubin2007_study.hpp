@@ -9,8 +9,8 @@
 
 namespace gxrod::rubin2007 {
 
-// S and I: the Newmark schemes of Rubin (2007), (4.7) and (4.3). RK4: the classical scheme on the nine entries of Λ,
-// (6.20). SDIRK4: beyond the paper. RK4Q: the deck's runge-kutta-4, on unit quaternions.
+// S and I: the Newmark schemes of Rubin (2007), (4.7) and (4.3). RK4: the classical scheme on the nine
+// entries of Λ, (6.20). SDIRK4: beyond the paper. RK4Q: the deck's runge-kutta-4, on unit quaternions.
 enum class StudyScheme { S, I, RK4, SDIRK4, RK4Q };
 std::string name_of(StudyScheme scheme);
 
@@ -18,10 +18,10 @@ std::string name_of(StudyScheme scheme);
 struct Row {
     StudyScheme scheme;
     long steps;
-    bool diverged = false;                        // then the rest is empty
-    std::optional<double> max_theta_deg;          // rotation within a step; not of RK4
+    bool diverged = false;                // then the rest is empty
+    std::optional<double> max_theta_deg;  // rotation within a step; not of RK4
     std::optional<Errors> errors;
-    std::optional<double> iterations_per_step;    // linear solves; implicit schemes
+    std::optional<double> iterations_per_step;  // linear solves; implicit schemes
 };
 
 // The state at the end of one step, as errors see it.
@@ -37,8 +37,8 @@ struct Trace {
 // Newton's method to 1e-12 H₀.
 Trace run_scheme(StudyScheme scheme, long steps);
 
-// What an independent program found at N steps. Agreement to 5 significant digits is asked; of momentum and energy
-// to as many as the reference has.
+// What an independent program found at N steps. Agreement to 5 significant digits is asked; of momentum and
+// energy to as many as the reference has.
 struct Reference {
     StudyScheme scheme;
     long steps;

@@ -24,7 +24,9 @@ RodInertia<Nodes>::RodInertia(const std::array<Vec3, Nodes>& positions,
 }
 
 template <int Nodes>
-void RodInertia<Nodes>::add_force(const Motions<Nodes>& motions, const Vec3& gravity, NodalVector<Nodes>& force) const {
+void RodInertia<Nodes>::add_force(const Motions<Nodes>& motions,
+                                  const Vec3& gravity,
+                                  NodalVector<Nodes>& force) const {
     for (int i = 0; i < Nodes; ++i) {
         for (int j = 0; j < Nodes; ++j) {
             force.template segment<3>(6 * i) += mass_(i, j) * (motions[j]->a - gravity);

@@ -6,7 +6,9 @@ namespace gxrod {
 
 template <int Nodes>
 SimoElement<Nodes>::SimoElement(const RodElementGeometry<Nodes>& geometry, const Section& section)
-    : nodes(geometry.nodes), stiffness_(section.stiffness), inertia_(geometry.positions, geometry.triads, section) {
+    : nodes(geometry.nodes),
+      stiffness_(section.stiffness),
+      inertia_(geometry.positions, geometry.triads, section) {
     const auto rule = compute_gauss_rule<Nodes - 1>();
     for (int p = 0; p < force_point_count; ++p) {
         const NodeValues<Nodes> slope = compute_shape_slopes<Nodes>(rule[p].xi);
@@ -142,7 +144,8 @@ void SimoElement<Nodes>::commit(const Motions<Nodes>& motions, std::span<Section
 
 template <int Nodes>
 Vec6 SimoElement<Nodes>::compute_strain(const Motions<Nodes>& motions, Histories histories, int point) const {
-    return compute_simo_strain(interpolate(points_[point], motions), histories[point], points_[point].reference);
+    return compute_simo_strain(
+        interpolate(points_[point], motions), histories[point], points_[point].reference);
 }
 
 template <int Nodes>

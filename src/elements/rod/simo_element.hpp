@@ -32,12 +32,16 @@ class SimoElement {
 
     SimoElement(const RodElementGeometry<Nodes>& geometry, const Section& section);
 
-    void add_internal_force(const Motions<Nodes>& motions, Histories histories, NodalVector<Nodes>& force) const;
+    void add_internal_force(const Motions<Nodes>& motions,
+                            Histories histories,
+                            NodalVector<Nodes>& force) const;
     void add_internal_tangent(const Motions<Nodes>& motions,
                               Histories histories,
                               const Linearizations<Nodes>& linearizations,
                               NodalMatrix<Nodes>& tangent) const;
-    void add_inertial_force(const Motions<Nodes>& motions, const Vec3& gravity, NodalVector<Nodes>& force) const;
+    void add_inertial_force(const Motions<Nodes>& motions,
+                            const Vec3& gravity,
+                            NodalVector<Nodes>& force) const;
     void add_inertial_tangent(const Motions<Nodes>& motions,
                               const Vec3& gravity,
                               const Linearizations<Nodes>& linearizations,

@@ -14,7 +14,9 @@ Quat compute_section_axes(const SimoFields& fields, const SectionHistory& histor
     return exp_quaternion(fields.theta) * history.Lambda;
 }
 
-Vec6 compute_simo_strain(const SimoFields& fields, const SectionHistory& history, const ReferenceStrain& reference) {
+Vec6 compute_simo_strain(const SimoFields& fields,
+                         const SectionHistory& history,
+                         const ReferenceStrain& reference) {
     const Quat Lambda = compute_section_axes(fields, history);
     Vec6 strain;
     strain << Lambda.conjugate() * fields.r_prime - reference.Gamma,
@@ -35,7 +37,9 @@ Eigen::Matrix<double, 6, 9> compute_strain_gradient(const SimoFields& fields, co
     return gradient;
 }
 
-Mat9 compute_geometric_hessian(const SimoFields& fields, const SectionHistory& history, const Vec6& resultants) {
+Mat9 compute_geometric_hessian(const SimoFields& fields,
+                               const SectionHistory& history,
+                               const Vec6& resultants) {
     const Mat3 T = tangent_map(fields.theta);
     const Vec3 n = compute_section_axes(fields, history) * resultants.head<3>();
     const Vec3 m_n = history.Lambda * resultants.tail<3>();  // M turned to the axes of the last step

@@ -1,0 +1,49 @@
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "analyses/model_summary.hpp"
+#include "deck/problem.hpp"
+#include "exit_code.hpp"
+#include "verbs.hpp"
+
+namespace gxrod {
+
+namespace {
+
+struct CheckArguments {
+    std::string deck;
+    std::vector<std::string> overrides;
+};
+
+int check(const CheckArguments& arguments) {
+    const Problem problem = read_problem(arguments.deck, arguments.overrides);
+    if (!problem.record.title.empty()) fmt::print("{}\n", problem.record.title);
+    fmt::print("{}{}{}",
+               describe_model(problem.model),
+               describe_analysis(problem.analysis),
+               describe_output(problem.analysis, problem.output));
+    for (const std::string& note : problem.notes) fmt::print("note: {}\n", note);
+    // The first thing that a run would do: a model without inertia somewhere is found here.
+    DynamicAnalysis analysis(problem.model, problem.analysis);
+    const EquilibriumReport start = analysis.start();
+    if (!start.converged()) {
+        fmt::print(stderr, "gxrod: initial accelerations: {}\n", describe(start, problem.model));
+        return exit_not_converged;
+    }
+    fmt::print("initial accelerations solved; energy at the start {:.6g}\n",
+               analysis.ledger_row().kinetic_energy + analysis.ledger_row().strain_energy);
+    return exit_done;
+}
+
+}  // namespace
+
+void add_check_verb(CLI::App& program, int& exit_code) {
+    auto arguments = std::make_shared<CheckArguments>();
+    CLI::App* verb = program.add_subcommand("check", "Read and examine a deck without running it");
+    verb->add_option("DECK", arguments->deck, "Deck (TOML); docs/deck.md lists its keys")->required();
+    verb->add_option("--set", arguments->overrides, "KEY=VALUE: change a key of the deck")->allow_extra_args(false);
+    verb->callback([arguments, &exit_code] { exit_code = check(*arguments); });
+}
+
+}  // namespace gxrod

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <filesystem>
+
+namespace gxrod {
+
+// Draws the figures whose data a study left in the folder, by the gxrod-plot beside this program. Throws
+// FileError if that is not there or fails; the data stay.
+void draw_figures(const std::filesystem::path& folder);
+
+}  // namespace gxrod

@@ -1,0 +1,55 @@
+#include "progress_line.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace gxrod {
+
+namespace {
+
+std::string describe_duration(double seconds) {
+    if (seconds < 60.0) return fmt::format("{:.0f} s", seconds);
+    if (seconds < 3600.0) return fmt::format("{:.0f} min", seconds / 60.0);
+    return fmt::format("{:.1f} h", seconds / 3600.0);
+}
+
+}  // namespace
+
+ProgressLine::ProgressLine()
+    : is_terminal_(isatty(STDERR_FILENO) == 1), interval_(is_terminal_ ? 0.1 : 10.0) {}
+
+void ProgressLine::show(const Progress& progress) {
+    const Clock::time_point now = Clock::now();
+    if (now - last_ < interval_) return;
+    last_ = now;
+    const std::string line = describe(progress, std::chrono::duration<double>(now - start_).count());
+    if (is_terminal_) {
+        fmt::print(stderr, "\r{}\033[K", line);
+        std::fflush(stderr);
+        has_line_ = true;
+    } else {
+        fmt::print(stderr, "{}\n", line);
+    }
+}
+
+void ProgressLine::finish() {
+    if (has_line_) fmt::print(stderr, "\r\033[K");
+    has_line_ = false;
+}
+
+std::string describe(const Progress& progress, double elapsed_seconds) {
+    const double done = static_cast<double>(progress.step) / static_cast<double>(progress.steps);
+    const std::string left =
+        done > 0.0 ? describe_duration(elapsed_seconds * (1.0 - done) / done) + " left" : "";
+    return fmt::format("step {}/{}  t = {:.6g}  Δt = {:.4g}  {} Newton iterations  {}",
+                       progress.step,
+                       progress.steps,
+                       progress.time,
+                       progress.time_step,
+                       progress.newton_iterations,
+                       left);
+}
+
+}  // namespace gxrod

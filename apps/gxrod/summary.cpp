@@ -1,0 +1,68 @@
+#include "summary.hpp"
+
+#include <fmt/core.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "model/file_error.hpp"
+#include "model/version.hpp"
+
+namespace gxrod {
+
+namespace {
+
+const char* name_of(RunStatus status) {
+    switch (status) {
+        case RunStatus::complete:
+            return "complete";
+        case RunStatus::failed:
+            return "failed";
+        case RunStatus::interrupted:
+            return "interrupted";
+        case RunStatus::running:
+            break;
+    }
+    return "running";
+}
+
+}  // namespace
+
+void write_summary(const std::string& target,
+                   const RunSummary& summary,
+                   const std::string& deck,
+                   const std::string& results) {
+    const nlohmann::ordered_json json = {
+        {"status", name_of(summary.status)},
+        {"reason", summary.reason},
+        {"deck", deck},
+        {"results", results},
+        {"nodes", summary.nodes},
+        {"elements", summary.elements},
+        {"unknowns", summary.unknowns},
+        {"steps", summary.steps},
+        {"rejected_steps", summary.rejected_steps},
+        {"newton_iterations", summary.newton_iterations},
+        {"time", summary.time},
+        {"wall_seconds",
+         {{"total", summary.wall_seconds},
+          {"setup", summary.phases.setup},
+          {"assembly", summary.phases.assembly},
+          {"solve", summary.phases.solve},
+          {"update", summary.phases.update},
+          {"output", summary.phases.output}}},
+        {"threads", 1},
+        {"version", version},
+    };
+    const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+    if (target == "-") {
+        fmt::print("{}\n", text);
+        return;
+    }
+    std::ofstream file(target);
+    file << text << '\n';
+    file.close();
+    if (!file) throw FileError(target, "the summary could not be written");
+}
+
+}  // namespace gxrod

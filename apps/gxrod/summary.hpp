@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "analyses/run.hpp"
+
+namespace gxrod {
+
+// Writes the summary of a run as one JSON object to a file, or to standard output for "-". Throws FileError.
+void write_summary(const std::string& target,
+                   const RunSummary& summary,
+                   const std::string& deck,
+                   const std::string& results);
+
+}  // namespace gxrod

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+// One function a verb: declares its options on the program and, when it was asked for, stores its exit code.
+namespace gxrod {
+
+void add_run_verb(CLI::App& program, int& exit_code);
+void add_check_verb(CLI::App& program, int& exit_code);
+void add_verify_verb(CLI::App& program, int& exit_code);
+void add_schema_verb(CLI::App& program, int& exit_code);
+
+}  // namespace gxrod

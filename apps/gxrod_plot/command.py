@@ -1,0 +1,84 @@
+"""The command line of gxrod-plot."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from .errors import FileFault, PlotError, UsageError
+from .page import draw_page
+from .results import read_results
+from .rubin2007 import draw_figures
+
+FORMATS = (".png", ".svg", ".pdf")
+EPILOG = """\
+examples:
+  gxrod-plot flyer.vtkhdf                          shapes, ledger and histories in flyer.png
+  gxrod-plot flyer.vtkhdf --what shapes --times 0 2.5 5 -o shapes.svg
+  gxrod-plot flyer.vtkhdf --what histories --history tip root/moment
+  gxrod-plot --figures figures                     Figs. 2-4 from `gxrod verify rubin2007 --figures figures`
+
+exit codes: 0 done, 2 usage, 4 a file could not be read or written"""
+
+
+def main(arguments):
+    request = parse(arguments)
+    try:
+        if request.figures:
+            written = draw_figures(Path(request.figures), request.format, save)
+        else:
+            output = output_path(request)
+            read_results(request.results, lambda results: save(draw_page(results, request), output))
+            written = [output]
+    except PlotError as error:
+        print(f"gxrod-plot: {error}", file=sys.stderr)
+        return error.exit_code
+    for path in written:
+        print(path)
+    return 0
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser(
+        prog="gxrod-plot", description="Draws the results of gxrod.", epilog=EPILOG, allow_abbrev=False,
+        formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("results", nargs="?", metavar="RESULTS.vtkhdf",
+                        help="results file, also of a job that runs or was killed")
+    parser.add_argument("-o", "--output", metavar="FILE", help="picture, .png, .svg or .pdf (RESULTS.png)")
+    parser.add_argument("--what", choices=("shapes", "histories", "ledger", "all"), default="all")
+    parser.add_argument("--history", nargs="+", action="extend", metavar="NAME", default=[],
+                        help="histories to draw, NAME or NAME/QUANTITY (all)")
+    which = parser.add_mutually_exclusive_group()
+    which.add_argument("--times", nargs="+", type=float, metavar="T", help="times of the shapes to draw")
+    which.add_argument("--frames", type=positive_integer, metavar="N", help="how many shapes to draw (12)")
+    parser.add_argument("--view", choices=("xy", "xz", "yz", "3d"),
+                        help="plane or space (space, unless all lies in a plane)")
+    parser.add_argument("--figures", metavar="DIR",
+                        help="draw the figures of the rubin2007 study from DIR/fig*.csv")
+    parser.add_argument("--format", choices=("png", "svg", "pdf"), default="png", help="of --figures (png)")
+    request = parser.parse_args(arguments)
+    if bool(request.results) == bool(request.figures):
+        parser.error("give a results file, or --figures DIR")
+    return request
+
+
+def positive_integer(text):
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError("must be at least 1")
+    return number
+
+
+def output_path(request):
+    path = Path(request.output) if request.output else Path(Path(request.results).stem + ".png")
+    if path.suffix.lower() not in FORMATS:
+        raise UsageError(f"{path}: pictures end in {', '.join(FORMATS)}")
+    return path
+
+
+def save(figure, path):
+    """Writes the figure; the same figure gives the same file."""
+    dates = {".svg": {"Date": None}, ".pdf": {"CreationDate": None}}
+    try:
+        figure.savefig(path, metadata=dates.get(path.suffix.lower(), {}))
+    except OSError as error:
+        raise FileFault(f"{path}: cannot be written: {error.strerror or error}") from error

@@ -1,0 +1,186 @@
+"""Deflected shapes over time, in space or in a plane."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import LineCollection
+from matplotlib.colors import Normalize
+from matplotlib.ticker import MaxNLocator
+from mpl_toolkits.mplot3d.art3d import Line3DCollection
+
+from .errors import UsageError
+from .style import AXIS_COLOURS, GREY, TIME_COLOURS
+
+DEFAULT_FRAMES = 12
+MOST_TRACED = 2000  # frames of a trace
+PLANES = {"xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
+AXES = "xyz"
+
+
+@dataclass
+class Scene:
+    """All that is drawn: lines of points in space, with their times or colours."""
+
+    shapes: list  # (points [n,3], time)
+    traces: list  # (points [F,3], times [F])
+    triads: list  # (origin [3], axes {letter: tip [3]})
+
+    def points(self):
+        tips = [tip for origin, axes in self.triads for tip in (origin, *axes.values())]
+        drawn = [points for points, _ in self.shapes + self.traces]
+        return np.concatenate([*drawn, np.reshape(tips, (-1, 3))])
+
+
+def choose_frames(results, times=None, count=None):
+    """Indices of the frames to draw: the nearest to each of `times`, or `count` evenly over the time."""
+    all_times = results.frame_times
+    if times:
+        first, last = all_times[0], all_times[-1]
+        slack = 1e-9 * (last - first)
+        for time in times:
+            if not first - slack <= time <= last + slack:
+                raise UsageError(f"there is no frame at {time:g}; they go from {first:g} to {last:g}")
+        return sorted({int(np.abs(all_times - time).argmin()) for time in times})
+    wanted = np.linspace(all_times[-1], all_times[0], count or DEFAULT_FRAMES)  # the last one always
+    return sorted({int(np.abs(all_times - time).argmin()) for time in wanted})
+
+
+def make_scene(results, frames):
+    shapes = []
+    for index in frames:
+        points = results.frame(index)
+        shapes += [(points[rod], results.frame_times[index]) for rod in results.rods]
+    scene = Scene(shapes, [], [])
+    stride = -(-len(results.frame_times) // MOST_TRACED)
+    times = results.frame_times[::stride]
+    scene.traces = [(results.trace(node, stride), times) for node in results.bodies]
+    size = triad_size(scene)
+    for node, (path, _) in zip(results.bodies, list(scene.traces)):
+        travels = np.ptp(path, axis=0).max() > size
+        if travels:
+            add_triads(scene, results, node, frames, size)
+        else:
+            # A body that turns on the spot: the path of its steadiest axis shows how.
+            add_triads(scene, results, node, frames[-1:], 2.0 * size)
+            scene.traces.append((path + 2.0 * size * steadiest_axis(results, node, stride), times))
+    return scene
+
+
+def steadiest_axis(results, node, stride):
+    """The body axis [F,3] whose tip travels least from frame to frame: that about which the body spins, if it does."""
+    axes = [results.trace(node, stride, f"axis_{axis}") for axis in "zyx"]
+    return min(axes, key=lambda axis: np.linalg.norm(np.diff(axis, axis=0), axis=1).sum())
+
+
+def triad_size(scene):
+    """Length of the axes drawn at bodies: a part of the picture, or 1/2 where nothing moves or has a size."""
+    points = scene.points()
+    extent = np.ptp(points, axis=0).max() if len(points) else 0.0
+    return 0.12 * extent if extent > 1e-9 else 0.5
+
+
+def add_triads(scene, results, node, frames, size):
+    """The axes of a body in the last frame, and in those where it has moved on by more than their length."""
+    drawn = None
+    for index in frames:
+        origin = results.frame(index)[node]
+        if drawn is not None and np.linalg.norm(origin - drawn) < 1.2 * size and index != frames[-1]:
+            continue
+        drawn = origin
+        axes = {axis: origin + size * results.frame(index, f"axis_{axis}")[node] for axis in AXES}
+        scene.triads.append((origin, axes))
+
+
+def best_view(scene):
+    """The plane that holds all shapes and traces, or space."""
+    extent = np.ptp(np.concatenate([points for points, _ in scene.shapes + scene.traces]), axis=0)
+    for view, plane in PLANES.items():
+        if extent[3 - sum(plane)] < 1e-6 * extent.max():
+            return view
+    return "3d"
+
+
+def draw_shapes(figure, results, frames, view=None):
+    """Fills a figure or subfigure with one picture and its colour bar."""
+    scene = make_scene(results, frames)
+    view = view or best_view(scene)
+    norm = Normalize(results.frame_times[0], max(results.frame_times[-1], results.frame_times[0] + 1e-300))
+    if view == "3d":
+        axes = figure.add_subplot(projection="3d", proj_type="ortho")
+        draw_in_space(axes, scene, norm)
+    else:
+        axes = figure.add_subplot()
+        draw_in_plane(axes, scene, norm, PLANES[view], view)
+    title = "Shapes over time" if results.rods else "Motion over time"
+    figure.suptitle(title, x=0.02, ha="left", fontsize=9.5, fontweight="bold")
+    if scene.triads:
+        figure.supxlabel("bodies by their axes: x red, y green, z blue", x=0.02, ha="left", fontsize=8,
+                         color="#5b616b")
+    bar = figure.colorbar(ScalarMappable(norm, TIME_COLOURS), ax=axes, shrink=0.7, aspect=30,
+                          pad=0.09 if view == "3d" else 0.02)
+    bar.outline.set_visible(False)
+    bar.set_label("time")
+
+
+def coloured_lines(scene, norm, pick):
+    """Segments, colours and widths of the shapes and of the traces, in the picked directions."""
+    lines = [(pick(points), TIME_COLOURS(norm(time)), 1.8) for points, time in scene.shapes]
+    for points, times in scene.traces:
+        picked = pick(points)
+        lines += [(picked[i : i + 2], TIME_COLOURS(norm(times[i])), 1.0) for i in range(len(picked) - 1)]
+    return zip(*lines) if lines else ([], [], [])
+
+
+def draw_in_plane(axes, scene, norm, plane, view):
+    segments, colours, widths = coloured_lines(scene, norm, lambda points: points[:, plane])
+    axes.add_collection(LineCollection(segments, colors=colours, linewidths=widths, capstyle="round"))
+    for origin, tips in scene.triads:
+        for axis, tip in tips.items():
+            ends = np.array([origin, tip])[:, plane]
+            axes.plot(*ends.T, color=AXIS_COLOURS[axis], linewidth=1.6, solid_capstyle="round")
+        axes.plot(*origin[list(plane)], "o", color=GREY, markersize=4)
+    low, high = limits(scene)
+    for set_limits, direction in zip((axes.set_xlim, axes.set_ylim), plane):
+        set_limits(low[direction], high[direction])
+    axes.set_aspect("equal")
+    axes.set_xlabel(view[0])
+    axes.set_ylabel(view[1])
+
+
+def draw_in_space(axes, scene, norm):
+    segments, colours, widths = coloured_lines(scene, norm, lambda points: points)
+    axes.add_collection3d(Line3DCollection(segments, colors=colours, linewidths=widths, capstyle="round"))
+    for origin, tips in scene.triads:
+        for axis, tip in tips.items():
+            axes.plot(*np.array([origin, tip]).T, color=AXIS_COLOURS[axis], linewidth=1.8)
+        axes.plot(*origin[:, None], "o", color=GREY, markersize=4)
+    low, high = limits(scene)
+    for set_limits, a, b in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), low, high):
+        set_limits(a, b)
+    axes.set_box_aspect(high - low, zoom=1.05)
+    axes.view_init(elev=22, azim=-58)
+    for name in AXES:
+        axis = getattr(axes, f"{name}axis")
+        axis.set_pane_color((1.0, 1.0, 1.0, 0.0))
+        axis.line.set_color(GREY)
+        axis._axinfo["grid"].update(color="#e4e6ea", linewidth=0.7)
+        axis.set_label_text(name)
+        axis.labelpad = 2.0
+        axis.set_major_locator(few_ticks(high - low, AXES.index(name)))
+
+
+def few_ticks(extent, direction):
+    """Fewer ticks on the short sides of the box."""
+    share = extent[direction] / extent.max()
+    return MaxNLocator(nbins=max(2, round(6 * share)), steps=[1, 2, 2.5, 5, 10])
+
+
+def limits(scene):
+    """Corners of the box around the scene, never thinner than a part of its longest side."""
+    points = scene.points()
+    low, high = points.min(axis=0), points.max(axis=0)
+    longest = max((high - low).max(), 1e-12)
+    half = np.maximum(0.5 * (high - low), 0.06 * longest) + 0.02 * longest
+    middle = 0.5 * (low + high)
+    return middle - half, middle + half

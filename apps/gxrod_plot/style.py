@@ -1,0 +1,82 @@
+"""Colours and panels that all pictures share."""
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt  # noqa: E402 — after the choice of backend
+import numpy as np  # noqa: E402
+from matplotlib.colors import ListedColormap  # noqa: E402
+
+BLUE, ORANGE, GREEN, PURPLE, GREY, BLACK = "#0066b3", "#e0641b", "#12946a", "#a0479c", "#8a8f98", "#22262b"
+AXIS_COLOURS = {"x": "#d1373f", "y": GREEN, "z": BLUE}
+# Dark to bright with time, without the pale end, which paper swallows.
+TIME_COLOURS = ListedColormap(matplotlib.colormaps["plasma"](np.linspace(0.0, 0.88, 256)), "time")
+MOST_POINTS = 20000  # of a drawn curve
+
+SETTINGS = {
+    "font.size": 9.0,
+    "axes.titlesize": 9.5,
+    "axes.titleweight": "bold",
+    "axes.titlelocation": "left",
+    "axes.labelsize": 9.0,
+    "axes.labelcolor": BLACK,
+    "axes.edgecolor": GREY,
+    "axes.linewidth": 0.8,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.formatter.useoffset": False,
+    "axes.formatter.limits": (-3, 4),
+    "axes.formatter.use_mathtext": True,
+    "grid.color": "#e4e6ea",
+    "grid.linewidth": 0.7,
+    "xtick.color": "#4a4f57",
+    "ytick.color": "#4a4f57",
+    "xtick.labelsize": 8.0,
+    "ytick.labelsize": 8.0,
+    "legend.fontsize": 8.0,
+    "legend.frameon": False,
+    "legend.handlelength": 1.0,
+    "legend.columnspacing": 0.9,
+    "legend.handletextpad": 0.5,
+    "lines.linewidth": 1.3,
+    "savefig.dpi": 160,
+    "svg.hashsalt": "gxrod",
+}
+
+
+def new_figure(width, height):
+    plt.rcParams.update(SETTINGS)
+    return plt.figure(figsize=(width, height), layout="constrained")
+
+
+def legend_above(axes, columns):
+    """Puts the legend at the right end of the title's line."""
+    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 0.99), ncol=columns, borderaxespad=0.0, borderpad=0.2)
+
+
+def draw_curves(axes, times, curves, title, label):
+    """Draws named curves {name: (values, colour)} over time, with title, legend and y label."""
+    for name, (values, colour) in curves.items():
+        axes.plot(*thin(times, values), color=colour, label=name)
+    axes.set_title(title)
+    axes.set_ylabel(label)
+    axes.margins(x=0.01)
+    axes.ticklabel_format(axis="x", scilimits=(-3, 6))
+    if len(curves) > 1:
+        legend_above(axes, len(curves))
+
+
+def thin(times, values):
+    """Leaves out what cannot be seen: of many points, the least and the greatest of each stretch."""
+    stretch = -(-len(values) // (MOST_POINTS // 2))
+    if stretch < 2:
+        return times, values
+    count = len(values) // stretch
+    blocks = values[: count * stretch].reshape(count, stretch)
+    first = np.arange(count) * stretch
+    kept = np.unique(np.concatenate([first + blocks.argmin(axis=1), first + blocks.argmax(axis=1),
+                                     [0, len(values) - 1]]))
+    return times[kept], values[kept]

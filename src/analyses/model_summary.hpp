@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "analyses/dynamic.hpp"
+#include "model/model.hpp"
+#include "model/settings.hpp"
+
+namespace gxrod {
+
+// What a run of the model would be, in lines for a reader: parts, constants, masses, unknowns, analysis, output.
+std::string describe_model(const Model& model);
+std::string describe_analysis(const DynamicSettings& settings);
+std::string describe_output(const DynamicSettings& settings, const OutputSettings& output);
+
+// The name of an integrator as decks have it.
+const char* name_of(Scheme scheme);
+
+}  // namespace gxrod

@@ -1,0 +1,134 @@
+#include "analyses/run.hpp"
+
+#include <fmt/format.h>
+
+#include "model/evaluation_error.hpp"
+
+namespace gxrod {
+
+namespace {
+
+class DynamicRun {
+  public:
+    explicit DynamicRun(const RunRequest& request)
+        : request_(request),
+          analysis_(build(request, setup_seconds_)),
+          file_(request.results, request.deck, request.model, request.output) {
+        summary_.nodes = static_cast<long>(request.model.nodes.size());
+        summary_.elements = static_cast<long>(analysis_->system().element_count());
+        summary_.unknowns = analysis_->system().equations().count();
+    }
+
+    void run() {
+        try {
+            if (start()) {
+                while (!analysis_->finished() && !interrupted() && step()) {
+                }
+            }
+        } catch (const EvaluationError& error) {
+            fail(error.what());
+            summary_.deck_fault = true;
+        }
+        close();
+    }
+
+    RunSummary summary() const { return summary_; }
+
+  private:
+    static std::unique_ptr<DynamicAnalysis> build(const RunRequest& request, double& seconds) {
+        const PhaseTimer timer(seconds);
+        return std::make_unique<DynamicAnalysis>(request.model, request.analysis);
+    }
+
+    bool start() {
+        const EquilibriumReport report = analysis_->start();
+        if (!report.converged()) {
+            fail("initial accelerations: " + describe(report, request_.model));
+            return false;
+        }
+        record();
+        return true;
+    }
+
+    bool step() {
+        const EquilibriumReport report = analysis_->advance();
+        const SolverRow& row = analysis_->solver_row();
+        summary_.rejected_steps += row.rejected_steps;
+        if (!report.converged()) {
+            fail(fmt::format(
+                "step from t = {:.10g}: {}", analysis_->state().time, describe(report, request_.model)));
+            return false;
+        }
+        ++summary_.steps;
+        summary_.newton_iterations += row.newton_iterations;
+        record();
+        const StepControl& control = analysis_->control();
+        request_.report_progress({control.nominal_steps_done(),
+                                  control.nominal_steps(),
+                                  analysis_->state().time,
+                                  row.time_step,
+                                  row.newton_iterations});
+        return true;
+    }
+
+    void record() {
+        const PhaseTimer timer(output_seconds_);
+        const Snapshot snapshot = analysis_->snapshot();
+        file_.record_step(snapshot, analysis_->ledger_row(), analysis_->solver_row());
+        const StepControl& control = analysis_->control();
+        last_framed_ = false;
+        if (control.at_nominal_step() && control.nominal_steps_done() % request_.output.every == 0) {
+            file_.write_frame(snapshot);
+            last_framed_ = true;
+        }
+    }
+
+    bool interrupted() {
+        if (!request_.is_interrupted()) return false;
+        summary_.status = RunStatus::interrupted;
+        return true;
+    }
+
+    void fail(const std::string& reason) {
+        summary_.status = RunStatus::failed;
+        summary_.reason = reason;
+    }
+
+    void close() {
+        {
+            const PhaseTimer timer(output_seconds_);
+            if (!last_framed_) file_.write_frame(analysis_->snapshot());
+            if (summary_.status == RunStatus::running) summary_.status = RunStatus::complete;
+            file_.close(summary_.status, summary_.reason);
+        }
+        summary_.time = analysis_->state().time;
+        summary_.phases = analysis_->seconds();
+        summary_.phases.setup = setup_seconds_;
+        summary_.phases.output = output_seconds_;
+    }
+
+    const RunRequest& request_;
+    RunSummary summary_;
+    double setup_seconds_ = 0.0;
+    double output_seconds_ = 0.0;
+    std::unique_ptr<DynamicAnalysis> analysis_;
+    ResultsFile file_;
+    bool last_framed_ = false;
+};
+
+}  // namespace
+
+RunSummary run_dynamic(const RunRequest& request) {
+    double seconds = 0.0;
+    RunSummary summary;
+    {
+        const PhaseTimer timer(seconds);
+        DynamicRun run(request);
+        run.run();
+        summary = run.summary();
+    }
+    summary.wall_seconds = seconds;
+    return summary;
+}
+
+}  // namespace gxrod

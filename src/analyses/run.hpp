@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "analyses/dynamic.hpp"
+#include "model/deck_record.hpp"
+#include "model/settings.hpp"
+#include "results/results_file.hpp"
+
+// A whole run: from a model to a results file.
+namespace gxrod {
+
+struct Progress {
+    long step;   // nominal steps done
+    long steps;  // of the whole run
+    double time;
+    double time_step;  // of the last step
+    int newton_iterations;
+};
+
+struct RunRequest {
+    const Model& model;
+    const DynamicSettings& analysis;
+    const OutputSettings& output;
+    const DeckRecord& deck;
+    ResultsFileOptions results;
+    std::function<void(const Progress&)> report_progress = [](const Progress&) {};
+    std::function<bool()> is_interrupted = [] { return false; };  // asked after each step
+};
+
+struct RunSummary {
+    RunStatus status = RunStatus::running;
+    std::string reason;       // of a failure
+    bool deck_fault = false;  // whether the deck is to blame: a load without a finite value
+    long nodes = 0;
+    long elements = 0;
+    long unknowns = 0;
+    long steps = 0;  // accepted
+    long rejected_steps = 0;
+    long newton_iterations = 0;
+    double time = 0.0;  // reached
+    double wall_seconds = 0.0;
+    PhaseSeconds phases;
+};
+
+// Runs and leaves a closed results file, whatever happens. Not converging, or a load that is no number, is a
+// failed summary. Throws FileError if the file cannot be written; what was written stays.
+RunSummary run_dynamic(const RunRequest& request);
+
+}  // namespace gxrod

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "deck/build_context.hpp"
+#include "model/settings.hpp"
+
+namespace gxrod {
+
+// What [analysis] asks for.
+DynamicSettings build_analysis(const BuildContext& context);
+
+}  // namespace gxrod

@@ -1,0 +1,106 @@
+#include "deck/build_output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "deck/choices.hpp"
+
+namespace gxrod {
+namespace {
+
+bool is_group_name(const std::string& name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char letter) {
+        return letter == '_' || letter == '-' || std::isalnum(static_cast<unsigned char>(letter)) != 0;
+    });
+}
+
+void check_name(const CheckedTable& history, std::set<std::string>& taken, const BuildContext& context) {
+    const std::string& name = history.get<std::string>("name");
+    if (!is_group_name(name)) {
+        return context.add_fault(
+            history, "name", fmt::format("expected a name of letters, digits, _ and -, found \"{}\"", name));
+    }
+    if (name == "time") {
+        return context.add_fault(history, "name", "\"time\" is taken by the times of all histories");
+    }
+    if (!taken.insert(name).second) {
+        context.add_fault(history, "name", fmt::format("an earlier history is named \"{}\" too", name));
+    }
+}
+
+bool is_of_rods(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::force:
+        case Quantity::moment:
+        case Quantity::force_spatial:
+        case Quantity::moment_spatial:
+        case Quantity::strain:
+        case Quantity::curvature:
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool is_reaction(Quantity quantity) {
+    return quantity == Quantity::reaction_force || quantity == Quantity::reaction_moment;
+}
+
+// Why the point has no such quantity, or "".
+std::string explain_missing(Quantity quantity, const PlacedPoint& point, const Model& model) {
+    if (is_of_rods(quantity) && point.rod < 0) return "only points of rods have it; this one is a body";
+    if (quantity == Quantity::centre_of_mass && point.body < 0) {
+        return "only bodies have it; this is a point of a rod";
+    }
+    if (!is_reaction(quantity)) return "";
+    const bool is_supported = std::any_of(model.supports.begin(),
+                                          model.supports.end(),
+                                          [&](const Support& support) { return support.node == point.node; });
+    return is_supported ? "" : "only a supported point has it; no [[support]] is at this one";
+}
+
+HistoryRequest build_history(const CheckedTable& table,
+                             const PlacedPoint& point,
+                             const BuildContext& context) {
+    HistoryRequest request{.name = table.get<std::string>("name"),
+                           .at = table.get<std::string>("at"),
+                           .node = point.node,
+                           .body = point.body,
+                           .rod = point.rod,
+                           .position_in_rod = point.position_in_rod,
+                           .quantities = {}};
+    for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("quantities")) {
+        const Quantity quantity = value_of(quantity_choices, word.word);
+        const auto& listed = request.quantities;
+        if (std::find(listed.begin(), listed.end(), quantity) != listed.end()) {
+            context.faults.add(word.place, word.path, fmt::format("\"{}\" is listed twice", word.word));
+            continue;
+        }
+        const std::string reason = explain_missing(quantity, point, context.model);
+        if (!reason.empty()) {
+            context.faults.add(word.place, word.path, fmt::format("\"{}\": {}", word.word, reason));
+        }
+        request.quantities.push_back(quantity);
+    }
+    return request;
+}
+
+}  // namespace
+
+OutputSettings build_output(const BuildContext& context) {
+    OutputSettings output;
+    const std::vector<CheckedTable>& tables = context.deck.tables("output");
+    if (!tables.empty()) output.every = tables.front().get<long>("every");
+    std::set<std::string> taken;
+    for (const CheckedTable& table : context.deck.tables("history")) {
+        check_name(table, taken, context);
+        const std::optional<PlacedPoint> point = context.place(table.get<std::string>("at"));
+        if (point) output.histories.push_back(build_history(table, *point, context));
+    }
+    return output;
+}
+
+}  // namespace gxrod

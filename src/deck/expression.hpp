@@ -1,0 +1,45 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/time_function.hpp"
+
+// Expressions of a deck: text such as "EI/2" or "0.5*pulse(t)". deck/expression_syntax.hpp says what they may
+// hold.
+namespace gxrod {
+
+// An expression that cannot be read or has no finite value; what() says why.
+class ExpressionError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+// A [function.NAME] of the deck: a table or an expression in t.
+struct FunctionDefinition {
+    std::vector<std::pair<double, double>>
+        table;  // (t, value), t increasing; empty if there is an expression
+    std::string expression;
+};
+
+// The names that a deck defines. A nullopt stands for one that is defined but wrong, and already reported.
+struct Symbols {
+    std::map<std::string, std::optional<double>, std::less<>> parameters;
+    std::map<std::string, std::optional<FunctionDefinition>, std::less<>> functions;
+};
+
+// The value of an expression in the parameters; nullopt if it rests on a wrong one. Throws ExpressionError.
+std::optional<double> evaluate_constant(const std::string& expression, const Symbols& symbols);
+
+// The function of time of an expression in t, the parameters and the functions; a constant one if neither t
+// nor a function of t occurs. nullopt if it rests on a wrong name. Throws ExpressionError. Where it has no
+// finite value, a call throws EvaluationError with `key` and the time.
+std::optional<TimeFunction> compile_time_function(const std::string& expression,
+                                                  const std::string& key,
+                                                  const Symbols& symbols);
+
+}  // namespace gxrod

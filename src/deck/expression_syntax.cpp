@@ -1,0 +1,192 @@
+#include "deck/expression_syntax.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "deck/expression_built_ins.hpp"
+#include "deck/expression_tokens.hpp"
+#include "deck/suggestion.hpp"
+
+namespace gxrod {
+namespace {
+
+// Checks one expression, token by token.
+class ExpressionCheck {
+  public:
+    ExpressionCheck(const std::vector<Token>& tokens, const Symbols& symbols, TimeUse time)
+        : tokens_(tokens), symbols_(symbols), time_(time) {}
+
+    ExpressionNames run() {
+        groups_.push_back({});
+        for (at_ = 0; at_ < tokens_.size(); ++at_) {
+            check_neighbour();
+            check_token();
+        }
+        if (groups_.size() > 1) throw ExpressionError("a \")\" is missing");
+        return names_;
+    }
+
+  private:
+    // An open parenthesis.
+    struct Group {
+        bool of_function = false;
+        bool compared = false;  // a comparison stands in the operand at hand
+    };
+
+    const Token& token() const { return tokens_[at_]; }
+    bool next_is_open() const { return at_ + 1 < tokens_.size() && tokens_[at_ + 1].kind == TokenKind::open; }
+
+    // Two values side by side: 2t, (a)(b).
+    void check_neighbour() const {
+        if (at_ == 0) return;
+        const TokenKind before = tokens_[at_ - 1].kind;
+        const bool value_before =
+            before == TokenKind::number || before == TokenKind::name || before == TokenKind::close;
+        const bool call = before == TokenKind::name && token().kind == TokenKind::open;
+        const bool value = token().kind == TokenKind::number || token().kind == TokenKind::name ||
+                           token().kind == TokenKind::open;
+        if (value_before && value && !call) {
+            throw ExpressionError(fmt::format(
+                "an operator is missing between \"{}\" and \"{}\"", tokens_[at_ - 1].text, token().text));
+        }
+    }
+
+    void check_token() {
+        switch (token().kind) {
+            case TokenKind::number:
+                break;
+            case TokenKind::name:
+                next_is_open() ? check_function() : check_variable();
+                break;
+            case TokenKind::operation:
+                check_operator();
+                break;
+            case TokenKind::open:
+                groups_.push_back({at_ > 0 && tokens_[at_ - 1].kind == TokenKind::name, false});
+                break;
+            case TokenKind::close:
+                if (groups_.size() == 1) throw ExpressionError("a \")\" has no \"(\"");
+                groups_.pop_back();
+                break;
+            case TokenKind::comma:
+                check_comma();
+                break;
+        }
+    }
+
+    void check_comma() {
+        if (!groups_.back().of_function) {
+            throw ExpressionError(
+                "a \",\" stands outside a function call; an expression has one value, and \".\" is its "
+                "decimal point");
+        }
+        groups_.back().compared = false;
+    }
+
+    void check_operator() {
+        const std::string& text = token().text;
+        const bool compares = text[0] == '<' || text[0] == '>' || text == "==" || text == "!=";
+        if (compares && groups_.back().compared) {
+            throw ExpressionError(
+                "comparisons in a row compare the result 0 or 1 of the first; write \"a < b && b < c\", or "
+                "parentheses if you mean it");
+        }
+        if (compares) groups_.back().compared = true;
+        if (text == "&&" || text == "||" || text == "?" || text == ":") groups_.back().compared = false;
+    }
+
+    void check_variable() {
+        const std::string& name = token().text;
+        if (name == "pi") return;
+        if (name == "t") return check_time();
+        if (symbols_.parameters.contains(name)) {
+            names_.parameters.insert(name);
+            return;
+        }
+        if (is_function(name))
+            throw ExpressionError(fmt::format("\"{0}\" is a function; write {0}(…)", name));
+        std::vector<std::string> known{"pi"};
+        if (time_ == TimeUse::free) known.emplace_back("t");
+        for (const auto& [parameter, value] : symbols_.parameters) known.push_back(parameter);
+        throw ExpressionError(fmt::format(
+            "unknown name \"{}\"{}; available: {}", name, did_you_mean(name, known), plain_list(known)));
+    }
+
+    void check_time() {
+        if (time_ == TimeUse::none) {
+            throw ExpressionError("\"t\" (time) is not allowed here: this value is a constant");
+        }
+        names_.time = true;
+    }
+
+    void check_function() {
+        const std::string& name = token().text;
+        const std::vector<std::string>& built_in = built_in_functions();
+        if (std::find(built_in.begin(), built_in.end(), name) != built_in.end()) return;
+        if (symbols_.functions.contains(name)) return check_deck_function(name);
+        if (name == "t" || name == "pi" || symbols_.parameters.contains(name)) {
+            throw ExpressionError(fmt::format("\"{0}\" is not a function; write {0}*(…)", name));
+        }
+        std::vector<std::string> known = built_in;
+        if (time_ == TimeUse::free) {
+            for (const auto& [function, definition] : symbols_.functions) known.push_back(function);
+        }
+        const std::string hint = name == "ln"    ? "; did you mean \"log\" (natural)?"
+                                 : name == "pow" ? "; write a^b for a power"
+                                                 : did_you_mean(name, known);
+        throw ExpressionError(
+            fmt::format("unknown function \"{}\"{}; available: {}", name, hint, plain_list(known)));
+    }
+
+    void check_deck_function(const std::string& name) {
+        if (time_ == TimeUse::none) {
+            throw ExpressionError(fmt::format(
+                "\"{}\" is a function of time, which is not allowed here: this value is a constant", name));
+        }
+        names_.functions.insert(name);
+    }
+
+    bool is_function(const std::string& name) const {
+        const std::vector<std::string>& built_in = built_in_functions();
+        return symbols_.functions.contains(name) ||
+               std::find(built_in.begin(), built_in.end(), name) != built_in.end();
+    }
+
+    const std::vector<Token>& tokens_;
+    const Symbols& symbols_;
+    TimeUse time_;
+    std::size_t at_ = 0;
+    std::vector<Group> groups_;
+    ExpressionNames names_;
+};
+
+}  // namespace
+
+bool is_identifier(const std::string& word) {
+    if (word.empty() || std::isdigit(static_cast<unsigned char>(word[0])) != 0) return false;
+    return std::all_of(word.begin(), word.end(), [](char letter) {
+        return letter == '_' || std::isalnum(static_cast<unsigned char>(letter)) != 0;
+    });
+}
+
+std::string explain_unusable_name(const std::string& name) {
+    if (!is_identifier(name)) {
+        return "expressions could not use this name: write letters, digits and _, no digit first";
+    }
+    if (name == "t") return "t is time in expressions; choose another name";
+    if (name == "pi") return "pi is 3.14159… in expressions; choose another name";
+    const std::vector<std::string>& built_in = built_in_functions();
+    if (std::find(built_in.begin(), built_in.end(), name) != built_in.end()) {
+        return name + " is a built-in function; choose another name";
+    }
+    return "";
+}
+
+ExpressionNames check_expression(const std::string& expression, const Symbols& symbols, TimeUse time) {
+    const std::vector<Token> tokens = split_expression(expression);
+    return ExpressionCheck(tokens, symbols, time).run();
+}
+
+}  // namespace gxrod

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/deck_record.hpp"
+#include "model/model.hpp"
+#include "model/settings.hpp"
+
+// From the text of a deck to what is run. docs/deck.md is the reference of the text.
+namespace gxrod {
+
+// A deck, read, checked and built.
+struct Problem {
+    DeckRecord record;
+    Model model;
+    DynamicSettings analysis;
+    OutputSettings output;
+    std::vector<std::string> notes;  // choices that the reader made for the user, a line each
+};
+
+// Reads a deck. `overrides` are the "KEY=VALUE" of --set, applied in their order. Throws DeckError if the
+// deck is wrong and FileError if it cannot be read.
+Problem read_problem(const std::filesystem::path& deck, const std::vector<std::string>& overrides = {});
+
+// The same for a text; `file` is what faults name.
+Problem read_problem_text(std::string_view text,
+                          const std::string& file,
+                          const std::vector<std::string>& overrides = {});
+
+}  // namespace gxrod

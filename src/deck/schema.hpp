@@ -1,0 +1,115 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "rotation/types.hpp"
+
+// Every key of a deck, declared once: the reader checks against these declarations and takes the defaults
+// from them, and the JSON Schema and docs/deck.md are written from them.
+namespace gxrod {
+
+// What a key takes. "Number" stands for a finite number or an expression that has one.
+enum class ValueType {
+    text,
+    reference,  // the name of a table elsewhere in the deck
+    point,      // a named point: flyer.start, flyer.end, flyer@0.25, gyroscope
+    choice,     // one of the key's words
+    choices,    // one of the key's words, or a list of them that is not empty
+    integer,    // or an expression whose value is one
+    number,
+    vector,           // 3 numbers
+    inertia,          // 3 numbers, or 3 rows of 3 that make a symmetric matrix
+    placement,        // a vector or a point
+    time_expression,  // f(t)
+    time_vector,      // 3 f(t)
+    time_table,       // rows of 2 numbers, the first of each increasing
+    table,            // keys of its own
+    named_tables,     // [rod.NAME], any number
+    table_list,       // [[load]], any number
+    parameters        // any names, a number each
+};
+
+enum class Bound { closed, open };
+
+// Of a number or of every component. `lower` is open at -infinity, `upper` at +infinity.
+struct Range {
+    double lower = -std::numeric_limits<double>::infinity();
+    Bound at_lower = Bound::closed;
+    double upper = std::numeric_limits<double>::infinity();
+    Bound at_upper = Bound::closed;
+
+    bool contains(double value) const;
+    bool is_unbounded() const;
+};
+
+enum class Presence { optional, required };
+
+// The key is used only where another key of its table has one of these words.
+struct Condition {
+    std::string key;
+    std::vector<std::string> words;
+};
+
+struct TableSpec;
+
+struct KeySpec {
+    std::string name;
+    ValueType type = ValueType::text;
+    std::string dimension = "";
+    Range range = {};
+    Presence presence = Presence::optional;
+    std::variant<std::monostate, double, long, std::string, Vec3> default_value = {};
+    std::string default_text = "";  // of a default that follows from other keys
+    std::string sentence = "";
+    std::vector<std::string> choices = {};
+    std::string remark = "";       // ends the messages that the key is missing, out of range or no valid word
+    std::string above_range = "";  // ends the message that a number is above its range instead
+    Condition only_for = {};
+    const TableSpec* table = nullptr;  // of table, named_tables, table_list, parameters
+};
+
+enum class GroupRule { exactly_one, at_least_one, at_most_one };
+
+struct KeyGroup {
+    GroupRule rule;
+    std::vector<std::string> keys;
+};
+
+struct TableSpec {
+    std::string path;     // "rod.NAME", "load"; "" for the top level
+    std::string heading;  // as a deck writes it: "[rod.NAME]"
+    std::string sentence;
+    std::vector<KeySpec> keys;
+    std::vector<KeyGroup> groups = {};
+    std::string example = "";  // the examples of all tables, one after the other, are a deck
+
+    const KeySpec* find(std::string_view key) const;
+    std::vector<std::string> key_names() const;
+};
+
+// The top level of a deck.
+const TableSpec& deck_schema();
+
+// Whether the key is one of the top level that stands before the first [table], such as gravity.
+bool is_top_level_value(std::string_view key);
+
+// Says that such a key was found in the table of `heading`.
+std::string explain_misplaced_key(std::string_view key, std::string_view heading);
+
+// "greater than 0, at most 0.5", "at least 1", "from 0 to 1"; "" if unbounded.
+std::string describe_range(const Range& range);
+
+// What a key takes, as messages say it: "a number greater than 0 or an expression".
+std::string describe_expected(const KeySpec& key);
+
+// JSON Schema, draft 2020-12, for editors.
+std::string json_schema();
+
+// The text of docs/deck.md.
+std::string deck_reference();
+
+}  // namespace gxrod

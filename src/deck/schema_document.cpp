@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+
+#include "deck/expression_built_ins.hpp"
+#include "deck/schema.hpp"
+#include "deck/suggestion.hpp"
+
+namespace gxrod {
+namespace {
+
+constexpr const char* introduction =
+    R"md(# Deck reference
+
+A deck is a [TOML 1.0](https://toml.io) text. This page is written by `gxrod schema --markdown`, from the declarations
+that the reader itself checks a deck with; `gxrod schema` writes the same as a JSON Schema for editors.
+
+- **Units** are any consistent ones. Dimensions below are in mass, length, time; angles are in radians. `units` is a
+  label only.
+- **Numbers** are finite. Where a key takes a number it also takes an expression in quotes, such as `"2*EI"`, with the
+  names of `[parameters]`. Where the type says f(t), the expression may also use the time `t` and call the deck's
+  functions, as in `"0.5*pulse(t)"`.
+- **Vectors** are arrays of three numbers, in the global axes unless the key says otherwise.
+- **Points** are `NAME.start`, `NAME.end` and `NAME@0.25` of a rod (a fraction of its length, where a node is placed),
+  and a body by its name. A rod and a body cannot have the same name.
+- **Names** of sections, rods and bodies have letters, digits, `_` and `-`; those of parameters and functions letters,
+  digits and `_`, no digit first.
+- Unknown keys are errors. TOML wants a digit on both sides of a decimal point: `1.0` and `0.5`, not `1.` and `.5`.
+
+## Expressions
+
+| | |
+|---|---|
+| operators, tightest first | `^`, sign, `* /`, `+ -`, `< <= > >= == !=`, `&&`, `\|\|`, `condition ? a : b` |
+| functions | {functions} |
+| names | `pi`, the parameters; in f(t) also `t` and the functions of the deck |
+
+A sign binds less than a power: `-2^2` is −4 and `2^-1` is 0.5; powers go from the right: `2^3^2` is 512. Comparisons
+are 1 or 0. `log` is the natural logarithm; `min` and `max` take any number of arguments. An expression that would
+assign (`t = 15 ? 1 : 2`), that lists values (`1,2`), compares in a row (`0 < t < 5`) or has no finite value is an
+error. f(t) is evaluated at the steps of the analysis (at 10001 of them, if there are more) before the run begins.
+
+)md";
+
+std::string code_list(const std::vector<std::string>& words) {
+    std::vector<std::string> quoted;
+    for (const std::string& word : words) quoted.push_back("`" + word + "`");
+    return plain_list(quoted);
+}
+
+std::string describe_type(const KeySpec& key) {
+    switch (key.type) {
+        case ValueType::text:
+            return "text";
+        case ValueType::reference:
+            return "name";
+        case ValueType::point:
+            return "point";
+        case ValueType::choice:
+            return code_list(key.choices);
+        case ValueType::choices:
+            return "one or a list of " + code_list(key.choices);
+        case ValueType::integer:
+            return "integer";
+        case ValueType::number:
+            return "number";
+        case ValueType::vector:
+            return "vector";
+        case ValueType::inertia:
+            return "vector or 3×3";
+        case ValueType::placement:
+            return "vector or point";
+        case ValueType::time_expression:
+            return "f(t)";
+        case ValueType::time_vector:
+            return "3 f(t)";
+        case ValueType::time_table:
+            return "rows [t, value]";
+        default:
+            return "table";
+    }
+}
+
+struct DefaultText {
+    std::string operator()(std::monostate) const { return ""; }
+    std::string operator()(double value) const { return fmt::format("`{}`", value); }
+    std::string operator()(long value) const { return fmt::format("`{}`", value); }
+    std::string operator()(const std::string& value) const { return fmt::format("`\"{}\"`", value); }
+    std::string operator()(const Vec3& value) const {
+        return fmt::format("`[{}, {}, {}]`", value[0], value[1], value[2]);
+    }
+};
+
+std::string describe_default(const KeySpec& key) {
+    if (key.presence == Presence::required) return "required";
+    if (!key.default_text.empty()) return key.default_text;
+    return std::visit(DefaultText{}, key.default_value);
+}
+
+std::string sentence_of(const KeySpec& key) {
+    std::string sentence = key.sentence;
+    if (!key.only_for.key.empty()) {
+        sentence += fmt::format(" For {} {} only.", key.only_for.key, code_list(key.only_for.words));
+    }
+    if (key.type == ValueType::choice || key.type == ValueType::integer) {
+        if (!key.remark.empty()) sentence += " Note: " + key.remark + ".";
+    }
+    return sentence;
+}
+
+// Rows of the keys of a table; those of tables inside it as "line.from".
+std::string write_rows(const TableSpec& table, const std::string& prefix) {
+    std::string rows;
+    for (const KeySpec& key : table.keys) {
+        if (table.path.empty() && !is_top_level_value(key.name)) continue;
+        rows += fmt::format("| `{}{}` | {} | {} | {} | {} | {} |\n",
+                            prefix,
+                            key.name,
+                            describe_type(key),
+                            key.dimension,
+                            describe_range(key.range),
+                            describe_default(key),
+                            sentence_of(key));
+        if (key.type == ValueType::table) rows += write_rows(*key.table, prefix + key.name + ".");
+    }
+    return rows;
+}
+
+std::string describe_group(const KeyGroup& group, const TableSpec& table) {
+    std::vector<std::string> spellings;
+    for (const std::string& key : group.keys) {
+        const KeySpec& spec = *table.find(key);
+        spellings.push_back(spec.table == nullptr ? key : spec.table->heading);
+    }
+    const std::string keys = code_list(spellings);
+    switch (group.rule) {
+        case GroupRule::exactly_one:
+            return fmt::format("Exactly one of {}.\n\n", keys);
+        case GroupRule::at_least_one:
+            return fmt::format("At least one of {}.\n\n", keys);
+        case GroupRule::at_most_one:
+            return fmt::format("At most one of {}.\n\n", keys);
+    }
+    return "";
+}
+
+std::string write_table(const TableSpec& table, const std::string& heading) {
+    std::string text = fmt::format("## {}\n\n{}\n\n", heading, table.sentence);
+    text += "| key | type | dimension | range | default | meaning |\n|---|---|---|---|---|---|\n";
+    text += table.keys.empty() ? "| any name | number | | | | |\n\n" : write_rows(table, "") + "\n";
+    for (const KeyGroup& group : table.groups) text += describe_group(group, table);
+    return text + "```toml\n" + table.example + "```\n\n";
+}
+
+}  // namespace
+
+std::string deck_reference() {
+    std::string text = introduction;
+    const std::string mark = "{functions}";
+    text.replace(text.find(mark), mark.size(), code_list(built_in_functions()));
+    text += write_table(deck_schema(), "Top level");
+    for (const KeySpec& key : deck_schema().keys) {
+        if (key.table != nullptr) text += write_table(*key.table, key.table->heading);
+    }
+    while (text.ends_with("\n\n")) text.pop_back();
+    return text;
+}
+
+}  // namespace gxrod

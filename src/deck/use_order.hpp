@@ -1,0 +1,23 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace gxrod {
+
+// Which names each name uses. Every name that is used has an entry.
+using Uses = std::map<std::string, std::set<std::string>>;
+
+struct UseOrder {
+    std::vector<std::string> names;  // all, each after those that it uses, apart from cycles
+    std::vector<std::vector<std::string>>
+        cycles;                      // a, b if a uses b and b uses a; the first is the one met first
+    std::set<std::string> in_cycle;  // members of the cycles
+};
+
+// Goes through `names` in their order. Names that use each other in a circle are in `cycles`.
+UseOrder find_use_order(const std::vector<std::string>& names, const Uses& uses);
+
+}  // namespace gxrod

@@ -1,0 +1,227 @@
+#include "deck/validation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "deck/expression_syntax.hpp"
+#include "deck/schema_tables.hpp"
+#include "deck/suggestion.hpp"
+#include "deck/symbol_reading.hpp"
+#include "deck/value_reading.hpp"
+
+namespace gxrod {
+namespace {
+
+bool is_plain_name(const std::string& name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char letter) {
+        return letter == '_' || letter == '-' || std::isalnum(static_cast<unsigned char>(letter)) != 0;
+    });
+}
+
+std::string join_path(const std::string& path, const std::string& key) {
+    return path.empty() ? key : path + "." + key;
+}
+
+// Keys of single tables such as [analysis], which a user may look for at the top level.
+std::string find_key_elsewhere(const std::string& key) {
+    for (const KeySpec& entry : deck_schema().keys) {
+        if (entry.type == ValueType::table && entry.table->find(key) != nullptr)
+            return entry.name + "." + key;
+    }
+    return "";
+}
+
+class Validator {
+  public:
+    Validator(const Symbols& symbols, FaultList& faults) : context_{symbols, faults} {}
+
+    CheckedTable check_table(const DeckNode& node, const std::string& path, const TableSpec& spec) const {
+        CheckedTable checked{"", path, node.place, {}};
+        for (const DeckEntry& entry : *node.table()) {
+            const KeySpec* key = spec.find(entry.key);
+            if (key == nullptr) {
+                add_unknown_key(entry, path, spec);
+                continue;
+            }
+            CheckedValue value{entry.key, entry.node.place, true, {}};
+            value.value = check_value(entry, join_path(path, entry.key), *key);
+            checked.values.push_back(std::move(value));
+        }
+        check_presence(node, path, spec);
+        check_groups(node, path, spec);
+        add_defaults(checked, spec);
+        check_conditions(node, checked, spec);
+        return checked;
+    }
+
+  private:
+    using Value = decltype(CheckedValue::value);
+
+    void add(const Place& place, const std::string& path, const std::string& message) const {
+        context_.faults.add(place, path, message);
+    }
+
+    Value check_value(const DeckEntry& entry, const std::string& path, const KeySpec& key) const {
+        switch (key.type) {
+            case ValueType::table:
+                return check_single_table(entry, path, key);
+            case ValueType::named_tables:
+                return check_named_tables(entry, path, key);
+            case ValueType::table_list:
+                return check_table_list(entry, path, key);
+            case ValueType::parameters:
+                if (entry.node.table() == nullptr) expect(entry, path, key);
+                return std::monostate{};
+            default:
+                return read_value(entry.node, path, key, context_);
+        }
+    }
+
+    void expect(const DeckEntry& entry, const std::string& path, const KeySpec& key) const {
+        add(entry.node.place,
+            path,
+            fmt::format("expected {}, found {}", describe_expected(key), describe_found(entry.node)));
+    }
+
+    Value check_single_table(const DeckEntry& entry, const std::string& path, const KeySpec& key) const {
+        if (entry.node.table() == nullptr) {
+            expect(entry, path, key);
+            return std::monostate{};
+        }
+        return std::vector{check_table(entry.node, path, *key.table)};
+    }
+
+    Value check_named_tables(const DeckEntry& entry, const std::string& path, const KeySpec& key) const {
+        if (entry.node.table() == nullptr) {
+            expect(entry, path, key);
+            return std::monostate{};
+        }
+        std::vector<CheckedTable> tables;
+        for (const DeckEntry& named : *entry.node.table()) {
+            const std::string named_path = join_path(path, named.key);
+            if (named.node.table() == nullptr) {
+                expect(named, named_path, key);
+                continue;
+            }
+            const std::string reason = explain_name(named.key, key);
+            if (!reason.empty()) add(named.place, named_path, reason);
+            tables.push_back(check_table(named.node, named_path, *key.table));
+            tables.back().name = named.key;
+        }
+        return tables;
+    }
+
+    static std::string explain_name(const std::string& name, const KeySpec& key) {
+        if (key.table == &function_table()) return explain_unusable_name(name);
+        return is_plain_name(name) ? "" : "a name has letters, digits, _ and - only";
+    }
+
+    Value check_table_list(const DeckEntry& entry, const std::string& path, const KeySpec& key) const {
+        const DeckNode::Array* array = entry.node.array();
+        if (array == nullptr) {
+            expect(entry, path, key);
+            return std::monostate{};
+        }
+        std::vector<CheckedTable> tables;
+        for (std::size_t i = 0; i < array->size(); ++i) {
+            const DeckNode& element = (*array)[i];
+            const std::string element_path = fmt::format("{}[{}]", path, i);
+            if (element.table() == nullptr) {
+                expect({entry.key, entry.place, element}, element_path, key);
+                continue;
+            }
+            tables.push_back(check_table(element, element_path, *key.table));
+        }
+        return tables;
+    }
+
+    void add_unknown_key(const DeckEntry& entry, const std::string& path, const TableSpec& spec) const {
+        const std::string full = join_path(path, entry.key);
+        if (!path.empty() && is_top_level_value(entry.key)) {
+            return add(entry.place, full, explain_misplaced_key(entry.key, spec.heading));
+        }
+        const std::vector<std::string> known = spec.key_names();
+        const std::string elsewhere = path.empty() ? find_key_elsewhere(entry.key) : "";
+        if (!elsewhere.empty()) {
+            return add(entry.place, full, fmt::format("unknown key; did you mean \"{}\"?", elsewhere));
+        }
+        const std::string hint = did_you_mean(entry.key, known);
+        add(entry.place, full, "unknown key" + (hint.empty() ? "; known here: " + plain_list(known) : hint));
+    }
+
+    void check_presence(const DeckNode& node, const std::string& path, const TableSpec& spec) const {
+        for (const KeySpec& key : spec.keys) {
+            if (key.presence == Presence::optional || node.find(key.name) != nullptr) continue;
+            const std::string remark = key.remark.empty() ? "" : "; " + key.remark;
+            add(node.place,
+                join_path(path, key.name),
+                "missing; expected " + describe_expected(key) + remark);
+        }
+    }
+
+    void check_groups(const DeckNode& node, const std::string& path, const TableSpec& spec) const {
+        for (const KeyGroup& group : spec.groups) {
+            std::vector<std::string> given;
+            std::vector<std::string> spellings;
+            for (const std::string& key : group.keys) {
+                const DeckEntry* entry = node.find(key);
+                const bool is_empty =
+                    entry != nullptr && entry->node.table() != nullptr && entry->node.table()->empty();
+                if (entry != nullptr && !is_empty) given.push_back(key);
+                const TableSpec* table = spec.find(key)->table;
+                spellings.push_back(table == nullptr ? key : table->heading);
+            }
+            if (given.empty() && group.rule != GroupRule::at_most_one) {
+                add(node.place, path, fmt::format("missing; expected {}", fmt::join(spellings, " or ")));
+            }
+            if (given.size() > 1 && group.rule != GroupRule::at_least_one) {
+                add(node.find(given[1])->place,
+                    join_path(path, given[1]),
+                    fmt::format("{} is given too; only one of them can be", given[0]));
+            }
+        }
+    }
+
+    static void add_defaults(CheckedTable& checked, const TableSpec& spec) {
+        for (const KeySpec& key : spec.keys) {
+            if (checked.find(key.name) != nullptr) continue;
+            std::visit(
+                [&](const auto& value) {
+                    using Default = std::decay_t<decltype(value)>;
+                    if constexpr (!std::is_same_v<Default, std::monostate>) {
+                        checked.values.push_back({key.name, checked.place, false, value});
+                    }
+                },
+                key.default_value);
+        }
+    }
+
+    void check_conditions(const DeckNode& node, const CheckedTable& checked, const TableSpec& spec) const {
+        for (const KeySpec& key : spec.keys) {
+            if (key.only_for.key.empty() || node.find(key.name) == nullptr) continue;
+            const auto* word = std::get_if<std::string>(&checked.find(key.only_for.key)->value);
+            if (word == nullptr) continue;
+            const std::vector<std::string>& words = key.only_for.words;
+            if (std::find(words.begin(), words.end(), *word) != words.end()) continue;
+            add(node.find(key.name)->place,
+                join_path(checked.path, key.name),
+                fmt::format("{} \"{}\" does not use this key; it is for {}",
+                            key.only_for.key,
+                            *word,
+                            plain_list(words)));
+        }
+    }
+
+    ReadingContext context_;
+};
+
+}  // namespace
+
+CheckedTable check_deck(const DeckNode& deck, FaultList& faults) {
+    const Symbols symbols = read_symbols(deck, faults);
+    return Validator(symbols, faults).check_table(deck, "", deck_schema());
+}
+
+}  // namespace gxrod

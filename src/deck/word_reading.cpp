@@ -1,0 +1,75 @@
+#include "deck/word_reading.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "deck/suggestion.hpp"
+
+namespace gxrod {
+namespace {
+
+void expect(const DeckNode& node,
+            const std::string& path,
+            const KeySpec& key,
+            const ReadingContext& context) {
+    context.faults.add(
+        node.place, path, fmt::format("expected {}, found {}", describe_expected(key), describe_found(node)));
+}
+
+}  // namespace
+
+std::optional<std::string> read_text(const DeckNode& node,
+                                     const std::string& path,
+                                     const KeySpec& key,
+                                     const ReadingContext& context) {
+    if (node.text() != nullptr) return *node.text();
+    expect(node, path, key, context);
+    return std::nullopt;
+}
+
+std::optional<std::string> read_word(const DeckNode& node,
+                                     const std::string& path,
+                                     const KeySpec& key,
+                                     const ReadingContext& context) {
+    const std::string* text = node.text();
+    const std::vector<std::string>& words = key.choices;
+    if (text != nullptr && std::find(words.begin(), words.end(), *text) != words.end()) return *text;
+    const std::string hint = text == nullptr ? "" : did_you_mean(*text, words);
+    const std::string remark = key.remark.empty() ? "" : "; " + key.remark;
+    context.faults.add(node.place,
+                       path,
+                       fmt::format("expected {}{}, found {}{}{}",
+                                   words.size() > 1 ? "one of " : "",
+                                   quoted_list(words),
+                                   describe_found(node),
+                                   hint,
+                                   remark));
+    return std::nullopt;
+}
+
+std::optional<std::vector<CheckedWord>> read_words(const DeckNode& node,
+                                                   const std::string& path,
+                                                   const KeySpec& key,
+                                                   const ReadingContext& context) {
+    std::vector<CheckedWord> words;
+    bool complete = true;
+    const auto read = [&](const DeckNode& element, const std::string& element_path) {
+        const std::optional<std::string> word = read_word(element, element_path, key, context);
+        complete = complete && word;
+        if (word) words.push_back({*word, element.place, element_path});
+    };
+    if (node.text() != nullptr) {
+        read(node, path);
+    } else if (node.array() != nullptr && !node.array()->empty()) {
+        for (std::size_t i = 0; i < node.array()->size(); ++i) {
+            read((*node.array())[i], fmt::format("{}[{}]", path, i));
+        }
+    } else {
+        expect(node, path, key, context);
+        complete = false;
+    }
+    return complete ? std::optional(std::move(words)) : std::nullopt;
+}
+
+}  // namespace gxrod

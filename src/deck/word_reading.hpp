@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "deck/checked_deck.hpp"
+#include "deck/reading_context.hpp"
+
+// Text and words of a deck. What is wrong goes to the fault list, and nullopt comes back.
+namespace gxrod {
+
+std::optional<std::string> read_text(const DeckNode& node,
+                                     const std::string& path,
+                                     const KeySpec& key,
+                                     const ReadingContext& context);
+
+// One of the key's words.
+std::optional<std::string> read_word(const DeckNode& node,
+                                     const std::string& path,
+                                     const KeySpec& key,
+                                     const ReadingContext& context);
+
+// One of the key's words, or a list of them that is not empty.
+std::optional<std::vector<CheckedWord>> read_words(const DeckNode& node,
+                                                   const std::string& path,
+                                                   const KeySpec& key,
+                                                   const ReadingContext& context);
+
+}  // namespace gxrod

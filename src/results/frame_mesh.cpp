@@ -1,0 +1,71 @@
+#include "results/frame_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+namespace gxrod {
+namespace {
+
+constexpr std::uint8_t vtk_vertex = 1;
+// Line, quadratic edge, cubic line, Lagrange curve; by order.
+constexpr std::array<std::uint8_t, 5> vtk_curve{0, 3, 21, 35, 68};
+
+void add_cell(FrameMesh& mesh, std::uint8_t type, double radius) {
+    mesh.offsets.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
+    mesh.types.push_back(type);
+    mesh.radius.push_back(radius);
+}
+
+// VTK wants the two ends first, then the nodes between them.
+void add_rod(FrameMesh& mesh, const Rod& rod, double radius) {
+    assert(rod.order >= 1 && rod.order <= 4);
+    const auto order = static_cast<std::size_t>(rod.order);
+    for (std::size_t first = 0; first + order < rod.nodes.size(); first += order) {
+        mesh.connectivity.push_back(rod.nodes[first]);
+        mesh.connectivity.push_back(rod.nodes[first + order]);
+        for (std::size_t i = 1; i < order; ++i) mesh.connectivity.push_back(rod.nodes[first + i]);
+        add_cell(mesh, vtk_curve[order], radius);
+    }
+}
+
+std::vector<Quat> node_triads(const Model& model) {
+    std::vector<Quat> triads(model.nodes.size(), Quat::Identity());
+    // Later ones win: rods over bodies, the first of each kind over the next.
+    for (auto body = model.bodies.rbegin(); body != model.bodies.rend(); ++body) {
+        triads[static_cast<std::size_t>(body->node)] = body->attitude;
+    }
+    for (auto rod = model.rods.rbegin(); rod != model.rods.rend(); ++rod) {
+        for (std::size_t i = 0; i < rod->nodes.size(); ++i) {
+            triads[static_cast<std::size_t>(rod->nodes[i])] = rod->triads[i];
+        }
+    }
+    return triads;
+}
+
+}  // namespace
+
+FrameMesh make_frame_mesh(const Model& model) {
+    FrameMesh mesh;
+    for (const Rod& rod : model.rods) {
+        add_rod(mesh, rod, equivalent_radius(model.sections[static_cast<std::size_t>(rod.section)]));
+    }
+    for (const Body& body : model.bodies) {
+        mesh.connectivity.push_back(body.node);
+        add_cell(mesh, vtk_vertex, 0.0);
+    }
+    // add_cell notes where a cell ends; the first begins at 0.
+    mesh.offsets.insert(mesh.offsets.begin(), 0);
+    mesh.triads = node_triads(model);
+    return mesh;
+}
+
+double equivalent_radius(const Section& section) {
+    const double EA = section.stiffness(0, 0);
+    const double EI = 0.5 * (section.stiffness(4, 4) + section.stiffness(5, 5));
+    const double radius = 2.0 * std::sqrt(EI / EA);
+    return std::isfinite(radius) ? radius : 0.0;
+}
+
+}  // namespace gxrod

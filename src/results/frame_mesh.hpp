@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace gxrod {
+
+// The fixed topology of the frames, as VTK has it: a cell for each element of the rods in their order, then a
+// vertex for each body.
+struct FrameMesh {
+    std::vector<std::int64_t> connectivity;  // point numbers of the cells, one cell after the other
+    std::vector<std::int64_t> offsets;       // of each cell in connectivity, and the end
+    std::vector<std::uint8_t> types;         // VTK cell types
+    std::vector<double> radius;              // of each cell, for drawing
+    std::vector<Quat> triads;  // of each node: section axes at t = 0, or a body's where no rod is
+
+    std::size_t cell_count() const { return types.size(); }
+};
+
+FrameMesh make_frame_mesh(const Model& model);
+
+// Radius of the solid circle of one material that has the section's ratio of bending to axial stiffness,
+// 2 √(EI/EA) with the mean EI of both axes; 0 where that is not finite.
+double equivalent_radius(const Section& section);
+
+}  // namespace gxrod

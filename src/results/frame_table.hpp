@@ -1,0 +1,41 @@
+#pragma once
+
+#include "model/model.hpp"
+#include "results/append_dataset.hpp"
+#include "results/frame_mesh.hpp"
+#include "results/step_record.hpp"
+
+namespace gxrod {
+
+// /VTKHDF: frames in the temporal form of VTKHDF 2.0, which ParaView and VTK (from 9.3) read. Fixed topology;
+// N points and E cells are appended a frame. Throws Hdf5Error.
+class FrameTable {
+  public:
+    // `model` must outlive the table.
+    FrameTable(const Hdf5Handle& root, const Model& model);
+
+    void append(const Snapshot& snapshot);
+    // Writes the frames; readers do not count them before flush_count().
+    void flush_frames();
+    void flush_count();
+    std::size_t buffered_bytes() const;
+
+  private:
+    void write_topology();
+    void create_fields();
+    void append_points(const Snapshot& snapshot);
+    void append_cells(const Snapshot& snapshot);
+
+    const Model* model_;
+    FrameMesh mesh_;
+    std::int64_t frames_ = 0;  // appended
+
+    Hdf5Handle group_, steps_;
+    AppendDataset<double> times_;
+    AppendDataset<std::int64_t> part_offsets_, part_counts_, point_offsets_, cell_offsets_, topology_offsets_;
+    std::vector<AppendDataset<double>> points_;  // Points, then PointData in the order of point_labels()
+    std::vector<AppendDataset<double>> cells_;   // CellData in the order of cell_labels()
+    Hdf5Handle frame_count_;                     // Steps@NSteps
+};
+
+}  // namespace gxrod

@@ -1,0 +1,101 @@
+#include "results/hdf5_objects.hpp"
+
+namespace gxrod {
+namespace {
+
+Hdf5Handle text_type() {
+    Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "string type");
+    check_hdf5(H5Tset_size(type.id(), H5T_VARIABLE), "string type");
+    check_hdf5(H5Tset_cset(type.id(), H5T_CSET_UTF8), "string type");
+    return type;
+}
+
+Hdf5Handle scalar_space() { return {H5Screate(H5S_SCALAR), H5Sclose, "scalar dataspace"}; }
+
+Hdf5Handle list_space(hsize_t count) { return {H5Screate_simple(1, &count, nullptr), H5Sclose, "dataspace"}; }
+
+void write_attribute(hid_t object,
+                     const std::string& name,
+                     const Hdf5Handle& type,
+                     const Hdf5Handle& space,
+                     const void* value) {
+    const Hdf5Handle attribute(
+        H5Acreate2(object, name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
+        H5Aclose,
+        "creating an attribute");
+    check_hdf5(H5Awrite(attribute.id(), type.id(), value), "writing an attribute");
+}
+
+// Equal runs give equal files: no times of modification.
+Hdf5Handle creation_properties() {
+    Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "dataset properties");
+    check_hdf5(H5Pset_obj_track_times(properties.id(), false), "dataset properties");
+    return properties;
+}
+
+void write_dataset(const Hdf5Handle& group,
+                   const DatasetLabel& label,
+                   hid_t type,
+                   const Hdf5Handle& space,
+                   const void* values) {
+    const Hdf5Handle properties = creation_properties();
+    const Hdf5Handle dataset(
+        H5Dcreate2(
+            group.id(), label.name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
+        H5Dclose,
+        "creating a dataset");
+    write_label(dataset.id(), label);
+    check_hdf5(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "writing a dataset");
+}
+
+}  // namespace
+
+Hdf5Handle create_group(const Hdf5Handle& parent, const std::string& name) {
+    return {H5Gcreate2(parent.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+            H5Gclose,
+            "creating a group"};
+}
+
+void write_attribute(hid_t object, const std::string& name, const std::string& text) {
+    const char* value = text.c_str();
+    write_attribute(object, name, text_type(), scalar_space(), &value);
+}
+
+void rewrite_attribute(hid_t object, const std::string& name, const std::string& text) {
+    const Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "opening an attribute");
+    const char* value = text.c_str();
+    check_hdf5(H5Awrite(attribute.id(), text_type().id(), &value), "writing an attribute");
+}
+
+void write_fixed_attribute(hid_t object, const std::string& name, const std::string& text) {
+    const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "string type");
+    check_hdf5(H5Tset_size(type.id(), text.size()), "string type");
+    check_hdf5(H5Tset_strpad(type.id(), H5T_STR_NULLPAD), "string type");
+    write_attribute(object, name, type, scalar_space(), text.data());
+}
+
+void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values) {
+    const Hdf5Handle type(H5Tcopy(H5T_STD_I64LE), H5Tclose, "integer type");
+    write_attribute(object, name, type, list_space(values.size()), values.data());
+}
+
+void write_label(hid_t dataset, const DatasetLabel& label) {
+    write_attribute(dataset, "description", label.description);
+    write_attribute(dataset, "frame", label.frame);
+    if (!label.dimension.empty()) write_attribute(dataset, "dimension", label.dimension);
+}
+
+void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, const std::string& text) {
+    const char* value = text.c_str();
+    write_dataset(group, label, text_type().id(), scalar_space(), &value);
+}
+
+void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::int64_t> values) {
+    write_dataset(group, label, H5T_STD_I64LE, list_space(values.size()), values.data());
+}
+
+void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::uint8_t> values) {
+    write_dataset(group, label, H5T_STD_U8LE, list_space(values.size()), values.data());
+}
+
+}  // namespace gxrod

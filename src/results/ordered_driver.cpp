@@ -1,0 +1,116 @@
+#include "results/ordered_driver.hpp"
+
+#include <new>
+
+// The callbacks through which HDF5 reaches an OrderedFile (a "virtual file driver"). No exception may pass
+// through the library, and no write fails: it goes to memory.
+namespace gxrod {
+namespace {
+
+struct DriverFile {
+    H5FD_t base;  // first: the library's own part
+    OrderedFile* file;
+    haddr_t allocated;
+};
+
+OrderedFile& ordered_file(const H5FD_t* base) { return *reinterpret_cast<const DriverFile*>(base)->file; }
+
+OrderedFile::Part part_of(H5FD_mem_t type) {
+    switch (type) {
+        case H5FD_MEM_SUPER:
+            return OrderedFile::Part::superblock;
+        case H5FD_MEM_BTREE:
+            return OrderedFile::Part::tree;
+        case H5FD_MEM_DRAW:
+            return OrderedFile::Part::data;  // the global heap of strings comes as this too
+        default:
+            return OrderedFile::Part::header;
+    }
+}
+
+H5FD_t* open_file(const char*, unsigned, hid_t access, haddr_t) {
+    const void* information = H5Pget_driver_info(access);
+    auto* opened = new (std::nothrow) DriverFile{};
+    if (!information || !opened) {
+        delete opened;
+        return nullptr;
+    }
+    opened->file = *static_cast<OrderedFile* const*>(information);
+    return &opened->base;
+}
+
+herr_t close_file(H5FD_t* base) {
+    delete reinterpret_cast<DriverFile*>(base);
+    return 0;
+}
+
+herr_t query_features(const H5FD_t*, unsigned long* flags) {
+    *flags = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_AGGREGATE_SMALLDATA | H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
+    return 0;
+}
+
+haddr_t get_allocated(const H5FD_t* base, H5FD_mem_t) {
+    return reinterpret_cast<const DriverFile*>(base)->allocated;
+}
+
+herr_t set_allocated(H5FD_t* base, H5FD_mem_t, haddr_t end) {
+    reinterpret_cast<DriverFile*>(base)->allocated = end;
+    ordered_file(base).set_size(end);
+    return 0;
+}
+
+haddr_t get_end(const H5FD_t* base, H5FD_mem_t) { return ordered_file(base).end(); }
+
+herr_t read_bytes(H5FD_t* base, H5FD_mem_t, hid_t, haddr_t offset, std::size_t size, void* buffer) {
+    try {
+        ordered_file(base).read(offset, {static_cast<std::byte*>(buffer), size});
+        return 0;
+    } catch (...) {
+        return -1;
+    }
+}
+
+herr_t write_bytes(
+    H5FD_t* base, H5FD_mem_t type, hid_t, haddr_t offset, std::size_t size, const void* buffer) {
+    try {
+        ordered_file(base).write(part_of(type), offset, {static_cast<const std::byte*>(buffer), size});
+        return 0;
+    } catch (...) {
+        return -1;
+    }
+}
+
+H5FD_class_t make_driver() {
+    H5FD_class_t driver{};
+    driver.name = "gxrod ordered file";
+    driver.maxaddr = HADDR_MAX;
+    driver.fc_degree = H5F_CLOSE_WEAK;
+    driver.fapl_size = sizeof(OrderedFile*);
+    driver.open = open_file;
+    driver.close = close_file;
+    driver.query = query_features;
+    driver.get_eoa = get_allocated;
+    driver.set_eoa = set_allocated;
+    driver.get_eof = get_end;
+    driver.read = read_bytes;
+    driver.write = write_bytes;
+    for (H5FD_mem_t& free_list : driver.fl_map) free_list = H5FD_MEM_DEFAULT;
+    return driver;
+}
+
+}  // namespace
+
+Hdf5Handle make_ordered_access(OrderedFile& file) {
+    const H5FD_class_t description = make_driver();
+    Hdf5Handle driver(H5FDregister(&description), H5FDunregister, "registering the file driver");
+    Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access properties");
+    OrderedFile* const information = &file;
+    check_hdf5(H5Pset_driver(access.id(), driver.id(), &information), "choosing the file driver");
+    check_hdf5(H5Pset_libver_bounds(access.id(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "file format");
+    constexpr hsize_t page = 4096;
+    check_hdf5(H5Pset_alignment(access.id(), page / 2, page), "alignment");
+    check_hdf5(H5Pset_meta_block_size(access.id(), page), "metadata blocks");
+    return access;
+}
+
+}  // namespace gxrod

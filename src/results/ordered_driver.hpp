@@ -1,0 +1,13 @@
+#pragma once
+
+#include "results/hdf5_handle.hpp"
+#include "results/ordered_file.hpp"
+
+namespace gxrod {
+
+// File access properties that make HDF5 read and write through `file`, which must outlive the HDF5 file.
+// Earliest file format, so that every reader opens it; larger pieces start at a page of memory, so that a
+// B-tree node is never written in part. Throws Hdf5Error.
+Hdf5Handle make_ordered_access(OrderedFile& file);
+
+}  // namespace gxrod

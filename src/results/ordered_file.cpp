@@ -1,0 +1,110 @@
+#include "results/ordered_file.hpp"
+
+#include <sys/types.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+namespace gxrod {
+namespace {
+
+[[noreturn]] void throw_errno() { throw std::system_error(errno, std::generic_category()); }
+
+void write_all(int descriptor, std::uint64_t offset, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::pwrite(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+        if (written < 0) {
+            if (errno == EINTR) continue;
+            throw_errno();
+        }
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+        offset += static_cast<std::uint64_t>(written);
+    }
+}
+
+// Height of a version 1 B-tree node above the leaves: signature "TREE", node type, level.
+int tree_level(std::span<const std::byte> node) {
+    const bool is_tree = node.size() > 5 && std::memcmp(node.data(), "TREE", 4) == 0;
+    return is_tree ? std::to_integer<int>(node[5]) : 0;
+}
+
+}  // namespace
+
+OrderedFile::OrderedFile(int descriptor) : descriptor_(descriptor) {}
+
+OrderedFile::~OrderedFile() { ::close(descriptor_); }
+
+void OrderedFile::write(Part part, std::uint64_t offset, std::span<const std::byte> bytes) {
+    end_ = std::max(end_, offset + bytes.size());
+    if (part != Part::data) {
+        // Only the last image of a node or header counts; its level, and so its rank, may have changed.
+        const auto [found, is_new] = pending_metadata_.try_emplace(offset, pending_.size());
+        if (!is_new) {
+            pending_[found->second].bytes.clear();
+            found->second = pending_.size();
+        }
+    }
+    pending_.push_back({part, offset, {bytes.begin(), bytes.end()}});
+}
+
+void OrderedFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {
+    std::size_t filled = 0;
+    while (filled < bytes.size()) {
+        const ssize_t got = ::pread(
+            descriptor_, bytes.data() + filled, bytes.size() - filled, static_cast<off_t>(offset + filled));
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) throw_errno();
+        if (got == 0) break;
+        filled += static_cast<std::size_t>(got);
+    }
+    std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(filled), bytes.end(), std::byte{0});
+
+    for (const Write& write : pending_) {
+        const std::uint64_t first = std::max(offset, write.offset);
+        const std::uint64_t last = std::min(offset + bytes.size(), write.offset + write.bytes.size());
+        if (first >= last) continue;
+        std::memcpy(
+            bytes.data() + (first - offset), write.bytes.data() + (first - write.offset), last - first);
+    }
+}
+
+bool OrderedFile::is_on_disk(const Write& write) const {
+    return write.part == Part::superblock ||
+           (write.part != Part::data && metadata_on_disk_.contains(write.offset));
+}
+
+void OrderedFile::resize(std::uint64_t size) {
+    if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0) throw_errno();
+    disk_size_ = size;
+}
+
+void OrderedFile::commit() {
+    if (size_ > disk_size_) resize(size_);
+
+    // Rank of each write: 0 new places, 1 superblock, then trees from the root down, then headers.
+    constexpr int header_rank = 1000;
+    const auto rank = [&](const Write& write) {
+        if (!is_on_disk(write)) return 0;
+        if (write.part == Part::superblock) return 1;
+        if (write.part == Part::tree) return header_rank - 1 - tree_level(write.bytes);
+        return header_rank;
+    };
+    std::vector<std::pair<int, const Write*>> order;
+    order.reserve(pending_.size());
+    for (const Write& write : pending_) order.emplace_back(rank(write), &write);
+    std::stable_sort(
+        order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [unused, write] : order) write_all(descriptor_, write->offset, write->bytes);
+
+    for (const Write& write : pending_) {
+        if (write.part != Part::data) metadata_on_disk_.insert(write.offset);
+    }
+    pending_.clear();
+    pending_metadata_.clear();
+    if (size_ < disk_size_) resize(size_);
+}
+
+}  // namespace gxrod

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+namespace gxrod {
+
+// The bytes of an HDF5 file that change on disk in commits only, and within a commit in an order that leaves
+// a valid file wherever the writer is killed or the disk fills up:
+//
+//   1. raw data, and metadata in places that nothing on disk refers to yet;
+//   2. the superblock, with the new end of the file;
+//   3. B-tree nodes already on disk, parents before children, so that no chunk is lost while a node is split;
+//   4. object headers already on disk, which hold the sizes of datasets and the values of attributes.
+//
+// Until a commit, writes are held in memory and seen by read(). A failed commit may be tried again.
+class OrderedFile {
+  public:
+    enum class Part { data, superblock, tree, header };
+
+    // Takes over the descriptor of an empty file that is open for reading and writing.
+    explicit OrderedFile(int descriptor);
+    ~OrderedFile();
+    OrderedFile(const OrderedFile&) = delete;
+    OrderedFile& operator=(const OrderedFile&) = delete;
+
+    void write(Part part, std::uint64_t offset, std::span<const std::byte> bytes);
+    // Fills `bytes`; with zeros past the end of the file. Throws std::system_error.
+    void read(std::uint64_t offset, std::span<std::byte> bytes) const;
+    // The size that the next commit gives the file.
+    void set_size(std::uint64_t size) { size_ = size; }
+    // End of the last byte written, committed or not.
+    std::uint64_t end() const { return end_; }
+    // Throws std::system_error, for instance when the disk is full.
+    void commit();
+
+  private:
+    struct Write {
+        Part part;
+        std::uint64_t offset;
+        std::vector<std::byte> bytes;
+    };
+
+    bool is_on_disk(const Write& write) const;
+    void resize(std::uint64_t size);
+
+    int descriptor_;
+    std::uint64_t size_ = 0;       // wanted
+    std::uint64_t disk_size_ = 0;  // of the file as it is
+    std::uint64_t end_ = 0;
+    std::vector<Write> pending_;                                       // in the order of writing
+    std::unordered_map<std::uint64_t, std::size_t> pending_metadata_;  // offset → index of the last image
+    std::unordered_set<std::uint64_t> metadata_on_disk_;               // offsets of tree nodes and headers
+};
+
+}  // namespace gxrod

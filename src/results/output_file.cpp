@@ -1,0 +1,70 @@
+#include "results/output_file.hpp"
+
+#include <fcntl.h>
+
+#include <cerrno>
+#include <csignal>
+#include <system_error>
+
+#include "model/file_error.hpp"
+
+namespace gxrod {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* failure = "cannot create the results file: ";
+
+// A limit on file sizes then shows as an error of writing instead of ending the program.
+void ignore_size_limit_signal() {
+    struct sigaction action {};
+    if (::sigaction(SIGXFSZ, nullptr, &action) == 0 && action.sa_handler == SIG_DFL) {
+        std::signal(SIGXFSZ, SIG_IGN);
+    }
+}
+
+std::string hint_for(const fs::path& path, int error) {
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    std::error_code ignored;
+    if (error == ENOENT && !fs::exists(folder, ignored)) {
+        return "the folder " + folder.string() + " does not exist";
+    }
+    if (error == EACCES || error == EROFS) return "the folder " + folder.string() + " may not be written";
+    return "";
+}
+
+void make_way(const fs::path& path, Existing existing) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status)) return;
+    if (fs::is_directory(status)) {
+        throw FileError(path, std::string(failure) + "it is a directory", "give the name of a file");
+    }
+    if (!fs::is_regular_file(status)) {
+        throw FileError(path, std::string(failure) + "it exists and is not a regular file");
+    }
+    if (existing == Existing::refuse) {
+        throw FileError(path, std::string(failure) + "it exists already", "--force replaces it");
+    }
+    // Not truncated: whoever reads the old file goes on reading it.
+    fs::remove(path, error);
+    if (error) throw FileError(path, "cannot replace the results file: " + error.message());
+}
+
+}  // namespace
+
+int create_output_file(const fs::path& path, Existing existing) {
+    // A link stays, and what it points to is replaced.
+    std::error_code error;
+    const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
+    make_way(target, existing);
+    const int descriptor = ::open(target.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0) {
+        const int code = errno;
+        throw FileError(path, failure + std::generic_category().message(code), hint_for(target, code));
+    }
+    ignore_size_limit_signal();
+    return descriptor;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,86 @@
+#include "results/quantity.hpp"
+
+#include <cassert>
+
+namespace gxrod {
+namespace {
+
+constexpr RowShape quaternion_row{4, true};
+
+const char* rotation_of(PointKind kind) {
+    return kind == PointKind::body ? "body axes from the global axes" : "since the reference configuration";
+}
+
+QuantityForm rotation_form(Quantity quantity, PointKind kind) {
+    const std::string rotation = rotation_of(kind);
+    switch (quantity) {
+        case Quantity::rotation_vector:
+            return {{"rotation_vector", "rotation vector, at most pi long: " + rotation, "spatial", "angle"},
+                    vector_row};
+        case Quantity::quaternion:
+            return {{"quaternion", "unit quaternion w x y z: " + rotation, "spatial", "1"}, quaternion_row};
+        default: {
+            const std::string axes = kind == PointKind::body ? "body" : "section";
+            return {{"orientation",
+                     "unit quaternion w x y z: " + axes + " axes from the global axes",
+                     "spatial",
+                     "1"},
+                    quaternion_row};
+        }
+    }
+}
+
+}  // namespace
+
+QuantityForm quantity_form(Quantity quantity, PointKind kind) {
+    const std::string component_order = " (axial, shear y, shear z)";
+    const std::string couple_order = " (about x, y, z)";
+    const std::string where = ", mean of the elements that meet there";
+    switch (quantity) {
+        case Quantity::position:
+            return {{"position", "position", "spatial", "length"}, vector_row};
+        case Quantity::displacement:
+            return {{"displacement", "displacement since t = 0", "spatial", "length"}, vector_row};
+        case Quantity::rotation_vector:
+        case Quantity::quaternion:
+        case Quantity::orientation:
+            return rotation_form(quantity, kind);
+        case Quantity::velocity:
+            return {{"velocity", "velocity", "spatial", "length/time"}, vector_row};
+        case Quantity::angular_velocity:
+            return {{"angular_velocity", "angular velocity", "spatial", "angle/time"}, vector_row};
+        case Quantity::angular_velocity_material:
+            return {{"angular_velocity_material",
+                     "angular velocity in the section or body axes",
+                     "material",
+                     "angle/time"},
+                    vector_row};
+        case Quantity::acceleration:
+            return {{"acceleration", "acceleration of the node", "spatial", "length/time²"}, vector_row};
+        case Quantity::centre_of_mass:
+            return {{"centre_of_mass", "position of the centre of mass", "spatial", "length"}, vector_row};
+        case Quantity::force:
+            return {{"force", "section force" + component_order + where, "material", "force"}, vector_row};
+        case Quantity::moment:
+            return {{"moment", "section moment" + couple_order + where, "material", "force·length"},
+                    vector_row};
+        case Quantity::force_spatial:
+            return {{"force_spatial", "section force" + where, "spatial", "force"}, vector_row};
+        case Quantity::moment_spatial:
+            return {{"moment_spatial", "section moment" + where, "spatial", "force·length"}, vector_row};
+        case Quantity::strain:
+            return {{"strain", "strain" + component_order + where, "material", "1"}, vector_row};
+        case Quantity::curvature:
+            return {{"curvature", "change of curvature" + couple_order + where, "material", "angle/length"},
+                    vector_row};
+        case Quantity::reaction_force:
+            return {{"reaction_force", "force that the support exerts", "spatial", "force"}, vector_row};
+        case Quantity::reaction_moment:
+            return {{"reaction_moment", "moment that the support exerts", "spatial", "force·length"},
+                    vector_row};
+    }
+    assert(false);
+    return {};
+}
+
+}  // namespace gxrod

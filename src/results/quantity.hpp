@@ -1,0 +1,19 @@
+#pragma once
+
+#include "model/settings.hpp"
+#include "results/append_dataset.hpp"
+#include "results/hdf5_objects.hpp"
+
+namespace gxrod {
+
+// How a quantity of a history is stored: name, description, frame and dimension, and the form of its rows.
+struct QuantityForm {
+    DatasetLabel label;
+    RowShape shape;
+};
+
+// `of_body`: what the description of a rotation says, since a body's is its attitude.
+enum class PointKind { rod, body };
+QuantityForm quantity_form(Quantity quantity, PointKind kind);
+
+}  // namespace gxrod

@@ -1,0 +1,84 @@
+#include "results/results_file.hpp"
+
+#include <cassert>
+#include <set>
+#include <system_error>
+
+#include "model/file_error.hpp"
+#include "results/results_writer.hpp"
+
+namespace gxrod {
+namespace {
+
+const char* status_text(RunStatus status) {
+    switch (status) {
+        case RunStatus::running:
+            return "running";
+        case RunStatus::complete:
+            return "complete";
+        case RunStatus::failed:
+            return "failed";
+        case RunStatus::interrupted:
+            return "interrupted";
+    }
+    return "";
+}
+
+// Runs a step of writing; its errors become those of the file.
+template <class Action>
+void writing(const std::filesystem::path& path, Action&& action) {
+    try {
+        action();
+    } catch (const std::system_error& error) {
+        throw FileError(path, "cannot write: " + error.code().message());
+    } catch (const Hdf5Error& error) {
+        throw FileError(path, std::string("cannot write: ") + error.what());
+    }
+}
+
+[[maybe_unused]] bool has_valid_names(const OutputSettings& output) {
+    std::set<std::string> names{"time"};
+    for (const HistoryRequest& history : output.histories) {
+        if (history.name.empty() || history.name.find('/') != std::string::npos) return false;
+        if (!names.insert(history.name).second) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+ResultsFile::ResultsFile(const ResultsFileOptions& options,
+                         const DeckRecord& deck,
+                         const Model& model,
+                         const OutputSettings& output)
+    : path_(options.path) {
+    assert(has_valid_names(output));
+    const int descriptor = create_output_file(path_, options.existing);
+    try {
+        writing(path_, [&] { writer_ = std::make_unique<ResultsWriter>(descriptor, deck, model, output); });
+    } catch (...) {
+        std::error_code ignored;
+        std::filesystem::remove(path_, ignored);
+        throw;
+    }
+}
+
+ResultsFile::~ResultsFile() = default;
+
+void ResultsFile::record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver) {
+    writing(path_, [&] { writer_->record_step(snapshot, ledger, solver); });
+}
+
+void ResultsFile::write_frame(const Snapshot& snapshot) {
+    writing(path_, [&] { writer_->write_frame(snapshot); });
+}
+
+void ResultsFile::flush() {
+    writing(path_, [&] { writer_->flush(); });
+}
+
+void ResultsFile::close(RunStatus status, const std::string& reason) {
+    writing(path_, [&] { writer_->close(status_text(status), reason); });
+}
+
+}  // namespace gxrod

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "model/deck_record.hpp"
+#include "model/model.hpp"
+#include "model/settings.hpp"
+#include "results/output_file.hpp"
+#include "results/step_record.hpp"
+
+namespace gxrod {
+
+class ResultsWriter;
+
+enum class RunStatus { running, complete, failed, interrupted };
+
+struct ResultsFileOptions {
+    std::filesystem::path path;
+    Existing existing = Existing::refuse;
+};
+
+// The HDF5 file of a run: histories, ledger and solver record of each step, and frames that ParaView reads.
+// docs/guide/results.md has its layout.
+//
+// Steps and frames are gathered in memory and written together about five times a second of wall time.
+// Wherever the writer is killed, the file holds every step and frame of the last time it was written:
+// /histories/time and /VTKHDF/Steps@NSteps are raised after all else is there.
+//
+// Every member but the destructor throws FileError if the file cannot be created or written. After that the
+// file still holds what was written before.
+class ResultsFile {
+  public:
+    // `model` must outlive the file. Names of histories are unique, not "time", and without '/' (asserted).
+    ResultsFile(const ResultsFileOptions& options,
+                const DeckRecord& deck,
+                const Model& model,
+                const OutputSettings& output);
+    // Without close() the status stays "running". Never throws.
+    ~ResultsFile();
+    ResultsFile(const ResultsFile&) = delete;
+    ResultsFile& operator=(const ResultsFile&) = delete;
+
+    // Adds a row to the histories, the ledger and the solver record: each accepted step, t = 0 included.
+    void record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
+    // Adds a frame to /VTKHDF.
+    void write_frame(const Snapshot& snapshot);
+    // Writes now what is gathered.
+    void flush();
+    // Writes all, with the status and its reason. Nothing may be added after it.
+    void close(RunStatus status, const std::string& reason);
+
+  private:
+    std::filesystem::path path_;
+    std::unique_ptr<ResultsWriter> writer_;
+};
+
+}  // namespace gxrod

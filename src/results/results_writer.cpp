@@ -1,0 +1,155 @@
+#include "results/results_writer.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "model/version.hpp"
+#include "results/digest.hpp"
+#include "results/ordered_driver.hpp"
+
+namespace gxrod {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto flush_interval = 200ms;
+constexpr std::size_t most_buffered_bytes = std::size_t{16} << 20;
+
+Hdf5Handle create_hdf5(OrderedFile& file) {
+    silence_hdf5();
+    const Hdf5Handle access = make_ordered_access(file);
+    // The name matters to messages only.
+    return {H5Fcreate("results", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "creating the file"};
+}
+
+Hdf5Handle open_root(const Hdf5Handle& file) {
+    return {H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose, "opening the root"};
+}
+
+AppendDataset<double> create_times(const Hdf5Handle& histories) {
+    return {histories, {"time", "time at the end of each accepted step", "none", "time"}, scalar_row};
+}
+
+void write_provenance(const Hdf5Handle& root, const DeckRecord& deck) {
+    write_attribute(root.id(), "gxrod_version", version);
+    write_attribute(root.id(), "deck_name", deck.name);
+    write_attribute(root.id(), "deck_sha256", sha256_hex(deck.text));
+    write_attribute(root.id(), "title", deck.title);
+    write_attribute(root.id(), "units", deck.units);
+    write_attribute(root.id(), "status", "running");
+    write_attribute(root.id(), "reason", "");
+    const Hdf5Handle group = create_group(root, "deck");
+    write_dataset(group, {"text", "the deck as run", "none", ""}, deck.text);
+}
+
+}  // namespace
+
+ResultsTables::ResultsTables(const Hdf5Handle& root, const Model& model, const OutputSettings& output)
+    : histories_group_(create_group(root, "histories")),
+      ledger_group_(create_group(root, "ledger")),
+      solver_group_(create_group(root, "solver")),
+      times_(create_times(histories_group_)),
+      histories_(histories_group_, model, output.histories),
+      ledger_(ledger_group_),
+      solver_(solver_group_),
+      frames_(root, model) {
+    for (const Hdf5Handle* group : {&ledger_group_, &solver_group_}) {
+        check_hdf5(H5Olink(times_.id(), group->id(), "time", H5P_DEFAULT, H5P_DEFAULT), "linking the times");
+    }
+}
+
+void ResultsTables::append_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver) {
+    times_.append(snapshot.time);
+    histories_.append(snapshot);
+    ledger_.append(ledger);
+    solver_.append(solver);
+}
+
+void ResultsTables::append_frame(const Snapshot& snapshot) { frames_.append(snapshot); }
+
+void ResultsTables::flush_rows() {
+    histories_.flush();
+    ledger_.flush();
+    solver_.flush();
+    frames_.flush_frames();
+}
+
+void ResultsTables::flush_counts() {
+    times_.flush();
+    frames_.flush_count();
+}
+
+std::size_t ResultsTables::buffered_bytes() const {
+    constexpr std::size_t row_numbers = 16;  // of the ledger, the solver record and the time
+    return times_.buffered_bytes() * row_numbers + histories_.buffered_bytes() + frames_.buffered_bytes();
+}
+
+ResultsWriter::ResultsWriter(int descriptor,
+                             const DeckRecord& deck,
+                             const Model& model,
+                             const OutputSettings& output)
+    : file_(descriptor), hdf5_(create_hdf5(file_)), root_(open_root(hdf5_)) {
+    write_provenance(root_, deck);
+    tables_.emplace(root_, model, output);
+    commit();
+    next_flush_ = Clock::now() + flush_interval;
+}
+
+ResultsWriter::~ResultsWriter() {
+    if (!tables_) return;
+    try {
+        flush();
+        close_hdf5();
+    } catch (...) {
+        // The file on disk stays as it was last written. Closing HDF5 needs no disk.
+    }
+}
+
+void ResultsWriter::record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver) {
+    assert(tables_);
+    tables_->append_step(snapshot, ledger, solver);
+    flush_if_due();
+}
+
+void ResultsWriter::write_frame(const Snapshot& snapshot) {
+    assert(tables_);
+    tables_->append_frame(snapshot);
+    flush_if_due();
+}
+
+void ResultsWriter::flush_if_due() {
+    if (Clock::now() >= next_flush_ || tables_->buffered_bytes() > most_buffered_bytes) flush();
+}
+
+void ResultsWriter::flush() {
+    assert(tables_);
+    const auto start = Clock::now();
+    tables_->flush_rows();
+    commit();
+    tables_->flush_counts();
+    commit();
+    // A slow disk takes at most a tenth of the time.
+    const auto end = Clock::now();
+    next_flush_ = end + std::max<Clock::duration>(flush_interval, 10 * (end - start));
+}
+
+void ResultsWriter::commit() {
+    check_hdf5(H5Fflush(hdf5_.id(), H5F_SCOPE_LOCAL), "flushing");
+    file_.commit();
+}
+
+void ResultsWriter::close_hdf5() {
+    tables_.reset();
+    check_hdf5(root_.reset(), "closing the root");
+    check_hdf5(hdf5_.reset(), "closing the file");
+    file_.commit();
+}
+
+void ResultsWriter::close(const std::string& status, const std::string& reason) {
+    flush();
+    rewrite_attribute(root_.id(), "reason", reason);
+    rewrite_attribute(root_.id(), "status", status);
+    close_hdf5();
+}
+
+}  // namespace gxrod

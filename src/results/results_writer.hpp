@@ -1,0 +1,68 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "model/deck_record.hpp"
+#include "model/model.hpp"
+#include "model/settings.hpp"
+#include "results/frame_table.hpp"
+#include "results/history_table.hpp"
+#include "results/ordered_file.hpp"
+#include "results/step_tables.hpp"
+
+namespace gxrod {
+
+// The datasets of a results file while they are open for appending. Throws Hdf5Error and std::system_error.
+class ResultsTables {
+  public:
+    // `model` must outlive the tables.
+    ResultsTables(const Hdf5Handle& root, const Model& model, const OutputSettings& output);
+
+    void append_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
+    void append_frame(const Snapshot& snapshot);
+    // All rows but those that say how many there are: the times of the steps and the number of frames …
+    void flush_rows();
+    // … which follow when the rest is on disk.
+    void flush_counts();
+    std::size_t buffered_bytes() const;
+
+  private:
+    Hdf5Handle histories_group_, ledger_group_, solver_group_;
+    AppendDataset<double> times_;  // of the steps; /ledger/time and /solver/time are links to it
+    HistoryTable histories_;
+    LedgerTable ledger_;
+    SolverTable solver_;
+    FrameTable frames_;
+};
+
+// Writes a results file: what ResultsFile does, with errors as they come.
+class ResultsWriter {
+  public:
+    // Takes over the descriptor of an empty file. `model` must outlive the writer.
+    ResultsWriter(int descriptor, const DeckRecord& deck, const Model& model, const OutputSettings& output);
+    ~ResultsWriter();
+    ResultsWriter(const ResultsWriter&) = delete;
+    ResultsWriter& operator=(const ResultsWriter&) = delete;
+
+    void record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
+    void write_frame(const Snapshot& snapshot);
+    void flush();
+    void close(const std::string& status, const std::string& reason);
+
+  private:
+    using Clock = std::chrono::steady_clock;
+
+    void flush_if_due();
+    void commit();
+    void close_hdf5();
+
+    OrderedFile file_;
+    Hdf5Handle hdf5_;
+    Hdf5Handle root_;
+    std::optional<ResultsTables> tables_;  // empty once closed
+    Clock::time_point next_flush_;
+};
+
+}  // namespace gxrod

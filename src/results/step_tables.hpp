@@ -1,0 +1,32 @@
+#pragma once
+
+#include "results/append_dataset.hpp"
+#include "results/step_record.hpp"
+
+namespace gxrod {
+
+// /ledger: energies and momenta, one row a step. Throws Hdf5Error.
+class LedgerTable {
+  public:
+    explicit LedgerTable(const Hdf5Handle& ledger);
+    void append(const LedgerRow& row);
+    void flush();
+
+  private:
+    AppendDataset<double> kinetic_energy_, strain_energy_, external_work_, dissipated_energy_, energy_error_;
+    AppendDataset<double> linear_momentum_, angular_momentum_;
+};
+
+// /solver: what each step cost, one row a step. Throws Hdf5Error.
+class SolverTable {
+  public:
+    explicit SolverTable(const Hdf5Handle& solver);
+    void append(const SolverRow& row);
+    void flush();
+
+  private:
+    AppendDataset<double> time_step_, residual_;
+    AppendDataset<std::int64_t> newton_iterations_, rejected_steps_;
+};
+
+}  // namespace gxrod

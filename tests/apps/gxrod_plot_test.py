@@ -1,0 +1,294 @@
+"""gxrod-plot as users call it: pictures, what is in them, and its errors."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+from pathlib import Path
+
+import h5py
+import matplotlib
+import numpy as np
+
+matplotlib.use("Agg")
+from matplotlib import image  # noqa: E402
+
+PLOT = os.environ["GXROD_PLOT"]
+TESTS = os.environ["GXROD_TESTS"]
+sys.path.insert(0, str(Path(os.environ["GXROD_SOURCE"]) / "apps"))
+sys.dont_write_bytecode = True
+
+from gxrod_plot import histories, results, shapes, style  # noqa: E402
+from gxrod_plot.errors import UsageError  # noqa: E402
+
+
+def write_sample(path, killed_at=None):
+    """The spring and top of tests/results/plot_sample_test.cpp: 400 steps to t = 10, 101 frames."""
+    environment = dict(os.environ, GXROD_PLOT_SAMPLE=str(path))
+    if killed_at is not None:
+        environment["GXROD_PLOT_SAMPLE_KILLED"] = str(killed_at)
+    ended = subprocess.run([TESTS, "[.plot-sample]"], env=environment, capture_output=True, text=True,
+                           check=False)
+    if (ended.returncode == 0) != (killed_at is None):
+        raise RuntimeError(ended.stdout + ended.stderr)
+
+
+class PlotTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.folder = Path(cls.scratch.name)
+        cls.sample = cls.folder / "spring.vtkhdf"
+        write_sample(cls.sample)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def run_plot(self, *arguments, folder=None):
+        environment = dict(os.environ, PYTHONDONTWRITEBYTECODE="1")
+        return subprocess.run([PLOT, *map(str, arguments)], cwd=folder or self.folder, env=environment,
+                              capture_output=True, text=True, check=False)
+
+    def draw(self, name, *arguments):
+        """Draws the sample; gives the picture as numbers."""
+        ended = self.run_plot(self.sample, *arguments, "-o", name)
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        self.assertEqual(ended.stdout.strip(), name)
+        return self.read_picture(self.folder / name)
+
+    def read_picture(self, path):
+        picture = image.imread(path)[..., :3]
+        self.assertGreater(picture.var(), 1e-3, "the picture is blank")
+        return picture
+
+    def assert_fails(self, code, *arguments, says):
+        ended = self.run_plot(*arguments)
+        self.assertEqual(ended.returncode, code, ended.stderr)
+        for part in says:
+            self.assertIn(part, ended.stderr)
+        self.assertNotIn("Traceback", ended.stderr)
+
+
+class Pictures(PlotTest):
+    def test_everything_by_default_named_after_the_results(self):
+        with tempfile.TemporaryDirectory() as elsewhere:
+            ended = self.run_plot(self.sample, folder=elsewhere)
+            self.assertEqual(ended.returncode, 0, ended.stderr)
+            self.assertEqual(ended.stdout.strip(), "spring.png")
+            picture = self.read_picture(Path(elsewhere) / "spring.png")
+            self.assertGreater(picture.shape[0], 1500)
+
+    def test_parts(self):
+        for what in ("shapes", "histories", "ledger"):
+            with self.subTest(what):
+                self.draw(f"{what}.png", "--what", what)
+
+    def test_shapes_have_the_colours_of_all_times(self):
+        picture = self.draw("colours.png", "--what", "shapes", "--view", "3d")
+        shapes_only = picture[:, : int(0.8 * picture.shape[1])]  # the colour bar is to the right
+        for time in (0.0, 0.5, 1.0):
+            colour = np.array(style.TIME_COLOURS(time)[:3])
+            near = np.abs(shapes_only - colour).max(axis=-1) < 0.02
+            self.assertGreater(near.sum(), 200, f"no line at {time} of the time")
+
+    def test_views_differ(self):
+        views = ("xy", "xz", "yz", "3d")
+        pictures = [self.draw(f"{view}.png", "--what", "shapes", "--view", view) for view in views]
+        for first, second in zip(pictures, pictures[1:]):
+            self.assertTrue(first.shape != second.shape or (first != second).any())
+
+    def test_times_and_number_of_frames(self):
+        few = self.draw("few.png", "--what", "shapes", "--times", "0", "5")
+        many = self.draw("many.png", "--what", "shapes", "--frames", "30")
+        self.assertLess((few < 0.9).sum(), (many < 0.9).sum())
+
+    def test_chosen_histories_are_fewer(self):
+        one = self.draw("one.png", "--what", "histories", "--history", "tip/moment")
+        all_of_them = self.draw("all.png", "--what", "histories")
+        self.assertLess(one.shape[0], all_of_them.shape[0])
+
+    def test_vector_pictures(self):
+        ended = self.run_plot(self.sample, "-o", "picture.svg")
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        root = xml.etree.ElementTree.parse(self.folder / "picture.svg").getroot()
+        self.assertGreater(len(list(root.iter("{http://www.w3.org/2000/svg}path"))), 100)
+
+    def test_equal_results_give_equal_pictures(self):
+        for name in ("first.svg", "second.svg"):
+            self.assertEqual(self.run_plot(self.sample, "-o", name).returncode, 0)
+        self.assertEqual((self.folder / "first.svg").read_bytes(), (self.folder / "second.svg").read_bytes())
+
+    def test_results_of_a_killed_job(self):
+        killed = self.folder / "killed.vtkhdf"
+        write_sample(killed, killed_at=150)
+        ended = self.run_plot(killed)
+        self.assertEqual(ended.returncode, 0, ended.stderr)
+        self.read_picture(self.folder / "killed.png")
+        found = results.read_results(killed, lambda run: (run.status, len(run.times), run.frame_times[-1]))
+        self.assertEqual(found, ("running", 150, 3.7))
+
+
+class Errors(PlotTest):
+    def test_results_that_are_not_there(self):
+        self.assert_fails(4, "none.vtkhdf", says=["none.vtkhdf", "no such file"])
+        self.assert_fails(4, self.folder, says=["is a folder"])
+
+    def test_files_that_are_no_results(self):
+        text = self.folder / "text.vtkhdf"
+        text.write_text("not HDF5")
+        self.assert_fails(4, text, says=["text.vtkhdf", "cannot be read"])
+        with h5py.File(self.folder / "other.h5", "w") as other:
+            other["x"] = 1.0
+        self.assert_fails(4, self.folder / "other.h5", says=["not a results file of gxrod"])
+
+    def test_results_without_a_step(self):
+        killed = self.folder / "early.vtkhdf"
+        write_sample(killed, killed_at=0)
+        self.assert_fails(4, killed, says=["no complete step"])
+
+    def test_unknown_histories(self):
+        self.assert_fails(2, self.sample, "--history", "tap", says=["'tap'", "tip, top"])
+        self.assert_fails(2, self.sample, "--history", "tip/force",
+                          says=["'force'", "displacement, moment, velocity"])
+
+    def test_times_and_frames_that_are_not_there(self):
+        self.assert_fails(2, self.sample, "--times", "11", says=["11", "from 0 to 10"])
+        self.assert_fails(2, self.sample, "--frames", "0", says=["at least 1"])
+
+    def test_pictures_that_cannot_be_written(self):
+        self.assert_fails(4, self.sample, "--what", "ledger", "-o", "missing/a.png", says=["missing/a.png"])
+        self.assert_fails(2, self.sample, "-o", "a.doc", says=["a.doc", ".png"])
+
+    def test_usage(self):
+        self.assert_fails(2, says=["usage"])
+        self.assert_fails(2, self.sample, "--figures", ".", says=["usage"])
+        self.assert_fails(2, self.sample, "--what", "nothing", says=["nothing"])
+
+
+class Figures(PlotTest):
+    SCHEMES = ("S", "I", "RK4", "SDIRK4")
+
+    def write_data(self, folder):
+        tau = np.linspace(0.0, 1.0, 201)
+        angle = np.pi * np.abs(np.sin(5.0 * tau)) + 0.01
+        rows = [f"{t},{a},{0.1 * a},{0.2 * a},{0.97 * a}" for t, a in zip(tau, angle)]
+        (folder / "fig2.csv").write_text("\n".join(["tau,angle,phi_1,phi_2,phi_3", *rows]))
+        rows = [f"{scheme},400,{t},{1e-3 * t},{1e-4 * t},{1e-5 * t}" for scheme in self.SCHEMES for t in tau]
+        (folder / "fig3.csv").write_text(
+            "\n".join(["scheme,steps,tau,error_orientation,error_momentum,error_energy", *rows]))
+        rows = [f"{scheme},{n},{4000 / n},{1 / n},{2 / n},{3 / n}" for scheme in self.SCHEMES
+                for n in (50, 100, 200)]
+        rows += ["RK4,400,,0.01,0.01,0.01", "RK4,25,,,,"]
+        (folder / "fig4.csv").write_text(
+            "\n".join(["scheme,steps,max_theta_deg,error_orientation,error_momentum,error_energy", *rows]))
+
+    def test_all_three(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            self.write_data(folder)
+            ended = self.run_plot("--figures", folder)
+            self.assertEqual(ended.returncode, 0, ended.stderr)
+            for figure in ("fig2", "fig3", "fig4"):
+                self.read_picture(folder / f"{figure}.png")
+            ended = self.run_plot("--figures", folder, "--format", "svg")
+            self.assertEqual(ended.returncode, 0, ended.stderr)
+            self.assertEqual(len(list(folder.glob("*.svg"))), 3)
+
+    def test_missing_and_faulty_data(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            self.assert_fails(4, "--figures", folder, says=["fig2.csv", "gxrod verify rubin2007"])
+            self.write_data(folder)
+            (folder / "fig3.csv").write_text("scheme,steps\nS,400\n")
+            self.assert_fails(4, "--figures", folder, says=["fig3.csv", "no column", "tau"])
+            self.write_data(folder)
+            (folder / "fig2.csv").write_text("tau,angle,phi_1,phi_2,phi_3\n0,x,0,0,0\n")
+            self.assert_fails(4, "--figures", folder, says=["fig2.csv", "no number"])
+
+
+class Parts(PlotTest):
+    """What the pictures are made of."""
+
+    def test_shapes_are_the_points_of_their_frames(self):
+        with h5py.File(self.sample) as file:
+            points = file["VTKHDF/Points"][()].reshape(101, 62, 3)
+            axis_z = file["VTKHDF/PointData/axis_z"][()].reshape(101, 62, 3)
+
+        def check(file):
+            frames = shapes.choose_frames(file, times=[0.0, 5.02, 10.0])
+            self.assertEqual(frames, [0, 50, 100])
+            scene = shapes.make_scene(file, frames)
+            self.assertEqual([time for _, time in scene.shapes], [0.0, 5.0, 10.0])
+            for (shape, _), frame in zip(scene.shapes, frames):
+                np.testing.assert_array_equal(shape, points[frame, :61])
+            # The top turns on the spot: its axes once, at the end, and the path of the z axis.
+            [(origin, axes)] = scene.triads
+            np.testing.assert_array_equal(origin, points[100, 61])
+            size = np.linalg.norm(axes["z"] - origin)
+            np.testing.assert_allclose(axes["z"], origin + size * axis_z[100, 61])
+            np.testing.assert_array_equal(scene.traces[0][0], points[:, 61])
+            np.testing.assert_allclose(scene.traces[1][0], origin + size * axis_z[:, 61])
+            self.assertEqual(shapes.best_view(scene), "3d")
+        results.read_results(self.sample, check)
+
+    def test_the_last_frame_is_always_drawn(self):
+        def check(file):
+            for count in (1, 2, 7):
+                frames = shapes.choose_frames(file, count=count)
+                self.assertEqual(len(frames), count)
+                self.assertEqual(frames[-1], 100)
+        results.read_results(self.sample, check)
+
+    def test_flat_scenes_are_seen_from_above(self):
+        line = np.array([[0.0, 1.0, 0.0], [2.0, 1.0, 5.0]])
+        self.assertEqual(shapes.best_view(shapes.Scene([(line, 0.0)], [], [])), "xz")
+
+    def test_cells_of_higher_order_are_put_in_order(self):
+        path = self.folder / "quadratic.vtkhdf"
+        with h5py.File(self.sample) as source, h5py.File(path, "w") as copy:
+            for name in source.attrs:
+                copy.attrs[name] = source.attrs[name]
+            for name in source:
+                source.copy(name, copy)
+            for name, values in (("Connectivity", [0, 2, 1, 2, 4, 3, 5, 6, 61]), ("Offsets", [0, 3, 6, 8, 9]),
+                                 ("Types", [21, 21, 3, 1])):
+                del copy["VTKHDF"][name]
+                copy["VTKHDF"][name] = values
+        rods, bodies = results.read_results(path, lambda file: (file.rods, file.bodies))
+        self.assertEqual([list(rod) for rod in rods], [[0, 1, 2, 3, 4], [5, 6]])
+        self.assertEqual(bodies, [61])
+
+    def test_histories_are_chosen_by_name(self):
+        def check(file):
+            chosen = results.choose_histories(file, ["top", "tip/moment"])
+            self.assertEqual([history.name for history in chosen], ["top", "tip"])
+            self.assertEqual([series.name for series in chosen[1].quantities], ["moment"])
+            with self.assertRaises(UsageError):
+                results.choose_histories(file, ["bottom"])
+        results.read_results(self.sample, check)
+
+    def test_rotation_vectors_are_parted_where_they_jump(self):
+        times = np.arange(4.0)
+        values = np.array([[3.0, 0, 0], [3.1, 0, 0], [-3.1, 0, 0], [-3.0, 0, 0]])
+        broken_times, broken = histories.break_at_jumps(times, values)
+        np.testing.assert_array_equal(np.isnan(broken_times), [False, False, True, False, False])
+        self.assertTrue(np.isnan(broken[2]).all())
+
+    def test_long_curves_keep_their_extremes(self):
+        times = np.arange(100000.0)
+        values = np.sin(times)
+        values[31416] = 7.0
+        values[62832] = -7.0
+        thin_times, thin_values = style.thin(times, values)
+        self.assertLessEqual(len(thin_values), style.MOST_POINTS + 2)
+        self.assertEqual((thin_values.max(), thin_values.min()), (7.0, -7.0))
+        self.assertEqual((thin_times[0], thin_times[-1]), (0.0, 99999.0))
+
+
+del PlotTest  # not a test itself
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,180 @@
+"""gxrod run: results, summary, messages and exit codes."""
+
+import hashlib
+import json
+import os
+import resource
+import signal
+import subprocess
+import time
+import unittest
+
+import h5py
+import numpy as np
+
+from program import GXROD, SPINNING_BODY, ProgramTest
+
+
+def limit_file_size():
+    # A full disk, as far as the program can tell: writes fail, with no signal.
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (60000, 60000))
+
+
+class Run(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("body.toml", SPINNING_BODY)
+
+    def test_leaves_results_under_the_name_of_the_deck(self):
+        done = self.gxrod("run", "body.toml")
+        self.assertIn("100 steps to t = 1", done.stdout)
+        with h5py.File(self.folder / "body.vtkhdf") as file:
+            self.assertEqual(file.attrs["status"], b"complete" if isinstance(file.attrs["status"], bytes) else "complete")
+            self.assertEqual(len(file["histories/time"]), 101)
+            self.assertEqual(file["histories/spin/angular_velocity"].shape, (101, 3))
+            self.assertEqual(len(file["VTKHDF/Steps/Values"]), 11)
+            self.assertAlmostEqual(file["histories/time"][-1], 1.0)
+            # The angular momentum is the impulse of the torque.
+            momentum = file["ledger/angular_momentum"][:]
+            np.testing.assert_allclose(momentum[-1], [0.5 * (1 - np.cos(1.0)), 0.0, 2.25], atol=1e-4)
+
+    def test_summary_has_every_key(self):
+        done = self.gxrod("run", "body.toml", "--summary", "-")
+        summary = json.loads(done.stdout)
+        self.assertEqual(
+            sorted(summary),
+            sorted("status reason deck results nodes elements unknowns steps rejected_steps newton_iterations time "
+                   "wall_seconds threads version".split()))
+        self.assertEqual(sorted(summary["wall_seconds"]),
+                         sorted("total setup assembly solve update output".split()))
+        self.assertEqual((summary["status"], summary["steps"], summary["time"]), ("complete", 100, 1.0))
+        self.assertEqual((summary["nodes"], summary["elements"], summary["unknowns"]), (1, 1, 6))
+        self.gxrod("run", "body.toml", "--force", "--summary", "summary.json", "--quiet")
+        self.assertEqual(json.loads((self.folder / "summary.json").read_text())["status"], "complete")
+
+    def test_an_unwritable_summary_is_a_file_error(self):
+        self.gxrod("run", "body.toml", "--summary", "missing/summary.json", code=4)
+
+    def test_quiet_says_nothing(self):
+        done = self.gxrod("run", "body.toml", "--quiet")
+        self.assertEqual(done.stdout + done.stderr, "")
+
+    def test_overrides_change_the_deck_that_is_kept(self):
+        self.gxrod("run", "body.toml", "--set", "analysis.steps=50", "--set", "parameters.torque=1.5")
+        with h5py.File(self.folder / "body.vtkhdf") as file:
+            self.assertEqual(len(file["histories/time"]), 51)
+            kept = file["deck/text"][()].decode()
+        self.write("kept.toml", kept)
+        self.gxrod("run", "kept.toml")
+        with h5py.File(self.folder / "kept.vtkhdf") as again, h5py.File(self.folder / "body.vtkhdf") as first:
+            self.assertTrue(np.array_equal(first["ledger/angular_momentum"], again["ledger/angular_momentum"]))
+
+    def test_the_deck_is_kept_word_by_word(self):
+        self.gxrod("run", "body.toml")
+        with h5py.File(self.folder / "body.vtkhdf") as file:
+            self.assertEqual(file["deck/text"][()].decode(), SPINNING_BODY)
+            digest = file.attrs["deck_sha256"]
+        digest = digest.decode() if isinstance(digest, bytes) else digest
+        self.assertEqual(digest, hashlib.sha256(SPINNING_BODY.encode()).hexdigest())
+
+    def test_the_same_deck_gives_the_same_bits(self):
+        for name in ("one", "two"):
+            self.gxrod("run", "body.toml", "-o", f"{name}.vtkhdf")
+        with h5py.File(self.folder / "one.vtkhdf") as one, h5py.File(self.folder / "two.vtkhdf") as two:
+            self.assertTrue(np.array_equal(one["VTKHDF/PointData/rotation_vector"], two["VTKHDF/PointData/rotation_vector"]))
+
+    def test_an_existing_file_is_kept_without_force(self):
+        self.gxrod("run", "body.toml")
+        before = (self.folder / "body.vtkhdf").read_bytes()
+        done = self.gxrod("run", "body.toml", code=4)
+        self.assertIn("--force", done.stderr)
+        self.assertEqual(before, (self.folder / "body.vtkhdf").read_bytes())
+        self.gxrod("run", "body.toml", "--force")
+
+    def test_files_that_cannot_be(self):
+        self.assertIn("missing.toml", self.gxrod("run", "missing.toml", code=4).stderr)
+        (self.folder / "folder").mkdir()
+        self.assertIn("folder", self.gxrod("run", "body.toml", "-o", "folder", code=4).stderr)
+        self.assertIn("nowhere", self.gxrod("run", "body.toml", "-o", "nowhere/out.vtkhdf", code=4).stderr)
+
+    def test_a_full_disk_ends_the_run_and_keeps_a_readable_file(self):
+        done = self.gxrod("run", "body.toml", "--set", "analysis.steps=200000", "--set", "output.every=20000", code=4,
+                          preexec_fn=limit_file_size)
+        self.assertIn("body.vtkhdf", done.stderr)
+        with h5py.File(self.folder / "body.vtkhdf") as file:
+            self.assertGreaterEqual(len(file["histories/time"]), 0)
+
+    def test_usage(self):
+        self.assertIn("--help", self.gxrod("run", code=2).stderr)
+        self.assertIn("--help", self.gxrod("run", "body.toml", "--speed", "9", code=2).stderr)
+        self.gxrod(code=2)
+        self.assertIn("gxrod 0", self.gxrod("--version").stdout)
+        for verb in ("run", "check", "verify", "schema"):
+            self.assertIn("Usage", self.gxrod(verb, "--help").stdout)
+
+    def test_a_faulty_deck_is_told_by_line_and_column(self):
+        self.write("faulty.toml", SPINNING_BODY.replace("mass = 2.0", "mas = 2.0"))
+        done = self.gxrod("run", "faulty.toml", code=2)
+        self.assertIn("faulty.toml:5:1:", done.stderr)
+        self.assertIn("mass", done.stderr)
+        self.assertFalse((self.folder / "faulty.vtkhdf").exists())
+
+    def test_a_run_that_does_not_converge_keeps_its_results(self):
+        # From t = 0.5 a torque a billion times larger turns the body by more than half a turn in the shortest step.
+        self.write("wild.toml", SPINNING_BODY.replace('"torque*sin(t)"', '"t < 0.5 ? torque : 1e12"'))
+        done = self.gxrod("run", "wild.toml", "--summary", "summary.json", code=3)
+        self.assertIn("top", done.stderr)
+        summary = json.loads((self.folder / "summary.json").read_text())
+        self.assertEqual(summary["status"], "failed")
+        self.assertGreater(summary["rejected_steps"], 0)
+        with h5py.File(self.folder / "wild.vtkhdf") as file:
+            status = file.attrs["status"]
+            self.assertEqual(status.decode() if isinstance(status, bytes) else status, "failed")
+            self.assertAlmostEqual(file["histories/time"][-1], summary["time"])
+            self.assertGreaterEqual(summary["time"], 0.49)
+
+    def test_a_load_that_is_no_number_ends_the_run_and_keeps_its_results(self):
+        # Finite on the whole step grid; sdirk-4 asks for it at t = 0.6025, within a step.
+        self.write("poles.toml", SPINNING_BODY.replace('"torque*sin(t)"', '"abs(t - 0.6025) < 1e-9 ? 1/0 : 1"'))
+        done = self.gxrod("run", "poles.toml", "--set", "analysis.integrator=sdirk-4", code=2)
+        self.assertIn("load[0].moment[0]", done.stderr)
+        with h5py.File(self.folder / "poles.vtkhdf") as file:
+            self.assertAlmostEqual(file["histories/time"][-1], 0.6)
+
+    def test_interrupting_ends_after_the_step_at_hand(self):
+        for sent in (signal.SIGINT, signal.SIGTERM):
+            run = subprocess.Popen([GXROD, "run", "body.toml", "--set", "analysis.steps=50000000", "--force"],
+                                   cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            time.sleep(1.0)
+            run.send_signal(sent)
+            _, messages = run.communicate(timeout=60)
+            self.assertEqual(run.returncode, 130, messages)
+            self.assertIn("interrupted at t =", messages)
+            with h5py.File(self.folder / "body.vtkhdf") as file:
+                status = file.attrs["status"]
+                self.assertEqual(status.decode() if isinstance(status, bytes) else status, "interrupted")
+                self.assertGreater(len(file["histories/time"]), 100)
+                self.assertEqual(len(file["histories/time"]), len(file["ledger/time"]))
+
+    def test_a_killed_run_leaves_a_readable_file(self):
+        for delay in (0.5, 0.8, 1.1):
+            run = subprocess.Popen([GXROD, "run", "body.toml", "--set", "analysis.steps=50000000", "--force", "--quiet"],
+                                   cwd=self.folder)
+            time.sleep(delay)
+            os.kill(run.pid, signal.SIGKILL)
+            run.wait()
+            with h5py.File(self.folder / "body.vtkhdf") as file:
+                status = file.attrs["status"]
+                self.assertEqual(status.decode() if isinstance(status, bytes) else status, "running")
+                times = file["histories/time"][:]
+                self.assertGreater(len(times), 100)
+                self.assertTrue(np.all(np.diff(times) > 0))
+
+    def test_a_pipe_gets_no_control_characters(self):
+        done = self.gxrod("run", "body.toml")
+        self.assertNotIn("\r", done.stdout + done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

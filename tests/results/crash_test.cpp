@@ -1,0 +1,275 @@
+#include <sys/ptrace.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <random>
+
+#include "model/file_error.hpp"
+#include "results/hdf5_reader.hpp"
+#include "results/results_file.hpp"
+#include "results/sample.hpp"
+
+// What is left of a results file whose writer is killed, or whose disk is full.
+
+using namespace gxrod;
+using sample::Hdf5Reader;
+
+namespace {
+
+constexpr double time_step = 0.125;  // exact in binary
+constexpr std::size_t points = 4;    // of the sample
+
+double time_of(std::size_t step) { return time_step * static_cast<double>(step); }
+
+// Adds `count` steps from `first` on, every eighth of them as a frame too.
+void write_steps(ResultsFile& file, sample::Motion& motion, std::size_t first, std::size_t count) {
+    for (std::size_t step = first; step < first + count; ++step) {
+        const double time = time_of(step);
+        motion.time = time;
+        for (NodeMotion& node : motion.nodes) node.r = Vec3(time, 2.0 * time, 3.0 * time);
+        file.record_step(motion.snapshot(), sample::make_ledger(time), sample::make_solver(time));
+        if (step % 8 == 0) file.write_frame(motion.snapshot());
+    }
+}
+
+OutputSettings make_output() {
+    OutputSettings output;
+    output.histories = {sample::make_output().histories[0]};
+    output.histories[0].quantities = {Quantity::position, Quantity::quaternion};
+    return output;
+}
+
+bool is_multiple_of_time(const std::vector<double>& values,
+                         std::size_t columns,
+                         std::size_t rows_a_step,
+                         double step) {
+    if (values.size() % columns != 0) return false;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double time = step * static_cast<double>(i / columns / rows_a_step);
+        if (values[i] != time * static_cast<double>(i % columns + 1)) return false;
+    }
+    return true;
+}
+
+struct Survey {
+    std::size_t steps = 0;
+    std::size_t frames = 0;
+    std::string fault;  // empty if all is well
+};
+
+// Reads as many steps and frames as the file says it has, and compares them with what was written.
+Survey survey(const std::filesystem::path& path) {
+    Survey found;
+    try {
+        const Hdf5Reader file(path);
+        found.steps = file.size("/histories/time")[0];
+        found.frames = static_cast<std::size_t>(file.integer_attribute("/VTKHDF/Steps", "NSteps"));
+        if (!is_multiple_of_time(file.numbers("/histories/time"), 1, 1, time_step)) found.fault = "times";
+        if (!is_multiple_of_time(
+                file.first_rows("/histories/middle/position", found.steps), 3, 1, time_step)) {
+            found.fault = "positions";
+        }
+        if (!is_multiple_of_time(
+                file.first_rows("/VTKHDF/Points", found.frames * points), 3, points, 8 * time_step)) {
+            found.fault = "points";
+        }
+        if (!is_multiple_of_time(
+                file.first_rows("/VTKHDF/Steps/Values", found.frames), 1, 1, 8 * time_step)) {
+            found.fault = "frame times";
+        }
+        const std::string status = file.text_attribute("/", "status");
+        if (status != "running" && status != "complete") found.fault = "status " + status;
+    } catch (const std::exception& error) {
+        found.fault = error.what();
+    }
+    return found;
+}
+
+// Every dataset holds at least the rows that the counts promise.
+bool is_complete(const std::filesystem::path& path) {
+    const Hdf5Reader file(path);
+    const std::size_t steps = file.size("/histories/time")[0];
+    const auto frames = static_cast<std::size_t>(file.integer_attribute("/VTKHDF/Steps", "NSteps"));
+    for (const std::string& dataset : file.datasets()) {
+        const bool is_step_row = dataset.starts_with("/histories") || dataset.starts_with("/ledger") ||
+                                 dataset.starts_with("/solver");
+        const bool is_point_row = dataset.starts_with("/VTKHDF/PointData") ||
+                                  dataset.starts_with("/VTKHDF/CellData") || dataset == "/VTKHDF/Points";
+        const bool is_frame_row = dataset.starts_with("/VTKHDF/Steps");
+        const std::size_t rows = is_step_row    ? steps
+                                 : is_point_row ? frames * points
+                                 : is_frame_row ? frames
+                                                : 0;
+        if (rows > 0) file.first_rows(dataset, rows);
+    }
+    return true;
+}
+
+int wait_for(pid_t child) {
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return status;
+}
+
+// Runs `action` in a child process that ends by _exit with what it returns.
+template <class Action>
+pid_t run_child(Action&& action) {
+    const pid_t child = ::fork();
+    REQUIRE(child >= 0);
+    if (child == 0) ::_exit(action());
+    return child;
+}
+
+}  // namespace
+
+TEST_CASE("A killed writer leaves a file with all that it had flushed", "[results]") {
+    const sample::ScratchFolder folder;
+    const Model model = sample::make_model();
+    std::mt19937 random(7);
+    std::size_t most_steps = 0;
+    for (int attempt = 0; attempt < 40; ++attempt) {
+        const auto path = folder / ("killed" + std::to_string(attempt));
+        int flushed[2];
+        REQUIRE(::pipe(flushed) == 0);
+        const pid_t child = run_child([&] {
+            ResultsFile file({path}, sample::make_deck(), model, make_output());
+            sample::Motion motion(0.0);
+            for (std::size_t step = 0;; step += 37) {
+                write_steps(file, motion, step, 37);
+                file.flush();
+                const std::size_t done = step + 37;
+                if (::write(flushed[1], &done, sizeof done) < 0) return 1;
+            }
+        });
+        ::close(flushed[1]);
+        std::size_t done = 0;
+        REQUIRE(::read(flushed[0], &done, sizeof done) == sizeof done);
+        ::usleep(std::uniform_int_distribution<unsigned>(0, 40000)(random));
+        ::kill(child, SIGKILL);
+        CHECK(WIFSIGNALED(wait_for(child)));
+        while (::read(flushed[0], &done, sizeof done) == sizeof done) {
+        }
+        ::close(flushed[0]);
+
+        const Survey found = survey(path);
+        INFO("attempt " << attempt << " steps " << found.steps << " flushed " << done);
+        CHECK(found.fault == "");
+        CHECK(found.steps >= done);
+        CHECK(is_complete(path));
+        most_steps = std::max(most_steps, found.steps);
+    }
+    CHECK(most_steps > 1000);
+}
+
+TEST_CASE("Between any two system calls of its writer the file is whole", "[results]") {
+    const sample::ScratchFolder folder;
+    const Model model = sample::make_model();
+    const auto path = folder / "traced";
+    constexpr int not_allowed = 77;
+    constexpr std::size_t last_step = 21500;
+    const pid_t child = run_child([&] {
+        if (::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0) return not_allowed;
+        ResultsFile file({path}, sample::make_deck(), model, make_output());
+        ::raise(SIGSTOP);
+        // The leaps come just before B-trees split: at the root after 64 chunks, below it after about 120.
+        sample::Motion motion(0.0);
+        for (std::size_t step = 0; step < last_step;) {
+            const std::size_t count = step == 1000 ? 9000 : step == 11500 ? 8500 : 500;
+            write_steps(file, motion, step, count);
+            file.flush();
+            step += count;
+        }
+        file.close(RunStatus::complete, "end_time reached");
+        return 0;
+    });
+
+    // Stops before each system call and after it.
+    int status = wait_for(child);
+    if (WIFEXITED(status) && WEXITSTATUS(status) == not_allowed) {
+        WARN("skipped: processes may not be traced here");
+        return;
+    }
+    REQUIRE(WIFSTOPPED(status));
+    ::ptrace(PTRACE_SETOPTIONS, child, nullptr, PTRACE_O_TRACESYSGOOD | PTRACE_O_EXITKILL);
+    std::size_t checks = 0, steps = 0, frames = 0;
+    std::string fault;
+    for (;;) {
+        REQUIRE(::ptrace(PTRACE_SYSCALL, child, nullptr, nullptr) == 0);
+        status = wait_for(child);
+        if (!WIFSTOPPED(status)) break;
+        __ptrace_syscall_info call;
+        if (::ptrace(PTRACE_GET_SYSCALL_INFO, child, sizeof call, &call) <= 0) continue;
+        const bool writes = call.op == PTRACE_SYSCALL_INFO_ENTRY &&
+                            (call.entry.nr == SYS_pwrite64 || call.entry.nr == SYS_ftruncate);
+        if (!writes) continue;
+        ++checks;
+        const Survey found = survey(path);
+        if (found.steps < steps || found.frames < frames) fault = "fewer steps than before";
+        if (!found.fault.empty()) fault = found.fault;
+        if (!fault.empty()) break;
+        if (checks % 50 == 0) CHECK(is_complete(path));
+        steps = found.steps;
+        frames = found.frames;
+    }
+    if (!fault.empty()) ::kill(child, SIGKILL);
+    INFO("after " << checks << " writes and " << steps << " steps");
+    CHECK(fault == "");
+    CHECK(WIFEXITED(status));
+    CHECK(steps == last_step);
+    CHECK(checks > 1000);
+    CHECK(is_complete(path));
+    CHECK(survey(path).fault == "");
+}
+
+TEST_CASE("A full disk is an error, and what was written before stays", "[results]") {
+    const sample::ScratchFolder folder;
+    const Model model = sample::make_model();
+    const auto path = folder / "full";
+    const pid_t child = run_child([&] {
+        try {
+            ResultsFile file({path}, sample::make_deck(), model, make_output());
+            const rlimit limit{3000000, RLIM_INFINITY};
+            ::setrlimit(RLIMIT_FSIZE, &limit);
+            sample::Motion motion(0.0);
+            for (std::size_t step = 0; step < 100000; step += 500) {
+                write_steps(file, motion, step, 500);
+                file.flush();
+            }
+        } catch (const FileError& error) {
+            const bool names_file = std::string(error.what()).find(path.string()) != std::string::npos;
+            return names_file ? 0 : 2;
+        }
+        return 1;
+    });
+    const int status = wait_for(child);
+    REQUIRE(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
+    const Survey found = survey(path);
+    CHECK(found.fault == "");
+    CHECK(found.steps > 500);
+    CHECK(is_complete(path));
+}
+
+TEST_CASE("A results file that the disk has no room for is not left behind", "[results]") {
+    const sample::ScratchFolder folder;
+    const Model model = sample::make_model();
+    const auto path = folder / "full";
+    const pid_t child = run_child([&] {
+        const rlimit limit{1000, RLIM_INFINITY};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        try {
+            ResultsFile file({path}, sample::make_deck(), model, make_output());
+        } catch (const FileError&) {
+            return 0;
+        }
+        return 1;
+    });
+    const int status = wait_for(child);
+    REQUIRE(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
+    CHECK(!std::filesystem::exists(path));
+}

@@ -1,0 +1,120 @@
+#include "results/hdf5_reader.hpp"
+
+#include <functional>
+#include <numeric>
+
+namespace gxrod::sample {
+namespace {
+
+std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t, void*)>& read) {
+    if (H5Tis_variable_str(type.id()) > 0) {
+        char* text = nullptr;
+        check_hdf5(read(type.id(), &text), "reading a string");
+        std::string result = text ? text : "";
+        H5free_memory(text);
+        return result;
+    }
+    std::string text(H5Tget_size(type.id()), '\0');
+    check_hdf5(read(type.id(), text.data()), "reading a string");
+    return text;
+}
+
+void add_datasets(hid_t group, const std::string& path, std::vector<std::string>& names) {
+    H5G_info_t information;
+    check_hdf5(H5Gget_info(group, &information), "listing a group");
+    for (hsize_t i = 0; i < information.nlinks; ++i) {
+        char name[256];
+        H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, name, sizeof name, H5P_DEFAULT);
+        const std::string child_path = path + "/" + name;
+        const Hdf5Handle child(H5Oopen(group, name, H5P_DEFAULT), H5Oclose, "opening an object");
+        if (H5Iget_type(child.id()) == H5I_DATASET)
+            names.push_back(child_path);
+        else
+            add_datasets(child.id(), child_path, names);
+    }
+}
+
+}  // namespace
+
+Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) {
+    silence_hdf5();
+    file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "opening a file");
+}
+
+Hdf5Handle Hdf5Reader::open_dataset(const std::string& name) const {
+    return {H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Dclose, name.c_str()};
+}
+
+std::vector<hsize_t> Hdf5Reader::size(const std::string& name) const {
+    const Hdf5Handle dataset = open_dataset(name);
+    const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose, "dataspace");
+    std::vector<hsize_t> size(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space.id())));
+    H5Sget_simple_extent_dims(space.id(), size.data(), nullptr);
+    return size;
+}
+
+std::vector<double> Hdf5Reader::numbers(const std::string& name) const {
+    const std::vector<hsize_t> extent = size(name);
+    return first_rows(name, extent.empty() ? 1 : extent[0]);
+}
+
+std::vector<double> Hdf5Reader::first_rows(const std::string& name, hsize_t count) const {
+    std::vector<hsize_t> extent = size(name);
+    if (extent.empty()) extent = {1};
+    if (extent[0] < count) throw std::runtime_error(name + " is too short");
+    extent[0] = count;
+    std::vector<double> values(
+        std::accumulate(extent.begin(), extent.end(), std::size_t{1}, std::multiplies<>()));
+    if (values.empty()) return values;
+
+    const Hdf5Handle dataset = open_dataset(name);
+    const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose, "dataspace");
+    const std::vector<hsize_t> start(extent.size(), 0);
+    check_hdf5(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, extent.data(), nullptr),
+               "selecting rows");
+    const Hdf5Handle memory(
+        H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr), H5Sclose, "dataspace");
+    check_hdf5(H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, memory.id(), space.id(), H5P_DEFAULT, values.data()),
+               "reading numbers");
+    return values;
+}
+
+std::string Hdf5Reader::text(const std::string& name) const {
+    const Hdf5Handle dataset = open_dataset(name);
+    const Hdf5Handle type(H5Dget_type(dataset.id()), H5Tclose, "type");
+    return read_string(type, [&](hid_t memory_type, void* buffer) {
+        return H5Dread(dataset.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
+    });
+}
+
+std::string Hdf5Reader::text_attribute(const std::string& path, const std::string& name) const {
+    const Hdf5Handle attribute(
+        H5Aopen_by_name(file_.id(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+        H5Aclose,
+        "opening an attribute");
+    const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose, "type");
+    return read_string(
+        type, [&](hid_t memory_type, void* buffer) { return H5Aread(attribute.id(), memory_type, buffer); });
+}
+
+long long Hdf5Reader::integer_attribute(const std::string& path, const std::string& name) const {
+    const Hdf5Handle attribute(
+        H5Aopen_by_name(file_.id(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+        H5Aclose,
+        "opening an attribute");
+    long long value = 0;
+    check_hdf5(H5Aread(attribute.id(), H5T_NATIVE_LLONG, &value), "reading an attribute");
+    return value;
+}
+
+bool Hdf5Reader::has_attribute(const std::string& path, const std::string& name) const {
+    return H5Aexists_by_name(file_.id(), path.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::vector<std::string> Hdf5Reader::datasets() const {
+    std::vector<std::string> names;
+    add_datasets(file_.id(), "", names);
+    return names;
+}
+
+}  // namespace gxrod::sample

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "results/hdf5_handle.hpp"
+
+namespace gxrod::sample {
+
+// Reads an HDF5 file through the library's own file driver, as any other program would. Throws Hdf5Error.
+class Hdf5Reader {
+  public:
+    explicit Hdf5Reader(const std::filesystem::path& path);
+
+    // Size in each direction; empty for a scalar.
+    std::vector<hsize_t> size(const std::string& dataset) const;
+    // All numbers, the last direction fastest.
+    std::vector<double> numbers(const std::string& dataset) const;
+    // The first `count` rows only.
+    std::vector<double> first_rows(const std::string& dataset, hsize_t count) const;
+    std::string text(const std::string& dataset) const;
+    // Attributes of the object at `path`.
+    std::string text_attribute(const std::string& path, const std::string& name) const;
+    long long integer_attribute(const std::string& path, const std::string& name) const;
+    bool has_attribute(const std::string& path, const std::string& name) const;
+    // Every dataset of the file, by all of its names.
+    std::vector<std::string> datasets() const;
+    hid_t id() const { return file_.id(); }
+
+  private:
+    Hdf5Handle open_dataset(const std::string& name) const;
+    Hdf5Handle file_;
+};
+
+}  // namespace gxrod::sample

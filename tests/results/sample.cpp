@@ -1,0 +1,129 @@
+#include "results/sample.hpp"
+
+#include <stdlib.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "rotation/rotation_map.hpp"
+
+namespace gxrod::sample {
+
+Model make_model() {
+    Model model;
+    for (int i = 0; i < 4; ++i) {
+        Node node;
+        node.name = "node " + std::to_string(i);
+        node.position = Vec3(i, 0.5 * i, i == 3 ? 2.0 : 0.0);
+        model.nodes.push_back(node);
+    }
+    Section section{"tube", Mat6::Identity(), Mat6::Identity()};
+    section.stiffness.diagonal() << 1e4, 1e4, 1e4, 500.0, 400.0, 600.0;
+    model.sections = {section};
+
+    Rod beam;
+    beam.name = "beam";
+    beam.nodes = {0, 1, 2};
+    beam.arc_length = {0.0, 1.0, 2.0};
+    beam.triads = {
+        exp_quaternion({0.1, 0.2, 0.3}), exp_quaternion({0.2, 0.2, 0.3}), exp_quaternion({0.3, 0.2, 0.3})};
+    model.rods = {beam};
+
+    Body tip;
+    tip.name = "tip";
+    tip.node = 2;
+    tip.attitude = exp_quaternion({0.0, 0.0, 1.5});
+    Body gyro;
+    gyro.name = "gyro";
+    gyro.node = 3;
+    gyro.mass = 2.0;
+    gyro.inertia = Mat3::Identity();
+    gyro.centre_of_mass = Vec3(0.0, 0.1, 0.4);
+    gyro.attitude = exp_quaternion({0.0, 1.0, 0.0});
+    model.bodies = {tip, gyro};
+    return model;
+}
+
+OutputSettings make_output() {
+    using enum Quantity;
+    const std::vector<Quantity> of_node{position,
+                                        displacement,
+                                        rotation_vector,
+                                        quaternion,
+                                        orientation,
+                                        velocity,
+                                        angular_velocity,
+                                        angular_velocity_material,
+                                        acceleration};
+    std::vector<Quantity> of_rod = of_node;
+    of_rod.insert(
+        of_rod.end(),
+        {force, moment, force_spatial, moment_spatial, strain, curvature, reaction_force, reaction_moment});
+    std::vector<Quantity> of_body = of_node;
+    of_body.push_back(centre_of_mass);
+
+    HistoryRequest middle{"middle", "beam@0.5", 1, -1, 0, 1, of_rod};
+    HistoryRequest root{"root", "beam.start", 0, -1, 0, 0, of_rod};
+    HistoryRequest tip{"tip", "tip", 2, 0, -1, 0, of_body};
+    HistoryRequest gyro{"gyro", "gyro", 3, 1, -1, 0, of_body};
+    OutputSettings output;
+    output.histories = {middle, root, tip, gyro};
+    return output;
+}
+
+DeckRecord make_deck() { return {"sample.toml", "title = \"Sample\"\n# ½ metre\n", "Sample", "m kg s"}; }
+
+Motion::Motion(double t) : time(t) {
+    const Model model = make_model();
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+        const double k = 1.0 + static_cast<double>(i);
+        NodeMotion node;
+        node.r = model.nodes[i].position + t * Vec3(k, 2.0 * k, 3.0 * k);
+        node.Lambda = exp_quaternion(t * Vec3(0.3, 0.2 * k, -0.4));
+        node.v = Vec3(k, std::sin(t), 0.5);
+        node.a = Vec3(0.1 * k, std::cos(t), -0.5);
+        node.omega = Vec3(0.3, 0.2 * k, t);
+        node.alpha = Vec3(t, 1.0, k);
+        nodes.push_back(node);
+        Vec6 reaction = Vec6::Zero();
+        if (i == 0) reaction << 1.0 + t, 2.0, 3.0, 4.0, 5.0, 6.0;
+        reactions.push_back(reaction);
+    }
+    for (int e = 0; e < 2; ++e) {
+        const double k = 10.0 * (1 + e);
+        elements.push_back({Vec3(k + t, k + 1, k + 2),
+                            Vec3(k + 3, k + 4 + t, k + 5),
+                            Vec3(0.1 * k, 0.2 * k, 0.3 * k + t),
+                            Vec3(0.4 * k, 0.5 * k + t, 0.6 * k),
+                            exp_quaternion(Vec3(0.1 * k, t, 0.2))});
+    }
+}
+
+LedgerRow make_ledger(double t) {
+    LedgerRow row;
+    row.kinetic_energy = 1.0 + t;
+    row.strain_energy = 2.0 + t;
+    row.external_work = 3.0 + t;
+    row.dissipated_energy = 4.0 + t;
+    row.energy_error = 5.0 + t;
+    row.linear_momentum = Vec3(6.0 + t, 7.0, 8.0);
+    row.angular_momentum = Vec3(9.0 + t, 10.0, 11.0);
+    return row;
+}
+
+SolverRow make_solver(double t) {
+    return {0.25 + t, 3 + static_cast<int>(t), 1e-9 * (1.0 + t), static_cast<int>(2 * t)};
+}
+
+ScratchFolder::ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "gxrod_results_XXXXXX").string();
+    if (!::mkdtemp(name.data())) throw std::runtime_error("no scratch folder");
+    path_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+}
+
+}  // namespace gxrod::sample
