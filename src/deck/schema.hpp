@@ -106,10 +106,10 @@ std::string describe_range(const Range& range);
 // What a key takes, as messages say it: "a number greater than 0 or an expression".
 std::string describe_expected(const KeySpec& key);
 
-// JSON Schema, draft 2020-12, for editors.
+// JSON Schema, draft 2020-12, for editors; no line end at its end.
 std::string json_schema();
 
-// The text of docs/deck.md.
+// The text of docs/deck.md, without its last line end.
 std::string deck_reference();
 
 }  // namespace gxrod

@@ -160,7 +160,7 @@ std::string deck_reference() {
     for (const KeySpec& key : deck_schema().keys) {
         if (key.table != nullptr) text += write_table(*key.table, key.table->heading);
     }
-    while (text.ends_with("\n\n")) text.pop_back();
+    while (text.ends_with('\n')) text.pop_back();
     return text;
 }
 

@@ -159,7 +159,7 @@ std::string json_schema() {
     json.update(make_table(deck_schema()));
     json["$defs"]["expression"] = {{"type", "string"}, {"description", "An expression, such as \"2*EI\"."}};
     json["$defs"]["number"] = any_of({{{"type", "number"}}, reference("expression")});
-    return json.dump(2) + "\n";
+    return json.dump(2);
 }
 
 }  // namespace gxrod

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <random>
+#include <sstream>
 
 #include "deck/decks.hpp"
 #include "deck/fault.hpp"
@@ -295,6 +297,45 @@ TEST_CASE("An empty deck and one of comments are faults, not crashes", "[deck]")
         "x.toml:1:1: missing; expected [rod.NAME] or [body.NAME]";
     CHECK(faults_of("") == missing);
     CHECK(faults_of("# nothing\n") == missing);
+}
+
+TEST_CASE("A damaged deck is read or refused", "[deck]") {
+    const std::string pieces[] = {
+        "", "\"", "]", "[", "=", "0", "-", "t", ".", "\n", "nan", "at = \"flyer@0.5\"\n", "{}", "[]"};
+    std::mt19937 random(5);
+    int refused = 0;
+    for (int i = 0; i < 400; ++i) {
+        std::string deck = flyer;
+        for (auto damages = 1 + random() % 3; damages > 0; --damages) {
+            const std::size_t at = random() % deck.size();
+            deck.replace(at, random() % 8, pieces[random() % std::size(pieces)]);
+        }
+        try {
+            read(deck);
+        } catch (const DeckError& error) {
+            ++refused;
+            REQUIRE_FALSE(error.faults.empty());
+        }
+    }
+    CHECK(refused > 100);
+    CHECK(refused < 400);
+}
+
+TEST_CASE("Any line of a deck can be left out or come twice", "[deck]") {
+    std::vector<std::string> lines;
+    std::istringstream text(flyer);
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
+    int refused = 0;
+    for (std::size_t changed = 0; changed < lines.size(); ++changed) {
+        for (const int times : {0, 2}) {
+            std::string deck;
+            for (std::size_t i = 0; i < lines.size(); ++i) {
+                for (int copy = i == changed ? times : 1; copy > 0; --copy) deck += lines[i] + "\n";
+            }
+            if (!faults_of(deck).empty()) ++refused;
+        }
+    }
+    CHECK(refused > 50);
 }
 
 }  // namespace gxrod::test
