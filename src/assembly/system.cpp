@@ -32,6 +32,22 @@ void raise_scales(const Vector& force, Residual& residual) {
     }
 }
 
+// What accelerations alone ask of an element's nodes.
+template <Element E>
+NodalVector<E::node_count> compute_acceleration_force(const E& element,
+                                                      const Motions<E::node_count>& motions) {
+    std::array<NodeMotion, E::node_count> still;
+    Motions<E::node_count> pointers;
+    for (int i = 0; i < E::node_count; ++i) {
+        still[i] = *motions[i];
+        still[i].omega.setZero();
+        pointers[i] = &still[i];
+    }
+    NodalVector<E::node_count> force = NodalVector<E::node_count>::Zero();
+    element.add_inertial_force(pointers, Vec3::Zero(), force);
+    return force;
+}
+
 }  // namespace
 
 System::System(const Model& model) : model_(&model), equations_(compute_fixed_components(model)) {
@@ -120,6 +136,10 @@ void System::compute_residual(const State& state, double time, Residual& residua
             element.add_inertial_force(motions, model_->gravity, inertial);
             raise_scales(internal, residual);
             raise_scales(inertial, residual);
+            // With nothing internal, inertia balances itself and its sum vanishes: its terms are the scale.
+            if constexpr (std::remove_cvref_t<decltype(block)>::force_point_count == 0) {
+                raise_scales(compute_acceleration_force(element, motions), residual);
+            }
             add_to_nodes<Force::RowsAtCompileTime / 6>(internal + inertial, element.nodes, residual.nodal);
         }
     });

@@ -261,3 +261,21 @@ TEST_CASE("elements and equations of a model are counted", "[assembly]") {
     CHECK(system.element_count() == 5);
     CHECK(system.equations().count() == 5 * 6 - 3 - 2);
 }
+
+TEST_CASE("a residual is measured against terms that do not cancel", "[assembly]") {
+    // A free body in torque-free motion: J α and ω × J ω balance each other and are its only moments.
+    Model model;
+    model.nodes.push_back({"body", Vec3::Zero()});
+    model.bodies.push_back({"body", 0, 2.0, Vec3(1.0, 2.0, 4.0).asDiagonal()});
+    model.gravity = Vec3(0.0, 0.0, -10.0);
+    const System system(model);
+    State state = system.initial_state();
+    state.trial[0].omega = Vec3(1.0, 1.0, 1.0);
+    state.trial[0].alpha = Vec3(-2.0, 1.5, -0.25);
+    state.trial[0].a = model.gravity;
+    Residual residual;
+    system.compute_residual(state, 0.0, residual);
+    CHECK(residual.nodal[0].norm() < 1e-14);
+    CHECK(residual.moment_scale == Approx(3.0).epsilon(1e-14));
+    CHECK(residual.force_scale == Approx(20.0).epsilon(1e-14));
+}
