@@ -43,7 +43,8 @@ class System {
     double length_scale() const { return length_scale_; }
     std::size_t element_count() const;
 
-    // The reference shape with the model's initial velocities, zero where a support holds; accelerations zero.
+    // The reference shape with the model's initial velocities, zero where a support holds; accelerations
+    // zero.
     State initial_state() const;
 
     // Of the trial motions, with loads at `time`.
