@@ -42,7 +42,8 @@ void add_check_verb(CLI::App& program, int& exit_code) {
     auto arguments = std::make_shared<CheckArguments>();
     CLI::App* verb = program.add_subcommand("check", "Read and examine a deck without running it");
     verb->add_option("DECK", arguments->deck, "Deck (TOML); docs/deck.md lists its keys")->required();
-    verb->add_option("--set", arguments->overrides, "KEY=VALUE: change a key of the deck")->allow_extra_args(false);
+    verb->add_option("--set", arguments->overrides, "KEY=VALUE: change a key of the deck")
+        ->allow_extra_args(false);
     verb->callback([arguments, &exit_code] { exit_code = check(*arguments); });
 }
 

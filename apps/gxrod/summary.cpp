@@ -10,24 +10,6 @@
 
 namespace gxrod {
 
-namespace {
-
-const char* name_of(RunStatus status) {
-    switch (status) {
-        case RunStatus::complete:
-            return "complete";
-        case RunStatus::failed:
-            return "failed";
-        case RunStatus::interrupted:
-            return "interrupted";
-        case RunStatus::running:
-            break;
-    }
-    return "running";
-}
-
-}  // namespace
-
 void write_summary(const std::string& target,
                    const RunSummary& summary,
                    const std::string& deck,

@@ -16,13 +16,14 @@ std::string describe_rod(const Model& model, const Rod& rod) {
     const Section& section = model.sections[rod.section];
     const double length = rod.arc_length.back();
     const auto& C = section.stiffness;
-    std::string text = fmt::format("rod {}: length {:.6g}, mass {:.6g}, {} elements of order {}, section {}\n",
-                                   rod.name,
-                                   length,
-                                   section.mass(0, 0) * length,
-                                   rod.element_count(),
-                                   rod.order,
-                                   section.name);
+    std::string text =
+        fmt::format("rod {}: length {:.6g}, mass {:.6g}, {} elements of order {}, section {}\n",
+                    rod.name,
+                    length,
+                    section.mass(0, 0) * length,
+                    rod.element_count(),
+                    rod.order,
+                    section.name);
     const Mat3 axes = rod.triads.front().toRotationMatrix();
     text += fmt::format("  axes at the start: x {}, y {}, z {}\n",
                         describe(axes.col(0)),
@@ -48,13 +49,14 @@ std::string describe_rod(const Model& model, const Rod& rod) {
 
 std::string describe_body(const Model& model, const Body& body) {
     const Eigen::SelfAdjointEigenSolver<Mat3> principal(body.inertia, Eigen::EigenvaluesOnly);
-    return fmt::format("body {}: mass {:.6g}, principal inertia {}, node {} at {}, centre of mass {} from it\n",
-                       body.name,
-                       body.mass,
-                       describe(principal.eigenvalues()),
-                       model.nodes[body.node].name,
-                       describe(model.nodes[body.node].position),
-                       describe(body.attitude * body.centre_of_mass));
+    return fmt::format(
+        "body {}: mass {:.6g}, principal inertia {}, node {} at {}, centre of mass {} from it\n",
+        body.name,
+        body.mass,
+        describe(principal.eigenvalues()),
+        model.nodes[body.node].name,
+        describe(model.nodes[body.node].position),
+        describe(body.attitude * body.centre_of_mass));
 }
 
 std::string describe_support(const Model& model, const Support& support) {
@@ -83,11 +85,16 @@ std::string describe_load(const Model& model, const NodalLoad& load) {
 
 const char* name_of(Scheme scheme) {
     switch (scheme) {
-        case Scheme::newmark_simplified: return "newmark-simplified";
-        case Scheme::newmark_ibrahimbegovic: return "newmark-ibrahimbegovic";
-        case Scheme::generalized_alpha: return "generalized-alpha";
-        case Scheme::sdirk_4: return "sdirk-4";
-        case Scheme::runge_kutta_4: break;
+        case Scheme::newmark_simplified:
+            return "newmark-simplified";
+        case Scheme::newmark_ibrahimbegovic:
+            return "newmark-ibrahimbegovic";
+        case Scheme::generalized_alpha:
+            return "generalized-alpha";
+        case Scheme::sdirk_4:
+            return "sdirk-4";
+        case Scheme::runge_kutta_4:
+            break;
     }
     return "runge-kutta-4";
 }

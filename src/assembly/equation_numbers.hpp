@@ -14,6 +14,7 @@ class EquationNumbers {
     explicit EquationNumbers(const std::vector<FixedComponents>& fixed);
 
     std::int64_t count() const { return static_cast<std::int64_t>(unknowns_.size()); }
+    std::size_t node_count() const { return equations_.size(); }
     const std::array<std::int64_t, 6>& of_node(int node) const { return equations_[node]; }
 
     struct Unknown {

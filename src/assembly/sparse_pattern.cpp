@@ -33,12 +33,7 @@ std::int64_t SparsePattern::slot(std::int64_t row, std::int64_t column) const {
 }
 
 SparsePattern compute_pattern(const EquationNumbers& equations, std::span<const NodeGroup> groups) {
-    int highest = -1;
-    for (const auto& unknown : equations.unknowns()) highest = std::max(highest, unknown.node);
-    for (const NodeGroup& group : groups) {
-        for (const int node : group) highest = std::max(highest, node);
-    }
-    const auto neighbours = compute_neighbours(static_cast<std::size_t>(highest + 1), groups);
+    const auto neighbours = compute_neighbours(equations.node_count(), groups);
     SparsePattern pattern;
     pattern.column_starts.push_back(0);
     for (const auto& unknown : equations.unknowns()) {

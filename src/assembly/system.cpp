@@ -77,8 +77,9 @@ void System::build_pattern() {
     });
     pattern_ = compute_pattern(equations_, groups);
     for_each_block(blocks_, [this](auto& block) {
+        constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
         for (const auto& element : block.elements) {
-            block.slots.push_back(compute_slots<block.node_count>(element.nodes, equations_, pattern_));
+            block.slots.push_back(compute_slots<node_count>(element.nodes, equations_, pattern_));
         }
     });
     for (const NodalLoad& load : model_->loads) {

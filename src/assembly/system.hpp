@@ -15,8 +15,8 @@ namespace gxrod {
 // What is out of balance at every node: internal + inertial − external.
 struct Residual {
     std::vector<Vec6> nodal;  // supported components hold the force that the support exerts
-    // The largest force and moment that one element or load puts on a node; a residual is small against
-    // these.
+    // The largest force and moment that one element or load puts on a node, and of bodies the part due to
+    // accelerations; a residual is small against these.
     double force_scale = 0.0;
     double moment_scale = 0.0;
 };
@@ -43,7 +43,8 @@ class System {
     double length_scale() const { return length_scale_; }
     std::size_t element_count() const;
 
-    // The reference shape with the model's initial velocities, zero where a support holds; accelerations zero.
+    // The reference shape with the model's initial velocities, zero where a support holds; accelerations
+    // zero.
     State initial_state() const;
 
     // Of the trial motions, with loads at `time`.

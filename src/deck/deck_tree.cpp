@@ -50,16 +50,10 @@ DeckNode convert(const toml::node& node) {
             result.value = convert_table(value);
         else if constexpr (toml::is_array<Value>)
             result.value = convert_array(value);
-        else if constexpr (toml::is_string<Value>)
-            result.value = value.get();
-        else if constexpr (toml::is_integer<Value>)
-            result.value = value.get();
-        else if constexpr (toml::is_floating_point<Value>)
-            result.value = value.get();
-        else if constexpr (toml::is_boolean<Value>)
-            result.value = value.get();
-        else
+        else if constexpr (toml::is_date<Value> || toml::is_time<Value> || toml::is_date_time<Value>)
             result.value = convert_date(value.get());
+        else
+            result.value = value.get();
     });
     return result;
 }

@@ -175,7 +175,7 @@ std::shared_ptr<Program> compile(const std::string& expression, const Symbols& s
     std::set<std::string> visited;
     if (!is_usable(names, symbols, visited)) {
         const Symbols placeholders = with_placeholders(names);
-        Program(expression, placeholders, CompiledFunctions(placeholders));
+        const Program checked(expression, placeholders, CompiledFunctions(placeholders));
         return nullptr;
     }
     return std::make_shared<Program>(expression, symbols, CompiledFunctions(symbols));

@@ -59,15 +59,15 @@ struct TableSpec;
 struct KeySpec {
     std::string name;
     ValueType type = ValueType::text;
-    std::string dimension = "";
+    std::string dimension = {};
     Range range = {};
     Presence presence = Presence::optional;
     std::variant<std::monostate, double, long, std::string, Vec3> default_value = {};
-    std::string default_text = "";  // of a default that follows from other keys
-    std::string sentence = "";
+    std::string default_text = {};  // of a default that follows from other keys
+    std::string sentence = {};
     std::vector<std::string> choices = {};
-    std::string remark = "";       // ends the messages that the key is missing, out of range or no valid word
-    std::string above_range = "";  // ends the message that a number is above its range instead
+    std::string remark = {};       // ends the messages that the key is missing, out of range or no valid word
+    std::string above_range = {};  // ends the message that a number is above its range instead
     Condition only_for = {};
     const TableSpec* table = nullptr;  // of table, named_tables, table_list, parameters
 };
@@ -85,7 +85,7 @@ struct TableSpec {
     std::string sentence;
     std::vector<KeySpec> keys;
     std::vector<KeyGroup> groups = {};
-    std::string example = "";  // the examples of all tables, one after the other, are a deck
+    std::string example = {};  // the examples of all tables, one after the other, are a deck
 
     const KeySpec* find(std::string_view key) const;
     std::vector<std::string> key_names() const;

@@ -27,7 +27,8 @@ class Integrator {
     virtual int stage_count() const { return 1; }
     // Where in the step the stage's equilibrium lies, 0 … 1.
     virtual double stage_fraction(int) const { return 1.0; }
-    // The end of the step to the last bit, so that a load that switches on the grid of steps does so here too.
+    // The end of the step to the last bit, so that a load that switches on the grid of steps does so here
+    // too.
     double stage_time(const Stage& stage) const {
         const double fraction = stage_fraction(stage.index);
         return fraction == 1.0 ? stage.end_time : stage.step_time + fraction * stage.time_step;

@@ -7,8 +7,8 @@
 #include "model/time_function.hpp"
 #include "rotation/types.hpp"
 
-// What is given: the mechanical model, const once built. Quantities are in the deck's own consistent units, angles
-// in radians; vectors are in the global frame unless a comment says material (section or body axes).
+// What is given: the mechanical model, const once built. Quantities are in the deck's own consistent units,
+// angles in radians; vectors are in the global frame unless a comment says material (section or body axes).
 namespace gxrod {
 
 // A point with six unknowns. Its rotation Lambda is measured from t = 0, where it is the identity.
@@ -46,9 +46,9 @@ struct Body {
     std::string name;
     int node = 0;
     double mass = 0.0;
-    Mat3 inertia = Mat3::Zero();             // about the centre of mass, body axes
-    Vec3 centre_of_mass = Vec3::Zero();      // from the node, body axes
-    Quat attitude = Quat::Identity();        // body axes at t = 0: columns are x, y, z
+    Mat3 inertia = Mat3::Zero();         // about the centre of mass, body axes
+    Vec3 centre_of_mass = Vec3::Zero();  // from the node, body axes
+    Quat attitude = Quat::Identity();    // body axes at t = 0: columns are x, y, z
 };
 
 // How the components of a load follow the rotation of its node.

@@ -62,8 +62,8 @@ struct HistoryRequest {
     std::string name;
     std::string at;  // as the deck has it
     int node = 0;
-    int body = -1;         // index in Model::bodies if the point is a body's
-    int rod = -1;          // index in Model::rods if the point is a rod's
+    int body = -1;            // index in Model::bodies if the point is a body's
+    int rod = -1;             // index in Model::rods if the point is a rod's
     int position_in_rod = 0;  // index in Rod::nodes
     std::vector<Quantity> quantities;
 };

@@ -8,9 +8,7 @@
 #include "results/results_writer.hpp"
 
 namespace gxrod {
-namespace {
-
-const char* status_text(RunStatus status) {
+const char* name_of(RunStatus status) {
     switch (status) {
         case RunStatus::running:
             return "running";
@@ -19,10 +17,12 @@ const char* status_text(RunStatus status) {
         case RunStatus::failed:
             return "failed";
         case RunStatus::interrupted:
-            return "interrupted";
+            break;
     }
-    return "";
+    return "interrupted";
 }
+
+namespace {
 
 // Runs a step of writing; its errors become those of the file.
 template <class Action>
@@ -78,7 +78,7 @@ void ResultsFile::flush() {
 }
 
 void ResultsFile::close(RunStatus status, const std::string& reason) {
-    writing(path_, [&] { writer_->close(status_text(status), reason); });
+    writing(path_, [&] { writer_->close(name_of(status), reason); });
 }
 
 }  // namespace gxrod

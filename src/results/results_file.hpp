@@ -15,6 +15,8 @@ namespace gxrod {
 class ResultsWriter;
 
 enum class RunStatus { running, complete, failed, interrupted };
+// As files and summaries say it: "running" …
+const char* name_of(RunStatus status);
 
 struct ResultsFileOptions {
     std::filesystem::path path;

@@ -119,11 +119,18 @@ class Equilibrium {
             settings_.absolute_residual > 0.0
                 ? largest_component(system_, workspace_.residual) <= settings_.absolute_residual
                 : report_.residual <= settings_.tolerance;
-        const double round_off = 1e-14;  // some 50 units of the last place: no increment gets smaller
-        if (small || last_increment_ <= std::max(1e-4 * settings_.tolerance, round_off)) return true;
+        if (small || has_reached_round_off()) return true;
         if (report_.iterations < settings_.max_iterations) return false;
         report_.outcome = Outcome::out_of_iterations;
         return true;
+    }
+
+    // Whether round-off is all that is left of the increments: far below the tolerance, a few units of the
+    // last place, or small and no longer shrinking.
+    bool has_reached_round_off() const {
+        constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+        if (last_increment_ <= std::max(1e-4 * settings_.tolerance, rounding)) return true;
+        return last_increment_ <= 1e-10 && last_increment_ >= 0.5 * increment_before_;
     }
 
     void compute_tangent() {
@@ -147,6 +154,7 @@ class Equilibrium {
 
     void apply_increment() {
         const PhaseTimer timer(workspace_.seconds.update);
+        increment_before_ = last_increment_;
         last_increment_ = 0.0;
         for (std::size_t node = 0; node < state_.trial.size(); ++node) {
             const auto& equations = system_.equations().of_node(static_cast<int>(node));
@@ -187,7 +195,9 @@ class Equilibrium {
     SolverWorkspace& workspace_;
     State& state_;
     EquilibriumReport report_;
+    // The largest |δr| relative to its scale, or |δφ|, of the last two iterations.
     double last_increment_ = std::numeric_limits<double>::infinity();
+    double increment_before_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace

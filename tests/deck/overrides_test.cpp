@@ -80,7 +80,7 @@ TEST_CASE("Values of --set are checked as those of a deck", "[deck]") {
 --set body.top.inertia=[1,2: not TOML: encountered end-of-file)");
 }
 
-TEST_CASE("--set takes TOML values, and text without quotes", "[deck]") {
+TEST_CASE("Option --set takes TOML values, and text without quotes", "[deck]") {
     const Problem problem = read(body_deck,
                                  {"analysis.integrator=generalized-alpha",
                                   "analysis.spectral_radius=.5",
@@ -98,7 +98,7 @@ TEST_CASE("--set takes TOML values, and text without quotes", "[deck]") {
     CHECK(problem.analysis.end_time == 2.0);
 }
 
-TEST_CASE("--set reaches into arrays, and the last value of a key counts", "[deck]") {
+TEST_CASE("Option --set reaches into arrays, and the last value of a key counts", "[deck]") {
     const std::string deck =
         rod_deck +
         "[[load]]\nat = \"r.end\"\nforce = [1, 2, 3]\n[[load]]\nat = \"r.end\"\nforce = [4, 5, 6]\n";
@@ -117,7 +117,7 @@ TEST_CASE("--set reaches into arrays, and the last value of a key counts", "[dec
     CHECK(problem.model.nodes[2].position == Vec3(5, 0, 0));
 }
 
-TEST_CASE("--set adds keys, and tables that a deck has once", "[deck]") {
+TEST_CASE("Option --set adds keys, and tables that a deck has once", "[deck]") {
     const Problem problem = read(body_deck,
                                  {"analysis.newton.tolerance=1e-5",
                                   "analysis.newton.max_iterations=9",
@@ -132,7 +132,7 @@ TEST_CASE("--set adds keys, and tables that a deck has once", "[deck]") {
     CHECK(problem.model.gravity == Vec3(0, 0, -1));
 }
 
-TEST_CASE("--set takes the place of a key that excludes the new one", "[deck]") {
+TEST_CASE("Option --set takes the place of a key that excludes the new one", "[deck]") {
     CHECK(read(body_deck, {"analysis.time_step=0.25"}).analysis.steps == 4);
     const std::string spinning =
         replaced(body_deck, "mass = 1.0", "mass = 1.0\nangular_velocity = [1, 0, 0]");

@@ -1,0 +1,210 @@
+// Properties that every scheme has: its linearization is the derivative of its update, motions that a scheme
+// must follow exactly, and its order, measured.
+#include <catch2/catch.hpp>
+
+#include "integrators/scheme_samples.hpp"
+#include "rotation/rotation_map.hpp"
+#include "state/increment.hpp"
+#include "tools/difference.hpp"
+#include "tools/run.hpp"
+#include "tools/tops.hpp"
+#include "verification/rubin2007_problem.hpp"
+
+using namespace gxrod;
+using namespace gxrod::tools;
+
+namespace {
+
+// Calls visit(scheme, integrator, stage) for every stage of every implicit scheme.
+template <class Visit>
+void for_each_implicit_stage(Visit&& visit) {
+    for (const SchemeSample& scheme : all_schemes()) {
+        const auto integrator = make_integrator(scheme.settings);
+        if (integrator->is_explicit()) continue;
+        for (int index = 0; index < integrator->stage_count(); ++index) {
+            INFO(scheme.name << ", stage " << index);
+            visit(*integrator, make_stage(index));
+        }
+    }
+}
+
+// The change of the first node's rates when it moves by (δr, δφ).
+Eigen::Matrix<double, 12, 6> differentiate_rates(const Integrator& integrator,
+                                                 const Stage& stage,
+                                                 const State& state) {
+    Eigen::Matrix<double, 12, 6> derivative;
+    for (int unknown = 0; unknown < 6; ++unknown) {
+        derivative.col(unknown) = differentiate([&](double amount) {
+            State moved = state;
+            const Vec6 step = amount * Vec6::Unit(unknown);
+            apply_spin(state.previous[0], step.head<3>(), step.tail<3>(), moved.trial[0]);
+            integrator.update_rates(moved, stage);
+            return stack_rates(moved.trial[0]);
+        });
+    }
+    return derivative;
+}
+
+// The same as the treaty states it.
+Eigen::Matrix<double, 12, 6> stack_linearization(const NodeLinearization& linearization) {
+    Eigen::Matrix<double, 12, 6> derivative = Eigen::Matrix<double, 12, 6>::Zero();
+    derivative.block<3, 3>(0, 0) = linearization.rate * Mat3::Identity();
+    derivative.block<3, 3>(3, 0) = linearization.acceleration * Mat3::Identity();
+    derivative.block<3, 3>(6, 3) = linearization.d_omega;
+    derivative.block<3, 3>(9, 3) = linearization.d_alpha;
+    return derivative;
+}
+
+// A dead force and a spin about a principal axis: r = v t + F t²/2m, ω constant.
+Model make_thrown_body() {
+    Model model = make_free_body(Vec3(1.0, 2.0, 3.0), Vec3(0.0, 0.0, 4.0));
+    model.nodes[0].velocity = Vec3(1.0, -2.0, 0.5);
+    NodalLoad load;
+    load.force = {3.0, 0.0, -1.0};
+    model.loads.push_back(load);
+    return model;
+}
+
+// Steps of a coarse run; two more runs halve them twice.
+struct Steps {
+    long one_stage, several_stages;
+    long of(const SchemeSample& scheme) const { return scheme.order > 2.0 ? several_stages : one_stage; }
+};
+
+double measure_heavy_top(const DynamicSettings& settings) {
+    const NodeMotion last = run_to_end(heavy_top::make_model(), settings);
+    return (heavy_top::centre_of_mass(last.Lambda) - heavy_top::references()[0].centre_of_mass).norm();
+}
+
+// The largest orientation error over the cycle.
+double measure_paper_problem(const DynamicSettings& settings) {
+    const Model model = rubin2007::make_model();
+    double worst = 0.0;
+    run(model, settings, [&](const DynamicAnalysis& analysis) {
+        const Quat axes = analysis.state().trial[0].Lambda * model.bodies[0].attitude;
+        const Mat3 exact = rubin2007::exact_rotation(analysis.state().time);
+        worst = std::max(worst, (axes.toRotationMatrix() - exact).norm());
+    });
+    return worst;
+}
+
+template <class Measure>
+void check_order(const SchemeSample& scheme, double end_time, long steps, double margin, Measure&& measure) {
+    INFO(scheme.name);
+    DynamicSettings settings = scheme.settings;
+    settings.end_time = end_time;
+    settings.newton.tolerance = 1e-10;
+    std::vector<double> errors;
+    for (const long n : {steps, 2 * steps, 4 * steps}) {
+        settings.steps = n;
+        errors.push_back(measure(settings));
+    }
+    INFO("errors " << errors[0] << " " << errors[1] << " " << errors[2]);
+    CHECK(compute_orders(errors)[1] == Approx(scheme.order).margin(margin));
+}
+
+}  // namespace
+
+TEST_CASE("linearizations are derivatives of the update by (δr, δφ)", "[integrators]") {
+    for_each_implicit_stage([](const Integrator& integrator, const Stage& stage) {
+        for (unsigned seed = 1; seed <= 3; ++seed) {
+            State state = make_random_state(integrator, seed);
+            begin_random_stage(integrator, stage, seed, state);
+            std::vector<NodeLinearization> linearizations(state.trial.size());
+            integrator.linearize(state, stage, linearizations);
+            CHECK(linearizations[0].placement == 1.0);
+            CHECK(relative_difference(stack_linearization(linearizations[0]),
+                                      differentiate_rates(integrator, stage, state)) < 1e-9);
+        }
+    });
+}
+
+TEST_CASE("a node's rates follow from its own motion alone", "[integrators]") {
+    for_each_implicit_stage([](const Integrator& integrator, const Stage& stage) {
+        State state = make_random_state(integrator, 1);
+        begin_random_stage(integrator, stage, 1, state);
+        const Rates before = stack_rates(state.trial[1]);
+        apply_spin(state.previous[0], Vec3::Ones(), Vec3(0.1, 0.2, 0.3), state.trial[0]);
+        integrator.update_rates(state, stage);
+        CHECK(stack_rates(state.trial[1]) == before);
+    });
+}
+
+TEST_CASE("an explicit scheme is linearized as a mass matrix", "[integrators]") {
+    const auto integrator = make_integrator(all_schemes().back().settings);
+    REQUIRE(integrator->is_explicit());
+    std::vector<NodeLinearization> linearizations(2);
+    integrator->linearize(make_random_state(*integrator, 1), make_stage(0), linearizations);
+    REQUIRE(linearizations.size() == 2);
+    for (const NodeLinearization& linearization : linearizations) {
+        CHECK(linearization.placement == 0.0);
+        CHECK(linearization.rate == 0.0);
+        CHECK(linearization.acceleration == 1.0);
+        CHECK(linearization.d_omega.isZero(0.0));
+        CHECK(linearization.d_alpha == Mat3::Identity());
+    }
+}
+
+TEST_CASE("the last stage of a step lies at its end to the last bit", "[integrators]") {
+    for (const SchemeSample& scheme : all_schemes()) {
+        INFO(scheme.name);
+        const auto integrator = make_integrator(scheme.settings);
+        const Stage last{integrator->stage_count() - 1, 0.2, 0.1, 0.3};  // 0.2 + 0.1 > 0.3 in doubles
+        CHECK(integrator->stage_time(last) == 0.3);
+        for (int index = 0; index < integrator->stage_count(); ++index) {
+            CHECK(integrator->stage_fraction(index) > 0.0);
+            CHECK(integrator->stage_fraction(index) <= 1.0);
+        }
+        const auto weights = integrator->power_weights();
+        if (weights.empty()) continue;
+        CHECK(weights.size() == static_cast<std::size_t>(integrator->stage_count()) + 1);
+        double sum = 0.0;
+        for (const double weight : weights) sum += weight;
+        CHECK(sum == Approx(1.0).epsilon(1e-14));
+    }
+}
+
+TEST_CASE("constant acceleration is followed exactly", "[integrators]") {
+    const Model model = make_thrown_body();
+    for (const SchemeSample& scheme : all_schemes()) {
+        INFO(scheme.name);
+        DynamicSettings settings = scheme.settings;
+        settings.end_time = 2.0;
+        settings.steps = 5;
+        const NodeMotion last = run_to_end(model, settings);
+        CHECK((last.r - Vec3(2.0 + 6.0, -4.0, 1.0 - 2.0)).norm() < 1e-12);
+        CHECK((last.v - Vec3(1.0 + 6.0, -2.0, 0.5 - 2.0)).norm() < 1e-12);
+        CHECK((last.a - Vec3(3.0, 0.0, -1.0)).norm() < 1e-12);
+    }
+}
+
+TEST_CASE("steady spin about a principal axis is followed exactly", "[integrators]") {
+    const Model model = make_thrown_body();
+    const Quat exact = exp_quaternion(Vec3(0.0, 0.0, 8.0));
+    for (const SchemeSample& scheme : all_schemes()) {
+        INFO(scheme.name);
+        DynamicSettings settings = scheme.settings;
+        settings.end_time = 2.0;
+        settings.steps = 5;  // 1.6 rad a step
+        settings.newton.tolerance = 1e-14;
+        const NodeMotion last = run_to_end(model, settings);
+        CHECK((last.omega - Vec3(0.0, 0.0, 4.0)).norm() < 1e-12);
+        // Quaternions of runge-kutta-4 follow a circle to its order only.
+        if (settings.scheme != Scheme::runge_kutta_4) CHECK(last.Lambda.angularDistance(exact) < 1e-13);
+    }
+}
+
+TEST_CASE("orders measured on the heavy top", "[integrators][order]") {
+    constexpr Steps steps{1000, 100};
+    for (const SchemeSample& scheme : all_schemes()) {
+        check_order(scheme, 0.2, steps.of(scheme), scheme.order == 1.0 ? 0.05 : 0.02, measure_heavy_top);
+    }
+}
+
+TEST_CASE("orders measured on the paper's problem", "[integrators][order]") {
+    constexpr Steps steps{800, 160};
+    for (const SchemeSample& scheme : all_schemes()) {
+        // runge-kutta-4 and strong damping come near their orders from above: 4.06 and 2.06 here.
+        check_order(scheme, rubin2007::period, steps.of(scheme), 0.1, measure_paper_problem);
+    }
+}

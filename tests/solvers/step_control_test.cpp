@@ -1,0 +1,88 @@
+#include "solvers/step_control.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace gxrod;
+
+TEST_CASE("steps that succeed are the nominal ones and end at the end time", "[solvers]") {
+    StepControl control(0.7, 7);
+    CHECK(control.nominal_steps() == 7);
+    for (long step = 0; step < 7; ++step) {
+        CHECK_FALSE(control.finished());
+        CHECK(control.nominal_steps_done() == step);
+        CHECK(control.time_step() == 0.7 / 7.0);
+        CHECK(control.next_time() == Approx(0.1 * static_cast<double>(step + 1)).epsilon(1e-15));
+        const double next = control.next_time();
+        control.accept();
+        CHECK(control.time() == next);
+        CHECK(control.at_nominal_step());
+    }
+    CHECK(control.finished());
+    CHECK(control.time() == 0.7);
+}
+
+TEST_CASE("the end is exact whatever the number of steps", "[solvers]") {
+    for (const long steps : {1L, 3L, 49L, 1000L, 123457L}) {
+        StepControl control(0.1, steps);
+        while (!control.finished()) control.accept();
+        CHECK(control.time() == 0.1);
+        CHECK(control.nominal_steps_done() == steps);
+    }
+}
+
+TEST_CASE("a step that fails is halved and doubled again on the grid", "[solvers]") {
+    StepControl control(8.0, 8);
+    REQUIRE(control.reject());
+    REQUIRE(control.reject());
+    CHECK(control.time_step() == 0.25);
+    CHECK(control.next_time() == 0.25);
+    control.accept();
+    CHECK(control.time() == 0.25);
+    CHECK_FALSE(control.at_nominal_step());
+    CHECK(control.time_step() == 0.25);  // a step of 0.5 from 0.25 would leave the grid of halves
+    control.accept();
+    CHECK(control.time() == 0.5);
+    CHECK(control.time_step() == 0.5);
+    control.accept();
+    CHECK(control.time() == 1.0);
+    CHECK(control.at_nominal_step());
+    CHECK(control.nominal_steps_done() == 1);
+    CHECK(control.time_step() == 1.0);
+    while (!control.finished()) control.accept();
+    CHECK(control.time() == 8.0);
+}
+
+TEST_CASE("a failure within a cut step goes on from where it is", "[solvers]") {
+    StepControl control(2.0, 2);
+    REQUIRE(control.reject());
+    control.accept();
+    REQUIRE(control.reject());
+    CHECK(control.time() == 0.5);
+    CHECK(control.next_time() == 0.75);
+    control.accept();
+    CHECK(control.time_step() == 0.25);
+    control.accept();
+    CHECK(control.time() == 1.0);
+    CHECK(control.time_step() == 1.0);
+}
+
+TEST_CASE("after ten halvings a step is given up", "[solvers]") {
+    StepControl control(3.0, 3);
+    for (int halving = 0; halving < 10; ++halving) REQUIRE(control.reject());
+    CHECK(control.time_step() == 1.0 / 1024.0);
+    CHECK_FALSE(control.reject());
+    CHECK(control.time_step() == 1.0 / 1024.0);
+    CHECK(control.time() == 0.0);
+}
+
+TEST_CASE("the shortest steps all the way reach the end exactly", "[solvers]") {
+    StepControl control(0.3, 3);
+    long count = 0;
+    while (!control.finished()) {
+        while (control.time_step() > 0.1 / 1000.0) REQUIRE(control.reject());
+        control.accept();
+        ++count;
+    }
+    CHECK(count == 3 * 1024);
+    CHECK(control.time() == 0.3);
+}
