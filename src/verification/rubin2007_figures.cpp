@@ -39,7 +39,10 @@ void write_exact_rotation(const std::filesystem::path& path) {
 
 void write_histories(const std::filesystem::path& path) {
     CsvFile csv(path, "scheme,steps,tau,error_orientation,error_momentum,error_energy");
-    for (const StudyScheme scheme : {StudyScheme::S, StudyScheme::I, StudyScheme::RK4, StudyScheme::SDIRK4}) {
+    for (const StudyScheme scheme : {StudyScheme::newmark_simplified,
+                                     StudyScheme::newmark_ibrahimbegovic,
+                                     StudyScheme::matrix_rk4,
+                                     StudyScheme::sdirk_4}) {
         for (const Sample& sample : run_scheme(scheme, figure_steps).samples) {
             csv.line(fmt::format("{},{},{:.6f},{:.10g},{:.10g},{:.10g}",
                                  name_of(scheme),
@@ -55,7 +58,7 @@ void write_histories(const std::filesystem::path& path) {
 void write_maxima(const std::filesystem::path& path, const std::vector<Row>& rows) {
     CsvFile csv(path, "scheme,steps,max_theta_deg,error_orientation,error_momentum,error_energy");
     for (const Row& row : rows) {
-        if (row.scheme == StudyScheme::RK4Q) continue;
+        if (row.scheme == StudyScheme::quaternion_rk4) continue;
         const std::string theta = row.max_theta_deg ? fmt::format("{:.10g}", *row.max_theta_deg) : "";
         const std::string errors = row.errors ? fmt::format("{:.10g},{:.10g},{:.10g}",
                                                             row.errors->orientation,

@@ -69,7 +69,7 @@ StudyResult report(const StudyOptions& options) {
         result.matches = result.matches && comparison.matches;
         result.table += to_line(row, comparison);
         // The paper's schemes and SDIRK4; that of decks on unit quaternions is in the table only.
-        if (row.scheme != StudyScheme::RK4Q) result.json.push_back(to_json(row));
+        if (row.scheme != StudyScheme::quaternion_rk4) result.json.push_back(to_json(row));
     }
     result.table +=
         "S, I: Newmark schemes (4.7), (4.3). RK4: on the nine entries of Λ (6.20). SDIRK4: sdirk-4 of "

@@ -18,13 +18,13 @@ DynamicSettings make_settings(StudyScheme scheme, long steps) {
     settings.steps = steps;
     settings.newton.absolute_residual = 1e-12 * momentum_scale;
     switch (scheme) {
-        case StudyScheme::I:
+        case StudyScheme::newmark_ibrahimbegovic:
             settings.scheme = Scheme::newmark_ibrahimbegovic;
             break;
-        case StudyScheme::SDIRK4:
+        case StudyScheme::sdirk_4:
             settings.scheme = Scheme::sdirk_4;
             break;
-        case StudyScheme::RK4Q:
+        case StudyScheme::quaternion_rk4:
             settings.scheme = Scheme::runge_kutta_4;
             break;
         default:
@@ -50,7 +50,7 @@ void mark_diverged(Trace& trace) {
 }
 
 Trace run_matrix_rk4(long steps) {
-    Trace trace{{StudyScheme::RK4, steps, false, std::nullopt, Errors{}, std::nullopt}, {}};
+    Trace trace{{StudyScheme::matrix_rk4, steps, false, std::nullopt, Errors{}, std::nullopt}, {}};
     const double time_step = period / static_cast<double>(steps);
     MatrixMotion motion{exact_rotation(0.0), exact_angular_velocity(0.0)};
     for (long n = 0; n <= steps; ++n) {
@@ -91,7 +91,7 @@ Trace run_integrator(StudyScheme scheme, long steps) {
     }
     if (!going) {
         mark_diverged(trace);
-    } else if (scheme != StudyScheme::RK4Q) {
+    } else if (scheme != StudyScheme::quaternion_rk4) {
         trace.row.iterations_per_step = static_cast<double>(iterations) / static_cast<double>(steps);
     }
     return trace;
@@ -107,22 +107,22 @@ bool agrees(double value, double reference, int digits) {
 
 std::string name_of(StudyScheme scheme) {
     switch (scheme) {
-        case StudyScheme::S:
+        case StudyScheme::newmark_simplified:
             return "S";
-        case StudyScheme::I:
+        case StudyScheme::newmark_ibrahimbegovic:
             return "I";
-        case StudyScheme::RK4:
+        case StudyScheme::matrix_rk4:
             return "RK4";
-        case StudyScheme::SDIRK4:
+        case StudyScheme::sdirk_4:
             return "SDIRK4";
-        case StudyScheme::RK4Q:
+        case StudyScheme::quaternion_rk4:
             break;
     }
     return "RK4Q";
 }
 
 Trace run_scheme(StudyScheme scheme, long steps) {
-    return scheme == StudyScheme::RK4 ? run_matrix_rk4(steps) : run_integrator(scheme, steps);
+    return scheme == StudyScheme::matrix_rk4 ? run_matrix_rk4(steps) : run_integrator(scheme, steps);
 }
 
 Comparison compare(const Row& row) {
@@ -144,8 +144,11 @@ Comparison compare(const Row& row) {
 
 std::vector<Row> run_study(const std::vector<long>& steps) {
     std::vector<Row> rows;
-    for (const StudyScheme scheme :
-         {StudyScheme::S, StudyScheme::I, StudyScheme::RK4, StudyScheme::SDIRK4, StudyScheme::RK4Q}) {
+    for (const StudyScheme scheme : {StudyScheme::newmark_simplified,
+                                     StudyScheme::newmark_ibrahimbegovic,
+                                     StudyScheme::matrix_rk4,
+                                     StudyScheme::sdirk_4,
+                                     StudyScheme::quaternion_rk4}) {
         for (const long n : steps) rows.push_back(run_scheme(scheme, n).row);
     }
     return rows;

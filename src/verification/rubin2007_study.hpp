@@ -9,9 +9,10 @@
 
 namespace gxrod::rubin2007 {
 
-// S and I: the Newmark schemes of Rubin (2007), (4.7) and (4.3). RK4: the classical scheme on the nine
-// entries of Λ, (6.20). SDIRK4: beyond the paper. RK4Q: the deck's runge-kutta-4, on unit quaternions.
-enum class StudyScheme { S, I, RK4, SDIRK4, RK4Q };
+// The Newmark schemes (S) and (I) of Rubin (2007), (4.7) and (4.3); the classical Runge-Kutta scheme on the
+// nine entries of Λ, (6.20); beyond the paper sdirk-4, and the deck's runge-kutta-4 on unit quaternions.
+enum class StudyScheme { newmark_simplified, newmark_ibrahimbegovic, matrix_rk4, sdirk_4, quaternion_rk4 };
+// "S", "I", "RK4", "SDIRK4", "RK4Q".
 std::string name_of(StudyScheme scheme);
 
 // One scheme over the whole cycle in a number of steps: maxima over the ends of the steps.
