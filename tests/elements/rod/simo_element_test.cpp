@@ -201,3 +201,40 @@ TEST_CASE("interpolated rotation vectors are not frame-indifferent, by the squar
     CHECK(std::log2(error / compute_error(0.1)) == Approx(2.0).margin(0.05));
     CHECK(std::log2(compute_error(0.1) / compute_error(0.05)) == Approx(2.0).margin(0.05));
 }
+
+TEST_CASE("nodal moments depend on when a step began, to the first order of its rotation",
+          "[elements][rod]") {
+    // Test functions T(θ) Σ N_I T(θ_I)⁻¹ δφ_I change when a commit sets θ to zero: nodal moments then shift
+    // between an element's nodes by the first order of θ_1 − θ_2, and their sum, the balance of angular
+    // momentum, by the second. A scheme is of first order in the step where nothing else is left.
+    const auto sample = std::get<ElementSample<SimoElement<2>>>(make_samples(1));
+    struct Change {
+        double shift;      // of nodal moments by a commit
+        double imbalance;  // of moments about the origin before it
+    };
+    const auto compute_change = [&](const Vec3& theta_0, const Vec3& theta_1) {
+        auto nodal = sample.motions;
+        nodal[0].theta = theta_0;
+        nodal[1].theta = theta_1;
+        const auto before = sample.internal_force(nodal);
+        auto histories = sample.histories;
+        sample.element.commit(sample.point_at(nodal), histories);
+        for (NodeMotion& motion : nodal) motion.theta.setZero();
+        const auto after = sample.internal_force(nodal, histories);
+        Vec3 total = Vec3::Zero();
+        for (int i = 0; i < 2; ++i) {
+            CHECK((before.segment<3>(6 * i) - after.segment<3>(6 * i)).norm() < 1e-13);
+            total += nodal[i].r.cross(before.segment<3>(6 * i)) + before.segment<3>(6 * i + 3);
+        }
+        return Change{(before - after).norm(), total.norm()};
+    };
+    const Vec3 first(0.3, -0.4, 0.2);
+    const Vec3 second(-0.1, 0.5, 0.6);
+    CHECK(compute_change(first, first).shift < 1e-13);
+    CHECK(compute_change(first, first).imbalance < 1e-13);
+    CHECK(compute_change(first, second).shift > 1e-2);
+    const Change coarse = compute_change(1e-2 * first, 1e-2 * second);
+    const Change fine = compute_change(5e-3 * first, 5e-3 * second);
+    CHECK(std::log2(coarse.shift / fine.shift) == Approx(1.0).margin(0.05));
+    CHECK(std::log2(coarse.imbalance / fine.imbalance) == Approx(2.0).margin(0.05));
+}

@@ -1,0 +1,204 @@
+#include "analyses/dynamic.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "integrators/scheme_samples.hpp"
+#include "model/evaluation_error.hpp"
+#include "tools/difference.hpp"
+#include "tools/run.hpp"
+#include "tools/tops.hpp"
+#include "verification/free_flight_problem.hpp"
+
+using namespace gxrod;
+using namespace gxrod::tools;
+
+namespace {
+
+// A rod and a body that spin so fast that a step of 0.2 turns them by more than π, one of 0.1 by less.
+Model make_spinning_rod() {
+    Model model = free_flight::make_model(free_flight::Pulse::smooth, 3);
+    for (Node& node : model.nodes) node.angular_velocity = 21.0 * Vec3(-0.6, 0.8, 0.0);
+    model.bodies.push_back({"rider", 1, 2.0, Vec3(1.0, 2.0, 2.0).asDiagonal(), Vec3(0.1, 0.0, 0.2)});
+    return model;
+}
+
+bool are_equal(const State& a, const State& b) {
+    bool equal = a.time == b.time;
+    for (std::size_t i = 0; i < a.trial.size(); ++i) {
+        equal = equal && a.trial[i].r == b.trial[i].r &&
+                a.trial[i].Lambda.coeffs() == b.trial[i].Lambda.coeffs() &&
+                a.trial[i].theta == b.trial[i].theta && stack_rates(a.trial[i]) == stack_rates(b.trial[i]) &&
+                a.previous[i].r == b.previous[i].r &&
+                stack_rates(a.previous[i]) == stack_rates(b.previous[i]);
+    }
+    for (std::size_t p = 0; p < a.sections.size(); ++p) {
+        equal = equal && a.sections[p].K == b.sections[p].K &&
+                a.sections[p].Lambda.coeffs() == b.sections[p].Lambda.coeffs();
+    }
+    return equal;
+}
+
+// A body under a moment that is `value(t)` and constant otherwise.
+Model make_loaded_body(std::function<double(double)> value) {
+    Model model = make_free_body(Vec3(1.0, 2.0, 3.0), Vec3(1.0, 0.5, 0.0));
+    NodalLoad load;
+    load.moment[2] = TimeFunction(std::move(value));
+    model.loads.push_back(load);
+    return model;
+}
+
+}  // namespace
+
+TEST_CASE("a run makes its steps and meets its end", "[analyses]") {
+    const Model model = make_loaded_body([](double t) { return t; });
+    DynamicAnalysis kept(model, make_settings(Scheme::newmark_simplified, 0.7, 7));
+    REQUIRE(kept.start().converged());
+    CHECK(kept.state().time == 0.0);
+    CHECK((kept.state().trial[0].alpha - Vec3(0.0, 0.0, -0.5 / 3.0)).norm() < 1e-15);
+    long steps = 0;
+    while (!kept.finished()) {
+        REQUIRE(kept.advance().converged());
+        ++steps;
+        CHECK(kept.solver_row().time_step == 0.7 / 7.0);
+        CHECK(kept.solver_row().rejected_steps == 0);
+        CHECK(kept.solver_row().newton_iterations > 0);
+        CHECK(kept.solver_row().residual <= 1e-10);
+    }
+    CHECK(steps == 7);
+    CHECK(kept.state().time == 0.7);
+}
+
+TEST_CASE("loads are asked at the times of the grid to the last bit", "[analyses]") {
+    for (const Scheme scheme : {Scheme::newmark_simplified, Scheme::sdirk_4, Scheme::runge_kutta_4}) {
+        std::vector<double> asked;
+        const Model model = make_loaded_body([&](double t) {
+            asked.push_back(t);
+            return 1.0;
+        });
+        std::vector<double> accepted;
+        run(model, make_settings(scheme, 1.0, 10), [&](const DynamicAnalysis& analysis) {
+            accepted.push_back(analysis.state().time);
+            CHECK(std::count(asked.begin(), asked.end(), analysis.state().time) > 0);
+        });
+        CHECK(accepted[3] == 0.3);  // 0.2 + 0.1 > 0.3 in doubles
+        if (scheme != Scheme::newmark_simplified) continue;
+        for (const double time : asked) CHECK(std::count(accepted.begin(), accepted.end(), time) == 1);
+    }
+}
+
+TEST_CASE("a step that fails is halved from the state as it was", "[analyses]") {
+    // Bit for bit the run that takes the short steps from the start.
+    const Model model = make_spinning_rod();
+    for (const SchemeSample& scheme : all_schemes()) {
+        if (scheme.settings.scheme == Scheme::runge_kutta_4) continue;
+        INFO(scheme.name);
+        DynamicSettings settings = scheme.settings;
+        settings.end_time = 0.4;
+        settings.steps = 2;
+        DynamicAnalysis cut(model, settings);
+        settings.steps = 4;
+        DynamicAnalysis fine(model, settings);
+        REQUIRE(cut.start().converged());
+        REQUIRE(fine.start().converged());
+        for (int step = 0; step < 2; ++step) {
+            REQUIRE(cut.advance().converged());
+            REQUIRE(fine.advance().converged());
+            CHECK(cut.solver_row().rejected_steps == (step == 0 ? 1 : 0));
+            CHECK(cut.solver_row().time_step == 0.1);
+            CHECK(are_equal(cut.state(), fine.state()));
+        }
+        CHECK(cut.ledger_row().external_work == fine.ledger_row().external_work);
+    }
+}
+
+TEST_CASE("a run gives up after ten halvings and stays at its last step", "[analyses]") {
+    const Model model = make_loaded_body(
+        [](double t) { return t > 0.3000001 ? std::numeric_limits<double>::quiet_NaN() : 1.0; });
+    for (const SchemeSample& scheme : all_schemes()) {
+        INFO(scheme.name);
+        DynamicSettings settings = scheme.settings;
+        settings.end_time = 1.0;
+        settings.steps = 10;
+        DynamicAnalysis analysis(model, settings);
+        REQUIRE(analysis.start().converged());
+        for (int step = 0; step < 3; ++step) REQUIRE(analysis.advance().converged());
+        const State before = analysis.state();
+        const LedgerRow row = analysis.ledger_row();
+        const EquilibriumReport report = analysis.advance();
+        CHECK(report.outcome == Outcome::not_finite);
+        CHECK(report.worst_node == 0);
+        CHECK(report.worst_component == 5);
+        CHECK(analysis.solver_row().rejected_steps == 11);
+        CHECK(analysis.state().time == 0.3);
+        CHECK(are_equal(analysis.state(), before));
+        CHECK(analysis.ledger_row().external_work == row.external_work);
+        CHECK(analysis.ledger_row().kinetic_energy == row.kinetic_energy);
+        CHECK_FALSE(analysis.finished());
+    }
+}
+
+TEST_CASE("a load without a value ends a run at its last step", "[analyses]") {
+    const Model model = make_loaded_body([](double t) -> double {
+        if (t > 0.3000001) throw EvaluationError("load[0].moment[2] at t = 0.4");
+        return 1.0;
+    });
+    DynamicAnalysis analysis(model, make_settings(Scheme::newmark_simplified, 1.0, 10));
+    REQUIRE(analysis.start().converged());
+    for (int step = 0; step < 3; ++step) REQUIRE(analysis.advance().converged());
+    const State before = analysis.state();
+    CHECK_THROWS_AS(analysis.advance(), EvaluationError);
+    CHECK(are_equal(analysis.state(), before));
+}
+
+TEST_CASE("initial accelerations that cannot be found are reported", "[analyses]") {
+    const Model model = make_free_body(Vec3(1.0, 0.0, 1.0), Vec3::Zero());
+    DynamicAnalysis analysis(model, make_settings(Scheme::newmark_simplified, 1.0, 10));
+    const EquilibriumReport report = analysis.start();
+    CHECK(report.outcome == Outcome::singular);
+    CHECK(report.worst_component == 4);
+}
+
+TEST_CASE("a snapshot holds reactions at supports and nothing elsewhere", "[analyses]") {
+    // A body that hangs still.
+    Model model = heavy_top::make_model();
+    model.bodies[0].centre_of_mass = Vec3(0.0, 0.0, -1.0);
+    model.nodes[0].angular_velocity.setZero();
+    DynamicAnalysis hanging(model, make_settings(Scheme::newmark_simplified, 1.0, 10));
+    REQUIRE(hanging.start().converged());
+    REQUIRE(hanging.advance().converged());
+    Vec6 expected = Vec6::Zero();
+    expected[2] = 15.0 * 9.81;
+    CHECK(hanging.snapshot().time == 0.1);
+    CHECK((hanging.snapshot().reactions[0] - expected).norm() < 1e-11);
+    // A top in motion: what its momentum changes by, less gravity.
+    std::vector<Vec3> momenta, reactions;
+    const Model top = heavy_top::make_model();
+    DynamicAnalysis turning(top, make_settings(Scheme::runge_kutta_4, 0.01, 400));
+    REQUIRE(turning.start().converged());
+    while (!turning.finished()) {
+        REQUIRE(turning.advance().converged());
+        momenta.push_back(turning.ledger_row().linear_momentum);
+        reactions.push_back(turning.snapshot().reactions[0].head<3>());
+        CHECK(turning.snapshot().reactions[0].tail<3>().isZero(0.0));
+    }
+    const std::size_t middle = 200;
+    const double dt = 0.01 / 400.0;
+    const Vec3 change = (momenta[middle + 1] - momenta[middle - 1]) / (2.0 * dt);
+    CHECK(relative_difference(reactions[middle], change - 15.0 * top.gravity) < 1e-5);
+}
+
+TEST_CASE("a snapshot holds the section values of every element", "[analyses]") {
+    const Model model = free_flight::make_model(free_flight::Pulse::smooth, 3);
+    DynamicAnalysis analysis(model, make_settings(Scheme::newmark_simplified, 5.0, 100));
+    REQUIRE(analysis.start().converged());
+    for (int step = 0; step < 20; ++step) REQUIRE(analysis.advance().converged());
+    const Snapshot snapshot = analysis.snapshot();
+    REQUIRE(snapshot.elements.size() == 3);
+    REQUIRE(snapshot.nodes.size() == 4);
+    for (const SectionValues& values : snapshot.elements) {
+        CHECK(values.moment.norm() > 0.1);
+        CHECK(relative_difference(values.moment, 500.0 * values.curvature) < 1e-13);
+        CHECK(relative_difference(values.force, 1e4 * values.strain) < 1e-13);
+    }
+}
