@@ -137,7 +137,7 @@ const TableSpec& load_table() {
                   .sentence = "Moment."},
                  {.name = "frame",
                   .type = ValueType::choice,
-                  .default_value = word_of(frame_choices, Frame::spatial),
+                  .default_value = word_of(frame_choices, NodalLoad{}.frame),
                   .sentence =
                       "spatial: fixed in space, a dead load. follower: global components at t = 0, turned "
                       "with the node. body: components in the section axes of the point named (body axes "
@@ -206,7 +206,7 @@ const TableSpec& output_table() {
         .keys = {{.name = "every",
                   .type = ValueType::integer,
                   .range = {.lower = 1, .upper = static_cast<double>(largest_step_count)},
-                  .default_value = 1L,
+                  .default_value = OutputSettings{}.every,
                   .sentence = "Steps between frames; the first and the last are always "
                               "written."}},
         .example =

@@ -166,7 +166,7 @@ const TableSpec& rod_table() {
                  {.name = "order",
                   .type = ValueType::integer,
                   .range = {.lower = 1, .upper = 1},
-                  .default_value = 1L,
+                  .default_value = static_cast<long>(Rod{}.order),
                   .sentence = "Nodes per element − 1.",
                   .remark = "this version has elements of order 1 only"},
                  {.name = "element",
