@@ -142,8 +142,8 @@ void FrameTable::append_points(const Snapshot& snapshot) {
         points_[2].append(numbers(log(node.Lambda)));
         points_[3].append(numbers(node.v));
         points_[4].append(numbers(node.omega));
-        for (int axis = 0; axis < 3; ++axis) {
-            points_[static_cast<std::size_t>(5 + axis)].append({axes.col(axis).data(), 3});
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            points_[5 + axis].append({axes.col(static_cast<int>(axis)).data(), 3});
         }
     }
 }

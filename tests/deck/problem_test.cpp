@@ -1,5 +1,7 @@
 #include "deck/problem.hpp"
 
+#include <unistd.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -255,7 +257,8 @@ TEST_CASE("The deck as run reads as the same problem", "[deck]") {
 }
 
 TEST_CASE("A deck is read from a file", "[deck]") {
-    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "gxrod_problem_test";
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("gxrod_problem_test_" + std::to_string(getpid()));
     std::filesystem::create_directories(folder);
     const std::filesystem::path path = folder / "heavy_top.toml";
     std::ofstream(path) << heavy_top;

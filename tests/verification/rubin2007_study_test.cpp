@@ -1,5 +1,7 @@
 #include "verification/rubin2007_study.hpp"
 
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -100,7 +102,8 @@ TEST_CASE("a trace holds the errors at t = 0 and after each step", "[verificatio
 }
 
 TEST_CASE("the data of the figures are written", "[verification]") {
-    const auto folder = std::filesystem::temp_directory_path() / "gxrod_rubin2007_figures_test";
+    const auto folder =
+        std::filesystem::temp_directory_path() / ("gxrod_rubin2007_figures_test_" + std::to_string(getpid()));
     std::filesystem::remove_all(folder);
     write_figure_data(folder / "data", run_study({100}));
     CHECK(count_lines(folder / "data" / "fig2.csv") == 2002);
