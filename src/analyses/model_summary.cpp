@@ -14,7 +14,7 @@ std::string describe(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g
 
 std::string describe_rod(const Model& model, const Rod& rod) {
     const Section& section = model.sections[rod.section];
-    const double length = rod.arc_length.back();
+    const double length = rod.length;
     const auto& C = section.stiffness;
     std::string text =
         fmt::format("rod {}: length {:.6g}, mass {:.6g}, {} elements of order {}, section {}\n",
@@ -105,7 +105,7 @@ std::string describe_model(const Model& model) {
     std::string text;
     for (const Rod& rod : model.rods) {
         text += describe_rod(model, rod);
-        mass += model.sections[rod.section].mass(0, 0) * rod.arc_length.back();
+        mass += model.sections[rod.section].mass(0, 0) * rod.length;
     }
     for (const Body& body : model.bodies) {
         text += describe_body(model, body);
@@ -113,7 +113,7 @@ std::string describe_model(const Model& model) {
     }
     for (const Support& support : model.supports) text += describe_support(model, support);
     for (const NodalLoad& load : model.loads) text += describe_load(model, load);
-    if (!model.gravity.isZero()) text += fmt::format("gravity {}\n", describe(model.gravity));
+    if (!model.gravity.is_zero()) text += fmt::format("gravity {}\n", describe(model.gravity(0.0)));
     text += fmt::format("total: mass {:.6g}, {} nodes, {} elements, {} unknowns\n",
                         mass,
                         model.nodes.size(),

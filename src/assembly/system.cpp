@@ -12,9 +12,10 @@ void add_rod(const Model& model, const Rod& rod, int first_element, ElementBlock
     for (int e = 0; e < rod.element_count(); ++e) {
         RodElementGeometry<2> geometry;
         for (int i = 0; i < 2; ++i) {
-            geometry.nodes[i] = rod.nodes[e * rod.order + i];
+            const int entry = e * (rod.order + 1) + i;
+            geometry.nodes[i] = rod.element_nodes[entry];
             geometry.positions[i] = model.nodes[geometry.nodes[i]].position;
-            geometry.triads[i] = rod.triads[e * rod.order + i];
+            geometry.triads[i] = rod.triads[entry];
         }
         block.elements.emplace_back(geometry, model.sections[rod.section]);
         block.section_index.push_back(first_element + e);
@@ -134,7 +135,7 @@ void System::compute_residual(const State& state, double time, Residual& residua
             Force internal = Force::Zero();
             Force inertial = Force::Zero();
             element.add_internal_force(motions, block.histories(state, e), internal);
-            element.add_inertial_force(motions, model_->gravity, inertial);
+            element.add_inertial_force(motions, model_->gravity(time), inertial);
             raise_scales(internal, residual);
             raise_scales(inertial, residual);
             // With nothing internal, inertia balances itself and its sum vanishes: its terms are the scale.
@@ -164,7 +165,7 @@ void System::compute_tangent(const State& state,
             const auto nodal = block.point_at(linearizations, element.nodes);
             Tangent tangent = Tangent::Zero();
             element.add_internal_tangent(motions, block.histories(state, e), nodal, tangent);
-            element.add_inertial_tangent(motions, model_->gravity, nodal, tangent);
+            element.add_inertial_tangent(motions, model_->gravity(time), nodal, tangent);
             add_to_values<Tangent::RowsAtCompileTime / 6>(tangent, block.slots[e], values);
         }
     });
@@ -200,7 +201,7 @@ Balance System::compute_balance(const State& state) const {
             const auto motions = block.motions(state.trial, e);
             balance.kinetic_energy += element.kinetic_energy(motions);
             balance.strain_energy += element.strain_energy(motions, block.histories(state, e));
-            balance.gravity_potential += element.gravity_potential(motions, model_->gravity);
+            balance.gravity_potential += element.gravity_potential(motions, model_->gravity(state.time));
             const Momentum momentum = element.momentum(motions);
             balance.momentum.linear += momentum.linear;
             balance.momentum.angular += momentum.angular;

@@ -20,7 +20,7 @@ std::array<TimeFunction, 3> functions_of(const CheckedTable& load, const char* k
 
 Quat axes_at(const PlacedPoint& point, const Model& model) {
     if (point.body >= 0) return model.bodies[point.body].attitude;
-    return model.rods[point.rod].triads[point.position_in_rod];
+    return model.rods[point.rod].triad_at(point.position_in_rod);
 }
 
 void check_function(const CheckedTimeFunction& value,

@@ -142,14 +142,15 @@ void add_nodes(const Line& line,
                BuildContext& context) {
     Rod& rod = context.model.rods[index];
     const std::vector<double>& fractions = context.rod_fractions[index];
+    std::vector<double> arc_length;
     for (std::size_t i = 0; i < fractions.size(); ++i) {
         const bool is_named = is_near_any(fractions[i], points);
         rod.nodes.push_back(static_cast<int>(context.model.nodes.size()));
-        rod.arc_length.push_back(fractions[i] * line.length());
-        rod.triads.push_back(triad);
+        arc_length.push_back(fractions[i] * line.length());
         context.model.nodes.push_back(
             {name_node(rod.name, fractions[i], i, is_named), line.at(fractions[i])});
     }
+    set_line_elements(rod, arc_length, std::vector<Quat>(arc_length.size(), triad));
 }
 
 void build_rod(const CheckedTable& table,

@@ -22,24 +22,42 @@ struct Node {
 // Constants of a cross-section, material axes, in the order (x y z | rx ry rz), x along the tangent.
 struct Section {
     std::string name;
-    Mat6 stiffness;  // resultants from strains
-    Mat6 mass;       // momenta per length from velocities
+    Mat6 stiffness = Mat6::Zero();   // resultants from strains
+    Mat6 mass = Mat6::Zero();        // momenta per length from velocities: of a rigid slice, offset or not
+    double kelvin_voigt = 0.0;       // time: resultants kelvin_voigt C Ė beside C E
+    double mass_proportional = 0.0;  // 1/time: forces −mass_proportional × momenta, per length
 };
 
-enum class ElementKind { simo };
+enum class ElementKind {
+    objective,  // Crisfield & Jelenić (1999): rotations relative to a triad of the element are interpolated
+    simo        // Simo & Vu-Quoc (1986): rotations since the last accepted step are interpolated
+};
 
-// A run of elements that share a section. Node i carries the section axes triads[i] at t = 0.
+// Elements that share a section: a line from start to end, or, read from a mesh, any net of lines.
 struct Rod {
     std::string name;
     int section = 0;
-    ElementKind kind = ElementKind::simo;
-    int order = 1;                   // nodes per element − 1
-    std::vector<int> nodes;          // from start to end
-    std::vector<double> arc_length;  // of each node, from 0
-    std::vector<Quat> triads;        // section axes at each node: columns are x, y, z
+    ElementKind kind = ElementKind::objective;
+    int order = 1;           // nodes per element − 1
+    std::vector<int> nodes;  // each once; of a line, from start to end
+    double length = 0.0;     // of the centreline
 
-    int element_count() const { return (static_cast<int>(nodes.size()) - 1) / order; }
+    // Element by element, order + 1 entries each, from the element's start to its end, at the Gauss-Lobatto
+    // points of its length. Elements that meet in a corner give their common node different triads.
+    std::vector<int> element_nodes;
+    std::vector<double> arc_length;  // from the start of the rod
+    std::vector<Quat> triads;        // section axes at t = 0: columns are x, y, z
+
+    int element_count() const { return static_cast<int>(element_nodes.size()) / (order + 1); }
+    // The section axes at nodes[position], at t = 0; in a corner, those of the first element there.
+    const Quat& triad_at(int position) const;
 };
+
+// Where a rod's line of nodes, `order` + 1 an element, leaves element_nodes: each node but the corners of
+// elements once, those twice. For rods that are one smooth line, all data given node by node.
+void set_line_elements(Rod& rod,
+                       const std::vector<double>& arc_length_of_nodes,
+                       const std::vector<Quat>& triads_of_nodes);
 
 // A rigid body fixed to a node.
 struct Body {
@@ -67,19 +85,38 @@ struct NodalLoad {
     Quat axes = Quat::Identity();  // section or body axes at t = 0, for Frame::body
 };
 
-// Components that do not move, in the global axes: x y z rx ry rz.
+// Force and moment per unit reference length along a rod.
+struct DistributedLoad {
+    std::string key;  // "load[1]"
+    int rod = 0;
+    std::array<LineFunction, 3> force;
+    std::array<LineFunction, 3> moment;
+    Frame frame = Frame::spatial;  // body: the section axes
+};
+
+// Components x y z rx ry rz, in the support's own axes, that are fixed or move as prescribed; none is both.
+// Of the rotations none, two (a hinge about the third axis, both fixed) or all three are held. One support a
+// node.
 struct Support {
     int node = 0;
     std::array<bool, 6> fixed{};
+    std::array<bool, 6> moved{};
+    // Of the moved components: displacement since t = 0, and the components of the rotation vector φ(t) with
+    // Λ(t) = exp(φ(t)), of any size.
+    std::array<TimeFunction, 6> motion{};
+    Quat axes = Quat::Identity();  // columns are the support's x, y, z
+
+    bool holds(int component) const { return fixed[component] || moved[component]; }
 };
 
 struct Model {
-    Vec3 gravity = Vec3::Zero();
+    TimeVector gravity{Vec3::Zero()};
     std::vector<Node> nodes;
     std::vector<Section> sections;
     std::vector<Rod> rods;
     std::vector<Body> bodies;
     std::vector<NodalLoad> loads;
+    std::vector<DistributedLoad> distributed_loads;
     std::vector<Support> supports;
 };
 

@@ -1,7 +1,12 @@
 #pragma once
 
+#include <limits>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
+
+#include "rotation/types.hpp"
 
 // What is asked of the model: how to integrate and what to record. The defaults here are the deck's defaults.
 namespace gxrod {
@@ -14,7 +19,12 @@ enum class TangentKind {
     difference   // central differences of the residual
 };
 
-enum class LinearSolverKind { automatic, klu };
+enum class LinearSolverKind {
+    automatic,  // chooses by the matrix
+    klu,
+    umfpack,
+    cholmod  // static analyses whose tangent is symmetric in equilibrium
+};
 
 struct NewtonSettings {
     double tolerance = 1e-8;  // of the residual, relative to the largest force and moment at any node
@@ -24,16 +34,34 @@ struct NewtonSettings {
     double absolute_residual = 0.0;
 };
 
+// Steps chosen by an estimate of their error; sdirk_4 only.
+struct AdaptiveSettings {
+    // Of one step: displacements relative to the model's length, rotations in rad.
+    double tolerance = 1e-4;
+    double min_step = 0.0;
+    double max_step = std::numeric_limits<double>::infinity();
+};
+
 struct DynamicSettings {
     double end_time = 0.0;
     long steps = 0;  // equal steps from 0 to end_time
     Scheme scheme = Scheme::newmark_simplified;
     double beta = 0.25;
     double gamma = 0.5;
-    double spectral_radius = 0.9;  // at infinite frequency, of generalized_alpha
+    double spectral_radius = 0.9;              // at infinite frequency, of generalized_alpha
+    std::optional<AdaptiveSettings> adaptive;  // then end_time / steps is the first step
     NewtonSettings newton;
     LinearSolverKind linear_solver = LinearSolverKind::automatic;
 };
+
+// Equilibria while the load factor t runs from 0 to 1.
+struct StaticSettings {
+    long steps = 10;  // equal ones, cut where Newton's method fails
+    NewtonSettings newton;
+    LinearSolverKind linear_solver = LinearSolverKind::automatic;
+};
+
+using AnalysisSettings = std::variant<DynamicSettings, StaticSettings>;
 
 // A quantity that a history can record.
 enum class Quantity {
@@ -66,6 +94,10 @@ struct HistoryRequest {
     int rod = -1;             // index in Model::rods if the point is a rod's
     int position_in_rod = 0;  // index in Rod::nodes
     std::vector<Quantity> quantities;
+    // Where the deck says relative_to: spatial vectors are in the axes of this node, positions from its
+    // place.
+    int relative_node = -1;
+    Quat relative_axes = Quat::Identity();  // of section or body there at t = 0
 };
 
 struct OutputSettings {

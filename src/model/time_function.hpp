@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <utility>
+
+#include "rotation/types.hpp"
 
 namespace gxrod {
 
@@ -20,6 +23,40 @@ class TimeFunction {
   private:
     double constant_ = 0.0;
     std::function<double(double)> function_;
+};
+
+// A number that may change with time and along a rod, f(t, s), s the arc length from the rod's start.
+class LineFunction {
+  public:
+    LineFunction(double constant = 0.0) : constant_(constant) {}
+    explicit LineFunction(std::function<double(double, double)> function) : function_(std::move(function)) {}
+
+    double operator()(double time, double s) const { return function_ ? function_(time, s) : constant_; }
+    bool is_zero() const { return !function_ && constant_ == 0.0; }
+
+  private:
+    double constant_ = 0.0;
+    std::function<double(double, double)> function_;
+};
+
+// A vector of three functions of time.
+class TimeVector {
+  public:
+    TimeVector(const Vec3& constant) : components_{constant[0], constant[1], constant[2]} {}
+    explicit TimeVector(std::array<TimeFunction, 3> components) : components_(std::move(components)) {}
+
+    Vec3 operator()(double time) const {
+        return {components_[0](time), components_[1](time), components_[2](time)};
+    }
+    bool is_constant() const {
+        return components_[0].is_constant() && components_[1].is_constant() && components_[2].is_constant();
+    }
+    bool is_zero() const {
+        return components_[0].is_zero() && components_[1].is_zero() && components_[2].is_zero();
+    }
+
+  private:
+    std::array<TimeFunction, 3> components_;
 };
 
 }  // namespace gxrod

@@ -22,10 +22,10 @@ void add_cell(FrameMesh& mesh, std::uint8_t type, double radius) {
 void add_rod(FrameMesh& mesh, const Rod& rod, double radius) {
     assert(rod.order >= 1 && rod.order <= 4);
     const auto order = static_cast<std::size_t>(rod.order);
-    for (std::size_t first = 0; first + order < rod.nodes.size(); first += order) {
-        mesh.connectivity.push_back(rod.nodes[first]);
-        mesh.connectivity.push_back(rod.nodes[first + order]);
-        for (std::size_t i = 1; i < order; ++i) mesh.connectivity.push_back(rod.nodes[first + i]);
+    for (std::size_t first = 0; first < rod.element_nodes.size(); first += order + 1) {
+        mesh.connectivity.push_back(rod.element_nodes[first]);
+        mesh.connectivity.push_back(rod.element_nodes[first + order]);
+        for (std::size_t i = 1; i < order; ++i) mesh.connectivity.push_back(rod.element_nodes[first + i]);
         add_cell(mesh, vtk_curve[order], radius);
     }
 }
@@ -37,8 +37,8 @@ std::vector<Quat> node_triads(const Model& model) {
         triads[static_cast<std::size_t>(body->node)] = body->attitude;
     }
     for (auto rod = model.rods.rbegin(); rod != model.rods.rend(); ++rod) {
-        for (std::size_t i = 0; i < rod->nodes.size(); ++i) {
-            triads[static_cast<std::size_t>(rod->nodes[i])] = rod->triads[i];
+        for (std::size_t i = rod->element_nodes.size(); i-- > 0;) {
+            triads[static_cast<std::size_t>(rod->element_nodes[i])] = rod->triads[i];
         }
     }
     return triads;

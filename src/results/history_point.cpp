@@ -7,13 +7,13 @@
 namespace gxrod {
 namespace {
 
-// Elements of a rod that hold its node at `position`: two at a corner of elements, else one.
+// Elements of a rod that hold its node at `position`.
 std::vector<int> adjacent_elements(const Rod& rod, int position) {
+    const int node = rod.nodes[static_cast<std::size_t>(position)];
     std::vector<int> elements;
-    const int element = position / rod.order;
-    const bool is_corner = position % rod.order == 0;
-    if (is_corner && element > 0) elements.push_back(element - 1);
-    if (element < rod.element_count()) elements.push_back(element);
+    for (std::size_t i = 0; i < rod.element_nodes.size(); ++i) {
+        if (rod.element_nodes[i] == node) elements.push_back(static_cast<int>(i) / (rod.order + 1));
+    }
     return elements;
 }
 
@@ -51,7 +51,7 @@ HistoryPoint::HistoryPoint(const Model& model, const HistoryRequest& request)
         triad_ = body_->attitude;
     } else if (request.rod >= 0) {
         const Rod& rod = model.rods[static_cast<std::size_t>(request.rod)];
-        triad_ = rod.triads[static_cast<std::size_t>(request.position_in_rod)];
+        triad_ = rod.triad_at(request.position_in_rod);
         elements_ = adjacent_elements(rod, request.position_in_rod);
         for (int& element : elements_) element += first_element(model, request.rod);
     }

@@ -40,13 +40,16 @@ Model make_model(Pulse pulse, int elements) {
     model.sections.push_back(make_section());
     Rod rod;
     rod.name = "flyer";
+    rod.kind = ElementKind::simo;
+    std::vector<double> arc_length;
     for (int i = 0; i <= elements; ++i) {
         const double fraction = static_cast<double>(i) / elements;
         model.nodes.push_back({"flyer node " + std::to_string(i), from + fraction * (to - from)});
         rod.nodes.push_back(i);
-        rod.arc_length.push_back(fraction * (to - from).norm());
-        rod.triads.push_back(section_axes((to - from).normalized()));
+        arc_length.push_back(fraction * (to - from).norm());
     }
+    const Quat triad = section_axes((to - from).normalized());
+    set_line_elements(rod, arc_length, std::vector<Quat>(arc_length.size(), triad));
     model.rods.push_back(rod);
     NodalLoad pull;
     pull.key = "load[0]";

@@ -185,7 +185,7 @@ TEST_CASE("a snapshot holds reactions at supports and nothing elsewhere", "[anal
     const std::size_t middle = 200;
     const double dt = 0.01 / 400.0;
     const Vec3 change = (momenta[middle + 1] - momenta[middle - 1]) / (2.0 * dt);
-    CHECK(relative_difference(reactions[middle], change - 15.0 * top.gravity) < 1e-5);
+    CHECK(relative_difference(reactions[middle], change - 15.0 * top.gravity(0.0)) < 1e-5);
 }
 
 TEST_CASE("a snapshot holds the section values of every element", "[analyses]") {

@@ -9,12 +9,14 @@ namespace {
 Rod make_rod(const Quat& axes, const Vec3& start, std::vector<Node>& nodes) {
     Rod rod;
     rod.name = "arm";
+    rod.kind = ElementKind::simo;
+    std::vector<double> arc_length;
     for (int i = 0; i <= rod_end; ++i) {
         nodes.push_back({"arm node " + std::to_string(i), start + axes * Vec3(0.5 * i, 0.0, 0.0)});
         rod.nodes.push_back(i);
-        rod.arc_length.push_back(0.5 * i);
-        rod.triads.push_back(axes);
+        arc_length.push_back(0.5 * i);
     }
+    set_line_elements(rod, arc_length, std::vector<Quat>(arc_length.size(), axes));
     return rod;
 }
 

@@ -27,7 +27,7 @@ void add_element(
     for (int i = 0; i < nodes; ++i) motions[i] = &state.trial[element.nodes[i]];
     NodalVector<nodes> force = NodalVector<nodes>::Zero();
     element.add_internal_force(motions, {state.sections.data() + history, E::force_point_count}, force);
-    element.add_inertial_force(motions, model.gravity, force);
+    element.add_inertial_force(motions, model.gravity(0.0), force);
     for (int i = 0; i < nodes; ++i) nodal[element.nodes[i]] += force.template segment<6>(6 * i);
 }
 
@@ -38,7 +38,7 @@ std::vector<SimoElement<2>> make_elements(const Model& model) {
         elements.emplace_back(RodElementGeometry<2>{{rod.nodes[e], rod.nodes[e + 1]},
                                                     {model.nodes[rod.nodes[e]].position,
                                                      model.nodes[rod.nodes[e + 1]].position},
-                                                    {rod.triads[e], rod.triads[e + 1]}},
+                                                    {rod.triads[2 * e], rod.triads[2 * e + 1]}},
                               model.sections[0]);
     }
     return elements;
@@ -50,12 +50,12 @@ Model make_straight_rod() {
     model.sections.push_back({"tube", Mat6::Zero(), Mat6::Identity()});
     model.sections[0].stiffness.diagonal() << 10.0, 20.0, 30.0, 1.0, 2.0, 3.0;
     Rod rod;
+    rod.kind = ElementKind::simo;
     for (int i = 0; i <= 4; ++i) {
         model.nodes.push_back({"node", Vec3(0.5 * i, 0.0, 0.0)});
         rod.nodes.push_back(i);
-        rod.arc_length.push_back(0.5 * i);
-        rod.triads.push_back(Quat::Identity());
     }
+    set_line_elements(rod, {0.0, 0.5, 1.0, 1.5, 2.0}, std::vector<Quat>(5, Quat::Identity()));
     model.rods.push_back(rod);
     return model;
 }
@@ -161,7 +161,7 @@ TEST_CASE("energies and momenta are sums over elements", "[assembly]") {
         Motions<nodes> motions;
         for (int i = 0; i < nodes; ++i) motions[i] = &state.trial[element.nodes[i]];
         expected.kinetic_energy += element.kinetic_energy(motions);
-        expected.gravity_potential += element.gravity_potential(motions, model.gravity);
+        expected.gravity_potential += element.gravity_potential(motions, model.gravity(0.0));
         expected.strain_energy += element.strain_energy(motions, {state.sections.data() + history, 1});
         expected.momentum.linear += element.momentum(motions).linear;
         expected.momentum.angular += element.momentum(motions).angular;
@@ -272,7 +272,7 @@ TEST_CASE("a residual is measured against terms that do not cancel", "[assembly]
     State state = system.initial_state();
     state.trial[0].omega = Vec3(1.0, 1.0, 1.0);
     state.trial[0].alpha = Vec3(-2.0, 1.5, -0.25);
-    state.trial[0].a = model.gravity;
+    state.trial[0].a = model.gravity(0.0);
     Residual residual;
     system.compute_residual(state, 0.0, residual);
     CHECK(residual.nodal[0].norm() < 1e-14);

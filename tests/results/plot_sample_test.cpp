@@ -46,14 +46,17 @@ Model make_model() {
     Model model;
     Rod rod;
     rod.name = "spring";
+    std::vector<double> arc_length;
+    std::vector<Quat> triads;
     for (int i = 0; i <= elements; ++i) {
         Node node;
         node.position = centreline(arc(i), 0.0);
         model.nodes.push_back(node);
         rod.nodes.push_back(i);
-        rod.triads.push_back(section_axes(arc(i), 0.0));
-        rod.arc_length.push_back(arc(i));
+        triads.push_back(section_axes(arc(i), 0.0));
+        arc_length.push_back(arc(i));
     }
+    set_line_elements(rod, arc_length, triads);
     model.sections = {Section{"wire", Mat6::Identity(), Mat6::Identity()}};
     model.rods = {rod};
     Node pivot;
@@ -93,7 +96,7 @@ Motion move(const Model& model, double time) {
         NodeMotion& node = motion.nodes[index];
         node.r = centreline(arc(i), time);
         node.v = (centreline(arc(i), time + 1e-5) - centreline(arc(i), time - 1e-5)) / 2e-5;
-        node.Lambda = section_axes(arc(i), time) * model.rods[0].triads[index].conjugate();
+        node.Lambda = section_axes(arc(i), time) * model.rods[0].triad_at(i).conjugate();
     }
     for (int e = 0; e < elements; ++e) {
         const double s = arc(e) + 0.5 / elements;

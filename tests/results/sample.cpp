@@ -24,9 +24,10 @@ Model make_model() {
     Rod beam;
     beam.name = "beam";
     beam.nodes = {0, 1, 2};
-    beam.arc_length = {0.0, 1.0, 2.0};
-    beam.triads = {
-        exp_quaternion({0.1, 0.2, 0.3}), exp_quaternion({0.2, 0.2, 0.3}), exp_quaternion({0.3, 0.2, 0.3})};
+    set_line_elements(
+        beam,
+        {0.0, 1.0, 2.0},
+        {exp_quaternion({0.1, 0.2, 0.3}), exp_quaternion({0.2, 0.2, 0.3}), exp_quaternion({0.3, 0.2, 0.3})});
     model.rods = {beam};
 
     Body tip;
