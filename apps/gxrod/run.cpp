@@ -73,14 +73,15 @@ int run(const RunArguments& arguments) {
     std::signal(SIGINT, ask_to_end);
     std::signal(SIGTERM, ask_to_end);
     ProgressLine line;
+    const AnalysisSettings analysis = problem.analysis;
     RunRequest request{problem.model,
-                       problem.analysis,
+                       analysis,
                        problem.output,
                        problem.record,
                        {results, arguments.force ? Existing::replace : Existing::refuse}};
     if (!arguments.quiet) request.report_progress = [&](const Progress& progress) { line.show(progress); };
     request.is_interrupted = [] { return interrupt_signal != 0; };
-    const RunSummary summary = run_dynamic(request);
+    const RunSummary summary = run_analysis(request);
     line.finish();
     tell(arguments, summary, results.string());
     if (!arguments.summary.empty()) {

@@ -2,33 +2,60 @@
 
 namespace gxrod {
 
-Ledger::Ledger(const System& system, const Integrator& integrator, const State& state)
-    : system_(&system), power_weights_(integrator.power_weights()) {
-    const Balance balance = system.compute_balance(state);
+namespace {
+
+// The mean of the forces at both ends of a step times what the nodes did in it.
+double compute_mean_work(const std::vector<Vec6>& before, const std::vector<Vec6>& after, const State& state) {
+    double work = 0.0;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        const Vec6 mean = 0.5 * (before[i] + after[i]);
+        work += mean.head<3>().dot(state.trial[i].r - state.previous[i].r) +
+                mean.tail<3>().dot(state.trial[i].theta);
+    }
+    return work;
+}
+
+}  // namespace
+
+Ledger::Ledger(const System& system,
+               const Integrator& integrator,
+               const State& state,
+               const Residual& residual)
+    : system_(&system),
+      power_weights_(integrator.power_weights()),
+      forces_(system.compute_working_forces(state, state.time, residual)),
+      power_(compute_power(forces_, state.trial)) {
+    const Balance balance = system.compute_balance(state, state.time);
     initial_energy_ = balance.kinetic_energy + balance.strain_energy;
     initial_potential_ = balance.gravity_potential;
 }
 
-void Ledger::add_work(const State& state,
-                      double time,
-                      const std::vector<double>& load_power,
-                      double time_step) {
+void Ledger::add_step(const State& state, const Step& step) {
+    WorkingForces forces = system_->compute_working_forces(state, step.time, step.residual);
     if (power_weights_.empty()) {
-        load_work_ += system_->compute_load_work(state, time);
-        return;
+        driving_work_ += compute_mean_work(forces_.driving, forces.driving, state);
+        dissipated_ += compute_mean_work(forces_.damping, forces.damping, state);
+    } else {
+        driving_work_ += step.time_step * power_weights_[0] * power_.driving;
+        dissipated_ += step.time_step * power_weights_[0] * power_.damping;
+        for (std::size_t i = 0; i < step.stage_powers.size(); ++i) {
+            driving_work_ += step.time_step * power_weights_[i + 1] * step.stage_powers[i].driving;
+            dissipated_ += step.time_step * power_weights_[i + 1] * step.stage_powers[i].damping;
+        }
+        power_ = step.stage_powers.back();
     }
-    for (std::size_t i = 0; i < power_weights_.size(); ++i) {
-        load_work_ += time_step * power_weights_[i] * load_power[i];
-    }
+    forces_ = std::move(forces);
 }
 
 LedgerRow Ledger::row(const State& state) const {
-    const Balance balance = system_->compute_balance(state);
+    const Balance balance = system_->compute_balance(state, state.time);
     LedgerRow row;
     row.kinetic_energy = balance.kinetic_energy;
     row.strain_energy = balance.strain_energy;
-    row.external_work = load_work_ - (balance.gravity_potential - initial_potential_);
-    row.energy_error = row.kinetic_energy + row.strain_energy - initial_energy_ - row.external_work;
+    row.external_work = driving_work_ - (balance.gravity_potential - initial_potential_);
+    row.dissipated_energy = dissipated_;
+    row.energy_error =
+        row.kinetic_energy + row.strain_energy - initial_energy_ - row.external_work + dissipated_;
     row.linear_momentum = balance.momentum.linear;
     row.angular_momentum = balance.momentum.angular;
     return row;

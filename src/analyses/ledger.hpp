@@ -3,18 +3,25 @@
 #include "assembly/system.hpp"
 #include "integrators/integrator.hpp"
 #include "results/step_record.hpp"
+#include "solvers/equilibrium.hpp"
 
 namespace gxrod {
 
 // Keeps the books of a run: energies, work and momenta, and how far they fail to balance.
 class Ledger {
   public:
-    // `state` is the initial one.
-    Ledger(const System& system, const Integrator& integrator, const State& state);
+    // `state` is the initial one and `residual` its own.
+    Ledger(const System& system, const Integrator& integrator, const State& state, const Residual& residual);
 
-    // Adds the work of the loads over the step from state.previous to state.trial, which ends at `time`;
-    // before the step is committed. load_power is what the step's stages recorded.
-    void add_work(const State& state, double time, const std::vector<double>& load_power, double time_step);
+    // A step from state.previous to state.trial, which ends at `time`; before it is committed. `residual` is
+    // that of the trial, `stage_powers` what the step's stages recorded.
+    struct Step {
+        double time;
+        double time_step;
+        const Residual& residual;
+        const std::vector<Power>& stage_powers;
+    };
+    void add_step(const State& state, const Step& step);
 
     LedgerRow row(const State& state) const;
 
@@ -23,7 +30,10 @@ class Ledger {
     std::vector<double> power_weights_;
     double initial_energy_;
     double initial_potential_;
-    double load_work_ = 0.0;
+    WorkingForces forces_;  // at the last accepted step
+    Power power_;
+    double driving_work_ = 0.0;
+    double dissipated_ = 0.0;
 };
 
 }  // namespace gxrod

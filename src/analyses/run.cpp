@@ -8,9 +8,9 @@ namespace gxrod {
 
 namespace {
 
-class DynamicRun {
+class Run {
   public:
-    explicit DynamicRun(const RunRequest& request)
+    explicit Run(const RunRequest& request)
         : request_(request),
           analysis_(build(request, setup_seconds_)),
           file_(request.results, request.deck, request.model, request.output) {
@@ -35,9 +35,9 @@ class DynamicRun {
     RunSummary summary() const { return summary_; }
 
   private:
-    static std::unique_ptr<DynamicAnalysis> build(const RunRequest& request, double& seconds) {
+    static std::unique_ptr<SteppedAnalysis> build(const RunRequest& request, double& seconds) {
         const PhaseTimer timer(seconds);
-        return std::make_unique<DynamicAnalysis>(request.model, request.analysis);
+        return make_analysis(request.model, request.analysis);
     }
 
     bool start() {
@@ -111,19 +111,19 @@ class DynamicRun {
     RunSummary summary_;
     double setup_seconds_ = 0.0;
     double output_seconds_ = 0.0;
-    std::unique_ptr<DynamicAnalysis> analysis_;
+    std::unique_ptr<SteppedAnalysis> analysis_;
     ResultsFile file_;
     bool last_framed_ = false;
 };
 
 }  // namespace
 
-RunSummary run_dynamic(const RunRequest& request) {
+RunSummary run_analysis(const RunRequest& request) {
     double seconds = 0.0;
     RunSummary summary;
     {
         const PhaseTimer timer(seconds);
-        DynamicRun run(request);
+        Run run(request);
         run.run();
         summary = run.summary();
     }

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "analyses/dynamic.hpp"
+#include "analyses/static.hpp"
 #include "model/deck_record.hpp"
 #include "model/settings.hpp"
 #include "results/results_file.hpp"
@@ -21,7 +21,7 @@ struct Progress {
 
 struct RunRequest {
     const Model& model;
-    const DynamicSettings& analysis;
+    const AnalysisSettings& analysis;
     const OutputSettings& output;
     const DeckRecord& deck;
     ResultsFileOptions results;
@@ -46,6 +46,6 @@ struct RunSummary {
 
 // Runs and leaves a closed results file, whatever happens. Not converging, or a load that is no number, is a
 // failed summary. Throws FileError if the file cannot be written; what was written stays.
-RunSummary run_dynamic(const RunRequest& request);
+RunSummary run_analysis(const RunRequest& request);
 
 }  // namespace gxrod

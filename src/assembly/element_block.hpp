@@ -6,7 +6,7 @@
 #include "assembly/scatter.hpp"
 #include "elements/element.hpp"
 #include "elements/rigid_body.hpp"
-#include "elements/rod/simo_element.hpp"
+#include "elements/rod/rod_element.hpp"
 
 namespace gxrod {
 
@@ -14,18 +14,20 @@ namespace gxrod {
 template <Element E>
 struct ElementBlock {
     static constexpr int node_count = E::node_count;
-    static constexpr int force_point_count = E::force_point_count;
+    static constexpr int history_count = E::history_count;
+    static constexpr bool has_section = E::has_section;
 
     std::vector<E> elements;
     std::vector<ElementSlots<node_count>> slots;
     std::size_t first_history = 0;   // of this block in State::sections
     std::vector<int> section_index;  // of a rod element among all rod elements of the model
+    bool is_damped = false;          // whether any element is
 
     Histories histories(const State& state, std::size_t element) const {
-        return {state.sections.data() + first_history + element * force_point_count, force_point_count};
+        return {state.sections.data() + first_history + element * history_count, history_count};
     }
     std::span<SectionHistory> histories(State& state, std::size_t element) const {
-        return {state.sections.data() + first_history + element * force_point_count, force_point_count};
+        return {state.sections.data() + first_history + element * history_count, history_count};
     }
     Motions<node_count> motions(const std::vector<NodeMotion>& nodes, std::size_t element) const {
         return point_at(nodes, elements[element].nodes);
@@ -39,8 +41,17 @@ struct ElementBlock {
     }
 };
 
-// Every kind of element: one entry here and a builder in system.cpp make a new one known.
-using ElementBlocks = std::tuple<ElementBlock<RigidBody>, ElementBlock<SimoElement<2>>>;
+// Every kind of element: one entry here and, unless it is a rod's, a builder in system.cpp make a new one
+// known.
+using ElementBlocks = std::tuple<ElementBlock<RigidBody>,
+                                 ElementBlock<ObjectiveElement<2>>,
+                                 ElementBlock<ObjectiveElement<3>>,
+                                 ElementBlock<ObjectiveElement<4>>,
+                                 ElementBlock<ObjectiveElement<5>>,
+                                 ElementBlock<SimoElement<2>>,
+                                 ElementBlock<SimoElement<3>>,
+                                 ElementBlock<SimoElement<4>>,
+                                 ElementBlock<SimoElement<5>>>;
 
 // Calls visit(block) for each kind.
 template <class Blocks, class Visitor>

@@ -2,10 +2,30 @@
 
 namespace gxrod {
 
+void find_slots(std::span<const int> nodes,
+                const EquationNumbers& equations,
+                const SparsePattern& pattern,
+                std::span<std::int64_t> slots) {
+    std::size_t entry = 0;
+    for (std::size_t column = 0; column < 6 * nodes.size(); ++column) {
+        const std::int64_t column_equation = equations.of_node(nodes[column / 6])[column % 6];
+        for (std::size_t row = 0; row < 6 * nodes.size(); ++row, ++entry) {
+            const std::int64_t row_equation = equations.of_node(nodes[row / 6])[row % 6];
+            const bool free = column_equation >= 0 && row_equation >= 0;
+            slots[entry] = free ? pattern.slot(row_equation, column_equation) : -1;
+        }
+    }
+}
+
 Eigen::VectorXd gather(const std::vector<Vec6>& nodal, const EquationNumbers& equations) {
     Eigen::VectorXd vector(equations.count());
-    std::int64_t equation = 0;
-    for (const auto& [node, component] : equations.unknowns()) vector[equation++] = nodal[node][component];
+    for (int node = 0; node < static_cast<int>(nodal.size()); ++node) {
+        const Vec6 own = equations.to_own_axes(node, nodal[node]);
+        const std::array<std::int64_t, 6>& numbers = equations.of_node(node);
+        for (int i = 0; i < 6; ++i) {
+            if (numbers[i] >= 0) vector[numbers[i]] = own[i];
+        }
+    }
     return vector;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "assembly/equation_numbers.hpp"
@@ -13,6 +14,11 @@ namespace gxrod {
 
 // The slot of each entry of an element's matrix, column by column; −1 where a support holds the row or
 // column.
+void find_slots(std::span<const int> nodes,
+                const EquationNumbers& equations,
+                const SparsePattern& pattern,
+                std::span<std::int64_t> slots);
+
 template <int Nodes>
 using ElementSlots = std::array<std::int64_t, 36 * Nodes * Nodes>;
 
@@ -21,25 +27,31 @@ ElementSlots<Nodes> compute_slots(const std::array<int, Nodes>& nodes,
                                   const EquationNumbers& equations,
                                   const SparsePattern& pattern) {
     ElementSlots<Nodes> slots;
-    std::size_t entry = 0;
-    for (int column = 0; column < 6 * Nodes; ++column) {
-        const std::int64_t column_equation = equations.of_node(nodes[column / 6])[column % 6];
-        for (int row = 0; row < 6 * Nodes; ++row, ++entry) {
-            const std::int64_t row_equation = equations.of_node(nodes[row / 6])[row % 6];
-            const bool free = column_equation >= 0 && row_equation >= 0;
-            slots[entry] = free ? pattern.slot(row_equation, column_equation) : -1;
-        }
-    }
+    find_slots(nodes, equations, pattern, slots);
     return slots;
 }
 
-// Adds an element's matrix to the values of the global one.
-template <int Nodes>
-void add_to_values(const NodalMatrix<Nodes>& matrix,
-                   const ElementSlots<Nodes>& slots,
-                   std::vector<double>& values) {
+// Turns the rows and columns of nodes whose supports have their own axes into those.
+template <class Matrix>
+void turn_to_own_axes(std::span<const int> nodes, const EquationNumbers& equations, Matrix& matrix) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (!equations.supports().has_own_axes(nodes[i])) continue;
+        const Mat3& Q = equations.supports().axes(nodes[i]);
+        for (std::size_t part = 2 * i; part < 2 * i + 2; ++part) {
+            auto rows = matrix.template middleRows<3>(static_cast<Eigen::Index>(3 * part));
+            rows = (Q.transpose() * rows).eval();
+            auto columns = matrix.template middleCols<3>(static_cast<Eigen::Index>(3 * part));
+            columns = (columns * Q).eval();
+        }
+    }
+}
+
+// Adds an element's matrix, column by column, to the values of the global one.
+inline void add_to_values(const double* matrix,
+                          std::span<const std::int64_t> slots,
+                          std::vector<double>& values) {
     for (std::size_t entry = 0; entry < slots.size(); ++entry) {
-        if (slots[entry] >= 0) values[slots[entry]] += matrix.data()[entry];
+        if (slots[entry] >= 0) values[slots[entry]] += matrix[entry];
     }
 }
 
@@ -51,7 +63,7 @@ void add_to_nodes(const NodalVector<Nodes>& force,
     for (int i = 0; i < Nodes; ++i) nodal[nodes[i]] += force.template segment<6>(6 * i);
 }
 
-// The components that have equations.
+// The components that have equations, in the axes of those.
 Eigen::VectorXd gather(const std::vector<Vec6>& nodal, const EquationNumbers& equations);
 
 }  // namespace gxrod

@@ -8,20 +8,6 @@ namespace gxrod {
 
 namespace {
 
-void add_rod(const Model& model, const Rod& rod, int first_element, ElementBlock<SimoElement<2>>& block) {
-    for (int e = 0; e < rod.element_count(); ++e) {
-        RodElementGeometry<2> geometry;
-        for (int i = 0; i < 2; ++i) {
-            const int entry = e * (rod.order + 1) + i;
-            geometry.nodes[i] = rod.element_nodes[entry];
-            geometry.positions[i] = model.nodes[geometry.nodes[i]].position;
-            geometry.triads[i] = rod.triads[entry];
-        }
-        block.elements.emplace_back(geometry, model.sections[rod.section]);
-        block.section_index.push_back(first_element + e);
-    }
-}
-
 // Raises the scales to what a force on one node, or a stack of them, holds.
 template <class Vector>
 void raise_scales(const Vector& force, Residual& residual) {
@@ -49,54 +35,23 @@ NodalVector<E::node_count> compute_acceleration_force(const E& element,
     return force;
 }
 
+// The forces of gravity on an element's nodes.
+template <Element E>
+NodalVector<E::node_count> compute_gravity_force(const E& element,
+                                                 const Motions<E::node_count>& motions,
+                                                 const Vec3& gravity) {
+    std::array<NodeMotion, E::node_count> still;
+    Motions<E::node_count> pointers;
+    for (int i = 0; i < E::node_count; ++i) {
+        still[i].Lambda = motions[i]->Lambda;
+        pointers[i] = &still[i];
+    }
+    NodalVector<E::node_count> force = NodalVector<E::node_count>::Zero();
+    element.add_inertial_force(pointers, gravity, force);
+    return -force;
+}
+
 }  // namespace
-
-System::System(const Model& model) : model_(&model), equations_(compute_fixed_components(model)) {
-    build_blocks();
-    build_pattern();
-    measure();
-}
-
-void System::build_blocks() {
-    for (const Body& body : model_->bodies)
-        std::get<ElementBlock<RigidBody>>(blocks_).elements.emplace_back(body);
-    for (const Rod& rod : model_->rods) {
-        add_rod(*model_, rod, rod_element_count_, std::get<ElementBlock<SimoElement<2>>>(blocks_));
-        rod_element_count_ += rod.element_count();
-    }
-    for_each_block(blocks_, [this](auto& block) {
-        block.first_history = history_count_;
-        history_count_ += block.elements.size() * block.force_point_count;
-    });
-}
-
-void System::build_pattern() {
-    std::vector<NodeGroup> groups;
-    for_each_block(blocks_, [&](const auto& block) {
-        for (const auto& element : block.elements)
-            groups.emplace_back(element.nodes.begin(), element.nodes.end());
-    });
-    pattern_ = compute_pattern(equations_, groups);
-    for_each_block(blocks_, [this](auto& block) {
-        constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
-        for (const auto& element : block.elements) {
-            block.slots.push_back(compute_slots<node_count>(element.nodes, equations_, pattern_));
-        }
-    });
-    for (const NodalLoad& load : model_->loads) {
-        load_slots_.push_back(compute_slots<1>({load.node}, equations_, pattern_));
-    }
-}
-
-void System::measure() {
-    Eigen::AlignedBox3d box;
-    for (const Node& node : model_->nodes) box.extend(node.position);
-    double length = box.isEmpty() ? 0.0 : box.diagonal().norm();
-    for (const Body& body : model_->bodies) {
-        length = std::max({length, body.centre_of_mass.norm(), std::sqrt(body.inertia.trace() / body.mass)});
-    }
-    if (length > 0.0) length_scale_ = length;
-}
 
 std::size_t System::element_count() const {
     return static_cast<std::size_t>(rod_element_count_) + model_->bodies.size();
@@ -105,15 +60,18 @@ std::size_t System::element_count() const {
 State System::initial_state() const {
     State state;
     state.trial.resize(model_->nodes.size());
-    for (std::size_t i = 0; i < model_->nodes.size(); ++i) {
-        state.trial[i].r = model_->nodes[i].position;
-        state.trial[i].v = model_->nodes[i].velocity;
-        state.trial[i].omega = model_->nodes[i].angular_velocity;
-        const auto& equations = equations_.of_node(static_cast<int>(i));
-        for (int k = 0; k < 3; ++k) {
-            if (equations[k] < 0) state.trial[i].v[k] = 0.0;
-            if (equations[k + 3] < 0) state.trial[i].omega[k] = 0.0;
+    for (int i = 0; i < static_cast<int>(model_->nodes.size()); ++i) {
+        const Node& node = model_->nodes[i];
+        Vec6 rates;
+        rates << node.velocity, node.angular_velocity;
+        rates = equations_.to_own_axes(i, rates);
+        for (int k = 0; k < 6; ++k) {
+            if (equations_.of_node(i)[k] < 0) rates[k] = 0.0;
         }
+        rates = equations_.to_global_axes(i, rates);
+        state.trial[i].r = node.position;
+        state.trial[i].v = rates.head<3>();
+        state.trial[i].omega = rates.tail<3>();
     }
     state.previous = state.trial;
     state.sections.resize(history_count_);
@@ -124,9 +82,27 @@ State System::initial_state() const {
     return state;
 }
 
+void System::add_loads(const State& state, double time, Residual& residual) const {
+    for (const NodalLoad& load : model_->loads) {
+        const Vec6 force = compute_load(load, state.trial[load.node], time);
+        raise_scales(force, residual);
+        residual.nodal[load.node] -= force;
+    }
+    if (loaded_elements_.empty()) return;
+    std::vector<Vec6> distributed(state.trial.size(), Vec6::Zero());
+    for (const LoadedElement& element : loaded_elements_) {
+        add_distributed_load(element, state.trial, time, distributed);
+    }
+    for (std::size_t i = 0; i < distributed.size(); ++i) {
+        raise_scales(distributed[i], residual);
+        residual.nodal[i] -= distributed[i];
+    }
+}
+
 void System::compute_residual(const State& state, double time, Residual& residual) const {
     residual.nodal.assign(state.trial.size(), Vec6::Zero());
     residual.force_scale = residual.moment_scale = 0.0;
+    const Vec3 gravity = model_->gravity(time);
     for_each_block(blocks_, [&](const auto& block) {
         using Force = NodalVector<std::remove_cvref_t<decltype(block)>::node_count>;
         for (std::size_t e = 0; e < block.elements.size(); ++e) {
@@ -135,20 +111,38 @@ void System::compute_residual(const State& state, double time, Residual& residua
             Force internal = Force::Zero();
             Force inertial = Force::Zero();
             element.add_internal_force(motions, block.histories(state, e), internal);
-            element.add_inertial_force(motions, model_->gravity(time), inertial);
+            if (block.is_damped) element.add_damping_force(motions, block.histories(state, e), internal);
+            element.add_inertial_force(motions, gravity, inertial);
             raise_scales(internal, residual);
             raise_scales(inertial, residual);
             // With nothing internal, inertia balances itself and its sum vanishes: its terms are the scale.
-            if constexpr (std::remove_cvref_t<decltype(block)>::force_point_count == 0) {
+            if constexpr (!std::remove_cvref_t<decltype(block)>::has_section) {
                 raise_scales(compute_acceleration_force(element, motions), residual);
             }
             add_to_nodes<Force::RowsAtCompileTime / 6>(internal + inertial, element.nodes, residual.nodal);
         }
     });
-    for (const NodalLoad& load : model_->loads) {
+    add_loads(state, time, residual);
+}
+
+void System::add_load_tangents(const State& state,
+                               double time,
+                               const std::vector<NodeLinearization>& linearizations,
+                               std::vector<double>& values) const {
+    for (std::size_t i = 0; i < model_->loads.size(); ++i) {
+        const NodalLoad& load = model_->loads[i];
+        if (load.frame == Frame::spatial) continue;
         const Vec6 force = compute_load(load, state.trial[load.node], time);
-        raise_scales(force, residual);
-        residual.nodal[load.node] -= force;
+        Mat6 tangent = -compute_load_tangent(load, force, linearizations[load.node]);
+        turn_to_own_axes(std::span(&load.node, 1), equations_, tangent);
+        add_to_values(tangent.data(), load_slots_[i], values);
+    }
+    for (std::size_t i = 0; i < loaded_elements_.size(); ++i) {
+        const LoadedElement& element = loaded_elements_[i];
+        if (element.load->frame == Frame::spatial) continue;
+        LoadMatrix tangent = -compute_distributed_load_tangent(element, state.trial, time, linearizations);
+        turn_to_own_axes(std::span<const int>(element.nodes), equations_, tangent);
+        add_to_values(tangent.data(), loaded_element_slots_[i], values);
     }
 }
 
@@ -157,31 +151,31 @@ void System::compute_tangent(const State& state,
                              const std::vector<NodeLinearization>& linearizations,
                              std::vector<double>& values) const {
     values.assign(pattern_.rows.size(), 0.0);
+    const Vec3 gravity = model_->gravity(time);
     for_each_block(blocks_, [&](const auto& block) {
         using Tangent = NodalMatrix<std::remove_cvref_t<decltype(block)>::node_count>;
         for (std::size_t e = 0; e < block.elements.size(); ++e) {
             const auto& element = block.elements[e];
             const auto motions = block.motions(state.trial, e);
             const auto nodal = block.point_at(linearizations, element.nodes);
+            const Histories histories = block.histories(state, e);
             Tangent tangent = Tangent::Zero();
-            element.add_internal_tangent(motions, block.histories(state, e), nodal, tangent);
-            element.add_inertial_tangent(motions, model_->gravity(time), nodal, tangent);
-            add_to_values<Tangent::RowsAtCompileTime / 6>(tangent, block.slots[e], values);
+            element.add_internal_tangent(motions, histories, nodal, tangent);
+            if (block.is_damped) element.add_damping_tangent(motions, histories, nodal, tangent);
+            element.add_inertial_tangent(motions, gravity, nodal, tangent);
+            turn_to_own_axes(std::span<const int>(element.nodes), equations_, tangent);
+            add_to_values(tangent.data(), block.slots[e], values);
         }
     });
-    for (std::size_t i = 0; i < model_->loads.size(); ++i) {
-        const NodalLoad& load = model_->loads[i];
-        if (load.frame == Frame::spatial) continue;
-        const Vec6 force = compute_load(load, state.trial[load.node], time);
-        const Mat6 tangent = -compute_load_tangent(load, force, linearizations[load.node]);
-        add_to_values<1>(tangent, load_slots_[i], values);
-    }
+    add_load_tangents(state, time, linearizations, values);
 }
 
 void System::commit(State& state, double time) const {
     for_each_block(blocks_, [&](const auto& block) {
-        for (std::size_t e = 0; e < block.elements.size(); ++e) {
-            block.elements[e].commit(block.motions(state.trial, e), block.histories(state, e));
+        if constexpr (std::remove_cvref_t<decltype(block)>::history_count > 0) {
+            for (std::size_t e = 0; e < block.elements.size(); ++e) {
+                block.elements[e].commit(block.motions(state.trial, e), block.histories(state, e));
+            }
         }
     });
     for (NodeMotion& motion : state.trial) {
@@ -193,15 +187,17 @@ void System::commit(State& state, double time) const {
     state.time = time;
 }
 
-Balance System::compute_balance(const State& state) const {
+Balance System::compute_balance(const State& state, double time) const {
     Balance balance;
+    const bool has_potential = model_->gravity.is_constant();
+    const Vec3 gravity = has_potential ? model_->gravity(time) : Vec3::Zero();
     for_each_block(blocks_, [&](const auto& block) {
         for (std::size_t e = 0; e < block.elements.size(); ++e) {
             const auto& element = block.elements[e];
             const auto motions = block.motions(state.trial, e);
             balance.kinetic_energy += element.kinetic_energy(motions);
             balance.strain_energy += element.strain_energy(motions, block.histories(state, e));
-            balance.gravity_potential += element.gravity_potential(motions, model_->gravity(state.time));
+            balance.gravity_potential += element.gravity_potential(motions, gravity);
             const Momentum momentum = element.momentum(motions);
             balance.momentum.linear += momentum.linear;
             balance.momentum.angular += momentum.angular;
@@ -210,38 +206,89 @@ Balance System::compute_balance(const State& state) const {
     return balance;
 }
 
-double System::compute_load_power(const std::vector<NodeMotion>& motions, double time) const {
-    double power = 0.0;
-    for (const NodalLoad& load : model_->loads) {
-        const NodeMotion& motion = motions[load.node];
-        const Vec6 force = compute_load(load, motion, time);
-        power += force.head<3>().dot(motion.v) + force.tail<3>().dot(motion.omega);
+WorkingForces System::compute_working_forces(const State& state,
+                                             double time,
+                                             const Residual& residual) const {
+    Residual loads;
+    loads.nodal.assign(state.trial.size(), Vec6::Zero());
+    add_loads(state, time, loads);
+    WorkingForces forces;
+    forces.driving.resize(state.trial.size());
+    for (std::size_t i = 0; i < forces.driving.size(); ++i) forces.driving[i] = -loads.nodal[i];
+    for (const Support* support : supports_.moving()) {
+        Vec6 exerted = equations_.to_own_axes(support->node, residual.nodal[support->node]);
+        for (int i = 0; i < 6; ++i) {
+            if (!supports_.held(support->node)[i]) exerted[i] = 0.0;
+        }
+        forces.driving[support->node] += equations_.to_global_axes(support->node, exerted);
     }
-    return power;
+    const bool gravity_works = !model_->gravity.is_constant();
+    if (is_damped_) forces.damping.assign(state.trial.size(), Vec6::Zero());
+    for_each_block(blocks_, [&](const auto& block) {
+        constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
+        for (std::size_t e = 0; e < block.elements.size(); ++e) {
+            const auto& element = block.elements[e];
+            const auto motions = block.motions(state.trial, e);
+            if (gravity_works) {
+                add_to_nodes<node_count>(compute_gravity_force(element, motions, model_->gravity(time)),
+                                         element.nodes,
+                                         forces.driving);
+            }
+            if (block.is_damped) {
+                NodalVector<node_count> force = NodalVector<node_count>::Zero();
+                element.add_damping_force(motions, block.histories(state, e), force);
+                add_to_nodes<node_count>(force, element.nodes, forces.damping);
+            }
+        }
+    });
+    return forces;
 }
 
-double System::compute_load_work(const State& state, double time) const {
-    double work = 0.0;
-    for (const NodalLoad& load : model_->loads) {
-        const NodeMotion& previous = state.previous[load.node];
-        const NodeMotion& trial = state.trial[load.node];
-        const Vec6 mean = 0.5 * (compute_load(load, previous, state.time) + compute_load(load, trial, time));
-        work += mean.head<3>().dot(trial.r - previous.r) + mean.tail<3>().dot(trial.theta);
+std::vector<Vec6> System::compute_reactions(const Residual& residual) const {
+    std::vector<Vec6> reactions(residual.nodal.size(), Vec6::Zero());
+    for (const Support& support : model_->supports) {
+        Vec6 own = equations_.to_own_axes(support.node, residual.nodal[support.node]);
+        for (int i = 0; i < 6; ++i) {
+            if (!supports_.held(support.node)[i]) own[i] = 0.0;
+        }
+        reactions[support.node] = equations_.to_global_axes(support.node, own);
     }
-    return work;
+    return reactions;
 }
 
 std::vector<SectionValues> System::compute_section_values(const State& state) const {
     std::vector<SectionValues> values(static_cast<std::size_t>(rod_element_count_));
     for_each_block(blocks_, [&](const auto& block) {
-        for (std::size_t e = 0; e < block.section_index.size(); ++e) {
-            if constexpr (std::remove_cvref_t<decltype(block)>::force_point_count > 0) {
+        if constexpr (std::remove_cvref_t<decltype(block)>::has_section) {
+            for (std::size_t e = 0; e < block.section_index.size(); ++e) {
                 values[block.section_index[e]] = block.elements[e].section_values(
                     block.motions(state.trial, e), block.histories(state, e));
             }
         }
     });
     return values;
+}
+
+RelativeRotation System::bound_relative_rotation(const std::vector<NodeMotion>& motions,
+                                                 const std::vector<Vec3>& spins) const {
+    RelativeRotation largest;
+    for_each_block(blocks_, [&](const auto& block) {
+        using Block = std::remove_cvref_t<decltype(block)>;
+        if constexpr (Block::has_section && Block::history_count == 0) {
+            for (std::size_t e = 0; e < block.elements.size(); ++e) {
+                const auto& nodes = block.elements[e].nodes;
+                double added = 0.0;
+                for (int i = 0; i < Block::node_count; ++i) {
+                    for (int j = 0; j < i; ++j)
+                        added = std::max(added, (spins[nodes[i]] - spins[nodes[j]]).norm());
+                }
+                const double angle =
+                    added + block.elements[e].largest_relative_rotation(block.motions(motions, e));
+                if (angle > largest.angle) largest = {angle, nodes[0]};
+            }
+        }
+    });
+    return largest;
 }
 
 }  // namespace gxrod

@@ -6,15 +6,17 @@
 #include "assembly/element_block.hpp"
 #include "assembly/equation_numbers.hpp"
 #include "assembly/sparse_pattern.hpp"
+#include "constraints/supports.hpp"
+#include "loads/distributed_load.hpp"
 #include "model/model.hpp"
 #include "state/section_values.hpp"
 #include "state/state.hpp"
 
 namespace gxrod {
 
-// What is out of balance at every node: internal + inertial − external.
+// What is out of balance at every node: internal + damping + inertial − external.
 struct Residual {
-    std::vector<Vec6> nodal;  // supported components hold the force that the support exerts
+    std::vector<Vec6> nodal;  // held components hold the force that the support exerts
     // The largest force and moment that one element or load puts on a node, and of bodies the part due to
     // accelerations; a residual is small against these.
     double force_scale = 0.0;
@@ -25,8 +27,20 @@ struct Residual {
 struct Balance {
     double kinetic_energy = 0.0;
     double strain_energy = 0.0;
-    double gravity_potential = 0.0;
+    double gravity_potential = 0.0;  // 0 where gravity changes with time
     Momentum momentum;
+};
+
+// Forces and moments per node that do work, of the trial motions.
+struct WorkingForces {
+    std::vector<Vec6> driving;  // loads, what moving supports exert, gravity where it changes with time
+    std::vector<Vec6> damping;  // empty without damping
+};
+
+// How far nodes of one element are turned against each other, at most, and a node of that element.
+struct RelativeRotation {
+    double angle = 0.0;
+    int node = -1;
 };
 
 // The model as one system of equations: what the parts become together. Holds no state.
@@ -34,16 +48,22 @@ class System {
   public:
     // The model must outlive the system.
     explicit System(const Model& model);
+    System(const System&) = delete;  // its parts point at each other
+    System& operator=(const System&) = delete;
 
     const Model& model() const { return *model_; }
+    const Supports& supports() const { return supports_; }
     const EquationNumbers& equations() const { return equations_; }
     const SparsePattern& pattern() const { return pattern_; }
     // The model's length for scaling: the largest of its extent and the bodies' own sizes; 1 if both are
     // zero.
     double length_scale() const { return length_scale_; }
     std::size_t element_count() const;
+    // Whether any element interpolates rotations of the step, so that these must stay below π.
+    bool uses_step_rotations() const { return history_count_ > 0; }
+    bool is_damped() const { return is_damped_; }
 
-    // The reference shape with the model's initial velocities, zero where a support holds; accelerations
+    // The reference shape with the model's initial velocities, zero where a support fixes; accelerations
     // zero.
     State initial_state() const;
 
@@ -58,27 +78,43 @@ class System {
     // Makes the trial motions the last accepted step, at `time`.
     void commit(State& state, double time) const;
 
-    Balance compute_balance(const State& state) const;
-    // Σ f · v + m · ω of the loads, gravity aside.
-    double compute_load_power(const std::vector<NodeMotion>& motions, double time) const;
-    // The mean load of the step times displacement and rotation from `previous` to `trial`, gravity aside.
-    double compute_load_work(const State& state, double time) const;
+    // With gravity at `time`.
+    Balance compute_balance(const State& state, double time) const;
+    // `residual` is that of the state at `time`.
+    WorkingForces compute_working_forces(const State& state, double time, const Residual& residual) const;
+    // The residual of held components, those that supports exert; global axes.
+    std::vector<Vec6> compute_reactions(const Residual& residual) const;
     // Of all rod elements, rods in the order of the model, from start to end; of the trial motions.
     std::vector<SectionValues> compute_section_values(const State& state) const;
+    // Of elements that interpolate relative rotations: the largest one in `motions`, plus what `spins` of the
+    // nodes can add to it at most (exp does not lengthen distances). Below π no relative rotation is mistaken
+    // for its complement.
+    RelativeRotation bound_relative_rotation(const std::vector<NodeMotion>& motions,
+                                             const std::vector<Vec3>& spins) const;
 
   private:
     void build_blocks();
+    void build_loads();
     void build_pattern();
     void measure();
+    void add_loads(const State& state, double time, Residual& residual) const;
+    void add_load_tangents(const State& state,
+                           double time,
+                           const std::vector<NodeLinearization>& linearizations,
+                           std::vector<double>& values) const;
 
     const Model* model_;
+    Supports supports_;
     ElementBlocks blocks_;
+    std::vector<LoadedElement> loaded_elements_;
     EquationNumbers equations_;
     SparsePattern pattern_;
     std::vector<ElementSlots<1>> load_slots_;  // of each load's node
+    std::vector<std::vector<std::int64_t>> loaded_element_slots_;
     double length_scale_ = 1.0;
     std::size_t history_count_ = 0;
     int rod_element_count_ = 0;
+    bool is_damped_ = false;
 };
 
 }  // namespace gxrod

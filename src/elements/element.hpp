@@ -11,7 +11,7 @@
 //
 // Node I of an element owns rows 6I … 6I+5 of its vectors and matrices: force (or δr), then moment about the
 // node (or the spatial spin δφ). All spatial. A force is what the element asks of its nodes: internal +
-// inertial − external = 0 is equilibrium.
+// damping + inertial − external = 0 is equilibrium.
 namespace gxrod {
 
 template <int Nodes>
@@ -37,14 +37,19 @@ concept Element = requires(const E& element,
                            NodalVector<E::node_count>& force,
                            NodalMatrix<E::node_count>& tangent) {
     { E::node_count } -> std::convertible_to<int>;
-    { E::force_point_count } -> std::convertible_to<int>;
+    { E::history_count } -> std::convertible_to<int>;
+    { E::has_section } -> std::convertible_to<bool>;
     { element.nodes } -> std::convertible_to<std::array<int, E::node_count>>;
     element.add_internal_force(motions, histories, force);
     element.add_internal_tangent(motions, histories, linearizations, tangent);
     element.add_inertial_force(motions, gravity, force);
     element.add_inertial_tangent(motions, gravity, linearizations, tangent);
+    { element.is_damped() } -> std::same_as<bool>;
+    element.add_damping_force(motions, histories, force);
+    element.add_damping_tangent(motions, histories, linearizations, tangent);
     element.start(writable);
     element.commit(motions, writable);
+    { element.largest_relative_rotation(motions) } -> std::same_as<double>;
     { element.strain_energy(motions, histories) } -> std::same_as<double>;
     { element.kinetic_energy(motions) } -> std::same_as<double>;
     { element.gravity_potential(motions, gravity) } -> std::same_as<double>;

@@ -9,7 +9,8 @@ namespace gxrod {
 class RigidBody {
   public:
     static constexpr int node_count = 1;
-    static constexpr int force_point_count = 0;
+    static constexpr int history_count = 0;
+    static constexpr bool has_section = false;
     std::array<int, 1> nodes;
 
     explicit RigidBody(const Body& body);
@@ -22,8 +23,12 @@ class RigidBody {
                               const Vec3& gravity,
                               const Linearizations<1>& linearizations,
                               NodalMatrix<1>& tangent) const;
+    bool is_damped() const { return false; }
+    void add_damping_force(const Motions<1>&, Histories, NodalVector<1>&) const {}
+    void add_damping_tangent(const Motions<1>&, Histories, const Linearizations<1>&, NodalMatrix<1>&) const {}
     void start(std::span<SectionHistory>) const {}
     void commit(const Motions<1>&, std::span<SectionHistory>) const {}
+    double largest_relative_rotation(const Motions<1>&) const { return 0.0; }
     double strain_energy(const Motions<1>&, Histories) const { return 0.0; }
     double kinetic_energy(const Motions<1>& motions) const;
     double gravity_potential(const Motions<1>& motions, const Vec3& gravity) const;

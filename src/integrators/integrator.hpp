@@ -34,6 +34,8 @@ class Integrator {
         return fraction == 1.0 ? stage.end_time : stage.step_time + fraction * stage.time_step;
     }
     virtual bool is_explicit() const { return false; }
+    // Whether there are no rates, and rotations of a step of any size.
+    virtual bool is_static() const { return false; }
 
     // Once, when the initial accelerations stand in `previous` and `trial`.
     virtual void start(State&) const {}

@@ -16,14 +16,9 @@ void move(const System& system,
           State& state) {
     for (const std::int64_t equation : group) {
         const auto& [node, component] = system.equations().unknown(equation);
-        Vec3 delta_r = Vec3::Zero();
-        Vec3 delta_phi = Vec3::Zero();
-        if (component < 3) {
-            delta_r[component] = sign * step_angle * system.length_scale();
-        } else {
-            delta_phi[component - 3] = sign * step_angle;
-        }
-        apply_spin(state.previous[node], delta_r, delta_phi, state.trial[node]);
+        const double size = component < 3 ? step_angle * system.length_scale() : step_angle;
+        const Vec6 delta = system.equations().to_global_axes(node, sign * size * Vec6::Unit(component));
+        apply_spin(state.previous[node], delta.head<3>(), delta.tail<3>(), state.trial[node]);
     }
     integrator.update_rates(state, stage);
 }
@@ -74,12 +69,13 @@ void DifferenceTangent::compute(const Integrator& integrator,
         move(*system_, integrator, stage, group, -1.0, state);
         system_->compute_residual(state, time, backward_);
         state.trial = here;
+        const Eigen::VectorXd change = gather(forward_.nodal, system_->equations()) -
+                                       gather(backward_.nodal, system_->equations());
         for (const std::int64_t column : group) {
             const bool is_position = system_->equations().unknown(column).component < 3;
             const double width = 2.0 * step_angle * (is_position ? system_->length_scale() : 1.0);
             for (std::int64_t k = pattern.column_starts[column]; k < pattern.column_starts[column + 1]; ++k) {
-                const auto& [node, component] = system_->equations().unknown(pattern.rows[k]);
-                values[k] = (forward_.nodal[node][component] - backward_.nodal[node][component]) / width;
+                values[k] = change[pattern.rows[k]] / width;
             }
         }
     }

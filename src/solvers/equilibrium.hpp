@@ -17,7 +17,8 @@ enum class Outcome {
     out_of_iterations,  // the residual did not fall below the tolerance
     singular,           // the tangent (or mass) matrix has no inverse
     not_finite,         // a residual or an increment is not a number
-    rotation_too_large  // a node turns by π or more within the step
+    rotation_too_large,  // a node turns by π or more within the step
+    element_too_turned   // nodes of one element are turned against each other by nearly π
 };
 
 // How the search for one equilibrium went. Not converging is a value, not an exception.
@@ -34,6 +35,14 @@ struct EquilibriumReport {
 // One line for a user: what failed, at which node and component.
 std::string describe(const EquilibriumReport& report, const Model& model);
 
+// At one instant.
+struct Power {
+    double driving = 0.0;  // of loads and moving supports
+    double damping = 0.0;  // dissipated
+};
+
+Power compute_power(const WorkingForces& forces, const std::vector<NodeMotion>& motions);
+
 // What solving needs beside the State, allocated once.
 struct SolverWorkspace {
     Residual residual;
@@ -41,8 +50,7 @@ struct SolverWorkspace {
     std::vector<double> values;
     Eigen::VectorXd vector;
     std::unique_ptr<LinearSolver> linear_solver;
-    std::vector<double>
-        load_power;  // of the last step, at its start and at each stage, if the scheme weighs them
+    std::vector<Power> stage_powers;  // of the last step, if the scheme weighs them
     PhaseSeconds seconds;
 
     SolverWorkspace(const System& system, LinearSolverKind kind);
@@ -54,6 +62,10 @@ struct SolverWorkspace {
 // that an element or load puts on a node; or, where round-off hides that, when the last increment was below
 // 1e-4 × tolerance or four units of rounding, or below 1e-10 and no longer shrinking (δr relative to the
 // model's length or the node's distance from the origin, δφ in rad).
+//
+// In statics an increment is shortened while the simplified Newton increment after it, found with the same
+// factorization, is not shorter than the increment itself (Deuflhard 2004, section 3.3): a test that knows no
+// scales, so that a stiff direction does not hold up a soft one.
 EquilibriumReport solve_equilibrium(const System& system,
                                     const Integrator& integrator,
                                     const NewtonSettings& settings,
@@ -61,9 +73,20 @@ EquilibriumReport solve_equilibrium(const System& system,
                                     SolverWorkspace& workspace,
                                     State& state);
 
+// How velocities and accelerations of moving supports come from differences of what the deck prescribes.
+struct SupportDifferences {
+    double step;
+    Supports::Side side;
+};
+
+// Of a time step: where differences are taken for moving supports.
+inline constexpr double support_difference = 0.125;
+
 // Sets the trial accelerations from equilibrium at the trial's positions, rotations and velocities: M a = f.
+// Where supports move they set velocities and accelerations of their components first.
 EquilibriumReport solve_accelerations(const System& system,
                                       double time,
+                                      const SupportDifferences& differences,
                                       SolverWorkspace& workspace,
                                       State& state);
 

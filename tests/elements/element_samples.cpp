@@ -6,11 +6,21 @@ namespace gxrod::tools {
 
 namespace {
 
+// Where an element is: its nodes turn by much, against each other by less.
+struct Whereabouts {
+    Quat Lambda;
+    Vec3 theta;
+};
+
 // Now: a finite rotation θ of the step on a rotation Λ_n of any size, rates and accelerations of order one.
-void move_at_random(RandomValues& random, const Vec3& position, NodeMotion& previous, NodeMotion& motion) {
+void move_at_random(RandomValues& random,
+                    const Whereabouts& common,
+                    const Vec3& position,
+                    NodeMotion& previous,
+                    NodeMotion& motion) {
     previous.r = position + random.vector(0.3);
-    previous.Lambda = random.rotation();
-    place(previous, previous.r + random.vector(0.2), random.number(0.3, 2.0) * random.direction(), motion);
+    previous.Lambda = exp_quaternion(random.vector(0.4)) * common.Lambda;
+    place(previous, previous.r + random.vector(0.2), common.theta + random.vector(0.3), motion);
     motion.v = random.vector();
     motion.a = random.vector();
     motion.omega = random.vector(2.0);
@@ -28,7 +38,8 @@ Body carry(const Isometry& isometry, Body body) {
     return body;
 }
 
-RodPiece carry(const Isometry& isometry, RodPiece piece) {
+template <int Nodes>
+RodPiece<Nodes> carry(const Isometry& isometry, RodPiece<Nodes> piece) {
     piece.section.stiffness = isometry.tensor(piece.section.stiffness);
     piece.section.mass = isometry.tensor(piece.section.mass);
     for (Vec3& position : piece.geometry.positions) position = isometry.polar(position);
@@ -44,13 +55,14 @@ ElementSample<E> make_sample(RandomValues& random,
                              const std::array<Vec3, E::node_count>& reference,
                              const Isometry& isometry) {
     ElementSample<E> sample{name, element, reference, {}, {}, {}};
+    const Whereabouts common{random.rotation(), random.number(0.3, 1.8) * random.direction()};
     for (int i = 0; i < E::node_count; ++i) {
-        move_at_random(random, reference[i], sample.previous[i], sample.motions[i]);
+        move_at_random(random, common, reference[i], sample.previous[i], sample.motions[i]);
         sample.previous[i] = isometry.motion(sample.previous[i]);
         sample.motions[i] = isometry.motion(sample.motions[i]);
         sample.reference[i] = isometry.polar(reference[i]);
     }
-    for (int p = 0; p < E::force_point_count; ++p) {
+    for (int p = 0; p < E::history_count; ++p) {
         sample.histories.push_back(carry(isometry, {random.rotation(), random.vector(0.6)}));
     }
     return sample;
@@ -58,15 +70,34 @@ ElementSample<E> make_sample(RandomValues& random,
 
 }  // namespace
 
-RodPiece make_rod_piece(RandomValues& random) {
-    RodPiece piece{{}, {"tube", random.positive_definite<6>(), Mat6::Zero()}};
-    piece.section.mass.topLeftCorner<3, 3>() = random.number(0.5, 2.0) * Mat3::Identity();
-    piece.section.mass.bottomRightCorner<3, 3>() = random.positive_definite<3>();
+template <int Nodes>
+RodPiece<Nodes> make_rod_piece(RandomValues& random) {
+    RodPiece<Nodes> piece;
+    Section& section = piece.section;
+    section.name = "tube";
+    section.stiffness = random.positive_definite<6>();
+    const double rho_A = random.number(0.5, 2.0);
+    const Mat3 offset = spin(random.vector(0.5));
+    section.mass.topLeftCorner<3, 3>() = rho_A * Mat3::Identity();
+    section.mass.topRightCorner<3, 3>() = -rho_A * offset;
+    section.mass.bottomLeftCorner<3, 3>() = rho_A * offset;
+    section.mass.bottomRightCorner<3, 3>() = random.positive_definite<3>() - rho_A * offset * offset;
+    section.kelvin_voigt = 0.3;
+    section.mass_proportional = 0.7;
     const Quat axes = random.rotation();
     const Vec3 start = random.vector();
-    piece.geometry = {{0, 1}, {start, start + axes * Vec3(0.7, 0.0, 0.0)}, {axes, axes}};
+    const Vec3 turn = random.vector(0.4);
+    const NodeValues<Nodes> at = compute_node_positions<Nodes>();
+    for (int i = 0; i < Nodes; ++i) {
+        const double xi = at[i];
+        piece.geometry.nodes[i] = i;
+        piece.geometry.positions[i] = start + axes * Vec3(0.35 * xi, 0.08 * xi * xi, 0.03 * xi * xi * xi);
+        piece.geometry.triads[i] = axes * exp_quaternion(xi * turn + xi * xi * Vec3(0.0, 0.1, 0.05));
+    }
     return piece;
 }
+
+template RodPiece<2> make_rod_piece<2>(RandomValues&);
 
 Body make_body(RandomValues& random, const Vec3& centre_of_mass) {
     Body body;
@@ -78,17 +109,40 @@ Body make_body(RandomValues& random, const Vec3& centre_of_mass) {
     return body;
 }
 
+namespace {
+
+template <template <int> class RodKind, int Nodes>
+ElementSample<RodKind<Nodes>> make_rod_sample(RandomValues& random,
+                                              const std::string& kind,
+                                              const Isometry& isometry) {
+    const RodPiece<Nodes> piece = make_rod_piece<Nodes>(random);
+    const RodPiece<Nodes> carried = carry(isometry, piece);
+    const RodKind<Nodes> rod(carried.geometry, carried.section);
+    return make_sample(random,
+                       kind + " rod of " + std::to_string(Nodes) + " nodes",
+                       rod,
+                       piece.geometry.positions,
+                       isometry);
+}
+
+}  // namespace
+
 ElementSamples make_samples(unsigned seed, const Isometry& isometry) {
     RandomValues random(seed);
     const Vec3 place_of_body = random.vector();
     const RigidBody central(carry(isometry, make_body(random, Vec3::Zero())));
     const RigidBody offset(carry(isometry, make_body(random, random.vector())));
-    const RodPiece piece = make_rod_piece(random);
-    const RodPiece carried = carry(isometry, piece);
-    const SimoElement<2> rod(carried.geometry, carried.section);
-    return {make_sample(random, "rigid body", central, {place_of_body}, isometry),
-            make_sample(random, "rigid body with offset", offset, {place_of_body}, isometry),
-            make_sample(random, "simo rod of two nodes", rod, piece.geometry.positions, isometry)};
+    // In braces, evaluated in this order.
+    return ElementSamples{make_sample(random, "rigid body", central, {place_of_body}, isometry),
+                          make_sample(random, "rigid body with offset", offset, {place_of_body}, isometry),
+                          make_rod_sample<SimoElement, 2>(random, "simo", isometry),
+                          make_rod_sample<SimoElement, 3>(random, "simo", isometry),
+                          make_rod_sample<SimoElement, 4>(random, "simo", isometry),
+                          make_rod_sample<SimoElement, 5>(random, "simo", isometry),
+                          make_rod_sample<ObjectiveElement, 2>(random, "objective", isometry),
+                          make_rod_sample<ObjectiveElement, 3>(random, "objective", isometry),
+                          make_rod_sample<ObjectiveElement, 4>(random, "objective", isometry),
+                          make_rod_sample<ObjectiveElement, 5>(random, "objective", isometry)};
 }
 
 NodeMotion move(const NodeMotion& previous, const NodeMotion& motion, const Vec6& direction, double amount) {

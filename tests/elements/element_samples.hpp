@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "elements/rigid_body.hpp"
-#include "elements/rod/simo_element.hpp"
+#include "elements/rod/rod_element.hpp"
 #include "tools/isometry.hpp"
 #include "tools/random_values.hpp"
 
@@ -40,6 +40,11 @@ struct ElementSample {
         return force;
     }
     Force internal_force(const Nodal& nodal) const { return internal_force(nodal, histories); }
+    Force damping_force(const Nodal& nodal) const {
+        Force force = Force::Zero();
+        element.add_damping_force(point_at(nodal), histories, force);
+        return force;
+    }
     Force inertial_force(const Nodal& nodal, const Vec3& gravity) const {
         Force force = Force::Zero();
         element.add_inertial_force(point_at(nodal), gravity, force);
@@ -59,18 +64,29 @@ struct ElementSample {
     }
 };
 
-// A piece of rod in a random place, 0.7 long, stiffness and rotary inertia full and positive definite.
+// A curved and twisted piece of rod in a random place, some 0.7 long; stiffness and rotary inertia full and
+// positive definite, the centre of mass off the centreline, damped both ways.
+template <int Nodes>
 struct RodPiece {
-    RodElementGeometry<2> geometry;
+    RodElementGeometry<Nodes> geometry;
     Section section;
 };
-RodPiece make_rod_piece(RandomValues& random);
+template <int Nodes>
+RodPiece<Nodes> make_rod_piece(RandomValues& random);
 
 // A body with a full inertia tensor.
 Body make_body(RandomValues& random, const Vec3& centre_of_mass);
 
-using ElementSamples =
-    std::tuple<ElementSample<RigidBody>, ElementSample<RigidBody>, ElementSample<SimoElement<2>>>;
+using ElementSamples = std::tuple<ElementSample<RigidBody>,
+                                  ElementSample<RigidBody>,
+                                  ElementSample<SimoElement<2>>,
+                                  ElementSample<SimoElement<3>>,
+                                  ElementSample<SimoElement<4>>,
+                                  ElementSample<SimoElement<5>>,
+                                  ElementSample<ObjectiveElement<2>>,
+                                  ElementSample<ObjectiveElement<3>>,
+                                  ElementSample<ObjectiveElement<4>>,
+                                  ElementSample<ObjectiveElement<5>>>;
 // The isometry carries the elements, their material axes, motions and histories to another place or into a
 // mirror.
 ElementSamples make_samples(unsigned seed, const Isometry& isometry = {});

@@ -90,9 +90,10 @@ TEST_CASE("a rigid motion from the reference shape strains nothing", "[elements]
         const auto histories = sample.start();
         for (const Vec3& rotation : {Vec3(0.0, 0.0, 0.0), Vec3(1e-7, 0.0, 0.0), turn, Vec3(0.0, 3.1, 0.0)}) {
             const auto nodal = move_rigidly(sample, rotation);
-            // Stiffnesses are of order one.
-            CHECK(sample.internal_force(nodal, histories).norm() < 1e-14);
-            CHECK(sample.strain_energy(nodal, histories) < 1e-28);
+            // Stiffnesses are of order one, but positions of order 5 are divided by as little as a tenth of
+            // the element's 0.7.
+            CHECK(sample.internal_force(nodal, histories).norm() < 2e-13);
+            CHECK(sample.strain_energy(nodal, histories) < 1e-26);
         }
     });
 }

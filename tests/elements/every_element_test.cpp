@@ -150,6 +150,46 @@ TEST_CASE("internal tangents are derivatives of internal forces", "[elements]") 
     });
 }
 
+TEST_CASE("damping tangents are derivatives of damping forces", "[elements]") {
+    for_each_sample([](const auto& sample) {
+        for (const auto& [what, linearization] : make_linearizations()) {
+            INFO(sample.name << ", " << what);
+            auto tangent = typename std::remove_cvref_t<decltype(sample)>::Tangent();
+            tangent.setZero();
+            sample.element.add_damping_tangent(sample.point_at(sample.motions),
+                                               sample.histories,
+                                               at_every_node(sample, linearization),
+                                               tangent);
+            const auto expected = differentiate_force(
+                sample, linearization, [&](const auto& nodal) { return sample.damping_force(nodal); });
+            CHECK(relative_difference(tangent, expected) < tolerance);
+        }
+    });
+}
+
+TEST_CASE("damping takes power from every motion that strains, and mass-proportional from all", "[elements]") {
+    for_each_sample([](const auto& sample) {
+        INFO(sample.name);
+        if (!sample.element.is_damped()) return;
+        RandomValues random(8);
+        for (int trial = 0; trial < 20; ++trial) {
+            auto nodal = sample.motions;
+            for (NodeMotion& motion : nodal) {
+                motion.v = random.vector();
+                motion.omega = random.vector();
+            }
+            const auto force = sample.damping_force(nodal);
+            double power = 0.0;
+            for (int i = 0; i < sample.node_count; ++i) {
+                power += force.template segment<3>(6 * i).dot(nodal[i].v) +
+                         force.template segment<3>(6 * i + 3).dot(nodal[i].omega);
+            }
+            // Of the mass-proportional part, 0.7 × twice the kinetic energy.
+            CHECK(power > 1.4 * sample.kinetic_energy(nodal));
+        }
+    });
+}
+
 TEST_CASE("inertial tangents are derivatives of inertial forces", "[elements]") {
     for_each_sample([](const auto& sample) {
         for (const auto& [what, linearization] : make_linearizations()) {

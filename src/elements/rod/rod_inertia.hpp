@@ -1,35 +1,60 @@
 #pragma once
 
 #include "elements/element.hpp"
-#include "elements/rod/shape_functions.hpp"
+#include "elements/rod/rod_geometry.hpp"
 #include "model/model.hpp"
 
 namespace gxrod {
 
-// The inertia of a rod element: mass integrated exactly along the element (Nodes Gauss points), rotary
-// inertia lumped to the nodes with the weights of nodal quadrature. Each node is then a small rigid body, so
-// that the semi-discrete balances of momentum, angular momentum and energy are exact.
+// The inertia of a rod element. Each node moves the centre of mass of its section, r_I + d_I, like a rigid
+// body; between the nodes these points are interpolated and their mass is integrated (Nodes Gauss points).
+// Rotary inertia about them is lumped to the nodes with the weights of nodal quadrature. The kinetic energy
+// is then positive for every offset, and the semi-discrete balances of momentum, angular momentum and energy
+// are exact (docs/theory/rods.md, (R23)–(R27)).
 template <int Nodes>
 class RodInertia {
   public:
-    RodInertia(const std::array<Vec3, Nodes>& positions,
-               const std::array<Quat, Nodes>& triads,
-               const Section& section);
+    RodInertia(const RodElementGeometry<Nodes>& geometry, const Section& section);
 
     void add_force(const Motions<Nodes>& motions, const Vec3& gravity, NodalVector<Nodes>& force) const;
     void add_tangent(const Motions<Nodes>& motions,
                      const Vec3& gravity,
                      const Linearizations<Nodes>& linearizations,
                      NodalMatrix<Nodes>& tangent) const;
+
+    // Forces and couples that are mass_proportional times the momenta.
+    bool is_damped() const { return mass_proportional_ > 0.0; }
+    void add_damping_force(const Motions<Nodes>& motions, NodalVector<Nodes>& force) const;
+    void add_damping_tangent(const Motions<Nodes>& motions,
+                             const Linearizations<Nodes>& linearizations,
+                             NodalMatrix<Nodes>& tangent) const;
+
     double kinetic_energy(const Motions<Nodes>& motions) const;
     double gravity_potential(const Motions<Nodes>& motions, const Vec3& gravity) const;
     Momentum momentum(const Motions<Nodes>& motions) const;
 
   private:
+    using Columns3 = Eigen::Matrix<double, 3, Nodes>;
+
+    // From each node to its centre of mass, spatial.
+    Columns3 compute_offsets(const Motions<Nodes>& motions) const;
+    // Velocities of the centres of mass.
+    Columns3 compute_velocities(const Motions<Nodes>& motions, const Columns3& d) const;
+    // Accelerations of the centres of mass less gravity.
+    Columns3 compute_accelerations(const Motions<Nodes>& motions,
+                                   const Vec3& gravity,
+                                   const Columns3& d) const;
+
     Eigen::Matrix<double, Nodes, Nodes> mass_;  // ∫ ρA N_I N_J ds
-    std::array<RigidInertia, Nodes> nodal_;     // rotary inertia; no mass
+    Columns3 offsets_;                          // at t = 0
+    bool has_offset_;
+    std::array<RigidInertia, Nodes> rotary_;  // about the centres of mass; no mass
+    double mass_proportional_;
 };
 
 extern template class RodInertia<2>;
+extern template class RodInertia<3>;
+extern template class RodInertia<4>;
+extern template class RodInertia<5>;
 
 }  // namespace gxrod

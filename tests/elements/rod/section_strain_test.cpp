@@ -1,4 +1,4 @@
-#include "elements/rod/simo_strain.hpp"
+#include "elements/rod/section_strain.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -12,7 +12,7 @@ namespace {
 
 struct Case {
     std::string name;
-    SimoFields fields;
+    SectionFields fields;
     SectionHistory history;
     ReferenceStrain reference;
 };
@@ -29,8 +29,8 @@ std::vector<Case> make_cases() {
     return cases;
 }
 
-SimoFields move(const SimoFields& fields, int unknown, double amount) {
-    SimoFields moved = fields;
+SectionFields move(const SectionFields& fields, int unknown, double amount) {
+    SectionFields moved = fields;
     Vec3* const parts[3] = {&moved.r_prime, &moved.theta, &moved.theta_prime};
     (*parts[unknown / 3])[unknown % 3] += amount;
     return moved;
@@ -52,7 +52,7 @@ TEST_CASE("strains are those of the interpolated section axes", "[elements][rod]
         Vec6 expected;
         expected << axes(0.0).transpose() * it.fields.r_prime - it.reference.Gamma,
             curvature - it.reference.Kappa;
-        CHECK(relative_difference(compute_simo_strain(it.fields, it.history, it.reference), expected) <
+        CHECK(relative_difference(compute_strain(it.fields, it.history, it.reference), expected) <
               1e-10);
         CHECK(relative_difference(compute_total_curvature(it.fields, it.history), curvature) < 1e-10);
         CHECK(relative_difference(compute_section_axes(it.fields, it.history).toRotationMatrix(), axes(0.0)) <
@@ -66,7 +66,7 @@ TEST_CASE("the strain gradient is the derivative of the strains", "[elements][ro
         Eigen::Matrix<double, 6, 9> expected;
         for (int unknown = 0; unknown < 9; ++unknown) {
             expected.col(unknown) = differentiate([&](double amount) {
-                return compute_simo_strain(move(it.fields, unknown, amount), it.history, it.reference);
+                return compute_strain(move(it.fields, unknown, amount), it.history, it.reference);
             });
         }
         CHECK(relative_difference(compute_strain_gradient(it.fields, it.history), expected) < 1e-10);

@@ -1,0 +1,32 @@
+#include "analyses/static.hpp"
+
+#include "analyses/dynamic.hpp"
+#include "integrators/load_stepping.hpp"
+
+namespace gxrod {
+
+StaticAnalysis::StaticAnalysis(const Model& model, const StaticSettings& settings)
+    : SteppedAnalysis(model,
+                      std::make_unique<LoadStepping>(),
+                      settings.newton,
+                      settings.linear_solver,
+                      StepControl(1.0, settings.steps)) {}
+
+EquilibriumReport StaticAnalysis::start() {
+    for (NodeMotion& motion : state_.trial) {
+        motion.v.setZero();
+        motion.omega.setZero();
+    }
+    system_.compute_residual(state_, 0.0, workspace_.residual);
+    accept_start();
+    return {};
+}
+
+std::unique_ptr<SteppedAnalysis> make_analysis(const Model& model, const AnalysisSettings& settings) {
+    if (const auto* dynamic = std::get_if<DynamicSettings>(&settings)) {
+        return std::make_unique<DynamicAnalysis>(model, *dynamic);
+    }
+    return std::make_unique<StaticAnalysis>(model, std::get<StaticSettings>(settings));
+}
+
+}  // namespace gxrod

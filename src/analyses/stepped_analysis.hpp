@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+
+#include "analyses/ledger.hpp"
+#include "assembly/system.hpp"
+#include "integrators/integrator.hpp"
+#include "results/step_record.hpp"
+#include "solvers/equilibrium.hpp"
+#include "solvers/step_control.hpp"
+
+namespace gxrod {
+
+// What all analyses in steps do: one step after the other, halving one that fails.
+class SteppedAnalysis {
+  public:
+    virtual ~SteppedAnalysis() = default;
+
+    // Prepares the first step; before anything else.
+    virtual EquilibriumReport start() = 0;
+    // One accepted step, of the nominal length or a part of it. If even the shortest step fails, the report
+    // says why and the state is the last accepted one.
+    EquilibriumReport advance();
+    bool finished() const { return control_.finished(); }
+
+    const System& system() const { return system_; }
+    const State& state() const { return state_; }
+    const StepControl& control() const { return control_; }
+    const PhaseSeconds& seconds() const { return workspace_.seconds; }
+
+    LedgerRow ledger_row() const { return ledger_->row(state_); }
+    const SolverRow& solver_row() const { return solver_row_; }
+    // Of the last accepted state; valid until the next step.
+    Snapshot snapshot();
+
+  protected:
+    // The model must outlive the analysis.
+    SteppedAnalysis(const Model& model,
+                    std::unique_ptr<Integrator> integrator,
+                    const NewtonSettings& newton,
+                    LinearSolverKind linear_solver,
+                    const StepControl& control);
+
+    // Takes the trial motions for the state at t = 0; the workspace has their residual.
+    void accept_start();
+
+    System system_;
+    std::unique_ptr<Integrator> integrator_;
+    NewtonSettings newton_;
+    SolverWorkspace workspace_;
+    StepControl control_;
+    State state_;
+
+  private:
+    // Tries the next step; if that fails, or a load throws EvaluationError, the state is as before.
+    bool take_step(EquilibriumReport& report);
+
+    std::unique_ptr<Ledger> ledger_;
+    SolverRow solver_row_;
+    std::vector<SectionValues> section_values_;
+    std::vector<Vec6> reactions_;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <cassert>
+
+#include "assembly/system.hpp"
+
+// How a system is made of its model, once.
+namespace gxrod {
+
+namespace {
+
+// Calls visit with the number of nodes of an element of this order as a constant.
+template <class Visitor>
+void visit_node_count(int order, Visitor&& visit) {
+    switch (order) {
+        case 1:
+            return visit(std::integral_constant<int, 2>());
+        case 2:
+            return visit(std::integral_constant<int, 3>());
+        case 3:
+            return visit(std::integral_constant<int, 4>());
+        default:
+            assert(order == 4);
+            return visit(std::integral_constant<int, 5>());
+    }
+}
+
+template <int Nodes>
+RodElementGeometry<Nodes> find_geometry(const Model& model, const Rod& rod, int element) {
+    RodElementGeometry<Nodes> geometry;
+    for (int i = 0; i < Nodes; ++i) {
+        const int entry = element * Nodes + i;
+        geometry.nodes[i] = rod.element_nodes[entry];
+        geometry.positions[i] = model.nodes[geometry.nodes[i]].position;
+        geometry.triads[i] = rod.triads[entry];
+    }
+    return geometry;
+}
+
+template <class E>
+void add_rod(const Model& model, const Rod& rod, int first_element, ElementBlock<E>& block) {
+    const Section& section = model.sections[rod.section];
+    for (int e = 0; e < rod.element_count(); ++e) {
+        block.elements.emplace_back(find_geometry<E::node_count>(model, rod, e), section);
+        block.section_index.push_back(first_element + e);
+    }
+}
+
+template <int Nodes>
+LoadedElement make_loaded_element(const Model& model, const DistributedLoad& load, int element) {
+    const Rod& rod = model.rods[load.rod];
+    const RodElementGeometry<Nodes> geometry = find_geometry<Nodes>(model, rod, element);
+    LoadedElement loaded{.load = &load,
+                         .nodes = {geometry.nodes.begin(), geometry.nodes.end()},
+                         .triads = {geometry.triads.begin(), geometry.triads.end()},
+                         .points = {}};
+    for (const auto& [xi, weight] : compute_gauss_rule<Nodes>()) {
+        const NodeValues<Nodes> shape = compute_shape_functions<Nodes>(xi);
+        const NodeValues<Nodes> slope = compute_shape_slopes<Nodes>(xi);
+        LoadedElement::Point point{0.0, 0.0, {}};
+        Vec3 tangent = Vec3::Zero();
+        for (int i = 0; i < Nodes; ++i) {
+            point.shape[i] = shape[i];
+            point.arc_length += shape[i] * rod.arc_length[element * Nodes + i];
+            tangent += slope[i] * geometry.positions[i];
+        }
+        point.weight = weight * tangent.norm();
+        loaded.points.push_back(point);
+    }
+    return loaded;
+}
+
+}  // namespace
+
+System::System(const Model& model) : model_(&model), supports_(model), equations_(supports_) {
+    build_blocks();
+    build_loads();
+    build_pattern();
+    measure();
+}
+
+void System::build_blocks() {
+    for (const Body& body : model_->bodies)
+        std::get<ElementBlock<RigidBody>>(blocks_).elements.emplace_back(body);
+    for (const Rod& rod : model_->rods) {
+        visit_node_count(rod.order, [&](auto node_count) {
+            if (rod.kind == ElementKind::simo) {
+                add_rod(*model_, rod, rod_element_count_, std::get<ElementBlock<SimoElement<node_count>>>(blocks_));
+            } else {
+                add_rod(*model_,
+                        rod,
+                        rod_element_count_,
+                        std::get<ElementBlock<ObjectiveElement<node_count>>>(blocks_));
+            }
+        });
+        rod_element_count_ += rod.element_count();
+    }
+    for_each_block(blocks_, [this](auto& block) {
+        block.first_history = history_count_;
+        history_count_ += block.elements.size() * block.history_count;
+        block.is_damped = std::any_of(
+            block.elements.begin(), block.elements.end(), [](const auto& e) { return e.is_damped(); });
+        is_damped_ = is_damped_ || block.is_damped;
+    });
+}
+
+void System::build_loads() {
+    for (const DistributedLoad& load : model_->distributed_loads) {
+        const Rod& rod = model_->rods[load.rod];
+        for (int e = 0; e < rod.element_count(); ++e) {
+            visit_node_count(rod.order, [&](auto node_count) {
+                loaded_elements_.push_back(make_loaded_element<node_count>(*model_, load, e));
+            });
+        }
+    }
+}
+
+void System::build_pattern() {
+    std::vector<NodeGroup> groups;
+    for_each_block(blocks_, [&](const auto& block) {
+        for (const auto& element : block.elements)
+            groups.emplace_back(element.nodes.begin(), element.nodes.end());
+    });
+    pattern_ = compute_pattern(equations_, groups);
+    for_each_block(blocks_, [this](auto& block) {
+        constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
+        for (const auto& element : block.elements) {
+            block.slots.push_back(compute_slots<node_count>(element.nodes, equations_, pattern_));
+        }
+    });
+    for (const NodalLoad& load : model_->loads) {
+        load_slots_.push_back(compute_slots<1>({load.node}, equations_, pattern_));
+    }
+    for (const LoadedElement& element : loaded_elements_) {
+        const std::size_t size = 6 * element.nodes.size();
+        loaded_element_slots_.emplace_back(size * size);
+        find_slots(element.nodes, equations_, pattern_, loaded_element_slots_.back());
+    }
+}
+
+void System::measure() {
+    Eigen::AlignedBox3d box;
+    for (const Node& node : model_->nodes) box.extend(node.position);
+    double length = box.isEmpty() ? 0.0 : box.diagonal().norm();
+    for (const Body& body : model_->bodies) {
+        length = std::max(length, body.centre_of_mass.norm());
+        if (body.mass > 0.0) length = std::max(length, std::sqrt(body.inertia.trace() / body.mass));
+    }
+    if (length > 0.0) length_scale_ = length;
+}
+
+}  // namespace gxrod

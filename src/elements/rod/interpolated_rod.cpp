@@ -1,0 +1,190 @@
+#include "elements/rod/interpolated_rod.hpp"
+
+namespace gxrod {
+
+template <int Nodes>
+InterpolatedRod<Nodes>::InterpolatedRod(const LocalMotion<Nodes>& reference,
+                                        const PointHistories& histories,
+                                        const Section& section)
+    : stiffness_(section.stiffness), kelvin_voigt_(section.kelvin_voigt) {
+    const auto rule = compute_gauss_rule<point_count>();
+    for (int p = 0; p < point_count; ++p) {
+        ForcePoint& point = points_[p];
+        const NodeValues<Nodes> slope = compute_shape_slopes<Nodes>(rule[p].xi);
+        const double jacobian = (reference.r * slope).norm();
+        point.shape = compute_shape_functions<Nodes>(rule[p].xi);
+        point.slope = slope / jacobian;
+        point.weight = rule[p].weight * jacobian;
+        // The strains of this very interpolation, so that the reference is free of strain to round-off.
+        const ReferenceStrain none{Vec3::Zero(), Vec3::Zero()};
+        const Vec6 strain = compute_strain(interpolate(point, reference), histories[p], none);
+        point.reference = {strain.head<3>(), strain.tail<3>()};
+    }
+}
+
+template <int Nodes>
+SectionFields InterpolatedRod<Nodes>::interpolate(const ForcePoint& point,
+                                                  const LocalMotion<Nodes>& motion) {
+    return {motion.r * point.slope, motion.theta * point.shape, motion.theta * point.slope};
+}
+
+template <int Nodes>
+SectionFields InterpolatedRod<Nodes>::interpolate_middle(const LocalMotion<Nodes>& motion) {
+    const NodeValues<Nodes> slope = compute_shape_slopes<Nodes>(0.0);
+    return {motion.r * slope, motion.theta * compute_shape_functions<Nodes>(0.0), motion.theta * slope};
+}
+
+template <int Nodes>
+void InterpolatedRod<Nodes>::add_force(const ForcePoint& point,
+                                       const Vec9& density,
+                                       NodalVector<Nodes>& force) {
+    for (int i = 0; i < Nodes; ++i) {
+        const double shape = point.weight * point.shape[i];
+        const double slope = point.weight * point.slope[i];
+        force.template segment<3>(6 * i) += slope * density.head<3>();
+        force.template segment<3>(6 * i + 3) += shape * density.segment<3>(3) + slope * density.tail<3>();
+    }
+}
+
+template <int Nodes>
+void InterpolatedRod<Nodes>::add_matrix(const ForcePoint& point,
+                                        const Mat9& density,
+                                        NodalMatrix<Nodes>& matrix) {
+    for (int j = 0; j < Nodes; ++j) {
+        const double shape = point.weight * point.shape[j];
+        const double slope = point.weight * point.slope[j];
+        Eigen::Matrix<double, 9, 6> columns;
+        columns.leftCols<3>() = slope * density.leftCols<3>();
+        columns.rightCols<3>() = shape * density.middleCols<3>(3) + slope * density.rightCols<3>();
+        for (int i = 0; i < Nodes; ++i) {
+            matrix.template block<3, 6>(6 * i, 6 * j) += point.slope[i] * columns.topRows<3>();
+            matrix.template block<3, 6>(6 * i + 3, 6 * j) +=
+                point.shape[i] * columns.middleRows<3>(3) + point.slope[i] * columns.bottomRows<3>();
+        }
+    }
+}
+
+template <int Nodes>
+double InterpolatedRod<Nodes>::strain_energy(const LocalMotion<Nodes>& motion, Histories histories) const {
+    double energy = 0.0;
+    for (int p = 0; p < point_count; ++p) {
+        const ForcePoint& point = points_[p];
+        const Vec6 strain = compute_strain(interpolate(point, motion), histories[p], point.reference);
+        energy += 0.5 * point.weight * strain.dot(stiffness_ * strain);
+    }
+    return energy;
+}
+
+template <int Nodes>
+NodalVector<Nodes> InterpolatedRod<Nodes>::compute_gradient(const LocalMotion<Nodes>& motion,
+                                                            Histories histories) const {
+    NodalVector<Nodes> gradient = NodalVector<Nodes>::Zero();
+    for (int p = 0; p < point_count; ++p) {
+        const ForcePoint& point = points_[p];
+        const SectionFields fields = interpolate(point, motion);
+        const Vec6 resultants = stiffness_ * compute_strain(fields, histories[p], point.reference);
+        add_force(point, compute_strain_gradient(fields, histories[p]).transpose() * resultants, gradient);
+    }
+    return gradient;
+}
+
+template <int Nodes>
+NodalMatrix<Nodes> InterpolatedRod<Nodes>::compute_hessian(const LocalMotion<Nodes>& motion,
+                                                           Histories histories) const {
+    NodalMatrix<Nodes> hessian = NodalMatrix<Nodes>::Zero();
+    for (int p = 0; p < point_count; ++p) {
+        const ForcePoint& point = points_[p];
+        const SectionFields fields = interpolate(point, motion);
+        const Vec6 resultants = stiffness_ * compute_strain(fields, histories[p], point.reference);
+        const StrainGradient E_u = compute_strain_gradient(fields, histories[p]);
+        const StrainGradient C_E_u = stiffness_ * E_u;
+        add_matrix(point,
+                   E_u.transpose() * C_E_u + compute_geometric_hessian(fields, histories[p], resultants),
+                   hessian);
+    }
+    return hessian;
+}
+
+template <int Nodes>
+Vec6 InterpolatedRod<Nodes>::compute_strain_rates(const ForcePoint& point,
+                                                  const LocalMotion<Nodes>& motion,
+                                                  const LocalMotion<Nodes>& rates,
+                                                  const SectionHistory& history) const {
+    const SectionFields u_dot = interpolate(point, rates);
+    Vec9 stacked;
+    stacked << u_dot.r_prime, u_dot.theta, u_dot.theta_prime;
+    return compute_strain_gradient(interpolate(point, motion), history) * stacked;
+}
+
+template <int Nodes>
+NodalVector<Nodes> InterpolatedRod<Nodes>::compute_damping_force(const LocalMotion<Nodes>& motion,
+                                                                 const LocalMotion<Nodes>& rates,
+                                                                 Histories histories) const {
+    NodalVector<Nodes> force = NodalVector<Nodes>::Zero();
+    for (int p = 0; p < point_count; ++p) {
+        const ForcePoint& point = points_[p];
+        const Vec6 resultants =
+            kelvin_voigt_ * (stiffness_ * compute_strain_rates(point, motion, rates, histories[p]));
+        const StrainGradient E_u = compute_strain_gradient(interpolate(point, motion), histories[p]);
+        add_force(point, E_u.transpose() * resultants, force);
+    }
+    return force;
+}
+
+template <int Nodes>
+auto InterpolatedRod<Nodes>::compute_damping_tangents(const LocalMotion<Nodes>& motion,
+                                                      const LocalMotion<Nodes>& rates,
+                                                      Histories histories) const -> DampingTangents {
+    DampingTangents tangents{NodalMatrix<Nodes>::Zero(), NodalMatrix<Nodes>::Zero()};
+    const Mat6 viscosity = kelvin_voigt_ * stiffness_;
+    for (int p = 0; p < point_count; ++p) {
+        const ForcePoint& point = points_[p];
+        const SectionHistory& history = histories[p];
+        const SectionFields fields = interpolate(point, motion);
+        const StrainGradient E_u = compute_strain_gradient(fields, history);
+        const StrainGradient Z = compute_strain_rate_gradient(fields, interpolate(point, rates), history);
+        const Vec6 resultants = viscosity * compute_strain_rates(point, motion, rates, history);
+        add_matrix(
+            point,
+            E_u.transpose() * viscosity * Z + compute_geometric_hessian(fields, history, resultants),
+            tangents.by_motion);
+        add_matrix(point, E_u.transpose() * viscosity * E_u, tangents.by_rates);
+    }
+    return tangents;
+}
+
+template <int Nodes>
+void InterpolatedRod<Nodes>::advance(const LocalMotion<Nodes>& motion,
+                                     std::span<SectionHistory> histories) const {
+    for (int p = 0; p < point_count; ++p) {
+        const SectionFields fields = interpolate(points_[p], motion);
+        histories[p] = {compute_section_axes(fields, histories[p]).normalized(),
+                        compute_total_curvature(fields, histories[p])};
+    }
+}
+
+template <int Nodes>
+auto InterpolatedRod<Nodes>::compute_middle_values(const LocalMotion<Nodes>& motion,
+                                                   const LocalMotion<Nodes>& rates,
+                                                   Histories histories) const -> MiddleValues {
+    constexpr int first = (point_count - 1) / 2;
+    constexpr int last = point_count / 2;
+    MiddleValues values{Vec6::Zero(), Vec6::Zero()};
+    for (int p = first; p <= last; ++p) {
+        const ForcePoint& point = points_[p];
+        const Vec6 strain = compute_strain(interpolate(point, motion), histories[p], point.reference);
+        values.strain += strain / (last - first + 1);
+        values.resultants += stiffness_ * strain / (last - first + 1);
+        if (!is_damped()) continue;
+        const Vec6 strain_rates = compute_strain_rates(point, motion, rates, histories[p]);
+        values.resultants += kelvin_voigt_ * (stiffness_ * strain_rates) / (last - first + 1);
+    }
+    return values;
+}
+
+template class InterpolatedRod<2>;
+template class InterpolatedRod<3>;
+template class InterpolatedRod<4>;
+template class InterpolatedRod<5>;
+
+}  // namespace gxrod

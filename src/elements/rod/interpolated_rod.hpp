@@ -1,0 +1,90 @@
+#pragma once
+
+#include "elements/element.hpp"
+#include "elements/rod/section_strain.hpp"
+#include "elements/rod/shape_functions.hpp"
+#include "model/model.hpp"
+
+namespace gxrod {
+
+// Nodal unknowns of a rod in which positions and rotation vectors are interpolated, r(s) = Σ N_I r_I and
+// θ(s) = Σ N_I θ_I: a column per node. What the rotation vectors are measured from is the caller's affair.
+template <int Nodes>
+struct LocalMotion {
+    Eigen::Matrix<double, 3, Nodes> r;
+    Eigen::Matrix<double, 3, Nodes> theta;
+};
+
+// Elastic energy and Kelvin-Voigt damping of a rod as a function of such unknowns. Forces and matrices are
+// stacked per node: three of r_I, three of θ_I. Integrated with Nodes − 1 Gauss points, which does not lock.
+template <int Nodes>
+class InterpolatedRod {
+  public:
+    static constexpr int point_count = Nodes - 1;
+    // What is known of each point's section: where θ is measured from.
+    using PointHistories = std::array<SectionHistory, point_count>;
+
+    // The reference shape: what is interpolated there is free of strain.
+    InterpolatedRod(const LocalMotion<Nodes>& reference,
+                    const PointHistories& histories,
+                    const Section& section);
+
+    bool is_damped() const { return kelvin_voigt_ > 0.0; }
+    double strain_energy(const LocalMotion<Nodes>& motion, Histories histories) const;
+    // ∂W/∂(r_I, θ_I).
+    NodalVector<Nodes> compute_gradient(const LocalMotion<Nodes>& motion, Histories histories) const;
+    // ∂²W/∂(r_I, θ_I)², symmetric.
+    NodalMatrix<Nodes> compute_hessian(const LocalMotion<Nodes>& motion, Histories histories) const;
+
+    // The generalised force of the resultants τ C Ė (Kelvin & Voigt), Ė the strain rates at these `rates`.
+    NodalVector<Nodes> compute_damping_force(const LocalMotion<Nodes>& motion,
+                                             const LocalMotion<Nodes>& rates,
+                                             Histories histories) const;
+    // Its derivatives by the motion and by the rates.
+    struct DampingTangents {
+        NodalMatrix<Nodes> by_motion, by_rates;
+    };
+    DampingTangents compute_damping_tangents(const LocalMotion<Nodes>& motion,
+                                             const LocalMotion<Nodes>& rates,
+                                             Histories histories) const;
+
+    // Λ and the total curvature of each point, for the next step.
+    void advance(const LocalMotion<Nodes>& motion, std::span<SectionHistory> histories) const;
+
+    // Strains and resultants τ C Ė + C E in the middle: of the point there, or the mean of the two beside it.
+    struct MiddleValues {
+        Vec6 strain, resultants;
+    };
+    MiddleValues compute_middle_values(const LocalMotion<Nodes>& motion,
+                                       const LocalMotion<Nodes>& rates,
+                                       Histories histories) const;
+
+    static SectionFields interpolate_middle(const LocalMotion<Nodes>& motion);
+
+  private:
+    struct ForcePoint {
+        NodeValues<Nodes> shape;  // N_I
+        NodeValues<Nodes> slope;  // dN_I/ds
+        double weight;            // in arc length
+        ReferenceStrain reference;
+    };
+
+    static SectionFields interpolate(const ForcePoint& point, const LocalMotion<Nodes>& motion);
+    static void add_force(const ForcePoint& point, const Vec9& density, NodalVector<Nodes>& force);
+    static void add_matrix(const ForcePoint& point, const Mat9& density, NodalMatrix<Nodes>& matrix);
+    Vec6 compute_strain_rates(const ForcePoint& point,
+                              const LocalMotion<Nodes>& motion,
+                              const LocalMotion<Nodes>& rates,
+                              const SectionHistory& history) const;
+
+    std::array<ForcePoint, point_count> points_;
+    Mat6 stiffness_;
+    double kelvin_voigt_;
+};
+
+extern template class InterpolatedRod<2>;
+extern template class InterpolatedRod<3>;
+extern template class InterpolatedRod<4>;
+extern template class InterpolatedRod<5>;
+
+}  // namespace gxrod

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "elements/rod/interpolated_rod.hpp"
+
+namespace gxrod {
+
+// Crisfield & Jelenić (1999): what is interpolated are rotations relative to a triad R of the element, so that
+// strains do not notice a rigid rotation nor the path. R is the section triad of the middle node or, of an
+// even number of nodes, half-way between the two middle ones. Section triads Λ_I triad_I = R exp(ψ_I), and
+// R exp(Σ N_I ψ_I) between the nodes; positions are seen from R too (docs/theory/rods.md, (R13)–(R22)).
+//
+// All calculation is in the axes of R. Its spin is δφ_R = A_a δφ_a + A_b δφ_b with the two middle nodes a, b
+// (one: A = I), and δρ_I = δr_I + ρ_I × δφ_R, δψ_I = T(ψ_I)⁻¹ (δφ_I − δφ_R).
+template <int Nodes>
+class ObjectiveMap {
+  public:
+    static constexpr int history_count = 0;
+
+    ObjectiveMap(const Motions<Nodes>& motions, const std::array<Quat, Nodes>& triads);
+
+    const LocalMotion<Nodes>& local() const { return local_; }
+    LocalMotion<Nodes> compute_rates(const Motions<Nodes>& motions) const;
+    Quat turn_out(const Quat& axes) const { return frame_ * axes; }
+    // Of two nodes, or a node and R: a rotation that the logarithm measures, at most π.
+    double largest_relative_rotation() const { return largest_relative_rotation_; }
+
+    // See SimoMap.
+    void add_force(const NodalVector<Nodes>& local_force, NodalVector<Nodes>& force) const;
+    void add_tangent(const NodalVector<Nodes>& local_force,
+                     const NodalMatrix<Nodes>& local_tangent,
+                     const Linearizations<Nodes>& linearizations,
+                     NodalMatrix<Nodes>& tangent) const;
+    void add_rate_tangent(const Motions<Nodes>& motions,
+                          const NodalMatrix<Nodes>& local_tangent,
+                          const Linearizations<Nodes>& linearizations,
+                          NodalMatrix<Nodes>& tangent) const;
+
+  private:
+    static constexpr bool has_pair = Nodes % 2 == 0;
+    static constexpr int a = (Nodes - 1) / 2;
+    static constexpr int b = Nodes / 2;  // a, of an odd number of nodes
+
+    using FrameRows = Eigen::Matrix<double, 3, 6 * Nodes>;
+    using FrameColumns = Eigen::Matrix<double, 6 * Nodes, 3>;
+    using Columns3 = Eigen::Matrix<double, 3, Nodes>;
+
+    void find_frame(const std::array<Quat, Nodes>& axes);
+    // Moments in the place of the forces conjugate to ψ; what all of it does to R comes back.
+    FrameRows pull_rows(NodalMatrix<Nodes>& rows) const;
+    void add_frame_rows(const FrameRows& on_frame, NodalMatrix<Nodes>& rows) const;
+    // From columns by (ρ, ψ) and by the spin of R to columns by (δr, δφ).
+    void push_columns(FrameColumns by_frame, NodalMatrix<Nodes>& matrix) const;
+    void add_turned_out(const NodalMatrix<Nodes>& matrix,
+                        const Linearizations<Nodes>& linearizations,
+                        NodalMatrix<Nodes>& tangent) const;
+
+    // Forces in the axes of R: n_I on positions, the moments m_I = T(ψ_I)⁻ᵀ × the force conjugate to ψ_I, and
+    // the moment M on R.
+    struct FrameForces {
+        Columns3 n, m;
+        Vec3 M;
+        NodalVector<Nodes> stacked;  // of the nodes, R's share included
+    };
+    FrameForces compute_frame_forces(const NodalVector<Nodes>& local_force) const;
+
+    // Nodal rates in the axes of R, positions from node a, and the spin of R.
+    struct FrameRates {
+        Columns3 v, omega;
+        Vec3 omega_R;
+    };
+    FrameRates compute_frame_rates(const Motions<Nodes>& motions) const;
+
+    // How the rates of (ρ, ψ) depend on (ρ, ψ) and on the spin of R at fixed nodal rates.
+    struct RateGradients {
+        NodalMatrix<Nodes> by_motion;
+        FrameColumns by_frame;
+    };
+    RateGradients compute_rate_gradients(const FrameRates& rates) const;
+
+    Quat frame_;
+    Mat3 R_;
+    LocalMotion<Nodes> local_;
+    std::array<Mat3, Nodes> T_inverse_;
+    Mat3 A_a_, A_b_;
+    Mat3 tau_gradient_;  // ∂τ/∂(ψ_b − ψ_a), τ the vector of A_a = ½(I + [τ]×), A_b = ½(I − [τ]×)
+    double largest_relative_rotation_ = 0.0;
+};
+
+extern template class ObjectiveMap<2>;
+extern template class ObjectiveMap<3>;
+extern template class ObjectiveMap<4>;
+extern template class ObjectiveMap<5>;
+
+}  // namespace gxrod

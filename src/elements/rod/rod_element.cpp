@@ -1,0 +1,197 @@
+#include "elements/rod/rod_element.hpp"
+
+namespace gxrod {
+
+template <int Nodes, class Map>
+RodElement<Nodes, Map>::RodElement(const RodElementGeometry<Nodes>& geometry, const Section& section)
+    : nodes(geometry.nodes),
+      triads_(geometry.triads),
+      start_(compute_start(geometry)),
+      rod_(make_rod(geometry, section)),
+      inertia_(geometry, section) {}
+
+template <int Nodes, class Map>
+Motions<Nodes> RodElement<Nodes, Map>::point_at(const std::array<NodeMotion, Nodes>& nodal) {
+    Motions<Nodes> pointers;
+    for (int i = 0; i < Nodes; ++i) pointers[i] = &nodal[i];
+    return pointers;
+}
+
+template <int Nodes, class Map>
+std::array<NodeMotion, Nodes> RodElement<Nodes, Map>::make_reference(
+    const RodElementGeometry<Nodes>& geometry) {
+    std::array<NodeMotion, Nodes> nodal;
+    for (int i = 0; i < Nodes; ++i) nodal[i].r = geometry.positions[i];
+    return nodal;
+}
+
+// Section axes and curvature of the force points of the reference shape. Its triads are interpolated as the
+// objective element does it, for both kinds.
+template <int Nodes, class Map>
+auto RodElement<Nodes, Map>::compute_start(const RodElementGeometry<Nodes>& geometry) -> PointHistories {
+    PointHistories histories;
+    histories.fill({Quat::Identity(), Vec3::Zero()});
+    if constexpr (history_count > 0) {
+        const std::array<NodeMotion, Nodes> nodal = make_reference(geometry);
+        const ObjectiveMap<Nodes> map(point_at(nodal), geometry.triads);
+        // Its own reference is of no matter for where its points are.
+        const InterpolatedRod<Nodes> rod(map.local(), histories, Section{});
+        rod.advance(map.local(), histories);
+        for (SectionHistory& history : histories) history.Lambda = map.turn_out(history.Lambda);
+    }
+    return histories;
+}
+
+template <int Nodes, class Map>
+auto RodElement<Nodes, Map>::make_rod(const RodElementGeometry<Nodes>& geometry, const Section& section)
+    -> Rod {
+    const std::array<NodeMotion, Nodes> nodal = make_reference(geometry);
+    const Map map(point_at(nodal), geometry.triads);
+    return Rod(map.local(), compute_start(geometry), section);
+}
+
+template <int Nodes, class Map>
+Histories RodElement<Nodes, Map>::histories_of_points(Histories histories) {
+    if constexpr (history_count > 0) return histories;
+    static const PointHistories own = [] {
+        PointHistories same;
+        same.fill({Quat::Identity(), Vec3::Zero()});
+        return same;
+    }();
+    return own;
+}
+
+template <int Nodes, class Map>
+void RodElement<Nodes, Map>::add_internal_force(const Motions<Nodes>& motions,
+                                                Histories histories,
+                                                NodalVector<Nodes>& force) const {
+    const Map map(motions, triads_);
+    map.add_force(rod_.compute_gradient(map.local(), histories_of_points(histories)), force);
+}
+
+template <int Nodes, class Map>
+void RodElement<Nodes, Map>::add_internal_tangent(const Motions<Nodes>& motions,
+                                                  Histories histories,
+                                                  const Linearizations<Nodes>& linearizations,
+                                                  NodalMatrix<Nodes>& tangent) const {
+    const Map map(motions, triads_);
+    const Histories known = histories_of_points(histories);
+    map.add_tangent(rod_.compute_gradient(map.local(), known),
+                    rod_.compute_hessian(map.local(), known),
+                    linearizations,
+                    tangent);
+}
+
+template <int Nodes, class Map>
+void RodElement<Nodes, Map>::add_inertial_force(const Motions<Nodes>& motions,
+                                                const Vec3& gravity,
+                                                NodalVector<Nodes>& force) const {
+    inertia_.add_force(motions, gravity, force);
+}
+
+template <int Nodes, class Map>
+void RodElement<Nodes, Map>::add_inertial_tangent(const Motions<Nodes>& motions,
+                                                  const Vec3& gravity,
+                                                  const Linearizations<Nodes>& linearizations,
+                                                  NodalMatrix<Nodes>& tangent) const {
+    inertia_.add_tangent(motions, gravity, linearizations, tangent);
+}
+
+template <int Nodes, class Map>
+void RodElement<Nodes, Map>::add_damping_force(const Motions<Nodes>& motions,
+                                               Histories histories,
+                                               NodalVector<Nodes>& force) const {
+    if (rod_.is_damped()) {
+        const Map map(motions, triads_);
+        map.add_force(rod_.compute_damping_force(
+                          map.local(), map.compute_rates(motions), histories_of_points(histories)),
+                      force);
+    }
+    if (inertia_.is_damped()) inertia_.add_damping_force(motions, force);
+}
+
+template <int Nodes, class Map>
+void RodElement<Nodes, Map>::add_damping_tangent(const Motions<Nodes>& motions,
+                                                 Histories histories,
+                                                 const Linearizations<Nodes>& linearizations,
+                                                 NodalMatrix<Nodes>& tangent) const {
+    if (rod_.is_damped()) {
+        const Map map(motions, triads_);
+        const Histories known = histories_of_points(histories);
+        const LocalMotion<Nodes> rates = map.compute_rates(motions);
+        const auto tangents = rod_.compute_damping_tangents(map.local(), rates, known);
+        map.add_tangent(rod_.compute_damping_force(map.local(), rates, known),
+                        tangents.by_motion,
+                        linearizations,
+                        tangent);
+        map.add_rate_tangent(motions, tangents.by_rates, linearizations, tangent);
+    }
+    if (inertia_.is_damped()) inertia_.add_damping_tangent(motions, linearizations, tangent);
+}
+
+template <int Nodes, class Map>
+void RodElement<Nodes, Map>::start(std::span<SectionHistory> histories) const {
+    std::copy_n(start_.begin(), history_count, histories.begin());
+}
+
+template <int Nodes, class Map>
+void RodElement<Nodes, Map>::commit(const Motions<Nodes>& motions,
+                                    std::span<SectionHistory> histories) const {
+    if constexpr (history_count > 0) rod_.advance(Map(motions, triads_).local(), histories);
+}
+
+template <int Nodes, class Map>
+double RodElement<Nodes, Map>::largest_relative_rotation(const Motions<Nodes>& motions) const {
+    return Map(motions, triads_).largest_relative_rotation();
+}
+
+template <int Nodes, class Map>
+double RodElement<Nodes, Map>::strain_energy(const Motions<Nodes>& motions, Histories histories) const {
+    return rod_.strain_energy(Map(motions, triads_).local(), histories_of_points(histories));
+}
+
+template <int Nodes, class Map>
+double RodElement<Nodes, Map>::kinetic_energy(const Motions<Nodes>& motions) const {
+    return inertia_.kinetic_energy(motions);
+}
+
+template <int Nodes, class Map>
+double RodElement<Nodes, Map>::gravity_potential(const Motions<Nodes>& motions, const Vec3& gravity) const {
+    return inertia_.gravity_potential(motions, gravity);
+}
+
+template <int Nodes, class Map>
+Momentum RodElement<Nodes, Map>::momentum(const Motions<Nodes>& motions) const {
+    return inertia_.momentum(motions);
+}
+
+template <int Nodes, class Map>
+SectionValues RodElement<Nodes, Map>::section_values(const Motions<Nodes>& motions,
+                                                     Histories histories) const {
+    const Map map(motions, triads_);
+    const Histories known = histories_of_points(histories);
+    const typename Rod::MiddleValues middle =
+        rod_.compute_middle_values(map.local(), map.compute_rates(motions), known);
+    const Vec6& strain = middle.strain;
+    const Vec6& resultants = middle.resultants;
+    Quat axes;
+    if constexpr (Nodes % 2 == 0) {
+        // A force point lies in the middle.
+        const SectionFields fields = Rod::interpolate_middle(map.local());
+        axes = map.turn_out(compute_section_axes(fields, known[Nodes / 2 - 1]));
+    } else {
+        axes = motions[Nodes / 2]->Lambda * triads_[Nodes / 2];
+    }
+    return {resultants.head<3>(), resultants.tail<3>(), strain.head<3>(), strain.tail<3>(), axes};
+}
+
+template class RodElement<2, SimoMap<2>>;
+template class RodElement<3, SimoMap<3>>;
+template class RodElement<4, SimoMap<4>>;
+template class RodElement<5, SimoMap<5>>;
+template class RodElement<2, ObjectiveMap<2>>;
+template class RodElement<3, ObjectiveMap<3>>;
+template class RodElement<4, ObjectiveMap<4>>;
+template class RodElement<5, ObjectiveMap<5>>;
+
+}  // namespace gxrod

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "elements/element.hpp"
+#include "elements/rod/interpolated_rod.hpp"
+#include "elements/rod/objective_map.hpp"
+#include "elements/rod/rod_geometry.hpp"
+#include "elements/rod/rod_inertia.hpp"
+#include "elements/rod/simo_map.hpp"
+#include "state/section_values.hpp"
+
+namespace gxrod {
+
+// A geometrically exact rod element: positions and rotation vectors interpolated, rotation vectors measured
+// from where `Map` says.
+template <int Nodes, class Map>
+class RodElement {
+  public:
+    static constexpr int node_count = Nodes;
+    static constexpr int history_count = Map::history_count;
+    static constexpr bool has_section = true;
+    std::array<int, Nodes> nodes;
+
+    RodElement(const RodElementGeometry<Nodes>& geometry, const Section& section);
+
+    void add_internal_force(const Motions<Nodes>& motions,
+                            Histories histories,
+                            NodalVector<Nodes>& force) const;
+    void add_internal_tangent(const Motions<Nodes>& motions,
+                              Histories histories,
+                              const Linearizations<Nodes>& linearizations,
+                              NodalMatrix<Nodes>& tangent) const;
+    void add_inertial_force(const Motions<Nodes>& motions,
+                            const Vec3& gravity,
+                            NodalVector<Nodes>& force) const;
+    void add_inertial_tangent(const Motions<Nodes>& motions,
+                              const Vec3& gravity,
+                              const Linearizations<Nodes>& linearizations,
+                              NodalMatrix<Nodes>& tangent) const;
+
+    bool is_damped() const { return rod_.is_damped() || inertia_.is_damped(); }
+    // Kelvin-Voigt and mass-proportional.
+    void add_damping_force(const Motions<Nodes>& motions,
+                           Histories histories,
+                           NodalVector<Nodes>& force) const;
+    void add_damping_tangent(const Motions<Nodes>& motions,
+                             Histories histories,
+                             const Linearizations<Nodes>& linearizations,
+                             NodalMatrix<Nodes>& tangent) const;
+
+    // The histories of a rod in its reference shape.
+    void start(std::span<SectionHistory> histories) const;
+    // Takes the trial motion as the last accepted step.
+    void commit(const Motions<Nodes>& motions, std::span<SectionHistory> histories) const;
+    // The largest rotation between nodes that the interpolation takes for the short way round, at most π.
+    double largest_relative_rotation(const Motions<Nodes>& motions) const;
+
+    double strain_energy(const Motions<Nodes>& motions, Histories histories) const;
+    double kinetic_energy(const Motions<Nodes>& motions) const;
+    double gravity_potential(const Motions<Nodes>& motions, const Vec3& gravity) const;
+    Momentum momentum(const Motions<Nodes>& motions) const;
+
+    // Strains and resultants in the middle.
+    SectionValues section_values(const Motions<Nodes>& motions, Histories histories) const;
+
+  private:
+    using Rod = InterpolatedRod<Nodes>;
+    using PointHistories = typename Rod::PointHistories;
+
+    // Where each force point's rotation is measured from: what State remembers, or the map's own axes.
+    static Histories histories_of_points(Histories histories);
+    static Motions<Nodes> point_at(const std::array<NodeMotion, Nodes>& nodal);
+    static std::array<NodeMotion, Nodes> make_reference(const RodElementGeometry<Nodes>& geometry);
+    static PointHistories compute_start(const RodElementGeometry<Nodes>& geometry);
+    static Rod make_rod(const RodElementGeometry<Nodes>& geometry, const Section& section);
+
+    std::array<Quat, Nodes> triads_;
+    PointHistories start_;
+    Rod rod_;
+    RodInertia<Nodes> inertia_;
+};
+
+template <int Nodes>
+using SimoElement = RodElement<Nodes, SimoMap<Nodes>>;
+template <int Nodes>
+using ObjectiveElement = RodElement<Nodes, ObjectiveMap<Nodes>>;
+
+static_assert(Element<SimoElement<2>>);
+static_assert(Element<ObjectiveElement<2>>);
+extern template class RodElement<2, SimoMap<2>>;
+extern template class RodElement<3, SimoMap<3>>;
+extern template class RodElement<4, SimoMap<4>>;
+extern template class RodElement<5, SimoMap<5>>;
+extern template class RodElement<2, ObjectiveMap<2>>;
+extern template class RodElement<3, ObjectiveMap<3>>;
+extern template class RodElement<4, ObjectiveMap<4>>;
+extern template class RodElement<5, ObjectiveMap<5>>;
+
+}  // namespace gxrod

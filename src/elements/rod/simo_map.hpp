@@ -1,0 +1,51 @@
+#pragma once
+
+#include "elements/rod/interpolated_rod.hpp"
+
+namespace gxrod {
+
+// Simo & Vu-Quoc (1986): what is interpolated are positions and the rotation vectors θ_I since the last
+// accepted step. From nodal motions to those and back: δθ_I = T(θ_I)⁻¹ δφ_I, so that test functions are
+// δφ(s) = T(θ(s)) Σ N_I T(θ_I)⁻¹ δφ_I (docs/theory/rods.md, (R12)).
+template <int Nodes>
+class SimoMap {
+  public:
+    // Sections remember their axes and curvature at the last accepted step.
+    static constexpr int history_count = Nodes - 1;
+
+    SimoMap(const Motions<Nodes>& motions, const std::array<Quat, Nodes>& triads);
+
+    const LocalMotion<Nodes>& local() const { return local_; }
+    LocalMotion<Nodes> compute_rates(const Motions<Nodes>& motions) const;
+    // Section axes of a point with what is remembered of it.
+    Quat turn_out(const Quat& axes) const { return axes; }
+    // The largest relative rotation that the interpolation takes for the short way round: none here.
+    double largest_relative_rotation() const { return 0.0; }
+
+    // From a generalised force of the local motion to forces and moments.
+    void add_force(const NodalVector<Nodes>& local_force, NodalVector<Nodes>& force) const;
+    // The derivative of what add_force adds, if the local force has this derivative by the local motion.
+    void add_tangent(const NodalVector<Nodes>& local_force,
+                     const NodalMatrix<Nodes>& local_tangent,
+                     const Linearizations<Nodes>& linearizations,
+                     NodalMatrix<Nodes>& tangent) const;
+    // The part of that derivative that comes through the rates, if the local force has this derivative by
+    // them.
+    void add_rate_tangent(const Motions<Nodes>& motions,
+                          const NodalMatrix<Nodes>& local_tangent,
+                          const Linearizations<Nodes>& linearizations,
+                          NodalMatrix<Nodes>& tangent) const;
+
+  private:
+    NodalMatrix<Nodes> pull_rows(NodalMatrix<Nodes> rows) const;
+
+    LocalMotion<Nodes> local_;
+    std::array<Mat3, Nodes> T_inverse_;
+};
+
+extern template class SimoMap<2>;
+extern template class SimoMap<3>;
+extern template class SimoMap<4>;
+extern template class SimoMap<5>;
+
+}  // namespace gxrod

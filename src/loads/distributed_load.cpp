@@ -1,0 +1,68 @@
+#include "loads/distributed_load.hpp"
+
+#include "rotation/rotation_map.hpp"
+
+namespace gxrod {
+
+namespace {
+
+Vec6 value_at(const DistributedLoad& load, double time, double arc_length) {
+    Vec6 value;
+    for (int i = 0; i < 3; ++i) {
+        value[i] = load.force[i](time, arc_length);
+        value[i + 3] = load.moment[i](time, arc_length);
+    }
+    return value;
+}
+
+// Force and moment per length as node `j` turns them.
+Vec6 turn(const LoadedElement& element, std::size_t j, const std::vector<NodeMotion>& motions, const Vec6& q) {
+    if (element.load->frame == Frame::spatial) return q;
+    const Quat& Lambda = motions[element.nodes[j]].Lambda;
+    const Quat axes = element.load->frame == Frame::body ? Lambda * element.triads[j] : Lambda;
+    Vec6 turned;
+    turned << axes * q.head<3>(), axes * q.tail<3>();
+    return turned;
+}
+
+}  // namespace
+
+void add_distributed_load(const LoadedElement& element,
+                          const std::vector<NodeMotion>& motions,
+                          double time,
+                          std::vector<Vec6>& nodal) {
+    for (const LoadedElement::Point& point : element.points) {
+        const Vec6 q = value_at(*element.load, time, point.arc_length);
+        Vec6 turned = Vec6::Zero();
+        for (std::size_t j = 0; j < element.nodes.size(); ++j) {
+            turned += point.shape[j] * turn(element, j, motions, q);
+        }
+        for (std::size_t i = 0; i < element.nodes.size(); ++i) {
+            nodal[element.nodes[i]] += (point.weight * point.shape[i]) * turned;
+        }
+    }
+}
+
+LoadMatrix compute_distributed_load_tangent(const LoadedElement& element,
+                                            const std::vector<NodeMotion>& motions,
+                                            double time,
+                                            const std::vector<NodeLinearization>& linearizations) {
+    const auto nodes = static_cast<Eigen::Index>(element.nodes.size());
+    LoadMatrix tangent = LoadMatrix::Zero(6 * nodes, 6 * nodes);
+    if (element.load->frame == Frame::spatial) return tangent;
+    for (const LoadedElement::Point& point : element.points) {
+        const Vec6 q = value_at(*element.load, time, point.arc_length);
+        for (Eigen::Index j = 0; j < nodes; ++j) {
+            const Vec6 turned = turn(element, static_cast<std::size_t>(j), motions, q);
+            const double placement = linearizations[element.nodes[j]].placement;
+            for (Eigen::Index i = 0; i < nodes; ++i) {
+                const double share = placement * point.weight * point.shape[i] * point.shape[j];
+                tangent.block<3, 3>(6 * i, 6 * j + 3) -= share * spin(turned.head<3>());
+                tangent.block<3, 3>(6 * i + 3, 6 * j + 3) -= share * spin(turned.tail<3>());
+            }
+        }
+    }
+    return tangent;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,274 @@
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "rotation/rotation_map.hpp"
+#include "solvers/difference_tangent.hpp"
+#include "solvers/newton_steps.hpp"
+#include "state/increment.hpp"
+
+namespace gxrod {
+
+namespace {
+
+constexpr double half_turn = std::numbers::pi;
+
+// Newton's method on one stage; the members are what its steps share.
+class Newton {
+  public:
+    Newton(const System& system,
+           const Integrator& integrator,
+           const NewtonSettings& settings,
+           const Stage& stage,
+           SolverWorkspace& workspace,
+           State& state)
+        : system_(system),
+          integrator_(integrator),
+          settings_(settings),
+          stage_(stage),
+          time_(integrator.stage_time(stage)),
+          moves_supports_(integrator.is_static() && system.supports().move()),
+          limits_rotation_(!integrator.is_static() || system.uses_step_rotations()),
+          workspace_(workspace),
+          state_(state) {}
+
+    EquilibriumReport solve() {
+        predict();
+        if (!check_rotations(state_.previous, predicted_spins()) || !check_step_rotations()) return report_;
+        compute_residual();
+        while (!is_done()) {
+            compute_tangent();
+            if (!factorize(system_, workspace_, report_)) break;
+            ++report_.iterations;
+            Eigen::VectorXd residual = gather(workspace_.residual.nodal, system_.equations());
+            if (moves_supports_ && report_.iterations == 1) residual += compute_support_motion_force();
+            if (!solve_increment(system_, residual, workspace_, report_)) break;
+            if (!advance()) break;
+        }
+        return report_;
+    }
+
+  private:
+    void predict() {
+        const PhaseTimer timer(workspace_.seconds.update);
+        integrator_.begin_stage(state_, stage_);
+        if (moves_supports_ || !system_.supports().move()) return;
+        system_.supports().place(time_, state_);
+        integrator_.update_rates(state_, stage_);
+    }
+
+    std::vector<Vec3> predicted_spins() const {
+        std::vector<Vec3> spins;
+        spins.reserve(state_.trial.size());
+        for (const NodeMotion& motion : state_.trial) spins.push_back(motion.theta);
+        return spins;
+    }
+
+    void compute_residual() {
+        const PhaseTimer timer(workspace_.seconds.assembly);
+        system_.compute_residual(state_, time_, workspace_.residual);
+        measure_residual(system_, workspace_.residual, report_);
+    }
+
+    // Whether to stop, be it converged, out of iterations or no number.
+    bool is_done() {
+        if (report_.outcome == Outcome::not_finite) return true;
+        const bool small =
+            settings_.absolute_residual > 0.0
+                ? largest_component(system_, workspace_.residual) <= settings_.absolute_residual
+                : report_.residual <= settings_.tolerance;
+        const bool supports_wait = moves_supports_ && report_.iterations == 0;
+        if (!supports_wait && (small || has_reached_round_off())) return true;
+        if (report_.iterations < settings_.max_iterations) return false;
+        report_.outcome = Outcome::out_of_iterations;
+        return true;
+    }
+
+    // Whether round-off is all that is left of the increments: far below the tolerance, a few units of the
+    // last place, or small and no longer shrinking.
+    bool has_reached_round_off() const {
+        constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+        if (last_increment_ <= std::max(1e-4 * settings_.tolerance, rounding)) return true;
+        return last_increment_ <= 1e-10 && last_increment_ >= 0.5 * increment_before_;
+    }
+
+    void compute_tangent() {
+        const PhaseTimer timer(workspace_.seconds.assembly);
+        workspace_.linearizations.resize(state_.trial.size());
+        switch (settings_.tangent) {
+            case TangentKind::consistent:
+                integrator_.linearize(state_, stage_, workspace_.linearizations);
+                system_.compute_tangent(state_, time_, workspace_.linearizations, workspace_.values);
+                break;
+            case TangentKind::paper:
+                integrator_.linearize_as_paper(state_, stage_, workspace_.linearizations);
+                system_.compute_tangent(state_, time_, workspace_.linearizations, workspace_.values);
+                break;
+            case TangentKind::difference:
+                DifferenceTangent(system_).compute(integrator_, stage_, state_, workspace_.values);
+                break;
+        }
+    }
+
+    // What moving the supports by their share of the step does to the residual, to first order: by a
+    // difference, which is as good as any for a first guess.
+    Eigen::VectorXd compute_support_motion_force() {
+        const PhaseTimer timer(workspace_.seconds.assembly);
+        constexpr double part = 1e-6;
+        State moved = state_;
+        system_.supports().place(time_, moved);
+        State nudged = state_;
+        for (const Support* support : system_.supports().moving()) {
+            const NodeMotion& from = state_.trial[support->node];
+            const NodeMotion& to = moved.trial[support->node];
+            apply_spin(from,
+                       part * (to.r - from.r),
+                       part * (to.theta - from.theta),
+                       nudged.trial[support->node]);
+        }
+        Residual residual;
+        system_.compute_residual(nudged, time_, residual);
+        return (gather(residual.nodal, system_.equations()) -
+                gather(workspace_.residual.nodal, system_.equations())) /
+               part;
+    }
+
+    // Applies the increment, in statics as much of it as helps, and computes the residual after it. False,
+    // and so reported, if it turns too far.
+    bool advance() {
+        const Eigen::VectorXd increment = workspace_.vector;
+        if (!integrator_.is_static() || settings_.tangent == TangentKind::paper) {
+            if (!apply(increment)) return false;
+            compute_residual();
+            return true;
+        }
+        const std::vector<NodeMotion> before = state_.trial;
+        const double length = measure(increment).square_sum;
+        for (double factor = 1.0;; factor *= 0.5) {
+            const bool is_last = factor <= shortest_factor;
+            if (apply(factor * increment)) {
+                compute_residual();
+                if (is_last || is_shorter_after(length, factor)) {
+                    if (factor < 1.0) last_increment_ = std::numeric_limits<double>::infinity();
+                    return true;
+                }
+            } else if (is_last) {
+                return false;
+            }
+            report_.outcome = Outcome::converged;
+            state_.trial = before;
+        }
+    }
+
+    // Deuflhard's natural monotonicity test, restricted.
+    bool is_shorter_after(double length, double factor) {
+        if (report_.outcome == Outcome::not_finite) return false;
+        EquilibriumReport ignored;
+        const Eigen::VectorXd residual = gather(workspace_.residual.nodal, system_.equations());
+        if (!solve_increment(system_, residual, workspace_, ignored)) return false;
+        const double ratio = std::sqrt(measure(workspace_.vector).square_sum / length);
+        return length == 0.0 || ratio <= 1.0 - 0.25 * factor;
+    }
+
+    struct IncrementSize {
+        double largest = 0.0;  // |δr| relative to its scale, or |δφ|
+        double square_sum = 0.0;
+    };
+
+    IncrementSize measure(const Eigen::VectorXd& increment) const {
+        IncrementSize size;
+        for (int node = 0; node < static_cast<int>(state_.trial.size()); ++node) {
+            const Vec6 delta = system_.equations().increment_of(node, increment);
+            const double scale = std::max(system_.length_scale(), state_.trial[node].r.norm());
+            const Vec3 delta_r = delta.head<3>() / scale;
+            size.largest = std::max({size.largest,
+                                     delta_r.lpNorm<Eigen::Infinity>(),
+                                     delta.tail<3>().lpNorm<Eigen::Infinity>()});
+            size.square_sum += delta_r.squaredNorm() + delta.tail<3>().squaredNorm();
+        }
+        return size;
+    }
+
+    bool apply(const Eigen::VectorXd& increment) {
+        const PhaseTimer timer(workspace_.seconds.update);
+        increment_before_ = last_increment_;
+        last_increment_ = measure(increment).largest;
+        std::vector<Vec3> spins(state_.trial.size());
+        for (int node = 0; node < static_cast<int>(state_.trial.size()); ++node) {
+            spins[node] = system_.equations().increment_of(node, increment).tail<3>();
+        }
+        if (!check_rotations(state_.trial, spins)) return false;
+        for (int node = 0; node < static_cast<int>(state_.trial.size()); ++node) {
+            const Vec3 delta_r = system_.equations().increment_of(node, increment).head<3>();
+            NodeMotion& trial = state_.trial[node];
+            if (settings_.tangent == TangentKind::paper) {
+                place(state_.previous[node], trial.r + delta_r, trial.theta + spins[node], trial);
+            } else {
+                apply_spin(state_.previous[node], delta_r, spins[node], trial);
+            }
+        }
+        if (moves_supports_ && report_.iterations == 1) system_.supports().place(time_, state_);
+        integrator_.update_rates(state_, stage_);
+        return check_step_rotations();
+    }
+
+    // False, and so reported, if these spins could turn nodes of one element against each other by half a
+    // turn, beyond which no logarithm sees which way round they went.
+    bool check_rotations(const std::vector<NodeMotion>& motions, const std::vector<Vec3>& spins) {
+        double largest = 0.0;
+        for (const Vec3& spin : spins) largest = std::max(largest, spin.norm());
+        relative_rotation_bound_ += 2.0 * largest;
+        if (relative_rotation_bound_ < half_turn) return true;
+        const RelativeRotation bound = system_.bound_relative_rotation(motions, spins);
+        relative_rotation_bound_ = bound.angle;
+        if (bound.angle < half_turn) return true;
+        report_.outcome = Outcome::element_too_turned;
+        report_.worst_node = bound.node;
+        report_.worst_component = -1;
+        return false;
+    }
+
+    // False, and so reported, if a node turned by π or more since the last accepted step.
+    bool check_step_rotations() {
+        if (!limits_rotation_) return true;
+        for (std::size_t node = 0; node < state_.trial.size(); ++node) {
+            if (state_.trial[node].theta.norm() < half_turn) continue;
+            report_.outcome = Outcome::rotation_too_large;
+            report_.worst_node = static_cast<int>(node);
+            report_.worst_component = -1;
+            return false;
+        }
+        return true;
+    }
+
+    static constexpr double shortest_factor = 1.0 / 64.0;
+
+    const System& system_;
+    const Integrator& integrator_;
+    const NewtonSettings& settings_;
+    const Stage& stage_;
+    double time_;
+    bool moves_supports_;  // within the first iteration
+    bool limits_rotation_;
+    SolverWorkspace& workspace_;
+    State& state_;
+    EquilibriumReport report_;
+    // The largest |δr| relative to its scale, or |δφ|, of the last two iterations.
+    double last_increment_ = std::numeric_limits<double>::infinity();
+    double increment_before_ = std::numeric_limits<double>::infinity();
+    // No relative rotation of an element's nodes is larger; at first that is not known.
+    double relative_rotation_bound_ = half_turn;
+};
+
+}  // namespace
+
+EquilibriumReport solve_equilibrium(const System& system,
+                                    const Integrator& integrator,
+                                    const NewtonSettings& settings,
+                                    const Stage& stage,
+                                    SolverWorkspace& workspace,
+                                    State& state) {
+    return Newton(system, integrator, settings, stage, workspace, state).solve();
+}
+
+}  // namespace gxrod

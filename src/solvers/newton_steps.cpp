@@ -1,0 +1,69 @@
+#include "solvers/newton_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gxrod {
+
+void measure_residual(const System& system, const Residual& residual, EquilibriumReport& report) {
+    const double length = system.length_scale();
+    // A force at the model's length is a moment: neither scale falls to round-off of the other.
+    const double force_scale = std::max(residual.force_scale, 1e-6 * residual.moment_scale / length);
+    const double moment_scale = std::max(residual.moment_scale, 1e-6 * residual.force_scale * length);
+    const Eigen::VectorXd values = gather(residual.nodal, system.equations());
+    report.residual = 0.0;
+    for (std::int64_t i = 0; i < values.size(); ++i) {
+        const auto& [node, component] = system.equations().unknown(i);
+        const double value = std::abs(values[i]);
+        if (value == 0.0) continue;
+        const double scaled = value / (component < 3 ? force_scale : moment_scale);
+        if (!std::isfinite(scaled)) {
+            report.outcome = Outcome::not_finite;
+            report.worst_node = node;
+            report.worst_component = component;
+            report.residual = scaled;
+            return;
+        }
+        if (scaled > report.residual) {
+            report.residual = scaled;
+            report.worst_node = node;
+            report.worst_component = component;
+        }
+    }
+}
+
+double largest_component(const System& system, const Residual& residual) {
+    return gather(residual.nodal, system.equations()).lpNorm<Eigen::Infinity>();
+}
+
+bool solve_increment(const System& system,
+                     const Eigen::VectorXd& residual,
+                     SolverWorkspace& workspace,
+                     EquilibriumReport& report) {
+    const PhaseTimer timer(workspace.seconds.solve);
+    workspace.vector = -residual;
+    workspace.linear_solver->solve(workspace.vector);
+    for (std::int64_t i = 0; i < workspace.vector.size(); ++i) {
+        if (std::isfinite(workspace.vector[i])) continue;
+        report.outcome = Outcome::not_finite;
+        report.worst_node = system.equations().unknown(i).node;
+        report.worst_component = system.equations().unknown(i).component;
+        return false;
+    }
+    return true;
+}
+
+bool factorize(const System& system, SolverWorkspace& workspace, EquilibriumReport& report) {
+    const PhaseTimer timer(workspace.seconds.solve);
+    const Factorization factorization = workspace.linear_solver->factorize(workspace.values);
+    if (factorization.regular) return true;
+    report.outcome = Outcome::singular;
+    report.worst_node = report.worst_component = -1;
+    if (factorization.singular_equation >= 0) {
+        report.worst_node = system.equations().unknown(factorization.singular_equation).node;
+        report.worst_component = system.equations().unknown(factorization.singular_equation).component;
+    }
+    return false;
+}
+
+}  // namespace gxrod

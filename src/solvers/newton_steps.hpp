@@ -1,0 +1,22 @@
+#pragma once
+
+#include "solvers/equilibrium.hpp"
+
+// What Newton's method and the solution for accelerations are made of.
+namespace gxrod {
+
+// The residual's size relative to its scales, and where it is largest.
+void measure_residual(const System& system, const Residual& residual, EquilibriumReport& report);
+
+double largest_component(const System& system, const Residual& residual);
+
+// Factorizes workspace.values; false, and so reported, if they are singular.
+bool factorize(const System& system, SolverWorkspace& workspace, EquilibriumReport& report);
+
+// Solves with the factorized tangent for minus `residual` into workspace.vector; false if that is not finite.
+bool solve_increment(const System& system,
+                     const Eigen::VectorXd& residual,
+                     SolverWorkspace& workspace,
+                     EquilibriumReport& report);
+
+}  // namespace gxrod
