@@ -5,7 +5,9 @@ namespace gxrod {
 namespace {
 
 // The mean of the forces at both ends of a step times what the nodes did in it.
-double compute_mean_work(const std::vector<Vec6>& before, const std::vector<Vec6>& after, const State& state) {
+double compute_mean_work(const std::vector<Vec6>& before,
+                         const std::vector<Vec6>& after,
+                         const State& state) {
     double work = 0.0;
     for (std::size_t i = 0; i < after.size(); ++i) {
         const Vec6 mean = 0.5 * (before[i] + after[i]);

@@ -43,8 +43,7 @@ EquilibriumReport SteppedAnalysis::advance() {
     }
     const PhaseTimer timer(workspace_.seconds.update);
     ledger_->add_step(
-        state_,
-        {control_.next_time(), control_.time_step(), workspace_.residual, workspace_.stage_powers});
+        state_, {control_.next_time(), control_.time_step(), workspace_.residual, workspace_.stage_powers});
     reactions_ = system_.compute_reactions(workspace_.residual);
     solver_row_.time_step = control_.time_step();
     solver_row_.newton_iterations = report.iterations;

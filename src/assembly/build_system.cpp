@@ -84,7 +84,10 @@ void System::build_blocks() {
     for (const Rod& rod : model_->rods) {
         visit_node_count(rod.order, [&](auto node_count) {
             if (rod.kind == ElementKind::simo) {
-                add_rod(*model_, rod, rod_element_count_, std::get<ElementBlock<SimoElement<node_count>>>(blocks_));
+                add_rod(*model_,
+                        rod,
+                        rod_element_count_,
+                        std::get<ElementBlock<SimoElement<node_count>>>(blocks_));
             } else {
                 add_rod(*model_,
                         rod,

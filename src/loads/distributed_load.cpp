@@ -16,7 +16,10 @@ Vec6 value_at(const DistributedLoad& load, double time, double arc_length) {
 }
 
 // Force and moment per length as node `j` turns them.
-Vec6 turn(const LoadedElement& element, std::size_t j, const std::vector<NodeMotion>& motions, const Vec6& q) {
+Vec6 turn(const LoadedElement& element,
+          std::size_t j,
+          const std::vector<NodeMotion>& motions,
+          const Vec6& q) {
     if (element.load->frame == Frame::spatial) return q;
     const Quat& Lambda = motions[element.nodes[j]].Lambda;
     const Quat axes = element.load->frame == Frame::body ? Lambda * element.triads[j] : Lambda;

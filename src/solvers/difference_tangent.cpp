@@ -69,8 +69,8 @@ void DifferenceTangent::compute(const Integrator& integrator,
         move(*system_, integrator, stage, group, -1.0, state);
         system_->compute_residual(state, time, backward_);
         state.trial = here;
-        const Eigen::VectorXd change = gather(forward_.nodal, system_->equations()) -
-                                       gather(backward_.nodal, system_->equations());
+        const Eigen::VectorXd change =
+            gather(forward_.nodal, system_->equations()) - gather(backward_.nodal, system_->equations());
         for (const std::int64_t column : group) {
             const bool is_position = system_->equations().unknown(column).component < 3;
             const double width = 2.0 * step_angle * (is_position ? system_->length_scale() : 1.0);

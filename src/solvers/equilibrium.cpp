@@ -119,8 +119,8 @@ EquilibriumReport solve_step(const System& system,
         integrator.end_stage(state, stage);
         if (weighs_power) {
             const double time = integrator.stage_time(stage);
-            workspace.stage_powers.push_back(compute_power(
-                system.compute_working_forces(state, time, workspace.residual), state.trial));
+            workspace.stage_powers.push_back(
+                compute_power(system.compute_working_forces(state, time, workspace.residual), state.trial));
         }
     }
     return total;

@@ -14,9 +14,9 @@ namespace gxrod {
 
 enum class Outcome {
     converged,
-    out_of_iterations,  // the residual did not fall below the tolerance
-    singular,           // the tangent (or mass) matrix has no inverse
-    not_finite,         // a residual or an increment is not a number
+    out_of_iterations,   // the residual did not fall below the tolerance
+    singular,            // the tangent (or mass) matrix has no inverse
+    not_finite,          // a residual or an increment is not a number
     rotation_too_large,  // a node turns by π or more within the step
     element_too_turned   // nodes of one element are turned against each other by nearly π
 };
@@ -62,10 +62,6 @@ struct SolverWorkspace {
 // that an element or load puts on a node; or, where round-off hides that, when the last increment was below
 // 1e-4 × tolerance or four units of rounding, or below 1e-10 and no longer shrinking (δr relative to the
 // model's length or the node's distance from the origin, δφ in rad).
-//
-// In statics an increment is shortened while the simplified Newton increment after it, found with the same
-// factorization, is not shorter than the increment itself (Deuflhard 2004, section 3.3): a test that knows no
-// scales, so that a stiff direction does not hold up a soft one.
 EquilibriumReport solve_equilibrium(const System& system,
                                     const Integrator& integrator,
                                     const NewtonSettings& settings,

@@ -43,7 +43,8 @@ class Newton {
             Eigen::VectorXd residual = gather(workspace_.residual.nodal, system_.equations());
             if (moves_supports_ && report_.iterations == 1) residual += compute_support_motion_force();
             if (!solve_increment(system_, residual, workspace_, report_)) break;
-            if (!advance()) break;
+            if (!apply(workspace_.vector)) break;
+            compute_residual();
         }
         return report_;
     }
@@ -121,10 +122,8 @@ class Newton {
         for (const Support* support : system_.supports().moving()) {
             const NodeMotion& from = state_.trial[support->node];
             const NodeMotion& to = moved.trial[support->node];
-            apply_spin(from,
-                       part * (to.r - from.r),
-                       part * (to.theta - from.theta),
-                       nudged.trial[support->node]);
+            apply_spin(
+                from, part * (to.r - from.r), part * (to.theta - from.theta), nudged.trial[support->node]);
         }
         Residual residual;
         system_.compute_residual(nudged, time_, residual);
@@ -133,66 +132,24 @@ class Newton {
                part;
     }
 
-    // Applies the increment, in statics as much of it as helps, and computes the residual after it. False,
-    // and so reported, if it turns too far.
-    bool advance() {
-        const Eigen::VectorXd increment = workspace_.vector;
-        if (!integrator_.is_static() || settings_.tangent == TangentKind::paper) {
-            if (!apply(increment)) return false;
-            compute_residual();
-            return true;
-        }
-        const std::vector<NodeMotion> before = state_.trial;
-        const double length = measure(increment).square_sum;
-        for (double factor = 1.0;; factor *= 0.5) {
-            const bool is_last = factor <= shortest_factor;
-            if (apply(factor * increment)) {
-                compute_residual();
-                if (is_last || is_shorter_after(length, factor)) {
-                    if (factor < 1.0) last_increment_ = std::numeric_limits<double>::infinity();
-                    return true;
-                }
-            } else if (is_last) {
-                return false;
-            }
-            report_.outcome = Outcome::converged;
-            state_.trial = before;
-        }
-    }
-
-    // Deuflhard's natural monotonicity test, restricted.
-    bool is_shorter_after(double length, double factor) {
-        if (report_.outcome == Outcome::not_finite) return false;
-        EquilibriumReport ignored;
-        const Eigen::VectorXd residual = gather(workspace_.residual.nodal, system_.equations());
-        if (!solve_increment(system_, residual, workspace_, ignored)) return false;
-        const double ratio = std::sqrt(measure(workspace_.vector).square_sum / length);
-        return length == 0.0 || ratio <= 1.0 - 0.25 * factor;
-    }
-
-    struct IncrementSize {
-        double largest = 0.0;  // |δr| relative to its scale, or |δφ|
-        double square_sum = 0.0;
-    };
-
-    IncrementSize measure(const Eigen::VectorXd& increment) const {
-        IncrementSize size;
+    // The largest |δr| relative to its scale, or |δφ|.
+    double measure(const Eigen::VectorXd& increment) const {
+        double largest = 0.0;
         for (int node = 0; node < static_cast<int>(state_.trial.size()); ++node) {
             const Vec6 delta = system_.equations().increment_of(node, increment);
             const double scale = std::max(system_.length_scale(), state_.trial[node].r.norm());
-            const Vec3 delta_r = delta.head<3>() / scale;
-            size.largest = std::max({size.largest,
-                                     delta_r.lpNorm<Eigen::Infinity>(),
-                                     delta.tail<3>().lpNorm<Eigen::Infinity>()});
-            size.square_sum += delta_r.squaredNorm() + delta.tail<3>().squaredNorm();
+            largest = std::max({largest,
+                                delta.head<3>().lpNorm<Eigen::Infinity>() / scale,
+                                delta.tail<3>().lpNorm<Eigen::Infinity>()});
         }
-        return size;
+        return largest;
     }
 
+    // False, and so reported, if the increment turns too far.
     bool apply(const Eigen::VectorXd& increment) {
         const PhaseTimer timer(workspace_.seconds.update);
         increment_before_ = last_increment_;
-        last_increment_ = measure(increment).largest;
+        last_increment_ = measure(increment);
         std::vector<Vec3> spins(state_.trial.size());
         for (int node = 0; node < static_cast<int>(state_.trial.size()); ++node) {
             spins[node] = system_.equations().increment_of(node, increment).tail<3>();
@@ -240,8 +197,6 @@ class Newton {
         }
         return true;
     }
-
-    static constexpr double shortest_factor = 1.0 / 64.0;
 
     const System& system_;
     const Integrator& integrator_;

@@ -167,7 +167,8 @@ TEST_CASE("damping tangents are derivatives of damping forces", "[elements]") {
     });
 }
 
-TEST_CASE("damping takes power from every motion that strains, and mass-proportional from all", "[elements]") {
+TEST_CASE("damping takes power from every motion that strains, and mass-proportional from all",
+          "[elements]") {
     for_each_sample([](const auto& sample) {
         INFO(sample.name);
         if (!sample.element.is_damped()) return;

@@ -23,8 +23,7 @@ InterpolatedRod<Nodes>::InterpolatedRod(const LocalMotion<Nodes>& reference,
 }
 
 template <int Nodes>
-SectionFields InterpolatedRod<Nodes>::interpolate(const ForcePoint& point,
-                                                  const LocalMotion<Nodes>& motion) {
+SectionFields InterpolatedRod<Nodes>::interpolate(const ForcePoint& point, const LocalMotion<Nodes>& motion) {
     return {motion.r * point.slope, motion.theta * point.shape, motion.theta * point.slope};
 }
 
@@ -144,10 +143,9 @@ auto InterpolatedRod<Nodes>::compute_damping_tangents(const LocalMotion<Nodes>& 
         const StrainGradient E_u = compute_strain_gradient(fields, history);
         const StrainGradient Z = compute_strain_rate_gradient(fields, interpolate(point, rates), history);
         const Vec6 resultants = viscosity * compute_strain_rates(point, motion, rates, history);
-        add_matrix(
-            point,
-            E_u.transpose() * viscosity * Z + compute_geometric_hessian(fields, history, resultants),
-            tangents.by_motion);
+        add_matrix(point,
+                   E_u.transpose() * viscosity * Z + compute_geometric_hessian(fields, history, resultants),
+                   tangents.by_motion);
         add_matrix(point, E_u.transpose() * viscosity * E_u, tangents.by_rates);
     }
     return tangents;

@@ -14,8 +14,7 @@ ObjectiveMap<Nodes>::ObjectiveMap(const Motions<Nodes>& motions, const std::arra
         local_.r.col(i) = R_.transpose() * (motions[i]->r - motions[a]->r);
         if (i != a && i != b) {
             local_.theta.col(i) = log(frame_.conjugate() * axes[i]);
-            largest_relative_rotation_ =
-                std::max(largest_relative_rotation_, local_.theta.col(i).norm());
+            largest_relative_rotation_ = std::max(largest_relative_rotation_, local_.theta.col(i).norm());
         }
         T_inverse_[i] = tangent_map_inverse(local_.theta.col(i));
     }
@@ -35,8 +34,8 @@ void ObjectiveMap<Nodes>::find_frame(const std::array<Quat, Nodes>& axes) {
         const Vec3 tau = half.vec() / half.w();
         A_a_ = 0.5 * (Mat3::Identity() + spin(tau));
         A_b_ = 0.5 * (Mat3::Identity() - spin(tau));
-        tau_gradient_ = 0.25 * (Mat3::Identity() + tau * tau.transpose() - spin(tau)) *
-                        tangent_map(0.5 * Phi);
+        tau_gradient_ =
+            0.25 * (Mat3::Identity() + tau * tau.transpose() - spin(tau)) * tangent_map(0.5 * Phi);
         largest_relative_rotation_ = Phi.norm();
     } else {
         frame_ = axes[a];
@@ -218,8 +217,7 @@ void ObjectiveMap<Nodes>::add_rate_tangent(const Motions<Nodes>& motions,
         const Mat3 by_v = linearizations[j]->rate * R_.transpose();
         const Mat3 by_omega = R_.transpose() * linearizations[j]->d_omega;
         for (int i = 0; i < 2 * Nodes; ++i) {
-            tangent.template block<3, 3>(3 * i, 6 * j) +=
-                R_ * rows.template block<3, 3>(3 * i, 6 * j) * by_v;
+            tangent.template block<3, 3>(3 * i, 6 * j) += R_ * rows.template block<3, 3>(3 * i, 6 * j) * by_v;
             tangent.template block<3, 3>(3 * i, 6 * j + 3) +=
                 R_ * rows.template block<3, 3>(3 * i, 6 * j + 3) * by_omega;
         }

@@ -4,9 +4,9 @@
 
 namespace gxrod {
 
-// Crisfield & Jelenić (1999): what is interpolated are rotations relative to a triad R of the element, so that
-// strains do not notice a rigid rotation nor the path. R is the section triad of the middle node or, of an
-// even number of nodes, half-way between the two middle ones. Section triads Λ_I triad_I = R exp(ψ_I), and
+// Crisfield & Jelenić (1999): what is interpolated are rotations relative to a triad R of the element, so
+// that strains do not notice a rigid rotation nor the path. R is the section triad of the middle node or, of
+// an even number of nodes, half-way between the two middle ones. Section triads Λ_I triad_I = R exp(ψ_I), and
 // R exp(Σ N_I ψ_I) between the nodes; positions are seen from R too (docs/theory/rods.md, (R13)–(R22)).
 //
 // All calculation is in the axes of R. Its spin is δφ_R = A_a δφ_a + A_b δφ_b with the two middle nodes a, b

@@ -153,8 +153,7 @@ void RodInertia<Nodes>::add_damping_tangent(const Motions<Nodes>& motions,
         const NodeLinearization& linearization = *linearizations[j];
         const Vec3& omega = motions[j]->omega;
         const Mat3 spin_d = spin(d.col(j));
-        const Mat3 by_spin =
-            -spin_d * linearization.d_omega - linearization.placement * spin(omega) * spin_d;
+        const Mat3 by_spin = -spin_d * linearization.d_omega - linearization.placement * spin(omega) * spin_d;
         for (int i = 0; i < Nodes; ++i) {
             const double m = c * mass_(i, j);
             const Mat3 lever = m * spin(d.col(i));

@@ -15,8 +15,8 @@ Quat compute_section_axes(const SectionFields& fields, const SectionHistory& his
 }
 
 Vec6 compute_strain(const SectionFields& fields,
-                         const SectionHistory& history,
-                         const ReferenceStrain& reference) {
+                    const SectionHistory& history,
+                    const ReferenceStrain& reference) {
     const Quat Lambda = compute_section_axes(fields, history);
     Vec6 strain;
     strain << Lambda.conjugate() * fields.r_prime - reference.Gamma,
@@ -88,8 +88,7 @@ StrainGradient compute_strain_rate_gradient(const SectionFields& fields,
     StrainGradient gradient = StrainGradient::Zero();
     gradient.block<3, 3>(0, 0) = -Lambda_transposed * spin(omega);
     gradient.block<3, 3>(0, 3) =
-        Lambda_transposed *
-        (spin(y) * T + spin(fields.r_prime) * tangent_map_derivative(theta, rates.theta));
+        Lambda_transposed * (spin(y) * T + spin(fields.r_prime) * tangent_map_derivative(theta, rates.theta));
     gradient.block<3, 3>(3, 3) =
         Lambda_n_transposed * (compute_second_derivative(theta, fields.theta_prime, rates.theta) +
                                tangent_map_transpose_derivative(theta, rates.theta_prime));

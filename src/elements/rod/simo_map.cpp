@@ -69,10 +69,10 @@ void SimoMap<Nodes>::add_rate_tangent(const Motions<Nodes>& motions,
     for (int j = 0; j < Nodes; ++j) {
         const NodeLinearization& linearization = *linearizations[j];
         // θ̇ = T(θ)⁻¹ ω.
-        const Mat3 by_spin =
-            T_inverse_[j] * linearization.d_omega +
-            linearization.placement *
-                tangent_map_inverse_derivative(local_.theta.col(j), motions[j]->omega) * T_inverse_[j];
+        const Mat3 by_spin = T_inverse_[j] * linearization.d_omega +
+                             linearization.placement *
+                                 tangent_map_inverse_derivative(local_.theta.col(j), motions[j]->omega) *
+                                 T_inverse_[j];
         tangent.template middleCols<3>(6 * j) += linearization.rate * rows.template middleCols<3>(6 * j);
         tangent.template middleCols<3>(6 * j + 3) += rows.template middleCols<3>(6 * j + 3) * by_spin;
     }
