@@ -24,8 +24,10 @@ int check(const CheckArguments& arguments) {
                describe_analysis(problem.analysis),
                describe_output(problem.analysis, problem.output));
     for (const std::string& note : problem.notes) fmt::print("note: {}\n", note);
+    const auto* dynamic = std::get_if<DynamicSettings>(&problem.analysis);
+    if (dynamic == nullptr) return exit_done;
     // The first thing that a run would do: a model without inertia somewhere is found here.
-    DynamicAnalysis analysis(problem.model, problem.analysis);
+    DynamicAnalysis analysis(problem.model, *dynamic);
     const EquilibriumReport start = analysis.start();
     if (!start.converged()) {
         fmt::print(stderr, "gxrod: initial accelerations: {}\n", describe(start, problem.model));

@@ -73,9 +73,8 @@ int run(const RunArguments& arguments) {
     std::signal(SIGINT, ask_to_end);
     std::signal(SIGTERM, ask_to_end);
     ProgressLine line;
-    const AnalysisSettings analysis = problem.analysis;
     RunRequest request{problem.model,
-                       analysis,
+                       problem.analysis,
                        problem.output,
                        problem.record,
                        {results, arguments.force ? Existing::replace : Existing::refuse}};

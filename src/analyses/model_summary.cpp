@@ -122,7 +122,9 @@ std::string describe_model(const Model& model) {
     return text;
 }
 
-std::string describe_analysis(const DynamicSettings& settings) {
+namespace {
+
+std::string describe_dynamic(const DynamicSettings& settings) {
     std::string parameters;
     if (settings.scheme == Scheme::newmark_simplified || settings.scheme == Scheme::newmark_ibrahimbegovic) {
         parameters = fmt::format(" (beta {:.6g}, gamma {:.6g})", settings.beta, settings.gamma);
@@ -137,8 +139,17 @@ std::string describe_analysis(const DynamicSettings& settings) {
                        settings.end_time);
 }
 
-std::string describe_output(const DynamicSettings& settings, const OutputSettings& output) {
-    const long frames = 1 + settings.steps / output.every + (settings.steps % output.every == 0 ? 0 : 1);
+}  // namespace
+
+std::string describe_analysis(const AnalysisSettings& settings) {
+    if (const auto* dynamic = std::get_if<DynamicSettings>(&settings)) return describe_dynamic(*dynamic);
+    return fmt::format("static analysis: {} steps of the load factor t from 0 to 1\n",
+                       std::get<StaticSettings>(settings).steps);
+}
+
+std::string describe_output(const AnalysisSettings& settings, const OutputSettings& output) {
+    const long steps = std::visit([](const auto& analysis) { return analysis.steps; }, settings);
+    const long frames = 1 + steps / output.every + (steps % output.every == 0 ? 0 : 1);
     std::string text = fmt::format("output: {} frames", frames);
     for (const HistoryRequest& history : output.histories) {
         text += fmt::format(", history {} at {}", history.name, history.at);

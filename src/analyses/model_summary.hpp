@@ -11,8 +11,8 @@ namespace gxrod {
 // What a run of the model would be, in lines for a reader: parts, constants, masses, unknowns, analysis,
 // output.
 std::string describe_model(const Model& model);
-std::string describe_analysis(const DynamicSettings& settings);
-std::string describe_output(const DynamicSettings& settings, const OutputSettings& output);
+std::string describe_analysis(const AnalysisSettings& settings);
+std::string describe_output(const AnalysisSettings& settings, const OutputSettings& output);
 
 // The name of an integrator as decks have it.
 const char* name_of(Scheme scheme);

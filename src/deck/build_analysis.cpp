@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "deck/choices.hpp"
@@ -38,34 +39,41 @@ long find_steps(const CheckedTable& table, double end_time, const BuildContext& 
     return static_cast<long>(steps);
 }
 
-NewtonSettings build_newton(const CheckedTable& analysis, Scheme scheme, const BuildContext& context) {
+// Faults of the paper's tangent; `user` is what else the deck has in the place of its integrator, or "".
+void check_paper_tangent(const CheckedTable& newton, const std::string& user, const BuildContext& context) {
+    const std::string paper = word_of(tangent_choices, TangentKind::paper);
+    if (!user.empty()) {
+        context.add_fault(newton,
+                          "tangent",
+                          fmt::format("\"{}\" belongs to integrator \"{}\", not to {}",
+                                      paper,
+                                      word_of(scheme_choices, Scheme::newmark_simplified),
+                                      user));
+    }
+    if (!context.deck.tables("rod").empty()) {
+        context.add_fault(
+            newton, "tangent", fmt::format("\"{}\" is for decks of bodies alone; this one has rods", paper));
+    }
+}
+
+NewtonSettings build_newton(const CheckedTable& analysis,
+                            const std::string& user,
+                            const BuildContext& context) {
     NewtonSettings newton;
     if (!analysis.gives("newton")) return newton;
     const CheckedTable& table = analysis.tables("newton").front();
     newton.tolerance = table.get<double>("tolerance");
     newton.max_iterations = static_cast<int>(table.get<long>("max_iterations"));
     newton.tangent = value_of(tangent_choices, table.get<std::string>("tangent"));
-    if (newton.tangent != TangentKind::paper) return newton;
-    const std::string paper = word_of(tangent_choices, TangentKind::paper);
-    if (scheme != Scheme::newmark_simplified) {
-        context.add_fault(table,
-                          "tangent",
-                          fmt::format("\"{}\" belongs to integrator \"{}\", not to \"{}\"",
-                                      paper,
-                                      word_of(scheme_choices, Scheme::newmark_simplified),
-                                      word_of(scheme_choices, scheme)));
-    }
-    if (!context.deck.tables("rod").empty()) {
-        context.add_fault(
-            table, "tangent", fmt::format("\"{}\" is for decks of bodies alone; this one has rods", paper));
-    }
+    if (newton.tangent == TangentKind::paper) check_paper_tangent(table, user, context);
     return newton;
 }
 
-}  // namespace
+LinearSolverKind find_linear_solver(const CheckedTable& table) {
+    return value_of(linear_solver_choices, table.get<std::string>("linear_solver"));
+}
 
-DynamicSettings build_analysis(const BuildContext& context) {
-    const CheckedTable& table = context.deck.tables("analysis").front();
+DynamicSettings build_dynamic(const CheckedTable& table, const BuildContext& context) {
     DynamicSettings settings;
     settings.end_time = table.get<double>("end_time");
     settings.steps = find_steps(table, settings.end_time, context);
@@ -73,9 +81,65 @@ DynamicSettings build_analysis(const BuildContext& context) {
     settings.beta = table.get<double>("beta");
     settings.gamma = table.get<double>("gamma");
     settings.spectral_radius = table.get<double>("spectral_radius");
-    settings.newton = build_newton(table, settings.scheme, context);
-    settings.linear_solver = value_of(linear_solver_choices, table.get<std::string>("linear_solver"));
+    const bool is_papers_scheme = settings.scheme == Scheme::newmark_simplified;
+    const std::string user = "\"" + word_of(scheme_choices, settings.scheme) + "\"";
+    settings.newton = build_newton(table, is_papers_scheme ? "" : user, context);
+    settings.linear_solver = find_linear_solver(table);
     return settings;
+}
+
+StaticSettings build_static(const CheckedTable& table, const BuildContext& context) {
+    StaticSettings settings;
+    if (table.gives("steps")) settings.steps = table.get<long>("steps");
+    settings.newton = build_newton(table, "static analyses", context);
+    settings.linear_solver = find_linear_solver(table);
+    return settings;
+}
+
+template <class Function>
+bool is_zero(const std::array<Function, 3>& functions) {
+    return std::all_of(functions.begin(), functions.end(), [](const Function& f) { return f.is_zero(); });
+}
+
+// Why the load makes the tangent unsymmetric, or "".
+template <class Load>
+std::string explain_asymmetry(const Load& load) {
+    if (!is_zero(load.moment)) return load.key + " is a moment";
+    if (load.frame != Frame::spatial && !is_zero(load.force)) return load.key + " follows the rotation";
+    return "";
+}
+
+// The first thing that makes the tangent unsymmetric, or "".
+std::string find_asymmetry(const BuildContext& context) {
+    if (!context.is_static()) return "this one is dynamic";
+    for (const NodalLoad& load : context.model.loads) {
+        if (const std::string reason = explain_asymmetry(load); !reason.empty()) return reason;
+    }
+    for (const DistributedLoad& load : context.model.distributed_loads) {
+        if (const std::string reason = explain_asymmetry(load); !reason.empty()) return reason;
+    }
+    return "";
+}
+
+}  // namespace
+
+AnalysisSettings build_analysis(const BuildContext& context) {
+    const CheckedTable& table = context.deck.tables("analysis").front();
+    if (table.get<std::string>("kind") == "static") return build_static(table, context);
+    return build_dynamic(table, context);
+}
+
+void check_linear_solver(const BuildContext& context) {
+    const CheckedTable& table = context.deck.tables("analysis").front();
+    if (find_linear_solver(table) != LinearSolverKind::cholmod) return;
+    const std::string reason = find_asymmetry(context);
+    if (reason.empty()) return;
+    context.add_fault(table,
+                      "linear_solver",
+                      fmt::format("\"{}\" is for symmetric tangents, of static analyses whose loads are dead "
+                                  "forces; {}",
+                                  table.get<std::string>("linear_solver"),
+                                  reason));
 }
 
 }  // namespace gxrod

@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "deck/schema_tables.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
@@ -11,6 +12,8 @@ namespace {
 
 // Relative to the largest entry: asymmetry of a matrix and excess of a principal moment that are round-off.
 constexpr double round_off = 1e-9;
+// A principal moment below this, relative to the largest, is none.
+constexpr double smallest_moment = 1e-15;
 
 Mat3 inertia_of(const CheckedTable& body) {
     const auto& value = body.find("inertia")->value;
@@ -18,8 +21,45 @@ Mat3 inertia_of(const CheckedTable& body) {
     return std::get<Mat3>(value);
 }
 
+// What an analysis asks of the inertia of a body.
+enum class Need { any, definite };
+
+// Why a body cannot have these principal moments, in rising order; "" if it can.
+std::string explain_moments(const Vec3& moments, Need need) {
+    const double size = moments.cwiseAbs().maxCoeff();
+    const std::string principal = fmt::format("{:.6g}, {:.6g}, {:.6g}", moments[0], moments[1], moments[2]);
+    if (need == Need::definite && !(moments[0] > smallest_moment * size)) {
+        return "expected a positive definite inertia, found principal moments " + principal +
+               "; a rotation without inertia cannot be integrated in time";
+    }
+    if (moments[0] < -round_off * size) {
+        return "expected principal moments that are not negative, found " + principal;
+    }
+    if (moments[2] > moments[0] + moments[1] + round_off * size) {
+        return "no body has the principal moments " + principal +
+               ": the largest cannot be above the sum of the others";
+    }
+    return "";
+}
+
+// A node of the body's own has no other inertia, which a dynamic analysis needs.
+Need find_need(const CheckedTable& body, const BuildContext& context) {
+    const bool has_own_node = std::holds_alternative<Vec3>(body.find("at")->value);
+    return has_own_node && !context.is_static() ? Need::definite : Need::any;
+}
+
 // The inertia, if a rigid body can have it.
 std::optional<Mat3> find_inertia(const CheckedTable& body, const BuildContext& context) {
+    if (!body.gives("inertia")) {
+        if (find_need(body, context) == Need::definite) {
+            context.add_fault(body,
+                              "inertia",
+                              fmt::format("missing; expected {}; a rotation without inertia cannot be "
+                                          "integrated in time",
+                                          describe_expected(*body_table().find("inertia"))));
+        }
+        return Mat3(Mat3::Zero());
+    }
     const Mat3 given = inertia_of(body);
     const double size = given.cwiseAbs().maxCoeff();
     if ((given - given.transpose()).cwiseAbs().maxCoeff() > round_off * size) {
@@ -27,23 +67,20 @@ std::optional<Mat3> find_inertia(const CheckedTable& body, const BuildContext& c
         return std::nullopt;
     }
     const Mat3 inertia = 0.5 * (given + given.transpose());
-    const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
-    const std::string principal = fmt::format("{:.6g}, {:.6g}, {:.6g}", moments[0], moments[1], moments[2]);
-    if (!(moments[0] > 1e-15 * size)) {
-        context.add_fault(body,
-                          "inertia",
-                          "expected a positive definite inertia, found principal moments " + principal +
-                              "; a rotation without inertia cannot be integrated in time");
-        return std::nullopt;
+    const Eigen::SelfAdjointEigenSolver<Mat3> principal(inertia, Eigen::EigenvaluesOnly);
+    const std::string reason = explain_moments(principal.eigenvalues(), find_need(body, context));
+    if (reason.empty()) return inertia;
+    context.add_fault(body, "inertia", reason);
+    return std::nullopt;
+}
+
+// 0 where a static analysis has none.
+double find_mass(const CheckedTable& body, const BuildContext& context) {
+    if (body.gives("mass")) return body.get<double>("mass");
+    if (!context.is_static()) {
+        context.add_fault(body, "mass", "missing; expected " + describe_expected(*body_table().find("mass")));
     }
-    if (moments[2] > moments[0] + moments[1] + round_off * size) {
-        context.add_fault(body,
-                          "inertia",
-                          "no body has the principal moments " + principal +
-                              ": the largest cannot be above the sum of the others");
-        return std::nullopt;
-    }
-    return inertia;
+    return 0.0;
 }
 
 // The node of a body: that of a rod's point, or a new one. -1 if the rod has no mesh.
@@ -63,29 +100,39 @@ struct Setting {
     Vec3 value;
 };
 
-// `setter` is the body that has set this motion of the node before, if one has.
-void set_motion(const Setting& setting,
-                const CheckedTable*& setter,
-                Vec3& motion,
-                const BuildContext& context) {
+// `motion` is the velocity of the node that the setting is about.
+void set_motion(const Setting& setting, VelocitySetting& record, Vec3& motion, const BuildContext& context) {
     if (!setting.body.gives(setting.key)) return;
-    if (setter != nullptr) {
-        const std::string message = setter->path + " is at the same node and sets it too";
+    if (context.is_static()) {
+        return context.add_fault(setting.body, setting.key, "a static analysis has no velocities");
+    }
+    if (record.table != nullptr) {
+        const std::string message = record.table->path + " is at the same node and sets it too";
         return context.add_fault(setting.body, setting.key, message);
     }
-    setter = &setting.body;
+    record = {&setting.body, setting.key};
     motion = setting.value;
+}
+
+void set_velocities(const CheckedTable& table, const Body& body, BuildContext& context) {
+    auto& [velocity, spin] = context.velocity_settings[body.node];
+    Node& node = context.model.nodes[body.node];
+    const Vec3& spatial = table.get<Vec3>("angular_velocity");
+    set_motion({table, "velocity", table.get<Vec3>("velocity")}, velocity, node.velocity, context);
+    set_motion({table, "angular_velocity", spatial}, spin, node.angular_velocity, context);
+    if (!table.gives("angular_velocity_material")) return;
+    const Vec3 turned = body.attitude * table.get<Vec3>("angular_velocity_material");
+    set_motion({table, "angular_velocity_material", turned}, spin, node.angular_velocity, context);
 }
 
 }  // namespace
 
 void build_bodies(BuildContext& context) {
-    std::vector<const CheckedTable*> velocity_setters, spin_setters;
     const std::vector<CheckedTable>& tables = context.deck.tables("body");
     context.body_nodes.assign(tables.size(), -1);
     for (std::size_t i = 0; i < tables.size(); ++i) {
         const CheckedTable& table = tables[i];
-        Body body{.name = table.name, .mass = table.get<double>("mass")};
+        Body body{.name = table.name, .mass = find_mass(table, context)};
         body.inertia = find_inertia(table, context).value_or(Mat3::Identity());
         body.centre_of_mass = table.get<Vec3>("centre_of_mass");
         body.attitude = exp_quaternion(table.get<Vec3>("rotation_vector"));
@@ -93,23 +140,8 @@ void build_bodies(BuildContext& context) {
         context.body_nodes[i] = node;
         body.node = std::max(node, 0);
         context.model.bodies.push_back(body);
-        if (node < 0) continue;
-
-        velocity_setters.resize(context.model.nodes.size());
-        spin_setters.resize(context.model.nodes.size());
-        Node& moved = context.model.nodes[node];
-        set_motion({table, "velocity", table.get<Vec3>("velocity")},
-                   velocity_setters[node],
-                   moved.velocity,
-                   context);
-        const Vec3& spatial = table.get<Vec3>("angular_velocity");
-        set_motion({table, "angular_velocity", spatial}, spin_setters[node], moved.angular_velocity, context);
-        if (!table.gives("angular_velocity_material")) continue;
-        const Vec3 turned = body.attitude * table.get<Vec3>("angular_velocity_material");
-        set_motion({table, "angular_velocity_material", turned},
-                   spin_setters[node],
-                   moved.angular_velocity,
-                   context);
+        context.velocity_settings.resize(context.model.nodes.size());
+        if (node >= 0) set_velocities(table, body, context);
     }
 }
 

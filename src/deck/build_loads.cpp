@@ -1,68 +1,72 @@
 #include "deck/build_loads.hpp"
 
-#include <algorithm>
-
 #include "deck/choices.hpp"
-#include "model/evaluation_error.hpp"
+#include "deck/load_factor.hpp"
+#include "deck/part.hpp"
+#include "deck/schema_tables.hpp"
 
 namespace gxrod {
 namespace {
 
-constexpr long largest_sample = 10000;
+// What the model has for a value of the deck.
+TimeFunction function_of(const CheckedTimeFunction& value, const BuildContext& context) {
+    return context.is_static() ? apply_load_factor(value.function) : value.function;
+}
 
-std::array<TimeFunction, 3> functions_of(const CheckedTable& load, const char* key) {
-    std::array<TimeFunction, 3> functions;
-    if (!load.gives(key)) return functions;
-    const auto& components = load.get<CheckedTimeVector>(key);
-    for (int i = 0; i < 3; ++i) functions[i] = components[i].function;
+LineFunction function_of(const CheckedLineFunction& value, const BuildContext& context) {
+    return context.is_static() ? apply_load_factor(value.expression) : value.expression.function;
+}
+
+// Three functions of a key; zero if it is not given.
+template <class Function, class Checked>
+std::array<Function, 3> functions_of(const CheckedTable& table,
+                                     const char* key,
+                                     const BuildContext& context) {
+    std::array<Function, 3> functions;
+    if (!table.gives(key)) return functions;
+    const auto& components = table.get<std::array<Checked, 3>>(key);
+    for (std::size_t i = 0; i < 3; ++i) functions[i] = function_of(components[i], context);
     return functions;
 }
 
-Quat axes_at(const PlacedPoint& point, const Model& model) {
-    if (point.body >= 0) return model.bodies[point.body].attitude;
-    return model.rods[point.rod].triad_at(point.position_in_rod);
+void add_nodal_load(const CheckedTable& table, Frame frame, BuildContext& context) {
+    const std::optional<PlacedPoint> point = context.place(table.get<std::string>("at"));
+    if (!point) return;
+    const auto vector = [&](const char* key) {
+        return functions_of<TimeFunction, CheckedTimeFunction>(table, key, context);
+    };
+    context.model.loads.push_back({.key = table.path,
+                                   .node = point->node,
+                                   .force = vector("force"),
+                                   .moment = vector("moment"),
+                                   .frame = frame,
+                                   .axes = context.axes_at(*point)});
 }
 
-void check_function(const CheckedTimeFunction& value,
-                    const DynamicSettings& analysis,
-                    const BuildContext& context) {
-    if (value.function.is_constant()) return;
-    const long samples = std::min(analysis.steps, largest_sample);
-    try {
-        for (long i = 0; i <= samples; ++i) {
-            const long step = i * (analysis.steps / samples) + i * (analysis.steps % samples) / samples;
-            value.function(analysis.end_time *
-                           (static_cast<double>(step) / static_cast<double>(analysis.steps)));
-        }
-    } catch (const EvaluationError& error) {
-        // The fault names the key itself.
-        const std::string what = error.what();
-        context.faults.add(value.place, value.path, what.substr(value.path.size() + 2));
-    }
+void add_distributed_load(const CheckedTable& table, Frame frame, BuildContext& context) {
+    const std::optional<Part> part = find_part(table, *load_table().find("on"), context);
+    if (!part) return;
+    const auto vector = [&](const char* key) {
+        return functions_of<LineFunction, CheckedLineFunction>(table, key, context);
+    };
+    context.model.distributed_loads.push_back({.key = table.path,
+                                               .rod = part->rod,
+                                               .force = vector("force_per_length"),
+                                               .moment = vector("moment_per_length"),
+                                               .frame = frame});
 }
 
 }  // namespace
 
 void build_loads(BuildContext& context) {
+    context.model.gravity =
+        TimeVector(functions_of<TimeFunction, CheckedTimeFunction>(context.deck, "gravity", context));
     for (const CheckedTable& table : context.deck.tables("load")) {
-        const std::optional<PlacedPoint> point = context.place(table.get<std::string>("at"));
-        if (!point) continue;
-        context.model.loads.push_back({.key = table.path,
-                                       .node = point->node,
-                                       .force = functions_of(table, "force"),
-                                       .moment = functions_of(table, "moment"),
-                                       .frame = value_of(frame_choices, table.get<std::string>("frame")),
-                                       .axes = axes_at(*point, context.model)});
-    }
-}
-
-void check_load_functions(const DynamicSettings& analysis, BuildContext& context) {
-    for (const CheckedTable& table : context.deck.tables("load")) {
-        for (const char* key : {"force", "moment"}) {
-            if (!table.gives(key)) continue;
-            for (const CheckedTimeFunction& component : table.get<CheckedTimeVector>(key)) {
-                check_function(component, analysis, context);
-            }
+        const Frame frame = value_of(frame_choices, table.get<std::string>("frame"));
+        if (table.gives("at")) {
+            add_nodal_load(table, frame, context);
+        } else {
+            add_distributed_load(table, frame, context);
         }
     }
 }

@@ -62,6 +62,33 @@ std::string explain_missing(Quantity quantity, const PlacedPoint& point, const M
     return is_supported ? "" : "only a supported point has it; no [[support]] is at this one";
 }
 
+bool can_be_relative(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::position:
+        case Quantity::displacement:
+        case Quantity::rotation_vector:
+        case Quantity::quaternion:
+        case Quantity::orientation:
+        case Quantity::velocity:
+        case Quantity::angular_velocity:
+        case Quantity::acceleration:
+        case Quantity::centre_of_mass:
+            return true;
+        default:
+            return false;
+    }
+}
+
+// Sets what the quantities are relative to; nothing if the deck does not say.
+void set_reference(const CheckedTable& table, HistoryRequest& request, const BuildContext& context) {
+    if (!table.gives("relative_to")) return;
+    const std::optional<PlacedPoint> point = context.place(table.get<std::string>("relative_to"));
+    if (!point) return;
+    request.relative_to = table.get<std::string>("relative_to");
+    request.relative_node = point->node;
+    request.relative_axes = context.axes_at(*point);
+}
+
 HistoryRequest build_history(const CheckedTable& table,
                              const PlacedPoint& point,
                              const BuildContext& context) {
@@ -71,7 +98,9 @@ HistoryRequest build_history(const CheckedTable& table,
                            .body = point.body,
                            .rod = point.rod,
                            .position_in_rod = point.position_in_rod,
-                           .quantities = {}};
+                           .quantities = {},
+                           .end_element = point.end_element};
+    set_reference(table, request, context);
     for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("quantities")) {
         const Quantity quantity = value_of(quantity_choices, word.word);
         const auto& listed = request.quantities;
@@ -79,7 +108,10 @@ HistoryRequest build_history(const CheckedTable& table,
             context.faults.add(word.place, word.path, fmt::format("\"{}\" is listed twice", word.word));
             continue;
         }
-        const std::string reason = explain_missing(quantity, point, context.model);
+        std::string reason = explain_missing(quantity, point, context.model);
+        if (table.gives("relative_to") && !can_be_relative(quantity)) {
+            reason = "cannot be relative to a point; write another history for it";
+        }
         if (!reason.empty()) {
             context.faults.add(word.place, word.path, fmt::format("\"{}\": {}", word.word, reason));
         }

@@ -5,103 +5,93 @@
 #include <algorithm>
 
 #include "deck/choices.hpp"
+#include "deck/sample_times.hpp"
 #include "deck/suggestion.hpp"
+#include "deck/support_merge.hpp"
 
 namespace gxrod {
 namespace {
 
-// Velocities below this, relative to the largest component, are round-off of a body's attitude.
+// A move that is below this at t = 0, relative to its largest value, is 0 there.
 constexpr double round_off = 1e-12;
+constexpr long most_samples = 1000;
 
-using Components = std::array<bool, 6>;
-
-Components components_of(const std::string& word) {
-    if (word == "all") return {true, true, true, true, true, true};
-    if (word == "position") return {true, true, true, false, false, false};
-    if (word == "rotation") return {false, false, false, true, true, true};
-    Components components{};
-    const auto name = std::find(component_names.begin(), component_names.end(), word);
-    components[name - component_names.begin()] = true;
-    return components;
-}
-
-// A node's support with the tables of the deck that make it.
-struct NodeSupport {
-    Support support;
-    std::vector<const CheckedTable*> tables;
-};
-
-void add_support(int node, const CheckedTable& table, std::vector<NodeSupport>& supports) {
-    auto found = std::find_if(supports.begin(), supports.end(), [&](const NodeSupport& existing) {
-        return existing.support.node == node;
-    });
-    if (found == supports.end()) found = supports.insert(supports.end(), {{.node = node}, {}});
-    found->tables.push_back(&table);
-    for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("fix")) {
-        const Components components = components_of(word.word);
-        for (int i = 0; i < 6; ++i) found->support.fixed[i] = found->support.fixed[i] || components[i];
+NodeSupport& find_support(int node, std::vector<NodeSupport>& supports, std::vector<int>& by_node) {
+    if (by_node[node] < 0) {
+        by_node[node] = static_cast<int>(supports.size());
+        supports.push_back({{.node = node}, {}, {}});
     }
+    return supports[by_node[node]];
 }
 
 // Fixing one rotation alone would leave open what the other two mean once the point has turned.
+void report_lone_fix(const NodeSupport& supported, std::size_t component, const BuildContext& context) {
+    const CheckedTable& table = *supported.holders[component];
+    for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("fix")) {
+        if (word.word != component_names[component]) continue;
+        return context.faults.add(
+            word.place,
+            word.path,
+            fmt::format("{} alone cannot be fixed: what stays free would depend on the path of the motion; "
+                        "expected two of rx, ry, rz (a hinge about the third axis), all three or none",
+                        word.word));
+    }
+}
+
+// A rotation vector has a meaning as a whole only.
+void report_incomplete_move(const NodeSupport& supported,
+                            std::size_t component,
+                            const BuildContext& context) {
+    std::vector<std::string> free;
+    for (std::size_t i = 3; i < 6; ++i) {
+        if (!supported.support.holds(static_cast<int>(i))) free.emplace_back(component_names[i]);
+    }
+    const CheckedTimeFunction& value = *moves_of(*supported.holders[component])[component];
+    context.faults.add(
+        value.place,
+        value.path,
+        fmt::format("where a rotation moves, the other two must be fixed or moved too; free: {}",
+                    plain_list(free)));
+}
+
 void check_rotations(const NodeSupport& supported, const BuildContext& context) {
-    const Components& fixed = supported.support.fixed;
-    if (fixed[3] + fixed[4] + fixed[5] != 1) return;
-    const auto alone = component_names[static_cast<std::size_t>(
-        std::find(fixed.begin() + 3, fixed.end(), true) - fixed.begin())];
-    for (const CheckedTable* table : supported.tables) {
-        for (const CheckedWord& word : table->get<std::vector<CheckedWord>>("fix")) {
-            if (word.word != alone) continue;
-            return context.faults.add(
-                word.place,
-                word.path,
-                fmt::format("{} alone cannot be fixed: what stays free would depend on the path of the "
-                            "motion; expected "
-                            "two of rx, ry, rz (a hinge about the third axis), all three or none",
-                            alone));
+    const Support& support = supported.support;
+    int held = 0;
+    for (int i = 3; i < 6; ++i) held += support.holds(i) ? 1 : 0;
+    if (held == 0 || held == 3) return;
+    for (std::size_t i = 3; i < 6; ++i) {
+        if (support.moved[i]) return report_incomplete_move(supported, i, context);
+    }
+    for (std::size_t i = 3; i < 6; ++i) {
+        if (support.fixed[i] && held == 1) return report_lone_fix(supported, i, context);
+    }
+}
+
+// The deck's shape is that at t = 0, so that a motion begins with 0.
+void check_start(const CheckedTimeFunction& move, const BuildContext& context) {
+    double size = 0.0;
+    double start = 0.0;
+    try {
+        start = move.function(0.0);
+        for (const double time : sample_times(context.analysis, most_samples)) {
+            size = std::max(size, std::abs(move.function(time)));
         }
+    } catch (const EvaluationError&) {
+        return;  // check_functions reports it
     }
+    if (std::abs(start) <= round_off * size) return;
+    context.faults.add(
+        move.place,
+        move.path,
+        fmt::format("is {:.6g} at t = 0; expected 0 there, since the deck says where things are "
+                    "at t = 0",
+                    start));
 }
 
-// Takes round-off off a velocity that a support holds. The first component that is held and moves, or -1.
-int find_held_motion(const bool* fixed, Vec3& motion) {
-    const double size = motion.cwiseAbs().maxCoeff();
-    int held = -1;
-    for (int i = 0; i < 3; ++i) {
-        if (!fixed[i]) continue;
-        if (std::abs(motion[i]) > round_off * size && held < 0) held = i;
-        if (std::abs(motion[i]) <= round_off * size) motion[i] = 0.0;
-    }
-    return held;
-}
-
-void check_velocities(const CheckedTable& body,
-                      int node,
-                      const std::vector<NodeSupport>& supports,
-                      BuildContext& context) {
-    for (const NodeSupport& supported : supports) {
-        if (supported.support.node != node) continue;
-        const bool* fixed = supported.support.fixed.data();
-        const auto check = [&](const char* key, const bool* held_components, Vec3& motion, const char* axes) {
-            if (!body.gives(key)) return;
-            const int held = find_held_motion(held_components, motion);
-            if (held < 0) return;
-            context.add_fault(
-                body,
-                key,
-                fmt::format("a [[support]] fixes {}{} here; expected 0 along it", axes, "xyz"[held]));
-        };
-        Node& moved = context.model.nodes[node];
-        check("velocity", fixed, moved.velocity, "");
-        check("angular_velocity", fixed + 3, moved.angular_velocity, "r");
-        check("angular_velocity_material", fixed + 3, moved.angular_velocity, "r");
-    }
-}
-
-// A model without an unknown is a mistake.
+// A model without an unknown is a mistake, unless its supports move it.
 void check_freedom(const std::vector<NodeSupport>& supports, const BuildContext& context) {
     const auto is_clamped = [](const NodeSupport& supported) {
-        const Components& fixed = supported.support.fixed;
+        const auto& fixed = supported.support.fixed;
         return std::find(fixed.begin(), fixed.end(), false) == fixed.end();
     };
     const bool all_supported = !supports.empty() && supports.size() == context.model.nodes.size();
@@ -114,19 +104,20 @@ void check_freedom(const std::vector<NodeSupport>& supports, const BuildContext&
 
 void build_supports(BuildContext& context) {
     std::vector<NodeSupport> supports;
+    std::vector<int> by_node(context.model.nodes.size(), -1);
     for (const CheckedTable& table : context.deck.tables("support")) {
         const std::optional<PlacedPoint> point = context.place(table.get<std::string>("at"));
-        if (point) add_support(point->node, table, supports);
+        if (point) merge_support(table, find_support(point->node, supports, by_node), context);
+        if (context.is_static()) continue;
+        for (const CheckedTimeFunction* move : moves_of(table)) {
+            if (move != nullptr) check_start(*move, context);
+        }
     }
     for (const NodeSupport& supported : supports) {
         check_rotations(supported, context);
         context.model.supports.push_back(supported.support);
     }
     check_freedom(supports, context);
-    const std::vector<CheckedTable>& bodies = context.deck.tables("body");
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (context.body_nodes[i] >= 0) check_velocities(bodies[i], context.body_nodes[i], supports, context);
-    }
 }
 
 }  // namespace gxrod

@@ -4,8 +4,7 @@
 
 namespace gxrod {
 
-// Adds the supports to the model, one a node, and checks that bodies do not start with a velocity that a
-// support holds. After build_bodies.
+// Adds the supports to the model, one a node. After build_bodies.
 void build_supports(BuildContext& context);
 
 }  // namespace gxrod

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "deck/expression.hpp"
 #include "deck/fault_list.hpp"
 #include "model/time_function.hpp"
 #include "rotation/types.hpp"
@@ -30,7 +31,23 @@ struct CheckedTimeFunction {
     std::string path;
 };
 
+// A value f(t, s).
+struct CheckedLineFunction {
+    LineExpression expression;
+    Place place;
+    std::string path;
+};
+
+// A value f(x, y, z, s).
+struct CheckedPlaceFunction {
+    PlaceExpression expression;
+    Place place;
+    std::string path;
+};
+
 using CheckedTimeVector = std::array<CheckedTimeFunction, 3>;
+using CheckedLineVector = std::array<CheckedLineFunction, 3>;
+using CheckedPlaceVector = std::array<CheckedPlaceFunction, 3>;
 using TimeTable = std::vector<std::pair<double, double>>;
 
 struct CheckedValue;
@@ -70,6 +87,8 @@ struct CheckedValue {
                  TimeTable,
                  CheckedTimeFunction,
                  CheckedTimeVector,
+                 CheckedLineVector,
+                 CheckedPlaceVector,
                  std::vector<CheckedWord>,
                  std::vector<CheckedTable>>  // one for a single table
         value;

@@ -14,6 +14,8 @@
 namespace gxrod {
 namespace {
 
+using namespace std::string_literals;
+
 // muParser's complaint about an arrangement of operators, in a user's words.
 std::string explain(const mu::ParserError& error) {
     switch (error.GetCode()) {
@@ -44,21 +46,37 @@ std::string describe_non_finite(double value) {
 
 class CompiledFunctions;
 
+// An expression and what it may use.
+struct Formula {
+    const std::string& text;
+    const Symbols& symbols;
+    Variables variables;
+};
+
+// What the variables of an expression stand for.
+struct Values {
+    double t = 0.0;
+    double s = 0.0;
+    Vec3 position = Vec3::Zero();
+};
+
 // One expression as bytecode.
 class CompiledExpression {
   public:
-    CompiledExpression(const std::string& text, const Symbols& symbols, CompiledFunctions& functions);
+    CompiledExpression(const Formula& formula, CompiledFunctions& functions);
     CompiledExpression(const CompiledExpression&) = delete;  // the parser points into it
     CompiledExpression& operator=(const CompiledExpression&) = delete;
 
-    double operator()(double time) {
-        time_ = time;
+    double operator()(const Values& values) {
+        values_ = values;
         return parser_.Eval();
     }
 
   private:
+    double* find(const std::string& variable);
+
     mu::Parser parser_;
-    double time_ = 0.0;
+    Values values_;
 };
 
 // One [function.NAME], as the expressions of one TimeFunction call it.
@@ -66,11 +84,13 @@ struct CompiledFunction {
     std::vector<std::pair<double, double>> table;
     std::unique_ptr<CompiledExpression> expression;
 
-    double operator()(double time) { return expression ? (*expression)(time) : interpolate(table, time); }
+    double operator()(double argument) {
+        return expression ? (*expression)({.t = argument}) : interpolate(table, argument);
+    }
 };
 
-double call_function(void* function, double time) {
-    return (*static_cast<CompiledFunction*>(function))(time);
+double call_function(void* function, double argument) {
+    return (*static_cast<CompiledFunction*>(function))(argument);
 }
 
 // The deck's functions that one expression needs, each compiled once. Every TimeFunction owns its own, so
@@ -86,8 +106,8 @@ class CompiledFunctions {
             entry->second = std::make_unique<CompiledFunction>();
             entry->second->table = definition.table;
             if (definition.table.empty()) {
-                entry->second->expression =
-                    std::make_unique<CompiledExpression>(definition.expression, symbols_, *this);
+                entry->second->expression = std::make_unique<CompiledExpression>(
+                    Formula{definition.expression, symbols_, Variables::time}, *this);
             }
         }
         return entry->second.get();
@@ -100,23 +120,27 @@ class CompiledFunctions {
     std::map<std::string, std::unique_ptr<CompiledFunction>> functions_;
 };
 
-CompiledExpression::CompiledExpression(const std::string& text,
-                                       const Symbols& symbols,
-                                       CompiledFunctions& functions) {
-    const ExpressionNames names = check_expression(text, symbols, TimeUse::free);
+double* CompiledExpression::find(const std::string& variable) {
+    if (variable == "t") return &values_.t;
+    if (variable == "s") return &values_.s;
+    return &values_.position["xyz"s.find(variable)];
+}
+
+CompiledExpression::CompiledExpression(const Formula& formula, CompiledFunctions& functions) {
+    const ExpressionNames names = check_expression(formula.text, formula.symbols, formula.variables);
     try {
         // muParser 2.3 folds constant && and || through integers: 0.5 && 1 becomes 0. Unfolded they are
         // right.
         parser_.EnableOptimizer(false);
         define_built_ins(parser_);
-        parser_.DefineVar("t", &time_);
+        for (const std::string& name : names.variables) parser_.DefineVar(name, find(name));
         for (const std::string& name : names.parameters) {
-            parser_.DefineConst(name, *symbols.parameters.find(name)->second);
+            parser_.DefineConst(name, *formula.symbols.parameters.find(name)->second);
         }
         for (const std::string& name : names.functions) {
             parser_.DefineFunUserData(name, call_function, functions.find(name), false);
         }
-        parser_.SetExpr(text);
+        parser_.SetExpr(formula.text);
         parser_.Eval();  // compiles
     } catch (const mu::ParserError& error) {
         throw ExpressionError(explain(error));
@@ -125,23 +149,25 @@ CompiledExpression::CompiledExpression(const std::string& text,
 
 // An expression, the functions that it calls, and where it stands.
 struct Program {
-    Program(const std::string& text_, const Symbols& symbols, CompiledFunctions compiled)
-        : text(text_), main(text, symbols, compiled), functions(compiled.release()) {}
+    Program(const Formula& formula, CompiledFunctions compiled)
+        : text(formula.text), main(formula, compiled), functions(compiled.release()) {}
+
+    // The value; throws EvaluationError if that is not finite. `where` says so: "t = 0.5".
+    template <class Where>
+    double evaluate(const Values& values, const Where& where) {
+        const double value = main(values);
+        if (!std::isfinite(value)) {
+            throw EvaluationError(
+                fmt::format("{}: \"{}\" is {} at {}", key, text, describe_non_finite(value), where()));
+        }
+        return value;
+    }
 
     std::string text;
     std::string key;
     CompiledExpression main;
     std::map<std::string, std::unique_ptr<CompiledFunction>> functions;
 };
-
-double evaluate(Program& program, double time) {
-    const double value = program.main(time);
-    if (!std::isfinite(value)) {
-        throw EvaluationError(fmt::format(
-            "{}: \"{}\" is {} at t = {}", program.key, program.text, describe_non_finite(value), time));
-    }
-    return value;
-}
 
 // Whether every name that an expression rests on, directly or through functions, is a right one.
 bool is_usable(const ExpressionNames& names, const Symbols& symbols, std::set<std::string>& visited) {
@@ -153,7 +179,8 @@ bool is_usable(const ExpressionNames& names, const Symbols& symbols, std::set<st
         const auto& definition = symbols.functions.find(name)->second;
         if (!definition) return false;
         if (!definition->table.empty()) continue;
-        if (!is_usable(check_expression(definition->expression, symbols, TimeUse::free), symbols, visited)) {
+        if (!is_usable(
+                check_expression(definition->expression, symbols, Variables::time), symbols, visited)) {
             return false;
         }
     }
@@ -170,19 +197,28 @@ Symbols with_placeholders(const ExpressionNames& names) {
     return symbols;
 }
 
-std::shared_ptr<Program> compile(const std::string& expression, const Symbols& symbols, TimeUse time) {
-    const ExpressionNames names = check_expression(expression, symbols, time);
+// The program and the names of its variables; nullptr if the expression rests on a wrong name.
+struct Compiled {
+    std::shared_ptr<Program> program;
+    std::set<std::string> variables;
+};
+
+Compiled compile(const Formula& formula, const std::string& key = "") {
+    const ExpressionNames names = check_expression(formula.text, formula.symbols, formula.variables);
     std::set<std::string> visited;
-    if (!is_usable(names, symbols, visited)) {
+    if (!is_usable(names, formula.symbols, visited)) {
         const Symbols placeholders = with_placeholders(names);
-        const Program checked(expression, placeholders, CompiledFunctions(placeholders));
-        return nullptr;
+        const Program checked({formula.text, placeholders, formula.variables},
+                              CompiledFunctions(placeholders));
+        return {nullptr, {}};
     }
-    return std::make_shared<Program>(expression, symbols, CompiledFunctions(symbols));
+    auto program = std::make_shared<Program>(formula, CompiledFunctions(formula.symbols));
+    program->key = key;
+    return {std::move(program), names.variables};
 }
 
 double constant_value(Program& program) {
-    const double value = program.main(0.0);
+    const double value = program.main({});
     if (!std::isfinite(value)) {
         throw ExpressionError(
             fmt::format("the value is {}, not a finite number", describe_non_finite(value)));
@@ -193,20 +229,52 @@ double constant_value(Program& program) {
 }  // namespace
 
 std::optional<double> evaluate_constant(const std::string& expression, const Symbols& symbols) {
-    const std::shared_ptr<Program> program = compile(expression, symbols, TimeUse::none);
-    if (!program) return std::nullopt;
-    return constant_value(*program);
+    const Compiled compiled = compile({expression, symbols, Variables::none});
+    if (!compiled.program) return std::nullopt;
+    return constant_value(*compiled.program);
 }
 
 std::optional<TimeFunction> compile_time_function(const std::string& expression,
                                                   const std::string& key,
                                                   const Symbols& symbols) {
-    const std::shared_ptr<Program> program = compile(expression, symbols, TimeUse::free);
-    if (!program) return std::nullopt;
-    if (!check_expression(expression, symbols, TimeUse::free).time)
-        return TimeFunction(constant_value(*program));
-    program->key = key;
-    return TimeFunction([program](double time) { return evaluate(*program, time); });
+    const Compiled compiled = compile({expression, symbols, Variables::time}, key);
+    if (!compiled.program) return std::nullopt;
+    if (compiled.variables.empty()) return TimeFunction(constant_value(*compiled.program));
+    return TimeFunction([program = compiled.program](double time) {
+        return program->evaluate({.t = time}, [=] { return fmt::format("t = {}", time); });
+    });
+}
+
+std::optional<LineExpression> compile_line_function(const std::string& expression,
+                                                    const std::string& key,
+                                                    const Symbols& symbols) {
+    const Compiled compiled = compile({expression, symbols, Variables::line}, key);
+    if (!compiled.program) return std::nullopt;
+    if (compiled.variables.empty()) return LineExpression{LineFunction(constant_value(*compiled.program))};
+    const auto evaluate = [program = compiled.program](double time, double s) {
+        return program->evaluate({.t = time, .s = s}, [=] { return fmt::format("t = {}, s = {}", time, s); });
+    };
+    return LineExpression{LineFunction(evaluate), compiled.variables.contains("t")};
+}
+
+std::optional<PlaceExpression> compile_place_function(const std::string& expression,
+                                                      const std::string& key,
+                                                      const Symbols& symbols) {
+    const Compiled compiled = compile({expression, symbols, Variables::place}, key);
+    if (!compiled.program) return std::nullopt;
+    if (compiled.variables.empty()) {
+        const double constant = constant_value(*compiled.program);
+        return PlaceExpression{[constant](const Vec3&, double) { return constant; }};
+    }
+    const bool has_arc_length = compiled.variables.contains("s");
+    const auto evaluate = [program = compiled.program, has_arc_length](const Vec3& position, double s) {
+        return program->evaluate({.s = s, .position = position}, [&] {
+            const std::string at =
+                fmt::format("x = {}, y = {}, z = {}", position[0], position[1], position[2]);
+            return has_arc_length ? fmt::format("{}, s = {}", at, s) : at;
+        });
+    };
+    return PlaceExpression{evaluate, has_arc_length};
 }
 
 }  // namespace gxrod

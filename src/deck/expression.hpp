@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "model/time_function.hpp"
+#include "rotation/types.hpp"
 
 // Expressions of a deck: text such as "EI/2" or "0.5*pulse(t)". deck/expression_syntax.hpp says what they may
 // hold.
@@ -41,5 +43,26 @@ std::optional<double> evaluate_constant(const std::string& expression, const Sym
 std::optional<TimeFunction> compile_time_function(const std::string& expression,
                                                   const std::string& key,
                                                   const Symbols& symbols);
+
+struct LineExpression {
+    LineFunction function;
+    bool has_time = false;  // whether t occurs
+};
+
+// The same in t and s, the arc length along a rod.
+std::optional<LineExpression> compile_line_function(const std::string& expression,
+                                                    const std::string& key,
+                                                    const Symbols& symbols);
+
+// A number that changes with the place in the reference shape.
+struct PlaceExpression {
+    std::function<double(const Vec3& position, double s)> function;
+    bool has_arc_length = false;  // whether s occurs
+};
+
+// The same in x, y, z and s, without t.
+std::optional<PlaceExpression> compile_place_function(const std::string& expression,
+                                                      const std::string& key,
+                                                      const Symbols& symbols);
 
 }  // namespace gxrod

@@ -12,11 +12,30 @@
 namespace gxrod {
 namespace {
 
+const std::vector<std::string>& names_of(Variables variables) {
+    static const std::vector<std::string> none, time{"t"}, line{"t", "s"}, place{"x", "y", "z", "s"};
+    switch (variables) {
+        case Variables::none:
+            return none;
+        case Variables::time:
+            return time;
+        case Variables::line:
+            return line;
+        case Variables::place:
+            break;
+    }
+    return place;
+}
+
+bool has(const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 // Checks one expression, token by token.
 class ExpressionCheck {
   public:
-    ExpressionCheck(const std::vector<Token>& tokens, const Symbols& symbols, TimeUse time)
-        : tokens_(tokens), symbols_(symbols), time_(time) {}
+    ExpressionCheck(const std::vector<Token>& tokens, const Symbols& symbols, Variables variables)
+        : tokens_(tokens), symbols_(symbols), variables_(variables) {}
 
     ExpressionNames run() {
         groups_.push_back({});
@@ -100,7 +119,8 @@ class ExpressionCheck {
     void check_variable() {
         const std::string& name = token().text;
         if (name == "pi") return;
-        if (name == "t") return check_time();
+        if (has(names_of(variables_), name)) return use_variable(name);
+        if (name == "t") throw_no_time();
         if (symbols_.parameters.contains(name)) {
             names_.parameters.insert(name);
             return;
@@ -108,28 +128,37 @@ class ExpressionCheck {
         if (is_function(name))
             throw ExpressionError(fmt::format("\"{0}\" is a function; write {0}(…)", name));
         std::vector<std::string> known{"pi"};
-        if (time_ == TimeUse::free) known.emplace_back("t");
+        for (const std::string& variable : names_of(variables_)) known.push_back(variable);
         for (const auto& [parameter, value] : symbols_.parameters) known.push_back(parameter);
         throw_unknown("name", did_you_mean(name, known), known);
     }
 
-    void check_time() {
-        if (time_ == TimeUse::none) {
-            throw ExpressionError("\"t\" (time) is not allowed here: this value is a constant");
+    void use_variable(const std::string& name) {
+        if (symbols_.parameters.contains(name)) {
+            throw ExpressionError(
+                fmt::format("\"{0}\" is {1} here and also a parameter; give the parameter another name",
+                            name,
+                            name == "s" ? "the arc length" : "a coordinate"));
         }
-        names_.time = true;
+        names_.variables.insert(name);
+    }
+
+    [[noreturn]] void throw_no_time() const {
+        throw ExpressionError(fmt::format("\"t\" (time) is not allowed here: this value is {}",
+                                          variables_ == Variables::none ? "a constant" : "that at t = 0"));
     }
 
     void check_function() {
         const std::string& name = token().text;
         const std::vector<std::string>& built_in = built_in_functions();
-        if (std::find(built_in.begin(), built_in.end(), name) != built_in.end()) return;
+        if (has(built_in, name)) return;
         if (symbols_.functions.contains(name)) return check_deck_function(name);
-        if (name == "t" || name == "pi" || symbols_.parameters.contains(name)) {
+        const bool is_variable = name == "t" || has(names_of(variables_), name);
+        if (is_variable || name == "pi" || symbols_.parameters.contains(name)) {
             throw ExpressionError(fmt::format("\"{0}\" is not a function; write {0}*(…)", name));
         }
         std::vector<std::string> known = built_in;
-        if (time_ == TimeUse::free) {
+        if (variables_ != Variables::none) {
             for (const auto& [function, definition] : symbols_.functions) known.push_back(function);
         }
         const std::string hint = name == "ln"    ? "; did you mean \"log\" (natural)?"
@@ -147,7 +176,7 @@ class ExpressionCheck {
     }
 
     void check_deck_function(const std::string& name) {
-        if (time_ == TimeUse::none) {
+        if (variables_ == Variables::none) {
             throw ExpressionError(fmt::format(
                 "\"{}\" is a function of time, which is not allowed here: this value is a constant", name));
         }
@@ -155,14 +184,12 @@ class ExpressionCheck {
     }
 
     bool is_function(const std::string& name) const {
-        const std::vector<std::string>& built_in = built_in_functions();
-        return symbols_.functions.contains(name) ||
-               std::find(built_in.begin(), built_in.end(), name) != built_in.end();
+        return symbols_.functions.contains(name) || has(built_in_functions(), name);
     }
 
     const std::vector<Token>& tokens_;
     const Symbols& symbols_;
-    TimeUse time_;
+    Variables variables_;
     std::size_t at_ = 0;
     std::vector<Group> groups_;
     ExpressionNames names_;
@@ -183,16 +210,15 @@ std::string explain_unusable_name(const std::string& name) {
     }
     if (name == "t") return "t is time in expressions; choose another name";
     if (name == "pi") return "pi is 3.14159… in expressions; choose another name";
-    const std::vector<std::string>& built_in = built_in_functions();
-    if (std::find(built_in.begin(), built_in.end(), name) != built_in.end()) {
+    if (has(built_in_functions(), name)) {
         return name + " is a built-in function; choose another name";
     }
     return "";
 }
 
-ExpressionNames check_expression(const std::string& expression, const Symbols& symbols, TimeUse time) {
+ExpressionNames check_expression(const std::string& expression, const Symbols& symbols, Variables variables) {
     const std::vector<Token> tokens = split_expression(expression);
-    return ExpressionCheck(tokens, symbols, time).run();
+    return ExpressionCheck(tokens, symbols, variables).run();
 }
 
 }  // namespace gxrod

@@ -10,16 +10,19 @@
 // ("t = 15" assigns, "1,2" is 2, "0 < t < 5" is always true).
 namespace gxrod {
 
-enum class TimeUse {
-    none,  // a constant: numbers, parameters, pi
-    free   // also t and the deck's functions
+// What an expression may use besides numbers, pi and the deck's parameters.
+enum class Variables {
+    none,  // nothing: a constant
+    time,  // t, the time, and the deck's functions
+    line,  // also s, the arc length from a rod's start
+    place  // x, y, z of the reference position, s and the deck's functions; not t
 };
 
 // The names that an expression uses, without the built-in ones.
 struct ExpressionNames {
     std::set<std::string> parameters;
     std::set<std::string> functions;
-    bool time = false;
+    std::set<std::string> variables;
 };
 
 // Whether expressions can use the word as a name: letters, digits and _, no digit first.
@@ -29,6 +32,6 @@ bool is_identifier(const std::string& word);
 std::string explain_unusable_name(const std::string& name);
 
 // Checks an expression up to the arrangement of its operators. Throws ExpressionError.
-ExpressionNames check_expression(const std::string& expression, const Symbols& symbols, TimeUse time);
+ExpressionNames check_expression(const std::string& expression, const Symbols& symbols, Variables variables);
 
 }  // namespace gxrod

@@ -1,7 +1,5 @@
 #include "deck/problem.hpp"
 
-#include <fmt/format.h>
-
 #include <cerrno>
 #include <fstream>
 #include <sstream>
@@ -9,10 +7,15 @@
 
 #include "deck/build_analysis.hpp"
 #include "deck/build_bodies.hpp"
+#include "deck/build_connections.hpp"
+#include "deck/build_initial.hpp"
 #include "deck/build_loads.hpp"
 #include "deck/build_output.hpp"
 #include "deck/build_rods.hpp"
 #include "deck/build_supports.hpp"
+#include "deck/check_functions.hpp"
+#include "deck/check_points.hpp"
+#include "deck/check_velocities.hpp"
 #include "deck/overrides.hpp"
 #include "deck/validation.hpp"
 #include "model/file_error.hpp"
@@ -31,47 +34,24 @@ void check_names(const CheckedTable& deck, FaultList& faults) {
     }
 }
 
-// Checks every text that names a point, and returns those of rods.
-std::vector<RodPoint> check_points(const BuildContext& context) {
-    std::vector<RodPoint> of_rods;
-    const auto check = [&](const CheckedTable& table, const std::string& text) -> std::optional<Point> {
-        const std::variant<Point, std::string> found = context.names.find(text);
-        if (const auto* message = std::get_if<std::string>(&found)) {
-            context.add_fault(table, "at", *message);
-            return std::nullopt;
-        }
-        const Point& point = std::get<Point>(found);
-        if (const auto* of_rod = std::get_if<RodPoint>(&point)) of_rods.push_back(*of_rod);
-        return point;
-    };
-    for (const CheckedTable& body : context.deck.tables("body")) {
-        const auto* text = std::get_if<std::string>(&body.find("at")->value);
-        if (text == nullptr) continue;
-        const std::optional<Point> point = check(body, *text);
-        if (point && std::holds_alternative<BodyPoint>(*point)) {
-            context.add_fault(body, "at", fmt::format("\"{}\" is a body; expected a point of a rod", *text));
-        }
-    }
-    for (const char* key : {"load", "support", "history"}) {
-        for (const CheckedTable& table : context.deck.tables(key)) check(table, table.get<std::string>("at"));
-    }
-    return of_rods;
-}
-
 Problem build_problem(const CheckedTable& deck, FaultList& faults) {
     Problem problem;
     const PointNames names(deck);
-    BuildContext context{deck, names, faults, problem.notes, problem.model, {}, {}};
+    BuildContext context{deck, names, faults, problem.notes, problem.model};
     check_names(deck, faults);
+    context.analysis = build_analysis(context);
     const std::vector<RodPoint> points = check_points(context);
-    problem.model.gravity = deck.get<Vec3>("gravity");
     build_sections(context);
     build_rods(points, context);
+    build_connections(context);
     build_bodies(context);
+    build_initial(context);
     build_supports(context);
+    check_velocities(context);
     build_loads(context);
-    problem.analysis = build_analysis(context);
-    check_load_functions(problem.analysis, context);
+    check_functions(context);
+    check_linear_solver(context);
+    problem.analysis = context.analysis;
     problem.output = build_output(context);
     problem.record.title = deck.get<std::string>("title");
     problem.record.units = deck.get<std::string>("units");

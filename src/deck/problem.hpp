@@ -16,7 +16,7 @@ namespace gxrod {
 struct Problem {
     DeckRecord record;
     Model model;
-    DynamicSettings analysis;
+    AnalysisSettings analysis;
     OutputSettings output;
     std::vector<std::string> notes;  // choices that the reader made for the user, a line each
 };

@@ -38,17 +38,19 @@ TableSpec make_root() {
          .default_value = "",
          .sentence = "A label that results carry; the numbers are in any consistent units."},
         {.name = "gravity",
-         .type = ValueType::vector,
+         .type = ValueType::time_vector,
          .dimension = "length/time²",
-         .default_value = Vec3(0, 0, 0),
+         .default_text = "[0, 0, 0]",
          .sentence = "Acceleration that acts on every mass, global components."},
         {.name = "parameters", .type = ValueType::parameters, .table = &parameters_table()},
         {.name = "function", .type = ValueType::named_tables, .table = &function_table()},
         {.name = "section", .type = ValueType::named_tables, .table = &section_table()},
         {.name = "rod", .type = ValueType::named_tables, .table = &rod_table()},
         {.name = "body", .type = ValueType::named_tables, .table = &body_table()},
+        {.name = "connect", .type = ValueType::table_list, .table = &connect_table()},
         {.name = "load", .type = ValueType::table_list, .table = &load_table()},
         {.name = "support", .type = ValueType::table_list, .table = &support_table()},
+        {.name = "initial", .type = ValueType::table_list, .table = &initial_table()},
         {.name = "analysis",
          .type = ValueType::table,
          .presence = Presence::required,
@@ -94,7 +96,7 @@ std::vector<std::string> TableSpec::key_names() const {
 
 bool is_top_level_value(std::string_view key) {
     const KeySpec* spec = deck_schema().find(key);
-    return spec != nullptr && (spec->type == ValueType::text || spec->type == ValueType::vector);
+    return spec != nullptr && (spec->type == ValueType::text || spec->type == ValueType::time_vector);
 }
 
 std::string explain_misplaced_key(std::string_view key, std::string_view heading) {
@@ -124,6 +126,17 @@ std::string describe_range(const Range& range) {
     return text;
 }
 
+std::string variables_of(ValueType type) {
+    switch (type) {
+        case ValueType::line_vector:
+            return "t and s";
+        case ValueType::place_vector:
+            return "x, y, z and s";
+        default:
+            return "t";
+    }
+}
+
 std::string describe_expected(const KeySpec& key) {
     const std::string range = describe_range(key.range);
     const std::string ranged = range.empty() ? "" : " " + range;
@@ -131,9 +144,11 @@ std::string describe_expected(const KeySpec& key) {
         case ValueType::text:
             return "text";
         case ValueType::reference:
-            return "the name of a " + key.name;
+            return fmt::format("the name of a {}", fmt::join(key.refers_to, " or "));
         case ValueType::point:
             return "a point, such as \"rod.end\", \"rod@0.25\" or \"body\"";
+        case ValueType::points:
+            return "an array of points, two at least, such as [\"leg.end\", \"beam.start\"]";
         case ValueType::choice:
             return (key.choices.size() > 1 ? "one of " : "") + quoted_list(key.choices);
         case ValueType::choices:
@@ -144,14 +159,18 @@ std::string describe_expected(const KeySpec& key) {
             return "a number" + ranged + " or an expression";
         case ValueType::vector:
             return "an array of 3 numbers or expressions";
+        case ValueType::matrix:
+            return "an array of 3 rows of 3 numbers or expressions";
         case ValueType::inertia:
             return "an array of 3 numbers or expressions, or of 3 such arrays";
         case ValueType::placement:
             return "an array of 3 numbers or expressions, or a point such as \"rod.end\"";
         case ValueType::time_expression:
-            return "a number or an expression in t";
+            return "a number or an expression in " + variables_of(key.type);
         case ValueType::time_vector:
-            return "an array of 3 numbers or expressions in t";
+        case ValueType::line_vector:
+        case ValueType::place_vector:
+            return "an array of 3 numbers or expressions in " + variables_of(key.type);
         case ValueType::time_table:
             return "an array of rows [t, value]";
         case ValueType::table:

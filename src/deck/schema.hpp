@@ -17,15 +17,19 @@ enum class ValueType {
     text,
     reference,  // the name of a table elsewhere in the deck
     point,      // a named point: flyer.start, flyer.end, flyer@0.25, gyroscope
+    points,     // a list of named points, two at least
     choice,     // one of the key's words
     choices,    // one of the key's words, or a list of them that is not empty
     integer,    // or an expression whose value is one
     number,
     vector,           // 3 numbers
+    matrix,           // 3 rows of 3 numbers
     inertia,          // 3 numbers, or 3 rows of 3 that make a symmetric matrix
     placement,        // a vector or a point
     time_expression,  // f(t)
     time_vector,      // 3 f(t)
+    line_vector,      // 3 f(t, s), s the arc length along a rod
+    place_vector,     // 3 f(x, y, z, s) of the reference position
     time_table,       // rows of 2 numbers, the first of each increasing
     table,            // keys of its own
     named_tables,     // [rod.NAME], any number
@@ -46,9 +50,10 @@ struct Range {
     bool is_unbounded() const;
 };
 
+// A required key is required where it is used.
 enum class Presence { optional, required };
 
-// The key is used only where another key of its table has one of these words.
+// What is used only where another key of its table has one of these words.
 struct Condition {
     std::string key;
     std::vector<std::string> words;
@@ -68,15 +73,20 @@ struct KeySpec {
     std::vector<std::string> choices = {};
     std::string remark = {};       // ends the messages that the key is missing, out of range or no valid word
     std::string above_range = {};  // ends the message that a number is above its range instead
-    Condition only_for = {};
-    const TableSpec* table = nullptr;  // of table, named_tables, table_list, parameters
+    std::vector<Condition> only_for = {};     // all of them
+    std::string only_with = {};               // the key is used only where this one is given
+    std::vector<std::string> refers_to = {};  // of reference: the keys of the tables that it may name
+    const TableSpec* table = nullptr;         // of table, named_tables, table_list, parameters
 };
 
 enum class GroupRule { exactly_one, at_least_one, at_most_one };
 
+// Which keys exclude each other; applies as its conditions say.
 struct KeyGroup {
     GroupRule rule;
     std::vector<std::string> keys;
+    std::vector<Condition> only_for = {};
+    std::string only_with = {};
 };
 
 struct TableSpec {
@@ -102,6 +112,9 @@ std::string explain_misplaced_key(std::string_view key, std::string_view heading
 
 // "greater than 0, at most 0.5", "at least 1", "from 0 to 1"; "" if unbounded.
 std::string describe_range(const Range& range);
+
+// The variables of expressions of this type, as messages say them: "t and s".
+std::string variables_of(ValueType type);
 
 // What a key takes, as messages say it: "a number greater than 0 or an expression".
 std::string describe_expected(const KeySpec& key);

@@ -1,20 +1,27 @@
+#include <fmt/format.h>
+
 #include "deck/choices.hpp"
 #include "deck/schema_tables.hpp"
 
-// [[load]], [[support]], [analysis], [output] and [[history]].
+// [analysis], [output] and [[history]].
 namespace gxrod {
 namespace {
 
-std::vector<std::string> fix_words() {
-    std::vector<std::string> words(component_names.begin(), component_names.end());
-    words.insert(words.end(), {"all", "position", "rotation"});
-    return words;
-}
+const Condition dynamic_only{"kind", {"dynamic"}};
 
-Condition for_schemes(const std::vector<Scheme>& schemes) {
+std::vector<Condition> for_schemes(const std::vector<Scheme>& schemes) {
     Condition condition{"integrator", {}};
     for (const Scheme scheme : schemes) condition.words.push_back(word_of(scheme_choices, scheme));
-    return condition;
+    return {dynamic_only, condition};
+}
+
+// Newton's method is for static analyses and implicit integrators.
+std::vector<Condition> for_equilibria() {
+    return {for_schemes({Scheme::newmark_simplified,
+                         Scheme::newmark_ibrahimbegovic,
+                         Scheme::generalized_alpha,
+                         Scheme::sdirk_4})
+                .back()};
 }
 
 const TableSpec& newton_table() {
@@ -45,12 +52,14 @@ const TableSpec& newton_table() {
 
 std::vector<KeySpec> scheme_keys() {
     const DynamicSettings defaults;
-    const Condition newmark = for_schemes({Scheme::newmark_simplified, Scheme::newmark_ibrahimbegovic});
+    const std::vector<Condition> newmark =
+        for_schemes({Scheme::newmark_simplified, Scheme::newmark_ibrahimbegovic});
     return {{.name = "integrator",
              .type = ValueType::choice,
              .default_value = word_of(scheme_choices, defaults.scheme),
              .sentence = "How time advances.",
-             .choices = words_of(scheme_choices)},
+             .choices = words_of(scheme_choices),
+             .only_for = {dynamic_only}},
             {.name = "beta",
              .type = ValueType::number,
              .dimension = "1",
@@ -76,10 +85,7 @@ std::vector<KeySpec> scheme_keys() {
             {.name = "newton",
              .type = ValueType::table,
              .sentence = "How equilibrium is found.",
-             .only_for = for_schemes({Scheme::newmark_simplified,
-                                      Scheme::newmark_ibrahimbegovic,
-                                      Scheme::generalized_alpha,
-                                      Scheme::sdirk_4}),
+             .only_for = for_equilibria(),
              .table = &newton_table()},
             {.name = "linear_solver",
              .type = ValueType::choice,
@@ -89,104 +95,46 @@ std::vector<KeySpec> scheme_keys() {
 }
 
 std::vector<KeySpec> analysis_keys() {
-    std::vector<KeySpec> keys{{.name = "kind",
-                               .type = ValueType::choice,
-                               .presence = Presence::required,
-                               .sentence = "dynamic: the motion from t = 0 to end_time.",
-                               .choices = {"dynamic"},
-                               .remark = "this version has dynamic analyses only"},
-                              {.name = "end_time",
-                               .type = ValueType::number,
-                               .dimension = "time",
-                               .range = positive,
-                               .presence = Presence::required,
-                               .sentence = "Where the analysis ends; it starts at t = 0."},
-                              {.name = "time_step",
-                               .type = ValueType::number,
-                               .dimension = "time",
-                               .range = positive,
-                               .sentence = "Of equal steps; shortened where it does not divide end_time."},
-                              {.name = "steps",
-                               .type = ValueType::integer,
-                               .range = {.lower = 1, .upper = static_cast<double>(largest_step_count)},
-                               .sentence = "How many equal steps."}};
+    std::vector<KeySpec> keys{
+        {.name = "kind",
+         .type = ValueType::choice,
+         .presence = Presence::required,
+         .sentence = "dynamic: the motion from t = 0 to end_time. static: equilibria while the "
+                     "load factor t goes from 0 to 1; loads, gravity and moves whose value has "
+                     "no t are multiplied by it.",
+         .choices = {"dynamic", "static"}},
+        {.name = "end_time",
+         .type = ValueType::number,
+         .dimension = "time",
+         .range = positive,
+         .presence = Presence::required,
+         .sentence = "Where the analysis ends; it starts at t = 0.",
+         .only_for = {dynamic_only}},
+        {.name = "time_step",
+         .type = ValueType::number,
+         .dimension = "time",
+         .range = positive,
+         .sentence = "Of equal steps; shortened where it does not divide end_time.",
+         .only_for = {dynamic_only}},
+        {.name = "steps",
+         .type = ValueType::integer,
+         .range = {.lower = 1, .upper = static_cast<double>(largest_step_count)},
+         .default_text = fmt::format("`{}` if static", StaticSettings{}.steps),
+         .sentence = "How many equal steps."}};
     for (KeySpec& key : scheme_keys()) keys.push_back(std::move(key));
     return keys;
 }
 
 }  // namespace
 
-const TableSpec& load_table() {
-    static const TableSpec table{
-        .path = "load",
-        .heading = "[[load]]",
-        .sentence = "A force and a moment at a point.",
-        .keys = {{.name = "at",
-                  .type = ValueType::point,
-                  .presence = Presence::required,
-                  .sentence = "A point of a rod, or a body."},
-                 {.name = "force",
-                  .type = ValueType::time_vector,
-                  .dimension = "mass·length/time²",
-                  .default_text = "[0, 0, 0]",
-                  .sentence = "Force."},
-                 {.name = "moment",
-                  .type = ValueType::time_vector,
-                  .dimension = "mass·length²/time²",
-                  .default_text = "[0, 0, 0]",
-                  .sentence = "Moment."},
-                 {.name = "frame",
-                  .type = ValueType::choice,
-                  .default_value = word_of(frame_choices, NodalLoad{}.frame),
-                  .sentence =
-                      "spatial: fixed in space, a dead load. follower: global components at t = 0, turned "
-                      "with the node. body: components in the section axes of the point named (body axes "
-                      "of a body).",
-                  .choices = words_of(frame_choices)}},
-        .groups = {{GroupRule::at_least_one, {"force", "moment"}}},
-        .example =
-            "[[load]]\n"
-            "at     = \"flyer.start\"\n"
-            "force  = [\"pulse(t)/10\", 0, 0]\n"
-            "moment = [0, \"-pulse(t)/2\", \"-pulse(t)\"]\n"
-            "\n"
-            "[[load]]\n"
-            "at    = \"flyer@0.25\"\n"
-            "force = [0, 0, \"push(t)\"]\n"
-            "frame = \"follower\"\n"};
-    return table;
-}
-
-const TableSpec& support_table() {
-    static const TableSpec table{
-        .path = "support",
-        .heading = "[[support]]",
-        .sentence = "Components of a point that do not move, in the global axes.",
-        .keys =
-            {{.name = "at",
-              .type = ValueType::point,
-              .presence = Presence::required,
-              .sentence = "A point of a rod, or a body."},
-             {.name = "fix",
-              .type = ValueType::choices,
-              .presence = Presence::required,
-              .sentence =
-                  "position is x y z, rotation is rx ry rz, all is both. Of the rotations none, all three, "
-                  "or exactly two: a hinge about the third axis.",
-              .choices = fix_words()}},
-        .example =
-            "[[support]]\n"
-            "at  = \"gyroscope\"\n"
-            "fix = \"position\"\n"};
-    return table;
-}
-
 const TableSpec& analysis_table() {
     static const TableSpec table{.path = "analysis",
                                  .heading = "[analysis]",
                                  .sentence = "What is asked of the model.",
                                  .keys = analysis_keys(),
-                                 .groups = {{GroupRule::exactly_one, {"time_step", "steps"}}},
+                                 .groups = {{.rule = GroupRule::exactly_one,
+                                             .keys = {"time_step", "steps"},
+                                             .only_for = {dynamic_only}}},
                                  .example =
                                      "[analysis]\n"
                                      "kind       = \"dynamic\"\n"
@@ -229,6 +177,12 @@ const TableSpec& history_table() {
               .type = ValueType::point,
               .presence = Presence::required,
               .sentence = "A point of a rod, or a body."},
+             {.name = "relative_to",
+              .type = ValueType::point,
+              .default_text = "the global axes and the origin",
+              .sentence = "A point whose section axes (body axes of a body) the components are in, and from "
+                          "which positions count; it moves. For position, displacement, velocity, "
+                          "acceleration, centre_of_mass and rotations."},
              {.name = "quantities",
               .type = ValueType::choices,
               .presence = Presence::required,

@@ -17,7 +17,9 @@ that the reader itself checks a deck with; `gxrod schema` writes the same as a J
   label only.
 - **Numbers** are finite. Where a key takes a number it also takes an expression in quotes, such as `"2*EI"`, with the
   names of `[parameters]`. Where the type says f(t), the expression may also use the time `t` and call the deck's
-  functions, as in `"0.5*pulse(t)"`.
+  functions, as in `"0.5*pulse(t)"`; f(t, s) has also the arc length `s` from a rod's start, and f(x, y, z, s) the
+  reference position and `s`, but not `t`. In static analyses `t` is the load factor, from 0 to 1, and what has no `t`
+  is multiplied by it.
 - **Vectors** are arrays of three numbers, in the global axes unless the key says otherwise.
 - **Points** are `NAME.start`, `NAME.end` and `NAME@0.25` of a rod (a fraction of its length, where a node is placed),
   and a body by its name. A rod and a body cannot have the same name.
@@ -31,12 +33,13 @@ that the reader itself checks a deck with; `gxrod schema` writes the same as a J
 |---|---|
 | operators, tightest first | `^`, sign, `* /`, `+ -`, `< <= > >= == !=`, `&&`, `\|\|`, `condition ? a : b` |
 | functions | {functions} |
-| names | `pi`, the parameters; in f(t) also `t` and the functions of the deck |
+| names | `pi`, the parameters; in f(…) also its variables and the functions of the deck |
 
 A sign binds less than a power: `-2^2` is −4 and `2^-1` is 0.5; powers go from the right: `2^3^2` is 512. Comparisons
 are 1 or 0. `log` is the natural logarithm; `min` and `max` take any number of arguments. An expression that would
 assign (`t = 15 ? 1 : 2`), that lists values (`1,2`), compares in a row (`0 < t < 5`) or has no finite value is an
-error. f(t) is evaluated at the steps of the analysis (at 10001 of them, if there are more) before the run begins.
+error. f(t) is evaluated at the steps of the analysis (at 10001 of them, if there are more) before the run begins,
+f(t, s) at 101 points of the rod at 101 of the steps.
 
 )md";
 
@@ -54,6 +57,8 @@ std::string describe_type(const KeySpec& key) {
             return "name";
         case ValueType::point:
             return "point";
+        case ValueType::points:
+            return "points";
         case ValueType::choice:
             return code_list(key.choices);
         case ValueType::choices:
@@ -64,6 +69,8 @@ std::string describe_type(const KeySpec& key) {
             return "number";
         case ValueType::vector:
             return "vector";
+        case ValueType::matrix:
+            return "3×3";
         case ValueType::inertia:
             return "vector or 3×3";
         case ValueType::placement:
@@ -72,6 +79,10 @@ std::string describe_type(const KeySpec& key) {
             return "f(t)";
         case ValueType::time_vector:
             return "3 f(t)";
+        case ValueType::line_vector:
+            return "3 f(t, s)";
+        case ValueType::place_vector:
+            return "3 f(x, y, z, s)";
         case ValueType::time_table:
             return "rows [t, value]";
         default:
@@ -95,11 +106,20 @@ std::string describe_default(const KeySpec& key) {
     return std::visit(DefaultText{}, key.default_value);
 }
 
+// "For kind `dynamic`", "With `at`", or "".
+std::string describe_uses(const std::vector<Condition>& only_for, const std::string& only_with) {
+    std::vector<std::string> uses;
+    for (const Condition& condition : only_for) {
+        uses.push_back(condition.key + " " + code_list(condition.words));
+    }
+    if (!only_with.empty()) return "With `" + only_with + "`";
+    return uses.empty() ? "" : fmt::format("For {}", fmt::join(uses, " and "));
+}
+
 std::string sentence_of(const KeySpec& key) {
     std::string sentence = key.sentence;
-    if (!key.only_for.key.empty()) {
-        sentence += fmt::format(" For {} {} only.", key.only_for.key, code_list(key.only_for.words));
-    }
+    const std::string uses = describe_uses(key.only_for, key.only_with);
+    if (!uses.empty()) sentence += fmt::format(" {} only.", uses);
     if (key.type == ValueType::choice || key.type == ValueType::integer) {
         if (!key.remark.empty()) sentence += " Note: " + key.remark + ".";
     }
@@ -124,22 +144,27 @@ std::string write_rows(const TableSpec& table, const std::string& prefix) {
     return rows;
 }
 
+const char* describe_rule(GroupRule rule) {
+    switch (rule) {
+        case GroupRule::exactly_one:
+            return "Exactly one of";
+        case GroupRule::at_least_one:
+            return "At least one of";
+        case GroupRule::at_most_one:
+            break;
+    }
+    return "At most one of";
+}
+
 std::string describe_group(const KeyGroup& group, const TableSpec& table) {
     std::vector<std::string> spellings;
     for (const std::string& key : group.keys) {
         const KeySpec& spec = *table.find(key);
         spellings.push_back(spec.table == nullptr ? key : spec.table->heading);
     }
-    const std::string keys = code_list(spellings);
-    switch (group.rule) {
-        case GroupRule::exactly_one:
-            return fmt::format("Exactly one of {}.\n\n", keys);
-        case GroupRule::at_least_one:
-            return fmt::format("At least one of {}.\n\n", keys);
-        case GroupRule::at_most_one:
-            return fmt::format("At most one of {}.\n\n", keys);
-    }
-    return "";
+    const std::string uses = describe_uses(group.only_for, group.only_with);
+    const std::string lead = uses.empty() ? "" : uses + ": ";
+    return fmt::format("{}{} {}.\n\n", lead, describe_rule(group.rule), code_list(spellings));
 }
 
 std::string write_table(const TableSpec& table, const std::string& heading) {

@@ -54,6 +54,8 @@ Json make_type(const KeySpec& key) {
         case ValueType::reference:
         case ValueType::point:
             return {{"type", "string"}};
+        case ValueType::points:
+            return {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}};
         case ValueType::choice:
             return {{"enum", key.choices}};
         case ValueType::choices:
@@ -64,15 +66,18 @@ Json make_type(const KeySpec& key) {
         case ValueType::number:
             return any_of({make_range("number", key.range), reference("expression")});
         case ValueType::vector:
+        case ValueType::time_vector:
+        case ValueType::line_vector:
+        case ValueType::place_vector:
             return array_of(reference("number"), 3);
+        case ValueType::matrix:
+            return array_of(array_of(reference("number"), 3), 3);
         case ValueType::inertia:
             return any_of({array_of(reference("number"), 3), array_of(array_of(reference("number"), 3), 3)});
         case ValueType::placement:
             return any_of({array_of(reference("number"), 3), {{"type", "string"}}});
         case ValueType::time_expression:
             return reference("number");
-        case ValueType::time_vector:
-            return array_of(reference("number"), 3);
         case ValueType::time_table:
             return {{"type", "array"}, {"items", array_of(reference("number"), 2)}, {"minItems", 1}};
         case ValueType::table:
@@ -111,28 +116,62 @@ Json make_key(const KeySpec& key) {
 
 Json require(const std::vector<std::string>& keys) { return {{"required", keys}}; }
 
+// What a group asks of its table.
+Json make_group(const KeyGroup& group) {
+    if (group.rule == GroupRule::at_most_one) return {{"not", require(group.keys)}};
+    Json json;
+    Json& options = json[group.rule == GroupRule::exactly_one ? "oneOf" : "anyOf"];
+    for (const std::string& key : group.keys) options.push_back(require({key}));
+    return json;
+}
+
+// That a key has one of some words, its default being one of them or not.
+Json make_condition(const Condition& condition, const TableSpec& table) {
+    Json json;
+    json["properties"][condition.key] = {{"enum", condition.words}};
+    const auto* chosen = std::get_if<std::string>(&table.find(condition.key)->default_value);
+    const auto& words = condition.words;
+    const bool holds_by_default =
+        chosen != nullptr && std::find(words.begin(), words.end(), *chosen) != words.end();
+    if (!holds_by_default) json["required"] = {condition.key};
+    return json;
+}
+
+// Where a key or group of a table is used; null if everywhere.
+template <class Spec>
+Json make_use(const Spec& spec, const TableSpec& table) {
+    Json json;
+    for (const Condition& condition : spec.only_for)
+        json["allOf"].push_back(make_condition(condition, table));
+    if (!spec.only_with.empty()) json["allOf"].push_back(require({spec.only_with}));
+    return json;
+}
+
+bool is_conditional(const KeySpec& key) { return !key.only_for.empty() || !key.only_with.empty(); }
+
 void add_groups(const TableSpec& table, Json& json) {
     for (const KeyGroup& group : table.groups) {
-        if (group.rule == GroupRule::at_most_one) {
-            json["not"] = require(group.keys);
-            continue;
+        const Json use = make_use(group, table);
+        const Json rule = make_group(group);
+        if (!use.is_null()) {
+            json["allOf"].push_back({{"if", use}, {"then", rule}});
+        } else if (json.contains(rule.begin().key())) {
+            json["allOf"].push_back(rule);
+        } else {
+            json.update(rule);
         }
-        Json& options = json[group.rule == GroupRule::exactly_one ? "oneOf" : "anyOf"];
-        for (const std::string& key : group.keys) options.push_back(require({key}));
     }
 }
 
-// "If beta is given, integrator is one of …".
+// "If beta is given, integrator is one of …", and the reverse for a key that is required there.
 void add_conditions(const TableSpec& table, Json& json) {
     for (const KeySpec& key : table.keys) {
-        if (key.only_for.key.empty()) continue;
-        Json then;
-        then["properties"][key.only_for.key] = {{"enum", key.only_for.words}};
-        const auto& chosen = std::get<std::string>(table.find(key.only_for.key)->default_value);
-        const auto& words = key.only_for.words;
-        if (std::find(words.begin(), words.end(), chosen) == words.end())
-            then["required"] = {key.only_for.key};
-        json["allOf"].push_back({{"if", require({key.name})}, {"then", then}});
+        if (!is_conditional(key)) continue;
+        const Json use = make_use(key, table);
+        json["allOf"].push_back({{"if", require({key.name})}, {"then", use}});
+        if (key.presence == Presence::required) {
+            json["allOf"].push_back({{"if", use}, {"then", require({key.name})}});
+        }
     }
 }
 
@@ -143,7 +182,7 @@ Json make_table(const TableSpec& table) {
     std::vector<std::string> required;
     for (const KeySpec& key : table.keys) {
         json["properties"][key.name] = make_key(key);
-        if (key.presence == Presence::required) required.push_back(key.name);
+        if (key.presence == Presence::required && !is_conditional(key)) required.push_back(key.name);
     }
     if (!required.empty()) json["required"] = required;
     json["additionalProperties"] = false;

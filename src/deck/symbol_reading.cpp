@@ -20,11 +20,11 @@ const DeckNode::Table& entries_of(const DeckNode& deck, std::string_view key) {
 }
 
 // The names of one kind that an expression uses; none if it cannot be read, which is reported elsewhere.
-std::set<std::string> names_used(const DeckNode& node, const Symbols& symbols, TimeUse time) {
+std::set<std::string> names_used(const DeckNode& node, const Symbols& symbols, Variables variables) {
     if (node.text() == nullptr) return {};
     try {
-        const ExpressionNames names = check_expression(*node.text(), symbols, time);
-        return time == TimeUse::none ? names.parameters : names.functions;
+        const ExpressionNames names = check_expression(*node.text(), symbols, variables);
+        return variables == Variables::none ? names.parameters : names.functions;
     } catch (const ExpressionError&) {
         return {};
     }
@@ -35,7 +35,7 @@ bool is_misplaced_top_level_value(const DeckEntry& entry) {
     const KeySpec* key = deck_schema().find(entry.key);
     if (key == nullptr) return false;
     return (key->type == ValueType::text && entry.node.text() != nullptr) ||
-           (key->type == ValueType::vector && entry.node.array() != nullptr);
+           (key->type == ValueType::time_vector && entry.node.array() != nullptr);
 }
 
 std::vector<std::string> keys_of(const DeckNode::Table& entries) {
@@ -55,7 +55,7 @@ void read_parameters(const DeckNode& deck, Symbols& symbols, FaultList& faults) 
     const DeckNode::Table& entries = entries_of(deck, "parameters");
     for (const DeckEntry& entry : entries) symbols.parameters[entry.key] = std::nullopt;
     Uses uses;
-    for (const DeckEntry& entry : entries) uses[entry.key] = names_used(entry.node, symbols, TimeUse::none);
+    for (const DeckEntry& entry : entries) uses[entry.key] = names_used(entry.node, symbols, Variables::none);
     const UseOrder order = find_use_order(keys_of(entries), uses);
     for (const std::vector<std::string>& cycle : order.cycles) {
         faults.add(table->find(cycle.front())->node.place,
@@ -106,7 +106,7 @@ Uses find_function_uses(const DeckNode::Table& entries, const Symbols& symbols) 
     for (const DeckEntry& entry : entries) {
         const DeckEntry* expression = entry.node.table() == nullptr ? nullptr : entry.node.find("expression");
         uses[entry.key] = expression == nullptr ? std::set<std::string>{}
-                                                : names_used(expression->node, symbols, TimeUse::free);
+                                                : names_used(expression->node, symbols, Variables::time);
     }
     return uses;
 }

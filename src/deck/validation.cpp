@@ -49,10 +49,11 @@ class Validator {
             value.value = check_value(entry, join_path(path, entry.key), *key);
             checked.values.push_back(std::move(value));
         }
-        check_presence(node, path, spec);
-        check_groups(node, path, spec);
         add_defaults(checked, spec);
+        check_presence(node, checked, spec);
+        check_groups(node, checked, spec);
         check_conditions(node, checked, spec);
+        check_companions(node, path, spec);
         return checked;
     }
 
@@ -151,13 +152,33 @@ class Validator {
         add(entry.place, full, "unknown key" + (hint.empty() ? "; known here: " + plain_list(known) : hint));
     }
 
-    void check_presence(const DeckNode& node, const std::string& path, const TableSpec& spec) const {
+    // The word of the key that a condition is about; nullptr if there is none, or a wrong one.
+    static const std::string* word_of(const Condition& condition, const CheckedTable& checked) {
+        const CheckedValue* value = checked.find(condition.key);
+        return value == nullptr ? nullptr : std::get_if<std::string>(&value->value);
+    }
+
+    static bool allows(const Condition& condition, const std::string& word) {
+        return std::find(condition.words.begin(), condition.words.end(), word) != condition.words.end();
+    }
+
+    // Whether the table surely uses a key or group with these conditions.
+    template <class Spec>
+    static bool is_used(const Spec& spec, const CheckedTable& checked) {
+        if (!spec.only_with.empty() && checked.find(spec.only_with) == nullptr) return false;
+        return std::all_of(spec.only_for.begin(), spec.only_for.end(), [&](const Condition& condition) {
+            const std::string* word = word_of(condition, checked);
+            return word != nullptr && allows(condition, *word);
+        });
+    }
+
+    void check_presence(const DeckNode& node, const CheckedTable& checked, const TableSpec& spec) const {
         for (const KeySpec& key : spec.keys) {
             if (key.presence == Presence::optional || node.find(key.name) != nullptr) continue;
-            if (has_misspelling(node, key.name, spec)) continue;
+            if (!is_used(key, checked) || has_misspelling(node, key.name, spec)) continue;
             const std::string remark = key.remark.empty() ? "" : "; " + key.remark;
             add(node.place,
-                join_path(path, key.name),
+                join_path(checked.path, key.name),
                 "missing; expected " + describe_expected(key) + remark);
         }
     }
@@ -170,8 +191,10 @@ class Validator {
         });
     }
 
-    void check_groups(const DeckNode& node, const std::string& path, const TableSpec& spec) const {
+    void check_groups(const DeckNode& node, const CheckedTable& checked, const TableSpec& spec) const {
+        const std::string& path = checked.path;
         for (const KeyGroup& group : spec.groups) {
+            if (!is_used(group, checked)) continue;
             std::vector<std::string> given;
             std::vector<std::string> spellings;
             for (const std::string& key : group.keys) {
@@ -209,18 +232,50 @@ class Validator {
 
     void check_conditions(const DeckNode& node, const CheckedTable& checked, const TableSpec& spec) const {
         for (const KeySpec& key : spec.keys) {
-            if (key.only_for.key.empty() || node.find(key.name) == nullptr) continue;
-            const auto* word = std::get_if<std::string>(&checked.find(key.only_for.key)->value);
-            if (word == nullptr) continue;
-            const std::vector<std::string>& words = key.only_for.words;
-            if (std::find(words.begin(), words.end(), *word) != words.end()) continue;
-            add(node.find(key.name)->place,
-                join_path(checked.path, key.name),
-                fmt::format("{} \"{}\" does not use this key; it is for {}",
-                            key.only_for.key,
-                            *word,
-                            plain_list(words)));
+            if (node.find(key.name) == nullptr) continue;
+            for (const Condition& condition : key.only_for) {
+                const std::string* word = word_of(condition, checked);
+                if (word == nullptr || allows(condition, *word)) continue;
+                add(node.find(key.name)->place,
+                    join_path(checked.path, key.name),
+                    fmt::format("{} \"{}\" does not use this key; it is for {}",
+                                condition.key,
+                                *word,
+                                plain_list(condition.words)));
+                break;
+            }
         }
+    }
+
+    // Keys that go with another one, where the table has what excludes that one.
+    void check_companions(const DeckNode& node, const std::string& path, const TableSpec& spec) const {
+        for (const KeySpec& key : spec.keys) {
+            const DeckEntry* entry = node.find(key.name);
+            if (entry == nullptr || key.only_with.empty() || node.find(key.only_with) != nullptr) continue;
+            const std::string rival = find_rival(node, key.only_with, spec);
+            if (rival.empty()) continue;
+            std::vector<std::string> companions;
+            for (const KeySpec& other : spec.keys) {
+                if (other.only_with == rival) companions.push_back(other.name);
+            }
+            add(entry->place,
+                join_path(path, key.name),
+                fmt::format("goes with {}, and this table has {}, with which go {}",
+                            key.only_with,
+                            rival,
+                            plain_list(companions)));
+        }
+    }
+
+    // The key of the table that excludes this one; "" if there is none.
+    static std::string find_rival(const DeckNode& node, const std::string& key, const TableSpec& spec) {
+        for (const KeyGroup& group : spec.groups) {
+            if (std::find(group.keys.begin(), group.keys.end(), key) == group.keys.end()) continue;
+            for (const std::string& rival : group.keys) {
+                if (node.find(rival) != nullptr) return rival;
+            }
+        }
+        return "";
     }
 
     ReadingContext context_;

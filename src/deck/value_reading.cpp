@@ -73,6 +73,12 @@ class ValueReader {
         return complete ? std::optional(vector) : std::nullopt;
     }
 
+    std::optional<Mat3> square_matrix(const DeckNode& node, const std::string& path) const {
+        if (is_array_of(node, 3)) return matrix(node, path);
+        expect(node, path, describe_expected(key_));
+        return std::nullopt;
+    }
+
     std::optional<Mat3> matrix(const DeckNode& node, const std::string& path) const {
         const DeckNode::Array& rows = *node.array();
         Mat3 matrix;
@@ -86,35 +92,37 @@ class ValueReader {
     }
 
     std::optional<CheckedTimeFunction> time_function(const DeckNode& node, const std::string& path) const {
-        if (const std::string* text = node.text()) {
-            try {
-                if (auto function = compile_time_function(*text, path, context_.symbols)) {
-                    return CheckedTimeFunction{std::move(*function), node.place, path};
-                }
-            } catch (const ExpressionError& error) {
-                add(node, path, fmt::format("\"{}\": {}", *text, error.what()));
-            }
-            return std::nullopt;
-        }
-        if (!std::holds_alternative<std::int64_t>(node.value) &&
-            !std::holds_alternative<double>(node.value)) {
-            expect(node, path, "a number or an expression in t");
-            return std::nullopt;
-        }
-        const std::optional<double> value = number(node, path);
-        if (!value) return std::nullopt;
-        return CheckedTimeFunction{TimeFunction(*value), node.place, path};
+        auto function = compiled<TimeFunction>(node, path, compile_time_function);
+        if (!function) return std::nullopt;
+        return CheckedTimeFunction{std::move(*function), node.place, path};
     }
 
-    std::optional<CheckedTimeVector> time_vector(const DeckNode& node, const std::string& path) const {
+    std::optional<CheckedLineFunction> line_function(const DeckNode& node, const std::string& path) const {
+        auto expression = compiled<LineExpression>(node, path, compile_line_function);
+        if (!expression) return std::nullopt;
+        return CheckedLineFunction{std::move(*expression), node.place, path};
+    }
+
+    std::optional<CheckedPlaceFunction> place_function(const DeckNode& node, const std::string& path) const {
+        auto expression = compiled<PlaceExpression>(node, path, compile_place_function);
+        if (!expression) return std::nullopt;
+        return CheckedPlaceFunction{std::move(*expression), node.place, path};
+    }
+
+    // Three functions, read by one of the members above.
+    template <class Function>
+    std::optional<std::array<Function, 3>> functions(
+        const DeckNode& node,
+        const std::string& path,
+        std::optional<Function> (ValueReader::*read)(const DeckNode&, const std::string&) const) const {
         if (!is_array_of(node, 3)) {
             expect(node, path, describe_expected(key_));
             return std::nullopt;
         }
-        CheckedTimeVector vector;
+        std::array<Function, 3> vector;
         bool complete = true;
         for (int i = 0; i < 3; ++i) {
-            auto component = time_function((*node.array())[i], fmt::format("{}[{}]", path, i));
+            auto component = (this->*read)((*node.array())[i], fmt::format("{}[{}]", path, i));
             complete = complete && component;
             if (component) vector[i] = std::move(*component);
         }
@@ -157,6 +165,40 @@ class ValueReader {
     }
 
   private:
+    // An expression compiled, or a number.
+    template <class Function, class Compile>
+    std::optional<Function> compiled(const DeckNode& node,
+                                     const std::string& path,
+                                     const Compile& compile) const {
+        if (const std::string* text = node.text()) {
+            try {
+                return compile(*text, path, context_.symbols);
+            } catch (const ExpressionError& error) {
+                add(node, path, fmt::format("\"{}\": {}", *text, error.what()));
+            }
+            return std::nullopt;
+        }
+        if (!std::holds_alternative<std::int64_t>(node.value) &&
+            !std::holds_alternative<double>(node.value)) {
+            expect(node, path, "a number or an expression in " + variables_of(key_.type));
+            return std::nullopt;
+        }
+        const std::optional<double> value = number(node, path);
+        if (!value) return std::nullopt;
+        return constant<Function>(*value);
+    }
+
+    template <class Function>
+    static Function constant(double value) {
+        if constexpr (std::is_same_v<Function, PlaceExpression>) {
+            return {[value](const Vec3&, double) { return value; }};
+        } else if constexpr (std::is_same_v<Function, LineExpression>) {
+            return {LineFunction(value)};
+        } else {
+            return TimeFunction(value);
+        }
+    }
+
     std::string remark() const { return key_.remark.empty() ? "" : "; " + key_.remark; }
 
     // Components of vectors and tables are described as bare numbers.
@@ -243,6 +285,10 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(reader.number(node, path));
         case ValueType::vector:
             return wrap(reader.vector(node, path));
+        case ValueType::points:
+            return wrap(read_points(node, path, key, context));
+        case ValueType::matrix:
+            return wrap(reader.square_matrix(node, path));
         case ValueType::inertia:
             if (ValueReader::is_matrix(node)) return wrap(reader.matrix(node, path));
             return wrap(reader.vector(node, path));
@@ -252,7 +298,11 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
         case ValueType::time_expression:
             return wrap(reader.time_function(node, path));
         case ValueType::time_vector:
-            return wrap(reader.time_vector(node, path));
+            return wrap(reader.functions(node, path, &ValueReader::time_function));
+        case ValueType::line_vector:
+            return wrap(reader.functions(node, path, &ValueReader::line_function));
+        case ValueType::place_vector:
+            return wrap(reader.functions(node, path, &ValueReader::place_function));
         case ValueType::time_table:
             return wrap(reader.time_table(node, path));
         default:

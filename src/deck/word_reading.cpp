@@ -72,4 +72,27 @@ std::optional<std::vector<CheckedWord>> read_words(const DeckNode& node,
     return complete ? std::optional(std::move(words)) : std::nullopt;
 }
 
+std::optional<std::vector<CheckedWord>> read_points(const DeckNode& node,
+                                                    const std::string& path,
+                                                    const KeySpec& key,
+                                                    const ReadingContext& context) {
+    if (node.array() == nullptr || node.array()->size() < 2) {
+        expect(node, path, key, context);
+        return std::nullopt;
+    }
+    std::vector<CheckedWord> points;
+    for (std::size_t i = 0; i < node.array()->size(); ++i) {
+        const DeckNode& element = (*node.array())[i];
+        const std::string element_path = fmt::format("{}[{}]", path, i);
+        if (element.text() != nullptr) {
+            points.push_back({*element.text(), element.place, element_path});
+        } else {
+            context.faults.add(element.place,
+                               element_path,
+                               "expected a point, such as \"rod.end\", found " + describe_found(element));
+        }
+    }
+    return points.size() == node.array()->size() ? std::optional(std::move(points)) : std::nullopt;
+}
+
 }  // namespace gxrod

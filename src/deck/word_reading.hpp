@@ -27,4 +27,10 @@ std::optional<std::vector<CheckedWord>> read_words(const DeckNode& node,
                                                    const KeySpec& key,
                                                    const ReadingContext& context);
 
+// A list of points, two at least.
+std::optional<std::vector<CheckedWord>> read_points(const DeckNode& node,
+                                                    const std::string& path,
+                                                    const KeySpec& key,
+                                                    const ReadingContext& context);
+
 }  // namespace gxrod

@@ -94,8 +94,9 @@ struct HistoryRequest {
     int rod = -1;             // index in Model::rods if the point is a rod's
     int position_in_rod = 0;  // index in Rod::nodes
     std::vector<Quantity> quantities;
-    // Where the deck says relative_to: spatial vectors are in the axes of this node, positions from its
-    // place.
+    int end_element = -1;  // of an end of a rod that comes back to its node: the rod's element there
+    // Where the deck says relative_to: components are in the axes of this node, positions from its place.
+    std::string relative_to = "";  // as the deck has it
     int relative_node = -1;
     Quat relative_axes = Quat::Identity();  // of section or body there at t = 0
 };

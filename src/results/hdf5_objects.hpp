@@ -13,7 +13,7 @@ namespace gxrod {
 struct DatasetLabel {
     std::string name;
     std::string description;
-    std::string frame = "none";  // "spatial", "material" or "none"
+    std::string frame = "none";  // "spatial", "material", "axes of POINT" or "none"
     std::string dimension;       // "force·length"; "1" for plain numbers
 };
 

@@ -24,15 +24,20 @@ class HistoryPoint {
     Row compute(Quantity quantity, const Snapshot& snapshot);
 
   private:
+    // The motion of the point as seen from the point that the request is relative to: places from there,
+    // components in its axes, Lambda · start_axes_ the section or body axes from those.
+    NodeMotion seen_from_reference(const Snapshot& snapshot) const;
     // Section force, moment, strain or curvature: the mean over the elements that meet at the point.
     Vec3 section_mean(Quantity quantity, const Snapshot& snapshot) const;
     Row continuous_quaternion(const Quat& rotation, Quat& last);
 
-    Vec3 reference_position_;
+    Vec3 start_;  // where the point is at t = 0, as it is seen
     int node_;
-    const Body* body_ = nullptr;     // the point is a body's
-    Quat triad_ = Quat::Identity();  // section or body axes at t = 0
-    std::vector<int> elements_;      // that meet at the point, as indices into Snapshot::elements
+    int relative_node_;           // what the point is relative to, or -1
+    Quat relative_axes_;          // there, at t = 0
+    const Body* body_ = nullptr;  // the point is a body's
+    Quat start_axes_;             // section or body axes at t = 0, as they are seen
+    std::vector<int> elements_;   // that meet at the point, as indices into Snapshot::elements
     Quat last_quaternion_ = Quat::Identity();
     Quat last_orientation_ = Quat::Identity();
 };

@@ -8,9 +8,13 @@ HistoryTable::HistoryTable(const Hdf5Handle& histories,
     for (const HistoryRequest& request : requests) {
         const Hdf5Handle group = create_group(histories, request.name);
         write_attribute(group.id(), "at", request.at);
+        if (!request.relative_to.empty()) write_attribute(group.id(), "relative_to", request.relative_to);
         History history{HistoryPoint(model, request), {}};
         for (const Quantity quantity : request.quantities) {
-            const QuantityForm form = quantity_form(quantity, history.point.kind());
+            const PointKind kind = history.point.kind();
+            const QuantityForm form = request.relative_to.empty()
+                                          ? quantity_form(quantity, kind)
+                                          : relative_quantity_form(quantity, kind, request.relative_to);
             history.columns.push_back(
                 {quantity, form.shape.columns, AppendDataset<double>(group, form.label, form.shape)});
         }

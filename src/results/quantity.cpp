@@ -6,28 +6,33 @@ namespace gxrod {
 namespace {
 
 constexpr RowShape quaternion_row{4, true};
+constexpr const char* the_global_axes = "the global axes";
 
-const char* rotation_of(PointKind kind) {
-    return kind == PointKind::body ? "body axes from the global axes" : "since the reference configuration";
-}
-
-QuantityForm rotation_form(Quantity quantity, PointKind kind) {
-    const std::string rotation = rotation_of(kind);
+// Whose axes a rotation is measured from: "the global axes".
+QuantityForm rotation_form(Quantity quantity, PointKind kind, const std::string& from) {
+    const bool is_body = kind == PointKind::body;
+    const std::string rotation = is_body                   ? "body axes from " + from
+                                 : from == the_global_axes ? "since the reference configuration"
+                                                           : "since t = 0, as seen from " + from;
     switch (quantity) {
         case Quantity::rotation_vector:
             return {{"rotation_vector", "rotation vector, at most pi long: " + rotation, "spatial", "angle"},
                     vector_row};
         case Quantity::quaternion:
             return {{"quaternion", "unit quaternion w x y z: " + rotation, "spatial", "1"}, quaternion_row};
-        default: {
-            const std::string axes = kind == PointKind::body ? "body" : "section";
+        default:
             return {{"orientation",
-                     "unit quaternion w x y z: " + axes + " axes from the global axes",
+                     "unit quaternion w x y z: " + std::string(is_body ? "body" : "section") + " axes from " +
+                         from,
                      "spatial",
                      "1"},
                     quaternion_row};
-        }
     }
+}
+
+bool is_rotation(Quantity quantity) {
+    return quantity == Quantity::rotation_vector || quantity == Quantity::quaternion ||
+           quantity == Quantity::orientation;
 }
 
 }  // namespace
@@ -44,7 +49,7 @@ QuantityForm quantity_form(Quantity quantity, PointKind kind) {
         case Quantity::rotation_vector:
         case Quantity::quaternion:
         case Quantity::orientation:
-            return rotation_form(quantity, kind);
+            return rotation_form(quantity, kind, the_global_axes);
         case Quantity::velocity:
             return {{"velocity", "velocity", "spatial", "length/time"}, vector_row};
         case Quantity::angular_velocity:
@@ -81,6 +86,15 @@ QuantityForm quantity_form(Quantity quantity, PointKind kind) {
     }
     assert(false);
     return {};
+}
+
+QuantityForm relative_quantity_form(Quantity quantity, PointKind kind, const std::string& relative_to) {
+    const std::string axes = "axes of " + relative_to;
+    const bool turns = is_rotation(quantity);
+    QuantityForm form = turns ? rotation_form(quantity, kind, "the " + axes) : quantity_form(quantity, kind);
+    form.label.frame = axes;
+    if (!turns) form.label.description += ", as seen from " + relative_to + " and its axes";
+    return form;
 }
 
 }  // namespace gxrod

@@ -15,5 +15,7 @@ struct QuantityForm {
 // `of_body`: what the description of a rotation says, since a body's is its attitude.
 enum class PointKind { rod, body };
 QuantityForm quantity_form(Quantity quantity, PointKind kind);
+// The same of a history that is relative to a point, which the frame names.
+QuantityForm relative_quantity_form(Quantity quantity, PointKind kind, const std::string& relative_to);
 
 }  // namespace gxrod

@@ -22,27 +22,50 @@ newton = { tangent = "paper" })") ==
 x.toml:14:22: analysis.newton.tangent: "paper" is for decks of bodies alone; this one has rods)");
 }
 
+TEST_CASE("The paper's tangent is not for static analyses", "[deck]") {
+    CHECK(
+        faults_of(replaced(static_rod_deck, "kind", "newton = { tangent = \"paper\" }\nkind")) ==
+        R"(x.toml:10:22: analysis.newton.tangent: "paper" belongs to integrator "newmark-simplified", not to static analyses
+x.toml:10:22: analysis.newton.tangent: "paper" is for decks of bodies alone; this one has rods)");
+}
+
+TEST_CASE("A static analysis has steps of the load factor", "[deck]") {
+    const auto settings = [](const std::string& lines) {
+        return std::get<StaticSettings>(read(static_rod_deck + lines).analysis);
+    };
+    CHECK(settings("").steps == 10);
+    CHECK(settings("").newton.tolerance == NewtonSettings{}.tolerance);
+    const StaticSettings given = settings(
+        "steps = 7\nnewton = { tolerance = 1e-5, max_iterations = 8, tangent = \"difference\" }\n"
+        "linear_solver = \"klu\"\n");
+    CHECK(given.steps == 7);
+    CHECK(given.newton.tolerance == 1e-5);
+    CHECK(given.newton.max_iterations == 8);
+    CHECK(given.newton.tangent == TangentKind::difference);
+    CHECK(given.linear_solver == LinearSolverKind::klu);
+}
+
 TEST_CASE("A time step that divides the time makes that many steps, another one shorter steps", "[deck]") {
     const auto problem = [](const std::string& end_time, const std::string& time_step) {
         return read(replaced(replaced(body_deck, "end_time = 1.0", "end_time = " + end_time),
                              "steps = 10",
                              "time_step = " + time_step));
     };
-    CHECK(problem("1.0", "0.1").analysis.steps == 10);
-    CHECK(problem("0.3", "0.1").analysis.steps == 3);
-    CHECK(problem("2.0", "1e-4").analysis.steps == 20000);
-    CHECK(problem("\"2*pi\"", "\"2*pi/400\"").analysis.steps == 400);
+    CHECK(dynamic_of(problem("1.0", "0.1")).steps == 10);
+    CHECK(dynamic_of(problem("0.3", "0.1")).steps == 3);
+    CHECK(dynamic_of(problem("2.0", "1e-4")).steps == 20000);
+    CHECK(dynamic_of(problem("\"2*pi\"", "\"2*pi/400\"")).steps == 400);
     CHECK(problem("1.0", "0.1").notes.empty());
-    CHECK(problem("1.0", "0.3").analysis.steps == 4);
+    CHECK(dynamic_of(problem("1.0", "0.3")).steps == 4);
     CHECK(problem("1.0", "0.3").notes ==
           std::vector<std::string>{"analysis.time_step: 0.3 does not divide 1; 4 steps of 0.25 are taken"});
-    CHECK(problem("1.0", "3.0").analysis.steps == 1);
-    CHECK(problem("1.0", "0.100001").analysis.steps == 10);
-    CHECK(problem("1.0", "0.099999").analysis.steps == 11);
+    CHECK(dynamic_of(problem("1.0", "3.0")).steps == 1);
+    CHECK(dynamic_of(problem("1.0", "0.100001")).steps == 10);
+    CHECK(dynamic_of(problem("1.0", "0.099999")).steps == 11);
 }
 
 TEST_CASE("Every integrator, tangent and solver has its word", "[deck]") {
-    const auto analysis = [](const std::string& line) { return read(body_deck + line).analysis; };
+    const auto analysis = [](const std::string& line) { return dynamic_of(read(body_deck + line)); };
     CHECK(analysis("").scheme == Scheme::newmark_simplified);
     CHECK(analysis("integrator = \"newmark-simplified\"").scheme == Scheme::newmark_simplified);
     CHECK(analysis("integrator = \"newmark-ibrahimbegovic\"").scheme == Scheme::newmark_ibrahimbegovic);

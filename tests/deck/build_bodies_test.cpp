@@ -19,6 +19,28 @@ TEST_CASE("Inertias that no body has are errors", "[deck]") {
           "1, 3; a rotation without inertia cannot be integrated in time");
 }
 
+TEST_CASE("Mass and inertia can be left out where nothing needs them", "[deck]") {
+    const std::string missing = "; a rotation without inertia cannot be integrated in time";
+    CHECK(
+        faults_of(replaced(body_deck, "mass = 1.0\ninertia = [1, 1, 1]\n", "")) ==
+        "x.toml:1:1: body.top.mass: missing; expected a number greater than 0 or an expression\n"
+        "x.toml:1:1: body.top.inertia: missing; expected an array of 3 numbers or expressions, or of 3 such "
+        "arrays" +
+            missing);
+    const Model statics = read(static_rod_deck + "[body.a]\nat = \"r.end\"\n[body.b]\n").model;
+    CHECK(statics.bodies[0].mass == 0.0);
+    CHECK(statics.bodies[1].inertia == Mat3::Zero());
+    const std::string tip = rod_deck + "[body.tip]\nmass = 2\nat = \"r.end\"\n";
+    CHECK(read(tip).model.bodies[0].inertia == Mat3::Zero());
+    CHECK(faults_of(tip + "inertia = [0, 1, 1]\n").empty());
+    CHECK(
+        faults_of(tip + "inertia = [-0.1, 1, 1]\n") ==
+        "x.toml:16:11: body.tip.inertia: expected principal moments that are not negative, found -0.1, 1, 1");
+    CHECK(faults_of(static_rod_deck + "[body.a]\nvelocity = [1, 0, 0]\nangular_velocity = [1, 0, 0]\n") ==
+          "x.toml:12:12: body.a.velocity: a static analysis has no velocities\n"
+          "x.toml:13:20: body.a.angular_velocity: a static analysis has no velocities");
+}
+
 TEST_CASE("A body is at a point of a rod, whose velocity one body sets", "[deck]") {
     CHECK(faults_of(replaced(body_deck, "mass = 1.0", R"(mass = 1.0
 at = "top")")) == R"(x.toml:3:6: body.top.at: "top" is a body; expected a point of a rod)");

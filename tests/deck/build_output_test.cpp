@@ -53,6 +53,41 @@ quantities = ["reaction_force", "reaction_moment"])") ==
 x.toml:16:33: history[0].quantities[1]: "reaction_moment": only a supported point has it; no [[support]] is at this one)");
 }
 
+TEST_CASE("Quantities of motion can be relative to a point", "[deck]") {
+    const auto history = [](const std::string& reference, const std::string& quantities) {
+        return rod_deck +
+               "[body.b]\nmass = 1\nat = \"r.end\"\nrotation_vector = [1, 0, 0]\n[[history]]\nname = "
+               "\"a\"\nat = \"r@0.5\"\nrelative_to = \"" +
+               reference + "\"\nquantities = " + quantities + "\n";
+    };
+    const HistoryRequest to_rod =
+        read(
+            history("r.start", R"(["position", "displacement", "velocity", "acceleration", "angular_velocity",
+"rotation_vector", "quaternion", "orientation"])"))
+            .output.histories[0];
+    CHECK(to_rod.relative_to == "r.start");
+    CHECK(to_rod.relative_node == 0);
+    CHECK(to_rod.relative_axes.isApprox(Quat::Identity()));
+    CHECK(to_rod.quantities.size() == 8);
+    const HistoryRequest to_body = read(history("b", "\"position\"")).output.histories[0];
+    CHECK(to_body.relative_node == 10);
+    CHECK((to_body.relative_axes * Vec3::UnitX()).isApprox(Vec3::UnitX()));
+    CHECK((to_body.relative_axes * Vec3::UnitY()).isApprox(Vec3(0, std::cos(1.0), std::sin(1.0))));
+    CHECK(
+        faults_of(history("r.start", R"(["position", "force_spatial", "angular_velocity_material"])")) ==
+        R"(x.toml:21:27: history[0].quantities[1]: "force_spatial": cannot be relative to a point; write another history for it
+x.toml:21:44: history[0].quantities[2]: "angular_velocity_material": cannot be relative to a point; write another history for it)");
+    CHECK(faults_of(history("s.start", "\"position\"")) ==
+          R"(x.toml:20:15: history[0].relative_to: no point "s.start"; did you mean "r.start"?)");
+}
+
+TEST_CASE("A moved support has reactions", "[deck]") {
+    CHECK(faults_of(rod_deck +
+                    "[[support]]\nat = \"r.end\"\nmove = { x = \"t\" }\n[[history]]\nname = \"a\"\nat = "
+                    "\"r.end\"\nquantities = [\"reaction_force\", \"reaction_moment\"]\n")
+              .empty());
+}
+
 TEST_CASE("Every quantity has its word, and points have those that they can", "[deck]") {
     const std::string supports = "[[support]]\nat = \"r.end\"\nfix = \"x\"\n";
     std::vector<std::string> of_rods = words_of(quantity_choices);

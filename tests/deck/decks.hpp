@@ -33,10 +33,28 @@ end_time = 1.0
 steps = 10
 )";
 
+// Lines 1 to 10; text that is added begins in line 11.
+inline const std::string static_rod_deck = R"([section.s]
+stiffness = { EA = 1e4, GAy = 2e4, GAz = 3e4, GJ = 500, EIy = 600, EIz = 700 }
+inertia = { rhoA = 1.0, rhoJ = 20, rhoIy = 10, rhoIz = 11 }
+[rod.r]
+section = "s"
+line = { from = [0, 0, 0], to = [10, 0, 0] }
+elements = 10
+element = "simo"
+[analysis]
+kind = "static"
+)";
+
 // The deck with one piece of text, which it must have, replaced by another.
 std::string replaced(std::string deck, const std::string& old_text, const std::string& new_text);
 
 Problem read(const std::string& deck, const std::vector<std::string>& overrides = {});
+
+// What a deck of a dynamic analysis asks for.
+inline DynamicSettings dynamic_of(const Problem& problem) {
+    return std::get<DynamicSettings>(problem.analysis);
+}
 
 // All faults of a deck named x.toml, a line each; "" if it has none.
 std::string faults_of(const std::string& deck, const std::vector<std::string>& overrides = {});

@@ -273,4 +273,55 @@ TEST_CASE("Any text is either an expression or refused", "[deck]") {
     CHECK(read > 100);
 }
 
+TEST_CASE("Functions along a rod have t and s", "[deck]") {
+    const auto line = [](const std::string& expression, const Symbols& symbols = none) {
+        return compile_line_function(expression, "load[0].force_per_length[1]", symbols).value();
+    };
+    CHECK(line("2*t + s").function(3.0, 0.5) == 6.5);
+    CHECK(line("2*t + s").has_time);
+    CHECK_FALSE(line("s^2").has_time);
+    CHECK(line("s^2").function(7.0, 3.0) == 9.0);
+    CHECK(line("0").function.is_zero());
+    CHECK_FALSE(line("0*s").function.is_zero());
+    CHECK(line("pulse(s)", pulse_symbols()).function(0.0, 2.5) == 200.0);
+    CHECK(line("twice(t) + s", pulse_symbols()).has_time);
+    CHECK_FALSE(compile_line_function("s*broken", "", pulse_symbols()).has_value());
+    CHECK_THROWS_WITH(line("1/(t - s)").function(2.0, 2.0),
+                      "load[0].force_per_length[1]: \"1/(t - s)\" is inf at t = 2, s = 2");
+    CHECK_THROWS_WITH(line("1/0"), "the value is inf, not a finite number");
+    CHECK_THROWS_WITH(line("x"), "unknown name \"x\"; available: pi, t, s");
+    CHECK_THROWS_WITH(line("s(2)"), "\"s\" is not a function; write s*(…)");
+}
+
+TEST_CASE("Functions of place have x, y, z and s, not t", "[deck]") {
+    const auto place = [](const std::string& expression, const Symbols& symbols = none) {
+        return compile_place_function(expression, "initial[0].velocity[1]", symbols).value();
+    };
+    CHECK(place("x + 10*y + 100*z + 1000*s").function(Vec3(1, 2, 3), 4.0) == 4321.0);
+    CHECK(place("s").has_arc_length);
+    CHECK_FALSE(place("x").has_arc_length);
+    CHECK(place("3").function(Vec3(1, 2, 3), 4.0) == 3.0);
+    CHECK(place("twice(x)", pulse_symbols()).function(Vec3(1.25, 0, 0), 0.0) == 900.0);
+    CHECK_FALSE(compile_place_function("x*broken", "", pulse_symbols()).has_value());
+    CHECK_THROWS_WITH(place("1/x + y").function(Vec3(0, 1, 2), 0.0),
+                      "initial[0].velocity[1]: \"1/x + y\" is inf at x = 0, y = 1, z = 2");
+    CHECK_THROWS_WITH(place("1/s").function(Vec3(0, 1, 2), 0.0),
+                      "initial[0].velocity[1]: \"1/s\" is inf at x = 0, y = 1, z = 2, s = 0");
+    CHECK_THROWS_WITH(place("2*t"), "\"t\" (time) is not allowed here: this value is that at t = 0");
+    CHECK_THROWS_WITH(place("q"), "unknown name \"q\"; available: pi, x, y, z, s");
+}
+
+TEST_CASE("A parameter does not hide a variable", "[deck]") {
+    Symbols symbols;
+    symbols.parameters["s"] = 3.0;
+    symbols.parameters["x"] = 4.0;
+    CHECK(value("s*x", symbols) == 12.0);
+    CHECK(function("s*x*t", symbols)(2.0) == 24.0);
+    CHECK_THROWS_WITH(compile_line_function("2*s", "", symbols),
+                      "\"s\" is the arc length here and also a parameter; give the parameter another name");
+    CHECK(compile_line_function("2*x", "", symbols)->function(0.0, 0.0) == 8.0);
+    CHECK_THROWS_WITH(compile_place_function("2*x", "", symbols),
+                      "\"x\" is a coordinate here and also a parameter; give the parameter another name");
+}
+
 }  // namespace gxrod

@@ -75,7 +75,7 @@ TEST_CASE("Values of --set are checked as those of a deck", "[deck]") {
     CHECK(
         faults_of(replaced(body_deck, R"("dynamic")", R"("dynamc")"),
                   {"body.top.mass=-1", "body.top.inertia=[1,2"}) ==
-        R"(x.toml:5:8: analysis.kind: expected "dynamic", found the text "dynamc"; did you mean "dynamic"? this version has dynamic analyses only
+        R"(x.toml:5:8: analysis.kind: expected one of "dynamic", "static", found the text "dynamc"; did you mean "dynamic"?
 --set body.top.mass=-1: expected a number greater than 0, found -1
 --set body.top.inertia=[1,2: not TOML: encountered end-of-file)");
 }
@@ -89,13 +89,13 @@ TEST_CASE("Option --set takes TOML values, and text without quotes", "[deck]") {
                                   "body.top.mass=2*3",
                                   "units=",
                                   "analysis.end_time=2"});
-    CHECK(problem.analysis.scheme == Scheme::generalized_alpha);
-    CHECK(problem.analysis.spectral_radius == 0.5);
+    CHECK(dynamic_of(problem).scheme == Scheme::generalized_alpha);
+    CHECK(dynamic_of(problem).spectral_radius == 0.5);
     CHECK(problem.record.title == "A title = \"quoted\" # and more");
     CHECK(problem.model.bodies[0].inertia == Mat3(Vec3(1, 2, 2.5).asDiagonal()));
     CHECK(problem.model.bodies[0].mass == 6.0);
     CHECK(problem.record.units.empty());
-    CHECK(problem.analysis.end_time == 2.0);
+    CHECK(dynamic_of(problem).end_time == 2.0);
 }
 
 TEST_CASE("Option --set reaches into arrays, and the last value of a key counts", "[deck]") {
@@ -125,15 +125,15 @@ TEST_CASE("Option --set adds keys, and tables that a deck has once", "[deck]") {
                                   "parameters.m=7",
                                   "body.top.mass=m",
                                   "gravity=[0, 0, -1]"});
-    CHECK(problem.analysis.newton.tolerance == 1e-5);
-    CHECK(problem.analysis.newton.max_iterations == 9);
+    CHECK(dynamic_of(problem).newton.tolerance == 1e-5);
+    CHECK(dynamic_of(problem).newton.max_iterations == 9);
     CHECK(problem.output.every == 3);
     CHECK(problem.model.bodies[0].mass == 7.0);
     CHECK(problem.model.gravity(0.0) == Vec3(0, 0, -1));
 }
 
 TEST_CASE("Option --set takes the place of a key that excludes the new one", "[deck]") {
-    CHECK(read(body_deck, {"analysis.time_step=0.25"}).analysis.steps == 4);
+    CHECK(dynamic_of(read(body_deck, {"analysis.time_step=0.25"})).steps == 4);
     const std::string spinning =
         replaced(body_deck, "mass = 1.0", "mass = 1.0\nangular_velocity = [1, 0, 0]");
     const Problem problem = read(spinning, {"body.top.angular_velocity_material=[0, 2, 0]"});

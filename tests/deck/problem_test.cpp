@@ -155,10 +155,10 @@ void check_same(const Problem& a, const Problem& b) {
     check_same_nodes(a.model, b.model);
     check_same_parts(a.model, b.model);
     check_same_loads(a.model, b.model);
-    CHECK(a.analysis.end_time == b.analysis.end_time);
-    CHECK(a.analysis.steps == b.analysis.steps);
-    CHECK(a.analysis.scheme == b.analysis.scheme);
-    CHECK(a.analysis.newton.tolerance == b.analysis.newton.tolerance);
+    CHECK(dynamic_of(a).end_time == dynamic_of(b).end_time);
+    CHECK(dynamic_of(a).steps == dynamic_of(b).steps);
+    CHECK(dynamic_of(a).scheme == dynamic_of(b).scheme);
+    CHECK(dynamic_of(a).newton.tolerance == dynamic_of(b).newton.tolerance);
     CHECK(a.output.every == b.output.every);
     CHECK(a.output.histories.size() == b.output.histories.size());
     CHECK(a.record.title == b.record.title);
@@ -206,8 +206,8 @@ TEST_CASE("The free-flight deck becomes its model", "[deck]") {
 
 TEST_CASE("The free-flight deck becomes its analysis and output", "[deck]") {
     const Problem problem = read_problem_text(flyer, "flyer.toml");
-    CHECK(problem.analysis.steps == 1500);
-    CHECK(problem.analysis.scheme == Scheme::newmark_simplified);
+    CHECK(dynamic_of(problem).steps == 1500);
+    CHECK(dynamic_of(problem).scheme == Scheme::newmark_simplified);
     CHECK(problem.output.every == 10);
     const HistoryRequest& tip = problem.output.histories[0];
     CHECK(tip.at == "flyer.end");
@@ -224,9 +224,9 @@ TEST_CASE("The heavy top becomes a body with a pivot", "[deck]") {
     CHECK(problem.model.bodies[0].centre_of_mass == Vec3(0, 1, 0));
     REQUIRE(problem.model.supports.size() == 1);
     CHECK(problem.model.supports[0].fixed == std::array{true, true, true, false, false, false});
-    CHECK(problem.analysis.steps == 20000);
-    CHECK(problem.analysis.newton.tolerance == NewtonSettings{}.tolerance);
-    CHECK(problem.analysis.newton.max_iterations == NewtonSettings{}.max_iterations);
+    CHECK(dynamic_of(problem).steps == 20000);
+    CHECK(dynamic_of(problem).newton.tolerance == NewtonSettings{}.tolerance);
+    CHECK(dynamic_of(problem).newton.max_iterations == NewtonSettings{}.max_iterations);
     CHECK(problem.output.every == OutputSettings{}.every);
 }
 
@@ -265,7 +265,7 @@ TEST_CASE("A deck is read from a file", "[deck]") {
     std::ofstream(path) << heavy_top;
     const Problem problem = read_problem(path, {"analysis.end_time=1.0"});
     CHECK(problem.record.name == "heavy_top.toml");
-    CHECK(problem.analysis.steps == 10000);
+    CHECK(dynamic_of(problem).steps == 10000);
 
     std::ofstream(path) << replaced(heavy_top, "mass = 15.0", "mass = -15.0");
     CHECK_THROWS_WITH(read_problem(path),

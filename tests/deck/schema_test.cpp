@@ -61,20 +61,31 @@ TEST_CASE("Defaults are in their ranges and among their words", "[deck]") {
     }
 }
 
-TEST_CASE("A condition on a key names words of another key of the table", "[deck]") {
+TEST_CASE("A condition on a key or group names words of another key of the table", "[deck]") {
     int conditions = 0;
-    for (const TableSpec* table : all_tables()) {
-        for (const KeySpec& key : table->keys) {
-            if (key.only_for.key.empty()) continue;
+    const auto check = [&](const TableSpec& table, const std::vector<Condition>& only_for) {
+        for (const Condition& condition : only_for) {
             ++conditions;
-            const KeySpec* other = table->find(key.only_for.key);
+            const KeySpec* other = table.find(condition.key);
             REQUIRE(other != nullptr);
-            for (const std::string& word : key.only_for.words) {
+            for (const std::string& word : condition.words) {
                 CHECK(std::find(other->choices.begin(), other->choices.end(), word) != other->choices.end());
             }
         }
+    };
+    for (const TableSpec* table : all_tables()) {
+        for (const KeySpec& key : table->keys) {
+            check(*table, key.only_for);
+            CHECK((key.only_with.empty() || table->find(key.only_with) != nullptr));
+            CHECK((key.type == ValueType::reference) == !key.refers_to.empty());
+            for (const std::string& kind : key.refers_to) CHECK(deck_schema().find(kind) != nullptr);
+        }
+        for (const KeyGroup& group : table->groups) {
+            check(*table, group.only_for);
+            CHECK((group.only_with.empty() || table->find(group.only_with) != nullptr));
+        }
     }
-    CHECK(conditions == 4);
+    CHECK(conditions == 11);
 }
 
 TEST_CASE("Ranges know their bounds and say them", "[deck]") {

@@ -13,7 +13,7 @@ colour = 3)")) ==
           "rotation_vector, velocity, angular_velocity, angular_velocity_material");
     CHECK(faults_of(rod_deck + "[joint.a]") ==
           "x.toml:13:2: joint: unknown key; known here: title, units, gravity, parameters, function, "
-          "section, rod, body, load, support, analysis, output, history");
+          "section, rod, body, connect, load, support, initial, analysis, output, history");
     CHECK(faults_of(body_deck + "gravity = [0, 0, -9.81]") ==
           "x.toml:8:1: analysis.gravity: gravity is a key of the top level, which stands before the first "
           "[table]; here it belongs to [analysis]");
@@ -48,9 +48,10 @@ TEST_CASE("Missing keys are errors that say what is expected", "[deck]") {
     CHECK(faults_of(replaced(rod_deck, "rhoIy = 10, ", "")) ==
           "x.toml:3:11: section.s.inertia.rhoIy: missing; expected a number greater than 0 or an expression; "
           "a rotation without inertia cannot be integrated in time");
-    CHECK(
-        faults_of(replaced(body_deck, "kind = \"dynamic\"\n", "")) ==
-        R"(x.toml:4:1: analysis.kind: missing; expected "dynamic"; this version has dynamic analyses only)");
+    CHECK(faults_of(replaced(body_deck, "kind = \"dynamic\"\n", "")) ==
+          R"(x.toml:4:1: analysis.kind: missing; expected one of "dynamic", "static")");
+    CHECK(faults_of(replaced(body_deck, "end_time = 1.0\n", "")) ==
+          "x.toml:4:1: analysis.end_time: missing; expected a number greater than 0 or an expression");
     CHECK(faults_of(replaced(body_deck, "steps = 10\n", "")) ==
           "x.toml:4:1: analysis: missing; expected time_step or steps");
     CHECK(faults_of(R"([body.top]
@@ -64,6 +65,10 @@ steps = 10
 )") == "x.toml:1:1: missing; expected [rod.NAME] or [body.NAME]");
     CHECK(faults_of(body_deck + R"([[load]]
 at = "top")") == "x.toml:8:1: load[0]: missing; expected force or moment");
+    CHECK(faults_of(body_deck + R"([[load]]
+force = [0, 0, 1])") == "x.toml:8:1: load[0]: missing; expected at or on");
+    CHECK(faults_of(rod_deck + R"([[load]]
+on = "r")") == "x.toml:13:1: load[0]: missing; expected force_per_length or moment_per_length");
     CHECK(faults_of(body_deck + "[function.f]") ==
           "x.toml:8:1: function.f: missing; expected table or expression");
     CHECK(faults_of(body_deck + "[[history]]") ==
@@ -73,7 +78,7 @@ x.toml:8:1: history[0].quantities: missing; expected one or a list of )" +
               quoted_list(words_of(quantity_choices)));
     CHECK(faults_of(body_deck + "[[support]]") ==
           R"(x.toml:8:1: support[0].at: missing; expected a point, such as "rod.end", "rod@0.25" or "body"
-x.toml:8:1: support[0].fix: missing; expected one or a list of "x", "y", "z", "rx", "ry", "rz", "all", "position", "rotation")");
+x.toml:8:1: support[0]: missing; expected fix or move = { … })");
 }
 
 TEST_CASE("Keys that exclude each other are not given together", "[deck]") {
@@ -114,7 +119,7 @@ steps = 10
 )") ==
           R"(x.toml:1:9: title: expected text, found 1
 x.toml:2:9: units: expected text, found an array of 1
-x.toml:3:11: gravity: expected an array of 3 numbers or expressions, found the text "down"
+x.toml:3:11: gravity: expected an array of 3 numbers or expressions in t, found the text "down"
 x.toml:4:9: load[0]: expected tables [[load]], found 1
 x.toml:6:11: rod.section: expected a table [rod.NAME], found the text "s")");
     CHECK(faults_of(replaced(body_deck, "steps = 10", R"(steps = 10
@@ -156,6 +161,40 @@ gamma = 0.5)") ==
         R"(x.toml:9:1: analysis.gamma: integrator "generalized-alpha" does not use this key; it is for newmark-simplified, newmark-ibrahimbegovic)");
 }
 
+TEST_CASE("A key that the kind of analysis does not use is an error", "[deck]") {
+    const std::string static_deck =
+        replaced(replaced(body_deck, "end_time = 1.0\n", ""), R"("dynamic")", R"("static")");
+    CHECK(faults_of(static_deck).empty());
+    for (const std::string key : {"end_time = 1.0", "time_step = 0.1", "beta = 0.25", "gamma = 0.5"}) {
+        CHECK(faults_of(static_deck + key) ==
+              "x.toml:7:1: analysis." + key.substr(0, key.find(' ')) +
+                  ": kind \"static\" does not use this key; it is for dynamic");
+    }
+    CHECK(faults_of(static_deck + "integrator = \"sdirk-4\"") ==
+          R"(x.toml:7:1: analysis.integrator: kind "static" does not use this key; it is for dynamic)");
+    CHECK(faults_of(static_deck + "newton = { tolerance = 1e-3 }").empty());
+}
+
+TEST_CASE("A key goes with the one that it belongs to", "[deck]") {
+    CHECK(faults_of(rod_deck + R"([[load]]
+on = "r"
+force = [0, 0, 1]
+force_per_length = [0, 0, 1])") ==
+          "x.toml:15:1: load[0].force: goes with at, and this table has on, with which go force_per_length, "
+          "moment_per_length");
+    CHECK(faults_of(rod_deck + R"([[load]]
+at = "r.end"
+force = [0, 0, 1]
+moment_per_length = [0, 0, 1])") ==
+          "x.toml:16:1: load[0].moment_per_length: goes with on, and this table has at, with which go force, "
+          "moment");
+    CHECK(faults_of(rod_deck + R"([[load]]
+at = "r.end"
+on = "r"
+force = [0, 0, 1]
+moment_per_length = [0, 0, 1])") == "x.toml:15:1: load[0].on: at is given too; only one of them can be");
+}
+
 TEST_CASE("All faults of a schema come at once, in the order of the deck", "[deck]") {
     CHECK(faults_of(R"(title = 3
 [rod.r]
@@ -180,8 +219,7 @@ x.toml:6:34: rod.r.line.from[1]: expected a number or an expression, found a boo
 x.toml:6:40: rod.r.line.from[2]: "1/0": the value is inf, not a finite number
 x.toml:8:1: body.b.mas: unknown key; did you mean "mass"?
 x.toml:10:1: load[0]: missing; expected force or moment
-x.toml:12:1: analysis: missing; expected time_step or steps
-x.toml:13:8: analysis.kind: expected "dynamic", found the text "static"; this version has dynamic analyses only
+x.toml:14:1: analysis.end_time: kind "static" does not use this key; it is for dynamic
 x.toml:14:12: analysis.end_time: expected a number greater than 0, found -1)");
 }
 

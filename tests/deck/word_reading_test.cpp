@@ -12,8 +12,8 @@ TEST_CASE("Words are among the choices", "[deck]") {
         faults_of(replaced(rod_deck, R"(element = "simo")", "element = 1")) ==
         R"(x.toml:8:11: rod.r.element: expected "simo", found 1; this version has elements of kind "simo" only, and no default)");
     CHECK(
-        faults_of(replaced(body_deck, R"("dynamic")", R"("static")")) ==
-        R"(x.toml:5:8: analysis.kind: expected "dynamic", found the text "static"; this version has dynamic analyses only)");
+        faults_of(replaced(body_deck, R"("dynamic")", R"("statics")")) ==
+        R"(x.toml:5:8: analysis.kind: expected one of "dynamic", "static", found the text "statics"; did you mean "static"?)");
     CHECK(faults_of(body_deck + R"(integrator = "sdirk4")") ==
           "x.toml:8:14: analysis.integrator: expected one of " + quoted_list(words_of(scheme_choices)) +
               R"(, found the text "sdirk4"; did you mean "sdirk-4"?)");

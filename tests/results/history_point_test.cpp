@@ -21,6 +21,15 @@ Vec3 vector_of(HistoryPoint point, Quantity quantity, const Motion& motion) {
     return {row[0], row[1], row[2]};
 }
 
+// The point of a request of the sample, relative to the tip of the beam, a body's axes or a section's.
+HistoryPoint make_relative_point(const Model& model, std::size_t request, const Quat& axes) {
+    HistoryRequest relative = sample::make_output().histories[request];
+    relative.relative_to = "tip";
+    relative.relative_node = 2;
+    relative.relative_axes = axes;
+    return {model, relative};
+}
+
 // The rotation matrix of a recorded quaternion, w x y z.
 Mat3 matrix_of(HistoryPoint point, Quantity quantity, const Motion& motion) {
     const HistoryPoint::Row row = point.compute(quantity, motion.snapshot());
@@ -142,4 +151,128 @@ TEST_CASE("Quaternions do not change sign from step to step, rotation vectors st
         CHECK(vector_of(point, Quantity::rotation_vector, motion).norm() <= M_PI);
         last = row;
     }
+}
+
+TEST_CASE("Relative quantities are what an observer on the reference point sees", "[results]") {
+    const Model model = sample::make_model();
+    const Quat axes = model.bodies[0].attitude;
+    const Motion motion(0.7);
+    const NodeMotion& node = motion.nodes[3];
+    const NodeMotion& reference = motion.nodes[2];
+    const HistoryPoint point = make_relative_point(model, gyro, axes);
+    const Mat3 A = exp_matrix(0.7 * Vec3(0.3, 0.6, -0.4)) * exp_matrix({0.0, 0.0, 1.5});
+    const Vec3 place = A.transpose() * (node.r - reference.r);
+    const Vec3 start = exp_matrix({0.0, 0.0, 1.5}).transpose() * Vec3(1.0, 0.5, 2.0);
+    CHECK((vector_of(point, Quantity::position, motion) - place).norm() < 1e-14);
+    CHECK((vector_of(point, Quantity::displacement, motion) - (place - start)).norm() < 1e-14);
+    CHECK((vector_of(point, Quantity::angular_velocity, motion) -
+           A.transpose() * (node.omega - reference.omega))
+              .norm() < 1e-14);
+    const Mat3 attitude = exp_matrix(0.7 * Vec3(0.3, 0.8, -0.4)) * exp_matrix({0.0, 1.0, 0.0});
+    CHECK((matrix_of(point, Quantity::orientation, motion) - A.transpose() * attitude).norm() < 1e-14);
+    CHECK((matrix_of(point, Quantity::quaternion, motion) - A.transpose() * attitude).norm() < 1e-14);
+    CHECK(
+        (exp_matrix(vector_of(point, Quantity::rotation_vector, motion)) - A.transpose() * attitude).norm() <
+        1e-14);
+    CHECK((vector_of(point, Quantity::centre_of_mass, motion) -
+           (place + A.transpose() * attitude * Vec3(0.0, 0.1, 0.4)))
+              .norm() < 1e-14);
+}
+
+TEST_CASE("The relative rotation of a rod's point is that since t = 0, in the axes of the reference",
+          "[results]") {
+    const Model model = sample::make_model();
+    const Quat axes = exp_quaternion({0.3, 0.2, 0.3});
+    const Mat3 A0 = axes.toRotationMatrix();
+    const Motion motion(0.7);
+    const HistoryPoint point = make_relative_point(model, middle, axes);
+    const Mat3 A = exp_matrix(0.7 * Vec3(0.3, 0.6, -0.4)) * A0;
+    const Mat3 B0 = exp_matrix({0.2, 0.2, 0.3});
+    const Mat3 B = exp_matrix(0.7 * Vec3(0.3, 0.4, -0.4)) * B0;
+    CHECK((matrix_of(point, Quantity::orientation, motion) - A.transpose() * B).norm() < 1e-14);
+    const Mat3 since_start = A.transpose() * B * (A0.transpose() * B0).transpose();
+    CHECK((matrix_of(point, Quantity::quaternion, motion) - since_start).norm() < 1e-14);
+    const Motion start(0.0);
+    CHECK((matrix_of(point, Quantity::quaternion, start) - Mat3::Identity()).norm() < 1e-15);
+    CHECK(vector_of(point, Quantity::displacement, start).norm() < 1e-15);
+}
+
+namespace {
+
+// A point on a turntable: both nodes follow motions whose rates are known in closed form.
+Motion make_turning_motion(double t) {
+    Motion motion(t);
+    const auto follow = [t](NodeMotion& node, double radius, double turn, double rise) {
+        const double angle = turn * t * t;
+        node.r = Vec3(radius * std::cos(angle), radius * std::sin(angle), rise * t * t * t);
+        const Vec3 along(-std::sin(angle), std::cos(angle), 0.0);
+        const Vec3 outward(std::cos(angle), std::sin(angle), 0.0);
+        const double rate = 2.0 * turn * t;
+        node.v = radius * rate * along + Vec3(0.0, 0.0, 3.0 * rise * t * t);
+        node.a =
+            radius * 2.0 * turn * along - radius * rate * rate * outward + Vec3(0.0, 0.0, 6.0 * rise * t);
+        node.Lambda = exp_quaternion({0.0, 0.0, angle}) * exp_quaternion({std::sin(t), 0.0, 0.0});
+        // Of a product of turns: the first about a fixed axis, the second carried by it.
+        node.omega = Vec3(0.0, 0.0, rate) + std::cos(t) * outward;
+        node.alpha = Vec3(0.0, 0.0, 2.0 * turn) - std::sin(t) * outward + std::cos(t) * rate * along;
+    };
+    follow(motion.nodes[2], 2.0, 0.9, 0.4);
+    follow(motion.nodes[3], 5.0, -0.3, 0.7);
+    return motion;
+}
+
+}  // namespace
+
+TEST_CASE("Relative velocity and acceleration are the rates of the relative position", "[results]") {
+    const Model model = sample::make_model();
+    const HistoryPoint point = make_relative_point(model, gyro, exp_quaternion({0.4, -0.2, 0.9}));
+    const double t = 0.8;
+    const double h = 1e-3;
+    const auto at = [&](Quantity quantity, double time) {
+        return vector_of(point, quantity, make_turning_motion(time));
+    };
+    // Fourth-order central differences.
+    const auto rate = [&](Quantity quantity) {
+        return Vec3((8.0 * (at(quantity, t + h) - at(quantity, t - h)) -
+                     (at(quantity, t + 2.0 * h) - at(quantity, t - 2.0 * h))) /
+                    (12.0 * h));
+    };
+    const Vec3 velocity = at(Quantity::velocity, t);
+    const Vec3 acceleration = at(Quantity::acceleration, t);
+    CHECK(velocity.norm() > 1.0);
+    CHECK(acceleration.norm() > 1.0);
+    CHECK((rate(Quantity::position) - velocity).norm() < 1e-9 * velocity.norm());
+    CHECK((rate(Quantity::displacement) - velocity).norm() < 1e-9 * velocity.norm());
+    CHECK((rate(Quantity::velocity) - acceleration).norm() < 1e-9 * acceleration.norm());
+}
+
+TEST_CASE("Relative to a point at rest with the global axes, vectors are differences", "[results]") {
+    const Model model = sample::make_model();
+    const HistoryPoint point = make_relative_point(model, gyro, Quat::Identity());
+    Motion motion(0.7);
+    motion.nodes[2] = NodeMotion{};
+    motion.nodes[2].r = Vec3(1, 2, 3);
+    const NodeMotion& node = motion.nodes[3];
+    CHECK(vector_of(point, Quantity::position, motion) == node.r - Vec3(1, 2, 3));
+    CHECK(vector_of(point, Quantity::velocity, motion) == node.v);
+    CHECK(vector_of(point, Quantity::acceleration, motion) == node.a);
+    CHECK(vector_of(point, Quantity::angular_velocity, motion) == node.omega);
+}
+
+TEST_CASE("An end of a rod that comes back to its node has its own element and axes", "[results]") {
+    Model model = sample::make_model();
+    // The beam's end becomes its start: two elements, back and forth.
+    Rod& beam = model.rods[0];
+    beam.nodes = {0, 1};
+    beam.element_nodes = {0, 1, 1, 0};
+    const Motion motion(0.7);
+    HistoryRequest request = sample::make_output().histories[root];
+    CHECK(vector_of(HistoryPoint(model, request), Quantity::force, motion) ==
+          0.5 * (motion.elements[0].force + motion.elements[1].force));
+    request.end_element = 0;
+    CHECK(vector_of(HistoryPoint(model, request), Quantity::force, motion) == motion.elements[0].force);
+    request.end_element = 1;
+    CHECK(vector_of(HistoryPoint(model, request), Quantity::force, motion) == motion.elements[1].force);
+    const Mat3 axes = motion.nodes[0].Lambda.toRotationMatrix() * exp_matrix({0.3, 0.2, 0.3});
+    CHECK((matrix_of(HistoryPoint(model, request), Quantity::orientation, motion) - axes).norm() < 1e-14);
 }

@@ -76,6 +76,34 @@ TEST_CASE("Every dataset of a results file is described", "[results]") {
     CHECK(file.text_attribute("/VTKHDF/CellData/moment", "frame") == "material");
 }
 
+TEST_CASE("A history that is relative to a point says so", "[results]") {
+    const sample::ScratchFolder folder;
+    const Model model = sample::make_model();
+    using enum Quantity;
+    OutputSettings output;
+    output.histories = {{"seen", "gyro", 3, 1, -1, 0, {position, orientation, quaternion}},
+                        {"seen_middle", "beam@0.5", 1, -1, 0, 1, {quaternion}}};
+    for (HistoryRequest& history : output.histories) {
+        history.relative_to = "beam.start";
+        history.relative_node = 0;
+    }
+    ResultsFile results({folder / "a.vtkhdf", Existing::refuse}, sample::make_deck(), model, output);
+    results.record_step(Motion(0.5).snapshot(), {}, {});
+    results.close(RunStatus::complete, "");
+    const Hdf5Reader file(folder / "a.vtkhdf");
+    CHECK(file.text_attribute("/histories/seen", "relative_to") == "beam.start");
+    for (const char* quantity : {"position", "orientation", "quaternion"}) {
+        CHECK(file.text_attribute(std::string("/histories/seen/") + quantity, "frame") ==
+              "axes of beam.start");
+    }
+    CHECK(file.text_attribute("/histories/seen/position", "description") ==
+          "position, as seen from beam.start and its axes");
+    CHECK(file.text_attribute("/histories/seen/orientation", "description") ==
+          "unit quaternion w x y z: body axes from the axes of beam.start");
+    CHECK(file.text_attribute("/histories/seen_middle/quaternion", "description") ==
+          "unit quaternion w x y z: since t = 0, as seen from the axes of beam.start");
+}
+
 TEST_CASE("Histories, ledger and solver record have a row for each step", "[results]") {
     const sample::ScratchFolder folder;
     const Model model = sample::make_model();
