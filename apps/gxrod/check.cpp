@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include "analyses/dynamic.hpp"
+#include "analyses/model_examination.hpp"
 #include "analyses/model_summary.hpp"
 #include "deck/problem.hpp"
 #include "exit_code.hpp"
@@ -24,6 +26,11 @@ int check(const CheckArguments& arguments) {
                describe_analysis(problem.analysis),
                describe_output(problem.analysis, problem.output));
     for (const std::string& note : problem.notes) fmt::print("note: {}\n", note);
+    const std::vector<Finding> findings = examine_model(problem.model, problem.analysis);
+    for (const Finding& finding : findings) {
+        fmt::print(finding.severity == Severity::error ? stderr : stdout, "{}\n", describe(finding));
+    }
+    if (has_error(findings)) return exit_bad_input;
     const auto* dynamic = std::get_if<DynamicSettings>(&problem.analysis);
     if (dynamic == nullptr) return exit_done;
     // The first thing that a run would do: a model without inertia somewhere is found here.

@@ -6,6 +6,7 @@
 #include <csignal>
 #include <filesystem>
 
+#include "analyses/model_examination.hpp"
 #include "deck/problem.hpp"
 #include "exit_code.hpp"
 #include "progress_line.hpp"
@@ -67,8 +68,20 @@ int exit_code_of(const RunSummary& summary, bool deck_fault) {
     return exit_done;
 }
 
+// Tells of what is suspicious; whether the model can be run.
+bool examine(const RunArguments& arguments, const Problem& problem) {
+    const std::vector<Finding> findings = examine_model(problem.model, problem.analysis);
+    for (const Finding& finding : findings) {
+        const bool is_told = finding.severity == Severity::error ||
+                             (finding.severity == Severity::warning && !arguments.quiet);
+        if (is_told) fmt::print(stderr, "{}: {}\n", arguments.deck, describe(finding));
+    }
+    return !has_error(findings);
+}
+
 int run(const RunArguments& arguments) {
     const Problem problem = read_problem(arguments.deck, arguments.overrides);
+    if (!examine(arguments, problem)) return exit_bad_input;
     const std::filesystem::path results = results_path(arguments);
     std::signal(SIGINT, ask_to_end);
     std::signal(SIGTERM, ask_to_end);

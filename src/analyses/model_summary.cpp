@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "analyses/condition_summary.hpp"
 #include "assembly/system.hpp"
 
 namespace gxrod {
@@ -59,28 +60,6 @@ std::string describe_body(const Model& model, const Body& body) {
         describe(body.attitude * body.centre_of_mass));
 }
 
-std::string describe_support(const Model& model, const Support& support) {
-    static constexpr const char* components[6] = {"x", "y", "z", "rx", "ry", "rz"};
-    std::string held;
-    for (int i = 0; i < 6; ++i) {
-        if (support.fixed[i]) held += std::string(" ") + components[i];
-    }
-    return fmt::format("support at {}:{}\n", model.nodes[support.node].name, held);
-}
-
-std::string describe_load(const Model& model, const NodalLoad& load) {
-    static constexpr const char* frames[3] = {"spatial", "follower", "body"};
-    const auto is_zero = [](const std::array<TimeFunction, 3>& components) {
-        return std::all_of(components.begin(), components.end(), [](const auto& f) { return f.is_zero(); });
-    };
-    return fmt::format("{} at {}:{}{}, {}\n",
-                       load.key,
-                       model.nodes[load.node].name,
-                       is_zero(load.force) ? "" : " force",
-                       is_zero(load.moment) ? "" : " moment",
-                       frames[static_cast<int>(load.frame)]);
-}
-
 }  // namespace
 
 const char* name_of(Scheme scheme) {
@@ -111,9 +90,7 @@ std::string describe_model(const Model& model) {
         text += describe_body(model, body);
         mass += body.mass;
     }
-    for (const Support& support : model.supports) text += describe_support(model, support);
-    for (const NodalLoad& load : model.loads) text += describe_load(model, load);
-    if (!model.gravity.is_zero()) text += fmt::format("gravity {}\n", describe(model.gravity(0.0)));
+    text += describe_conditions(model);
     text += fmt::format("total: mass {:.6g}, {} nodes, {} elements, {} unknowns\n",
                         mass,
                         model.nodes.size(),

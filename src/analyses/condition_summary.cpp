@@ -1,0 +1,110 @@
+#include "analyses/condition_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace gxrod {
+namespace {
+
+constexpr std::array<const char*, 6> components{"x", "y", "z", "rx", "ry", "rz"};
+constexpr double round_off = 1e-15;  // of a component of a direction
+constexpr std::array<const char*, 3> frames{"spatial", "follower", "body"};
+
+std::string describe(const Vec3& v) {
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0] + 0.0, v[1] + 0.0, v[2] + 0.0);
+}
+
+template <class Function>
+bool is_zero(const std::array<Function, 3>& functions) {
+    return std::all_of(functions.begin(), functions.end(), [](const Function& f) { return f.is_zero(); });
+}
+
+// Nodes that several rods share.
+std::string describe_connections(const Model& model) {
+    std::vector<std::vector<int>> rods(model.nodes.size());
+    for (int i = 0; i < static_cast<int>(model.rods.size()); ++i) {
+        for (const int node : model.rods[i].nodes) rods[node].push_back(i);
+    }
+    std::string text;
+    for (std::size_t node = 0; node < rods.size(); ++node) {
+        if (rods[node].size() < 2) continue;
+        std::vector<std::string> names;
+        for (const int rod : rods[node]) names.push_back(model.rods[rod].name);
+        text += fmt::format(
+            "connection: {} is one node of rods {}\n", model.nodes[node].name, fmt::join(names, ", "));
+    }
+    return text;
+}
+
+std::string describe_support(const Model& model, const Support& support) {
+    std::string fixed, moved;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        if (support.fixed[i]) fixed += std::string(" ") + components[i];
+        if (support.moved[i]) moved += std::string(" ") + components[i];
+    }
+    std::string text = fmt::format("support at {}:", model.nodes[support.node].name);
+    if (!fixed.empty()) text += " fixes" + fixed;
+    if (!moved.empty()) text += (fixed.empty() ? " moves" : ", moves") + moved;
+    if (!support.axes.isApprox(Quat::Identity(), 0.0)) {
+        const Mat3 axes = support.axes.toRotationMatrix().unaryExpr(
+            [](double x) { return std::abs(x) < round_off ? 0.0 : x; });
+        text += fmt::format(
+            "; x {}, y {}, z {}", describe(axes.col(0)), describe(axes.col(1)), describe(axes.col(2)));
+    }
+    return text + "\n";
+}
+
+std::string describe_load(const Model& model, const NodalLoad& load) {
+    return fmt::format("{} at {}:{}{}, {}\n",
+                       load.key,
+                       model.nodes[load.node].name,
+                       is_zero(load.force) ? "" : " force",
+                       is_zero(load.moment) ? "" : " moment",
+                       frames[static_cast<std::size_t>(load.frame)]);
+}
+
+std::string describe_load(const Model& model, const DistributedLoad& load) {
+    return fmt::format("{} on rod {}:{}{}, {}\n",
+                       load.key,
+                       model.rods[load.rod].name,
+                       is_zero(load.force) ? "" : " force per length",
+                       is_zero(load.moment) ? "" : " moment per length",
+                       frames[static_cast<std::size_t>(load.frame)]);
+}
+
+// The largest velocities of some nodes; "" if all are at rest.
+std::string describe_velocities(const Model& model, const std::string& name, const std::vector<int>& nodes) {
+    double velocity = 0.0;
+    double spin = 0.0;
+    for (const int node : nodes) {
+        velocity = std::max(velocity, model.nodes[node].velocity.norm());
+        spin = std::max(spin, model.nodes[node].angular_velocity.norm());
+    }
+    if (velocity == 0.0 && spin == 0.0) return "";
+    return fmt::format(
+        "initial velocities of {}: up to {:.6g}, angular velocities up to {:.6g}\n", name, velocity, spin);
+}
+
+std::string describe_gravity(const Model& model) {
+    if (model.gravity.is_zero()) return "";
+    if (model.gravity.is_constant()) return fmt::format("gravity {}\n", describe(model.gravity(0.0)));
+    return fmt::format("gravity changes with t; at t = 1 it is {}\n", describe(model.gravity(1.0)));
+}
+
+}  // namespace
+
+std::string describe_conditions(const Model& model) {
+    std::string text = describe_connections(model);
+    for (const Support& support : model.supports) text += describe_support(model, support);
+    for (const Rod& rod : model.rods) text += describe_velocities(model, "rod " + rod.name, rod.nodes);
+    for (const Body& body : model.bodies) {
+        text += describe_velocities(model, "body " + body.name, {body.node});
+    }
+    for (const NodalLoad& load : model.loads) text += describe_load(model, load);
+    for (const DistributedLoad& load : model.distributed_loads) text += describe_load(model, load);
+    return text + describe_gravity(model);
+}
+
+}  // namespace gxrod

@@ -1,0 +1,142 @@
+#include "analyses/model_examination.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analyses/connected_parts.hpp"
+#include "analyses/free_motions.hpp"
+#include "analyses/unconnected_points.hpp"
+
+namespace gxrod {
+namespace {
+
+template <class Function>
+bool is_zero(const std::array<Function, 3>& functions) {
+    return std::all_of(functions.begin(), functions.end(), [](const Function& f) { return f.is_zero(); });
+}
+
+// "move along x, turn about …", or in short if nothing holds the part at all.
+std::string list_motions(const Model& model,
+                         const ConnectedPart& part,
+                         const std::vector<FreeMotion>& motions) {
+    if (motions.size() == 6) return "move and turn in every direction";
+    std::vector<std::string> texts;
+    for (const FreeMotion& motion : motions) texts.push_back(describe_free_motion(model, part, motion));
+    std::string text = texts[0];
+    for (std::size_t i = 1; i < texts.size(); ++i) {
+        text += (i + 1 == texts.size() ? " and " : ", ") + texts[i];
+    }
+    return text;
+}
+
+// Equilibrium does not say where a part is that can move without being strained.
+void find_drifting_parts(const Model& model,
+                         const std::vector<ConnectedPart>& parts,
+                         std::vector<Finding>& findings) {
+    for (const ConnectedPart& part : parts) {
+        const std::vector<FreeMotion> motions = find_free_motions(model, part);
+        if (motions.empty()) continue;
+        findings.push_back({Severity::error,
+                            fmt::format("{} can {}; a static analysis needs supports that prevent it",
+                                        describe_part(model, part),
+                                        list_motions(model, part, motions))});
+    }
+}
+
+void describe_parts(const Model& model,
+                    const std::vector<ConnectedPart>& parts,
+                    std::vector<Finding>& findings) {
+    constexpr std::size_t most = 10;
+    if (parts.size() < 2) return;
+    std::string text = fmt::format("nothing connects these {} parts: ", parts.size());
+    for (std::size_t i = 0; i < std::min(parts.size(), most); ++i) {
+        text += (i == 0 ? "" : "; ") + describe_part(model, parts[i]);
+    }
+    findings.push_back({Severity::note, parts.size() > most ? text + " …" : text});
+}
+
+// Whether the support holds three components from `first` on.
+bool holds_all(const Support& support, int first) {
+    return support.holds(first) && support.holds(first + 1) && support.holds(first + 2);
+}
+
+void find_idle_loads(const Model& model, std::vector<Finding>& findings) {
+    for (const NodalLoad& load : model.loads) {
+        const bool is_idle =
+            std::any_of(model.supports.begin(), model.supports.end(), [&](const Support& support) {
+                return support.node == load.node && (is_zero(load.force) || holds_all(support, 0)) &&
+                       (is_zero(load.moment) || holds_all(support, 3));
+            });
+        if (!is_idle) continue;
+        findings.push_back({Severity::warning,
+                            fmt::format("{} acts at {}, where a support holds all that it drives; only the "
+                                        "reaction feels it",
+                                        load.key,
+                                        model.nodes[load.node].name)});
+    }
+}
+
+double compute_mass(const Model& model) {
+    double mass = 0.0;
+    for (const Rod& rod : model.rods) mass += model.sections[rod.section].mass(0, 0) * rod.length;
+    for (const Body& body : model.bodies) mass += body.mass;
+    return mass;
+}
+
+bool any_load(const Model& model) {
+    const auto pushes = [](const auto& load) { return !is_zero(load.force) || !is_zero(load.moment); };
+    const auto moves = [](const Support& support) { return support.moved != std::array<bool, 6>{}; };
+    return !model.gravity.is_zero() || std::any_of(model.loads.begin(), model.loads.end(), pushes) ||
+           std::any_of(model.distributed_loads.begin(), model.distributed_loads.end(), pushes) ||
+           std::any_of(model.supports.begin(), model.supports.end(), moves);
+}
+
+bool any_velocity(const Model& model) {
+    return std::any_of(model.nodes.begin(), model.nodes.end(), [](const Node& node) {
+        return !node.velocity.isZero(0.0) || !node.angular_velocity.isZero(0.0);
+    });
+}
+
+void find_missing_causes(const Model& model,
+                         const AnalysisSettings& analysis,
+                         std::vector<Finding>& findings) {
+    if (!model.gravity.is_zero() && compute_mass(model) == 0.0) {
+        findings.push_back({Severity::warning, "gravity acts on nothing: the model has no mass"});
+    }
+    if (any_load(model)) return;
+    if (std::holds_alternative<StaticSettings>(analysis)) {
+        findings.push_back({Severity::warning, "nothing loads the model: it has no load, gravity or move"});
+    } else if (!any_velocity(model)) {
+        findings.push_back({Severity::warning,
+                            "nothing sets the model in motion: it has no load, gravity, move or velocity"});
+    }
+}
+
+}  // namespace
+
+std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& analysis) {
+    const std::vector<ConnectedPart> parts = find_connected_parts(model);
+    std::vector<Finding> findings;
+    if (std::holds_alternative<StaticSettings>(analysis)) find_drifting_parts(model, parts, findings);
+    for (const std::string& sentence : find_unconnected_points(model)) {
+        findings.push_back({Severity::warning, sentence});
+    }
+    find_idle_loads(model, findings);
+    find_missing_causes(model, analysis, findings);
+    describe_parts(model, parts, findings);
+    return findings;
+}
+
+bool has_error(const std::vector<Finding>& findings) {
+    return std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
+        return finding.severity == Severity::error;
+    });
+}
+
+std::string describe(const Finding& finding) {
+    static constexpr std::array<const char*, 3> words{"note", "warning", "error"};
+    return fmt::format("{}: {}", words[static_cast<std::size_t>(finding.severity)], finding.message);
+}
+
+}  // namespace gxrod

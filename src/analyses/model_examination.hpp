@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+#include "model/settings.hpp"
+
+namespace gxrod {
+
+enum class Severity {
+    note,
+    warning,
+    error  // the analysis cannot be run
+};
+
+struct Finding {
+    Severity severity;
+    std::string message;
+};
+
+// What a reader of a deck cannot see in single keys: errors first.
+std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& analysis);
+
+bool has_error(const std::vector<Finding>& findings);
+
+// "warning: …", a line.
+std::string describe(const Finding& finding);
+
+}  // namespace gxrod
