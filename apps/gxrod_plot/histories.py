@@ -37,9 +37,16 @@ def draw_series(axes, times, history, series):
     letters = "wxyz" if values.shape[1] == 4 else "xyz"
     colours = {"w": BLACK, **AXIS_COLOURS}
     curves = {letter: (column, colours[letter]) for letter, column in zip(letters, values.T)}
-    material = ", material" if series.frame == "material" and "material" not in series.name else ""
+    frame = describe_frame(series)
     label = series.dimension if series.dimension != "1" else ""
-    draw_curves(axes, times, curves, f"{history.name}: {words(series.name)}{material}", label)
+    draw_curves(axes, times, curves, f"{history.name}: {words(series.name)}{frame}", label)
+
+
+def describe_frame(series):
+    """What a title says of the axes that the components are in; nothing of the global ones."""
+    if series.frame == "material":
+        return "" if "material" in series.name else ", material"
+    return f", {series.frame}" if series.frame.startswith("axes of ") else ""
 
 
 def break_at_jumps(times, values):

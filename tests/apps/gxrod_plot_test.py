@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import types
 import unittest
 import xml.etree.ElementTree
 from pathlib import Path
@@ -276,6 +277,14 @@ class Parts(PlotTest):
         broken_times, broken = histories.break_at_jumps(times, values)
         np.testing.assert_array_equal(np.isnan(broken_times), [False, False, True, False, False])
         self.assertTrue(np.isnan(broken[2]).all())
+
+    def test_titles_say_the_axes_unless_they_are_global(self):
+        def title(name, frame):
+            return histories.describe_frame(types.SimpleNamespace(name=name, frame=frame))
+        self.assertEqual(title("position", "spatial"), "")
+        self.assertEqual(title("moment", "material"), ", material")
+        self.assertEqual(title("angular_velocity_material", "material"), "")
+        self.assertEqual(title("position", "axes of arm.start"), ", axes of arm.start")
 
     def test_long_curves_keep_their_extremes(self):
         times = np.arange(100000.0)
