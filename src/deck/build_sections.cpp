@@ -110,16 +110,19 @@ void set_from_shape(const CheckedTable& table, Section& section, const BuildCont
     section.mass = diagonal(Vec3::Constant(density * shape->area), density * Vec3(Iy + Iz, Iy, Iz));
 }
 
-// A dynamic analysis needs inertia.
-void check_inertia(const CheckedTable& table, const BuildContext& context) {
-    if (context.is_static()) return;
-    if (table.gives("shape")) {
+// What a dynamic analysis needs, and a static one may miss.
+void check_inertia(const CheckedTable& table, const Section& section, const BuildContext& context) {
+    if (context.is_static()) {
+        if (!context.deck.gives("gravity") || !section.mass.isZero(0.0)) return;
+        context.notes.push_back(table.path + ": no inertia, so that gravity does not act on it");
+    } else if (table.gives("shape")) {
         if (only(table, "material").gives("density")) return;
-        return context.add_fault(
+        context.add_fault(
             only(table, "material"), "density", "missing; a dynamic analysis needs the mass of the rods");
+    } else if (!table.gives("inertia") && !table.gives("mass_matrix")) {
+        context.add_fault(
+            table, "inertia", "missing; a dynamic analysis needs inertia = { … } or mass_matrix");
     }
-    if (table.gives("inertia") || table.gives("mass_matrix")) return;
-    context.add_fault(table, "inertia", "missing; a dynamic analysis needs inertia = { … } or mass_matrix");
 }
 
 Section build_section(const CheckedTable& table, const BuildContext& context) {
@@ -135,11 +138,7 @@ Section build_section(const CheckedTable& table, const BuildContext& context) {
     if (table.gives("mass_matrix")) {
         section.mass = matrix_of(table, "mass_matrix", check_mass_matrix, context);
     }
-    for (const char* key : {"inertia", "mass_matrix"}) {
-        if (!table.gives("shape") || !table.gives(key)) continue;
-        context.add_fault(table, key, "shape is given too, whose inertia is that of its material's density");
-    }
-    check_inertia(table, context);
+    check_inertia(table, section, context);
     if (table.gives("damping")) {
         section.kelvin_voigt = only(table, "damping").get<double>("kelvin_voigt");
         section.mass_proportional = only(table, "damping").get<double>("mass_proportional");

@@ -125,14 +125,11 @@ TEST_CASE("A section has one kind of stiffness and one of inertia", "[deck]") {
     CHECK(faults_of(with_section(stiffness + inertia + "mass_matrix = " + identity)) ==
           "x.toml:4:1: section.s.mass_matrix: inertia is given too; only one of them can be");
     CHECK(faults_of(with_section(shape)) ==
-          "x.toml:1:1: section.s.material: missing; shape needs a table material = { … }");
-    CHECK(faults_of(with_section(shape + inertia)) ==
-          "x.toml:1:1: section.s.material: missing; shape needs a table material = { … }\n"
-          "x.toml:3:11: section.s.inertia: shape is given too, whose inertia is that of its material's "
-          "density");
+          "x.toml:1:1: section.s.material: missing; expected a table material = { … }");
+    CHECK(faults_of(with_section(shape + material + inertia)) ==
+          "x.toml:3:1: section.s.material: inertia is given too; only one of them can be");
     CHECK(faults_of(with_section(stiffness + material)) ==
-          "x.toml:1:1: section.s.inertia: missing; a dynamic analysis needs inertia = { … } or mass_matrix\n"
-          "x.toml:3:12: section.s.material: goes with shape, which this section does not have");
+          "x.toml:3:1: section.s.material: goes with shape, and this table has stiffness");
     CHECK(faults_of(with_section(
               "shape = { circle = { radius = 1 }, tube = { outer_radius = 2, inner_radius = 1 } }\n" +
               material)) ==
@@ -169,6 +166,33 @@ TEST_CASE("A dynamic analysis needs inertia, of rotations too", "[deck]") {
               no_inertia);
     CHECK(faults_of(with_section(stiffness + "inertia = { rhoA = 1, rhoIy = 0, rhoIz = 1 }\n")) ==
           "x.toml:3:31: section.s.inertia.rhoIy: expected a number greater than 0, found 0" + no_inertia);
+}
+
+TEST_CASE("A static analysis can do without inertia, or with mass alone", "[deck]") {
+    const std::string inertia = "inertia = { rhoA = 1.0, rhoJ = 20, rhoIy = 10, rhoIz = 11 }\n";
+    const Problem without = read(replaced(static_rod_deck, inertia, ""));
+    CHECK(without.model.sections[0].mass.isZero(0.0));
+    CHECK(without.notes.size() == 1);
+    const Section heavy =
+        read(replaced(static_rod_deck, inertia, "inertia = { rhoA = 3 }\n")).model.sections[0];
+    CHECK(heavy.mass.diagonal().head<3>() == Vec3(3, 3, 3));
+    CHECK(heavy.mass.diagonal().tail<3>().isZero(0.0));
+    const std::string first = static_rod_deck.substr(static_rod_deck.find("stiffness"));
+    const std::string shape = "shape = { circle = { radius = 1 } }\nmaterial = { E = 1, nu = 0 }\n";
+    CHECK(read(replaced(static_rod_deck, first.substr(0, first.find("[rod.r]")), shape))
+              .model.sections[0]
+              .mass.isZero(0.0));
+    CHECK(faults_of(replaced(static_rod_deck, "rhoIy = 10", "rhoIy = 0")) ==
+          "x.toml:3:44: section.s.inertia.rhoIy: expected a number greater than 0, found 0; a rotation "
+          "without inertia "
+          "cannot be integrated in time");
+}
+
+TEST_CASE("That gravity has nothing to act on is in the notes", "[deck]") {
+    const std::string deck = replaced("gravity = [0, 0, -9.81]\n" + static_rod_deck,
+                                      "inertia = { rhoA = 1.0, rhoJ = 20, rhoIy = 10, rhoIz = 11 }\n",
+                                      "");
+    CHECK(read(deck).notes.front() == "section.s: no inertia, so that gravity does not act on it");
 }
 
 }  // namespace gxrod::test
