@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "analyses/condition_summary.hpp"
+#include "analyses/rod_summary.hpp"
 #include "assembly/system.hpp"
 
 namespace gxrod {
@@ -12,41 +13,6 @@ namespace gxrod {
 namespace {
 
 std::string describe(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]); }
-
-std::string describe_rod(const Model& model, const Rod& rod) {
-    const Section& section = model.sections[rod.section];
-    const double length = rod.length;
-    const auto& C = section.stiffness;
-    std::string text =
-        fmt::format("rod {}: length {:.6g}, mass {:.6g}, {} elements of order {}, section {}\n",
-                    rod.name,
-                    length,
-                    section.mass(0, 0) * length,
-                    rod.element_count(),
-                    rod.order,
-                    section.name);
-    const Mat3 axes = rod.triads.front().toRotationMatrix();
-    text += fmt::format("  axes at the start: x {}, y {}, z {}\n",
-                        describe(axes.col(0)),
-                        describe(axes.col(1)),
-                        describe(axes.col(2)));
-    text += fmt::format("  stiffness: EA {:.6g}, GAy {:.6g}, GAz {:.6g}, GJ {:.6g}, EIy {:.6g}, EIz {:.6g}\n",
-                        C(0, 0),
-                        C(1, 1),
-                        C(2, 2),
-                        C(3, 3),
-                        C(4, 4),
-                        C(5, 5));
-    text += fmt::format("  inertia per length: rhoA {:.6g}, rhoJ {:.6g}, rhoIy {:.6g}, rhoIz {:.6g}\n",
-                        section.mass(0, 0),
-                        section.mass(3, 3),
-                        section.mass(4, 4),
-                        section.mass(5, 5));
-    // L √(EA/EI) compares stretching with bending: for a solid section, length over radius of gyration.
-    const double bending = std::min(C(4, 4), C(5, 5));
-    text += fmt::format("  slenderness L √(EA/EI): {:.4g}\n", length * std::sqrt(C(0, 0) / bending));
-    return text;
-}
 
 std::string describe_body(const Model& model, const Body& body) {
     const Eigen::SelfAdjointEigenSolver<Mat3> principal(body.inertia, Eigen::EigenvaluesOnly);
@@ -82,6 +48,7 @@ std::string describe_model(const Model& model) {
     const System system(model);
     double mass = 0.0;
     std::string text;
+    for (const Section& section : model.sections) text += describe_section(section);
     for (const Rod& rod : model.rods) {
         text += describe_rod(model, rod);
         mass += model.sections[rod.section].mass(0, 0) * rod.length;

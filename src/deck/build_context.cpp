@@ -29,7 +29,16 @@ std::optional<PlacedPoint> BuildContext::place(const std::string& point) const {
         if (node < 0) return std::nullopt;
         return PlacedPoint{.node = node, .body = of_body->body};
     }
-    const auto& [rod, fraction] = std::get<RodPoint>(*named);
+    const auto& [rod, fraction, meshed_position] = std::get<RodPoint>(*named);
+    const std::vector<int>& nodes = rod_nodes.empty() ? model.rods[rod].nodes : rod_nodes[rod];
+    if (meshed_position >= 0) {
+        if (nodes.empty()) return std::nullopt;
+        PlacedPoint placed =
+            make_point(model.rods[rod], rod, nodes, static_cast<std::size_t>(meshed_position));
+        // A net of lines has no two ends.
+        if (rod_fractions[rod].empty()) placed.end_element = -1;
+        return placed;
+    }
     const std::vector<double>& fractions = rod_fractions[rod];
     if (fractions.empty()) return std::nullopt;
     const auto nearest =
@@ -37,7 +46,6 @@ std::optional<PlacedPoint> BuildContext::place(const std::string& point) const {
             return std::abs(a - at) < std::abs(b - at);
         });
     const auto index = static_cast<std::size_t>(nearest - fractions.begin());
-    const std::vector<int>& nodes = rod_nodes.empty() ? model.rods[rod].nodes : rod_nodes[rod];
     return make_point(model.rods[rod], rod, nodes, index);
 }
 

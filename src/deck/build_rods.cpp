@@ -2,19 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 
+#include "deck/build_centreline.hpp"
+#include "deck/build_nets.hpp"
 #include "deck/choices.hpp"
 #include "deck/rod_mesh.hpp"
+#include "deck/schema_tables.hpp"
+#include "deck/section_axes.hpp"
 #include "deck/suggestion.hpp"
+#include "rotation/rotation_map.hpp"
 
 namespace gxrod {
 namespace {
-
-// Below these, a length relative to the coordinates and the sine of an angle count as zero.
-constexpr double zero_length = 1e-12;
-constexpr double zero_angle = 1e-6;
 
 int find_section(const CheckedTable& rod, const BuildContext& context) {
     const std::string& name = rod.get<std::string>("section");
@@ -30,77 +31,29 @@ int find_section(const CheckedTable& rod, const BuildContext& context) {
     return 0;
 }
 
-struct GlobalAxis {
-    char name;
-    Vec3 direction;
-};
-
-// The global axis least aligned with a tangent; of equals the first of y, z, x, so that a rod along x, y or z
-// has section axes along the global ones.
-GlobalAxis choose_y_axis(const Vec3& tangent) {
-    const std::array<GlobalAxis, 3> axes{{{'y', Vec3::UnitY()}, {'z', Vec3::UnitZ()}, {'x', Vec3::UnitX()}}};
-    GlobalAxis chosen = axes[0];
-    for (const GlobalAxis& axis : axes) {
-        if (std::abs(axis.direction.dot(tangent)) < std::abs(chosen.direction.dot(tangent)) - 1e-9)
-            chosen = axis;
-    }
-    return chosen;
-}
-
-std::string describe(const Vec3& vector) {
-    // −0 would read as a finding.
-    return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", vector[0] + 0.0, vector[1] + 0.0, vector[2] + 0.0);
-}
-
-// Section y: what the deck says or a global axis, projected perpendicular to the unit tangent.
-std::optional<Vec3> find_y_axis(const CheckedTable& rod, const Vec3& tangent, const BuildContext& context) {
-    if (!rod.gives("y_axis")) {
-        const GlobalAxis axis = choose_y_axis(tangent);
-        const Vec3 projected = (axis.direction - axis.direction.dot(tangent) * tangent).normalized();
-        context.notes.push_back(fmt::format("{}: not given; section y at the start is {}, from global {}",
-                                            rod.path_of("y_axis"),
-                                            describe(projected),
-                                            axis.name));
-        return projected;
-    }
-    const Vec3& given = rod.get<Vec3>("y_axis");
-    if (given.isZero(0.0)) {
-        context.add_fault(rod, "y_axis", "expected a direction, found a vector of zero length");
-        return std::nullopt;
-    }
-    const Vec3 direction = given.stableNormalized();
-    const Vec3 projected = direction - direction.dot(tangent) * tangent;
-    if (projected.norm() < zero_angle) {
-        context.add_fault(
-            rod,
-            "y_axis",
-            "parallel to the rod, so that section y is not defined; expected another direction");
-        return std::nullopt;
-    }
-    return projected.normalized();
-}
-
-std::optional<Quat> find_triad(const CheckedTable& rod, const Vec3& tangent, const BuildContext& context) {
-    const std::optional<Vec3> y = find_y_axis(rod, tangent, context);
-    if (!y) return std::nullopt;
-    Mat3 axes;
-    axes << tangent, *y, tangent.cross(*y);
-    return Quat(axes).normalized();
+// How many elements; nullopt, with a fault, if the deck does not say.
+std::optional<long> find_element_count(const CheckedTable& rod, const BuildContext& context) {
+    if (rod.gives("elements")) return rod.get<long>("elements");
+    const KeySpec& spec = *rod_table().find("elements");
+    context.add_fault(rod, "elements", "missing; expected " + describe_expected(spec));
+    return std::nullopt;
 }
 
 std::vector<double> find_fractions(const CheckedTable& rod,
-                                   const std::vector<double>& points,
+                                   const RodBreaks& breaks,
                                    const BuildContext& context) {
-    const long elements = rod.get<long>("elements");
-    std::vector<double> fractions = compute_node_fractions(points, elements);
+    const std::optional<long> elements = find_element_count(rod, context);
+    if (!elements) return {};
+    std::vector<double> fractions = compute_element_fractions(breaks, *elements);
     if (fractions.empty()) {
-        context.add_fault(
-            rod,
-            "elements",
-            fmt::format("expected at least {}, one for each piece between the points that the deck names, "
-                        "found {}",
-                        count_pieces(points),
-                        elements));
+        const char* between = breaks.corners.empty() ? "the points that the deck names"
+                                                     : "corners and the points that the deck names";
+        context.add_fault(rod,
+                          "elements",
+                          fmt::format("expected at least {}, one for each piece between {}, found {}",
+                                      count_pieces(breaks),
+                                      between,
+                                      *elements));
     }
     return fractions;
 }
@@ -112,89 +65,102 @@ std::string name_node(const std::string& rod, double fraction, std::size_t posit
 }
 
 bool is_near_any(double fraction, const std::vector<double>& points) {
-    for (const double point : points) {
-        if (std::abs(point - fraction) <= 2.0 * same_fraction) return true;
-    }
-    return false;
+    return std::any_of(points.begin(), points.end(), [&](double point) {
+        return std::abs(point - fraction) <= 2.0 * same_fraction;
+    });
 }
 
-struct Line {
-    Vec3 from, to;
+// Adds the nodes and elements of one rod along its centreline.
+class LineBuilder {
+  public:
+    LineBuilder(const Centreline& line,
+                const Quat& start_axes,
+                double twist,
+                const std::vector<double>& points,
+                int index,
+                BuildContext& context)
+        : line_(line),
+          start_axes_(start_axes),
+          twist_(twist),
+          points_(points),
+          rod_(context.model.rods[static_cast<std::size_t>(index)]),
+          nodes_(context.model.nodes),
+          fractions_(context.rod_fractions[static_cast<std::size_t>(index)]) {}
 
-    double length() const { return (to - from).stableNorm(); }
-    Vec3 at(double fraction) const { return (1.0 - fraction) * from + fraction * to; }
+    void add(const std::vector<double>& element_fractions) {
+        rod_.length = line_.length();
+        const std::vector<double> within = compute_element_nodes(rod_.order);
+        for (std::size_t e = 0; e + 1 < element_fractions.size(); ++e) {
+            const double first = element_fractions[e];
+            const double last = element_fractions[e + 1];
+            const std::size_t piece = line_.piece_at(0.5 * (first + last));
+            for (std::size_t i = 0; i < within.size(); ++i) {
+                const bool is_last = i + 1 == within.size();
+                const double fraction = is_last ? last : first + (last - first) * within[i];
+                if (e == 0 || i > 0) add_node(piece, fraction);
+                add_entry(piece, fraction);
+            }
+        }
+    }
+
+  private:
+    void add_node(std::size_t piece, double fraction) {
+        const std::size_t position = rod_.nodes.size();
+        rod_.nodes.push_back(static_cast<int>(nodes_.size()));
+        fractions_.push_back(fraction);
+        nodes_.push_back({name_node(rod_.name, fraction, position, is_near_any(fraction, points_)),
+                          line_.position(piece, fraction)});
+    }
+
+    void add_entry(std::size_t piece, double fraction) {
+        rod_.element_nodes.push_back(rod_.nodes.back());
+        rod_.arc_length.push_back(fraction * line_.length());
+        rod_.triads.push_back(twisted(line_.transport(piece, fraction) * start_axes_, twist_ * fraction));
+    }
+
+    const Centreline& line_;
+    const Quat& start_axes_;
+    double twist_;
+    const std::vector<double>& points_;
+    Rod& rod_;
+    std::vector<Node>& nodes_;
+    std::vector<double>& fractions_;  // of nodes
 };
 
-std::optional<Line> find_line(const CheckedTable& table, const BuildContext& context) {
-    const Line line{table.get<Vec3>("from"), table.get<Vec3>("to")};
-    const double size = std::max(line.from.lpNorm<Eigen::Infinity>(), line.to.lpNorm<Eigen::Infinity>());
-    if (line.length() <= zero_length * size) {
-        context.add_fault(table, "to", "the rod has no length; expected an end away from its start");
-        return std::nullopt;
-    }
-    return line;
-}
-
-void add_nodes(const Line& line,
-               const Quat& triad,
-               const std::vector<double>& points,
-               int index,
-               BuildContext& context) {
-    Rod& rod = context.model.rods[index];
-    const std::vector<double>& fractions = context.rod_fractions[index];
-    std::vector<double> arc_length;
-    for (std::size_t i = 0; i < fractions.size(); ++i) {
-        const bool is_named = is_near_any(fractions[i], points);
-        rod.nodes.push_back(static_cast<int>(context.model.nodes.size()));
-        arc_length.push_back(fractions[i] * line.length());
-        context.model.nodes.push_back(
-            {name_node(rod.name, fractions[i], i, is_named), line.at(fractions[i])});
-    }
-    set_line_elements(rod, arc_length, std::vector<Quat>(arc_length.size(), triad));
-}
-
-void build_rod(const CheckedTable& table,
-               const std::vector<double>& points,
-               int index,
-               BuildContext& context) {
-    Rod& rod = context.model.rods[index];
-    rod.name = table.name;
-    rod.section = find_section(table, context);
-    rod.kind = value_of(element_kind_choices, table.get<std::string>("element"));
-    rod.order = static_cast<int>(table.get<long>("order"));
-    const std::optional<Line> line = find_line(table.tables("line").front(), context);
-    const std::vector<double> fractions = find_fractions(table, points, context);
+void build_line(const CheckedTable& table,
+                const std::vector<double>& points,
+                int index,
+                BuildContext& context) {
+    const std::optional<Centreline> line = find_centreline(table, context);
+    const RodBreaks breaks{points, line ? line->corners() : std::vector<double>{}};
+    const std::vector<double> fractions = find_fractions(table, breaks, context);
     if (!line) return;
-    const std::optional<Quat> triad = find_triad(table, (line->to - line->from).stableNormalized(), context);
-    if (!triad || fractions.empty()) return;
-    context.rod_fractions[index] = fractions;
-    add_nodes(*line, *triad, points, index, context);
+    const std::optional<Quat> axes = find_start_axes(table, line->start_tangent(), context);
+    if (!axes || fractions.empty()) return;
+    context.model.rods[static_cast<std::size_t>(index)].order = static_cast<int>(table.get<long>("order"));
+    LineBuilder(*line, *axes, table.get<double>("twist"), points, index, context).add(fractions);
 }
 
 }  // namespace
 
-void build_sections(BuildContext& context) {
-    for (const CheckedTable& table : context.deck.tables("section")) {
-        const CheckedTable& stiffness = table.tables("stiffness").front();
-        const CheckedTable& inertia = table.tables("inertia").front();
-        const auto c = [&](const char* key) { return stiffness.get<double>(key); };
-        const auto m = [&](const char* key) { return inertia.get<double>(key); };
-        const double polar = inertia.gives("rhoJ") ? m("rhoJ") : m("rhoIy") + m("rhoIz");
-        Section section{table.name, Mat6::Zero(), Mat6::Zero()};
-        section.stiffness.diagonal() << c("EA"), c("GAy"), c("GAz"), c("GJ"), c("EIy"), c("EIz");
-        section.mass.diagonal() << m("rhoA"), m("rhoA"), m("rhoA"), polar, m("rhoIy"), m("rhoIz");
-        context.model.sections.push_back(section);
-    }
-}
-
-void build_rods(const std::vector<RodPoint>& points, BuildContext& context) {
+void build_rods(const std::vector<RodPoint>& points, const RodNets& nets, BuildContext& context) {
     const std::vector<CheckedTable>& tables = context.deck.tables("rod");
     std::vector<std::vector<double>> fractions(tables.size());
     for (const RodPoint& point : points) fractions[point.rod].push_back(point.fraction);
     context.model.rods.resize(tables.size());
     context.rod_fractions.resize(tables.size());
     for (std::size_t i = 0; i < tables.size(); ++i) {
-        build_rod(tables[i], fractions[i], static_cast<int>(i), context);
+        const CheckedTable& table = tables[i];
+        Rod& rod = context.model.rods[i];
+        rod.name = table.name;
+        rod.section = find_section(table, context);
+        rod.kind = value_of(element_kind_choices, table.get<std::string>("element"));
+        const int index = static_cast<int>(i);
+        if (!table.gives("mesh")) {
+            build_line(table, fractions[i], index, context);
+        } else if (check_meshed_rod(table, context); nets.contains(index)) {
+            build_net(table, nets.at(index), index, context);
+        }
     }
 }
 

@@ -45,6 +45,13 @@ struct CheckedPlaceFunction {
     std::string path;
 };
 
+// A vector of a list.
+struct CheckedVector {
+    Vec3 value;
+    Place place;
+    std::string path;
+};
+
 using CheckedTimeVector = std::array<CheckedTimeFunction, 3>;
 using CheckedLineVector = std::array<CheckedLineFunction, 3>;
 using CheckedPlaceVector = std::array<CheckedPlaceFunction, 3>;
@@ -84,6 +91,8 @@ struct CheckedValue {
                  long,
                  Vec3,
                  Mat3,
+                 Mat6,
+                 std::vector<CheckedVector>,
                  TimeTable,
                  CheckedTimeFunction,
                  CheckedTimeVector,

@@ -18,7 +18,8 @@ struct Choice {
     Value value;
 };
 
-inline constexpr std::array<Choice<ElementKind>, 1> element_kind_choices{{{"simo", ElementKind::simo}}};
+inline constexpr std::array<Choice<ElementKind>, 2> element_kind_choices{
+    {{"objective", ElementKind::objective}, {"simo", ElementKind::simo}}};
 
 inline constexpr std::array<Choice<Frame>, 3> frame_choices{
     {{"spatial", Frame::spatial}, {"follower", Frame::follower}, {"body", Frame::body}}};

@@ -12,11 +12,13 @@
 #include "deck/build_loads.hpp"
 #include "deck/build_output.hpp"
 #include "deck/build_rods.hpp"
+#include "deck/build_sections.hpp"
 #include "deck/build_supports.hpp"
 #include "deck/check_functions.hpp"
 #include "deck/check_points.hpp"
 #include "deck/check_velocities.hpp"
 #include "deck/overrides.hpp"
+#include "deck/read_rod_nets.hpp"
 #include "deck/validation.hpp"
 #include "model/file_error.hpp"
 
@@ -34,15 +36,16 @@ void check_names(const CheckedTable& deck, FaultList& faults) {
     }
 }
 
-Problem build_problem(const CheckedTable& deck, FaultList& faults) {
+Problem build_problem(const CheckedTable& deck, const std::filesystem::path& folder, FaultList& faults) {
     Problem problem;
-    const PointNames names(deck);
+    const RodNets nets = read_rod_nets(deck, folder, faults, problem.record.meshes);
+    const PointNames names(deck, points_of(nets));
     BuildContext context{deck, names, faults, problem.notes, problem.model};
     check_names(deck, faults);
     context.analysis = build_analysis(context);
     const std::vector<RodPoint> points = check_points(context);
     build_sections(context);
-    build_rods(points, context);
+    build_rods(points, nets, context);
     build_connections(context);
     build_bodies(context);
     build_initial(context);
@@ -83,7 +86,7 @@ Problem read_problem_text(std::string_view text,
     apply_overrides(overrides, tree, faults);
     const CheckedTable deck = check_deck(tree, faults);
     faults.throw_if_any();
-    Problem problem = build_problem(deck, faults);
+    Problem problem = build_problem(deck, std::filesystem::path(file).parent_path(), faults);
     faults.throw_if_any();
     problem.record.name = std::filesystem::path(file).filename().string();
     problem.record.text =

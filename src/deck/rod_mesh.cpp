@@ -1,21 +1,34 @@
 #include "deck/rod_mesh.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
 namespace gxrod {
 namespace {
 
-// The points between pieces, with both ends, in order, each once.
-std::vector<double> find_breaks(std::vector<double> points) {
-    std::sort(points.begin(), points.end());
-    std::vector<double> breaks{0.0};
-    for (const double point : points) {
-        if (point > breaks.back() + same_fraction && point < 1.0 - same_fraction) breaks.push_back(point);
+// Takes off the points that are corners.
+void drop_corners(RodBreaks& breaks) {
+    std::erase_if(breaks.points, [&](double point) {
+        const auto near = [&](double corner) { return std::abs(corner - point) <= same_fraction; };
+        return std::any_of(breaks.corners.begin(), breaks.corners.end(), near);
+    });
+}
+
+// The fractions between pieces, with both ends, in order, each once.
+std::vector<double> find_breaks(RodBreaks breaks) {
+    drop_corners(breaks);
+    std::vector<double> all = std::move(breaks.points);
+    all.insert(all.end(), breaks.corners.begin(), breaks.corners.end());
+    std::sort(all.begin(), all.end());
+    std::vector<double> found{0.0};
+    for (const double fraction : all) {
+        if (fraction > found.back() + same_fraction && fraction < 1.0 - same_fraction)
+            found.push_back(fraction);
     }
-    breaks.push_back(1.0);
-    return breaks;
+    found.push_back(1.0);
+    return found;
 }
 
 // Elements of each piece.
@@ -48,15 +61,15 @@ std::vector<long> distribute(const std::vector<double>& breaks, long elements) {
 
 }  // namespace
 
-std::size_t count_pieces(const std::vector<double>& points) { return find_breaks(points).size() - 1; }
+std::size_t count_pieces(RodBreaks breaks) { return find_breaks(std::move(breaks)).size() - 1; }
 
-std::vector<double> compute_node_fractions(std::vector<double> points, long elements) {
+std::vector<double> compute_element_fractions(RodBreaks given, long elements) {
     const auto count = static_cast<double>(elements);
-    for (double& point : points) {
+    for (double& point : given.points) {
         const double nearest = std::round(point * count) / count;
         if (std::abs(point - nearest) <= same_fraction) point = nearest;
     }
-    const std::vector<double> breaks = find_breaks(std::move(points));
+    const std::vector<double> breaks = find_breaks(std::move(given));
     if (static_cast<long>(breaks.size()) - 1 > elements) return {};
     const std::vector<long> counts = distribute(breaks, elements);
     std::vector<double> fractions;
@@ -70,6 +83,21 @@ std::vector<double> compute_node_fractions(std::vector<double> points, long elem
     }
     fractions.push_back(1.0);
     return fractions;
+}
+
+std::vector<double> compute_element_nodes(int order) {
+    const auto inside = [](double xi) { return 0.5 * (1.0 + xi); };
+    switch (order) {
+        case 1:
+            return {0.0, 1.0};
+        case 2:
+            return {0.0, 0.5, 1.0};
+        case 3:
+            return {0.0, inside(-std::sqrt(1.0 / 5.0)), inside(std::sqrt(1.0 / 5.0)), 1.0};
+        default:
+            assert(order == 4);
+            return {0.0, inside(-std::sqrt(3.0 / 7.0)), 0.5, inside(std::sqrt(3.0 / 7.0)), 1.0};
+    }
 }
 
 }  // namespace gxrod

@@ -161,10 +161,16 @@ std::string describe_expected(const KeySpec& key) {
             return "an array of 3 numbers or expressions";
         case ValueType::matrix:
             return "an array of 3 rows of 3 numbers or expressions";
+        case ValueType::vectors:
+            return "an array of 2 vectors or more, each of 3 numbers or expressions";
+        case ValueType::section_matrix:
+            return "an array of 6 rows of 6 numbers or expressions";
         case ValueType::inertia:
             return "an array of 3 numbers or expressions, or of 3 such arrays";
         case ValueType::placement:
             return "an array of 3 numbers or expressions, or a point such as \"rod.end\"";
+        case ValueType::mesh_group:
+            return "the name or the number of a physical group";
         case ValueType::time_expression:
             return "a number or an expression in " + variables_of(key.type);
         case ValueType::time_vector:

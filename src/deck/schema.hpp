@@ -24,8 +24,11 @@ enum class ValueType {
     number,
     vector,           // 3 numbers
     matrix,           // 3 rows of 3 numbers
+    vectors,          // 2 vectors or more
+    section_matrix,   // 6 rows of 6 numbers
     inertia,          // 3 numbers, or 3 rows of 3 that make a symmetric matrix
     placement,        // a vector or a point
+    mesh_group,       // the name or number of a physical group
     time_expression,  // f(t)
     time_vector,      // 3 f(t)
     line_vector,      // 3 f(t, s), s the arc length along a rod

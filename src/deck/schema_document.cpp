@@ -71,10 +71,16 @@ std::string describe_type(const KeySpec& key) {
             return "vector";
         case ValueType::matrix:
             return "3×3";
+        case ValueType::vectors:
+            return "2 vectors or more";
+        case ValueType::section_matrix:
+            return "6×6";
         case ValueType::inertia:
             return "vector or 3×3";
         case ValueType::placement:
             return "vector or point";
+        case ValueType::mesh_group:
+            return "name or number";
         case ValueType::time_expression:
             return "f(t)";
         case ValueType::time_vector:

@@ -35,6 +35,10 @@ Json array_of(const Json& items, std::size_t size) {
     return {{"type", "array"}, {"items", items}, {"minItems", size}, {"maxItems", size}};
 }
 
+Json array_of_at_least(const Json& items, std::size_t size) {
+    return {{"type", "array"}, {"items", items}, {"minItems", size}};
+}
+
 Json any_of(std::initializer_list<Json> options) {
     Json json;
     for (const Json& option : options) json["anyOf"].push_back(option);
@@ -72,10 +76,16 @@ Json make_type(const KeySpec& key) {
             return array_of(reference("number"), 3);
         case ValueType::matrix:
             return array_of(array_of(reference("number"), 3), 3);
+        case ValueType::vectors:
+            return array_of_at_least(array_of(reference("number"), 3), 2);
+        case ValueType::section_matrix:
+            return array_of(array_of(reference("number"), 6), 6);
         case ValueType::inertia:
             return any_of({array_of(reference("number"), 3), array_of(array_of(reference("number"), 3), 3)});
         case ValueType::placement:
             return any_of({array_of(reference("number"), 3), {{"type", "string"}}});
+        case ValueType::mesh_group:
+            return {{"type", {"string", "integer"}}};
         case ValueType::time_expression:
             return reference("number");
         case ValueType::time_table:
@@ -116,9 +126,20 @@ Json make_key(const KeySpec& key) {
 
 Json require(const std::vector<std::string>& keys) { return {{"required", keys}}; }
 
+// No two of the keys.
+Json exclude_pairs(const std::vector<std::string>& keys) {
+    if (keys.size() == 2) return require(keys);
+    Json pairs;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        for (std::size_t j = i + 1; j < keys.size(); ++j)
+            pairs["anyOf"].push_back(require({keys[i], keys[j]}));
+    }
+    return pairs;
+}
+
 // What a group asks of its table.
 Json make_group(const KeyGroup& group) {
-    if (group.rule == GroupRule::at_most_one) return {{"not", require(group.keys)}};
+    if (group.rule == GroupRule::at_most_one) return {{"not", exclude_pairs(group.keys)}};
     Json json;
     Json& options = json[group.rule == GroupRule::exactly_one ? "oneOf" : "anyOf"];
     for (const std::string& key : group.keys) options.push_back(require({key}));

@@ -19,6 +19,9 @@ const TableSpec& history_table();
 
 inline constexpr Range positive{.lower = 0.0, .at_lower = Bound::open};
 
+// Ends messages about a rotary inertia that is missing or not positive.
+inline constexpr const char* no_inertia = "a rotation without inertia cannot be integrated in time";
+
 // Numbers of elements and steps beyond which a deck is refused.
 inline constexpr long largest_element_count = 10'000'000;
 inline constexpr long largest_step_count = 1'000'000'000'000;

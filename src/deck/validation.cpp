@@ -260,10 +260,10 @@ class Validator {
             }
             add(entry->place,
                 join_path(path, key.name),
-                fmt::format("goes with {}, and this table has {}, with which go {}",
+                fmt::format("goes with {}, and this table has {}{}",
                             key.only_with,
                             rival,
-                            plain_list(companions)));
+                            companions.empty() ? "" : ", with which go " + plain_list(companions)));
         }
     }
 

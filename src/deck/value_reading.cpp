@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deck/array_reading.hpp"
 #include "deck/word_reading.hpp"
 
 namespace gxrod {
@@ -289,12 +290,18 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(read_points(node, path, key, context));
         case ValueType::matrix:
             return wrap(reader.square_matrix(node, path));
+        case ValueType::vectors:
+            return wrap(read_vectors(node, path, key, context));
+        case ValueType::section_matrix:
+            return wrap(read_section_matrix(node, path, key, context));
         case ValueType::inertia:
             if (ValueReader::is_matrix(node)) return wrap(reader.matrix(node, path));
             return wrap(reader.vector(node, path));
         case ValueType::placement:
             if (node.text() != nullptr) return wrap(read_text(node, path, key, context));
             return wrap(reader.vector(node, path));
+        case ValueType::mesh_group:
+            return read_mesh_group(node, path, key, context);
         case ValueType::time_expression:
             return wrap(reader.time_function(node, path));
         case ValueType::time_vector:

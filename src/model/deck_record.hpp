@@ -1,8 +1,15 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace gxrod {
+
+// A mesh file that a deck names.
+struct MeshRecord {
+    std::string file;   // as the deck names it
+    std::string bytes;  // the whole file
+};
 
 // Where a model came from, kept with its results.
 struct DeckRecord {
@@ -10,6 +17,7 @@ struct DeckRecord {
     std::string text;  // the deck as run, after --set; itself a valid deck
     std::string title;
     std::string units;  // a label only
+    std::vector<MeshRecord> meshes = {};
 };
 
 }  // namespace gxrod

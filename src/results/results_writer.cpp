@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <filesystem>
+#include <set>
 
 #include "model/version.hpp"
 #include "results/digest.hpp"
@@ -30,6 +32,22 @@ AppendDataset<double> create_times(const Hdf5Handle& histories) {
     return {histories, {"time", "time at the end of each accepted step", "none", "time"}, scalar_row};
 }
 
+// Each under its file's name; where two folders have files of one name, the later with a number before it.
+void write_meshes(const Hdf5Handle& root, const std::vector<MeshRecord>& meshes) {
+    const Hdf5Handle group = create_group(root, "meshes");
+    std::set<std::string> names;
+    for (const MeshRecord& mesh : meshes) {
+        const std::string file = std::filesystem::path(mesh.file).filename().string();
+        std::string name = file;
+        for (int count = 2; !names.insert(name).second; ++count) name = std::to_string(count) + "_" + file;
+        const std::vector<std::uint8_t> bytes(mesh.bytes.begin(), mesh.bytes.end());
+        write_dataset(group, {name, "bytes of a mesh that the deck names", "none", ""}, bytes);
+        const Hdf5Handle dataset(H5Dopen2(group.id(), name.c_str(), H5P_DEFAULT), H5Dclose, "opening a mesh");
+        write_attribute(dataset.id(), "file", mesh.file);
+        write_attribute(dataset.id(), "sha256", sha256_hex(mesh.bytes));
+    }
+}
+
 void write_provenance(const Hdf5Handle& root, const DeckRecord& deck) {
     write_attribute(root.id(), "gxrod_version", version);
     write_attribute(root.id(), "deck_name", deck.name);
@@ -40,6 +58,7 @@ void write_provenance(const Hdf5Handle& root, const DeckRecord& deck) {
     write_attribute(root.id(), "reason", "");
     const Hdf5Handle group = create_group(root, "deck");
     write_dataset(group, {"text", "the deck as run", "none", ""}, deck.text);
+    if (!deck.meshes.empty()) write_meshes(root, deck.meshes);
 }
 
 }  // namespace

@@ -84,10 +84,6 @@ TEST_CASE("A y axis that the reader chose is in the notes", "[deck]") {
     CHECK(read(replaced(rod_deck, "\"simo\"", "\"simo\"\ny_axis = [0, 1, 0]")).notes.empty());
 }
 
-TEST_CASE("rhoJ is the sum of the other rotary inertias by default", "[deck]") {
-    CHECK(read(replaced(rod_deck, "rhoJ = 20, ", "")).model.sections[0].mass(3, 3) == 21.0);
-}
-
 TEST_CASE("Points that loads, supports, histories and bodies name get a node", "[deck]") {
     const Problem problem = read(rod_deck +
                                  "[[load]]\nat = \"r@0.25\"\nforce = [0, 0, 1]\n"
@@ -106,6 +102,103 @@ TEST_CASE("Points that loads, supports, histories and bodies name get a node", "
     CHECK(position(model.bodies[0].node) == Approx(9.0).epsilon(1e-15));
     CHECK(model.nodes[model.loads[0].node].name == "r@0.25");
     CHECK(model.nodes[1].name == "r node 1");
+}
+
+TEST_CASE("Inner nodes of elements are at the Gauss-Lobatto points of their length", "[deck]") {
+    const std::vector<std::vector<double>> expected{
+        {0.0, 1.0},
+        {0.0, 0.5, 1.0},
+        {0.0, 0.5 * (1.0 - std::sqrt(0.2)), 0.5 * (1.0 + std::sqrt(0.2)), 1.0},
+        {0.0, 0.5 * (1.0 - std::sqrt(3.0 / 7.0)), 0.5, 0.5 * (1.0 + std::sqrt(3.0 / 7.0)), 1.0}};
+    // A half circle of length 10.
+    const std::string arc =
+        "arc = { centre = [0, 0, 0], axis = [0, 0, 1], from = [\"10/pi\", 0, 0], angle = \"pi\" }";
+    const std::string deck = replaced(rod_deck, "line = { from = [0, 0, 0], to = [10, 0, 0] }", arc);
+    for (std::size_t order = 1; order <= 4; ++order) {
+        const Model model = read(deck, {"rod.r.order=" + std::to_string(order)}).model;
+        const Rod& rod = model.rods[0];
+        CHECK(rod.order == static_cast<int>(order));
+        CHECK(rod.element_count() == 10);
+        REQUIRE(rod.nodes.size() == 10 * order + 1);
+        CHECK(rod.length == Approx(10.0).epsilon(1e-15));
+        for (std::size_t e = 0; e < 10; ++e) {
+            for (std::size_t i = 0; i <= order; ++i) {
+                const std::size_t entry = e * (order + 1) + i;
+                CHECK(rod.element_nodes[entry] == static_cast<int>(e * order + i));
+                const double s = static_cast<double>(e) + expected[order - 1][i];
+                CHECK(rod.arc_length[entry] == Approx(s).epsilon(1e-14));
+                const double angle = M_PI * s / 10.0;
+                const Vec3& position =
+                    model.nodes[static_cast<std::size_t>(rod.element_nodes[entry])].position;
+                CHECK((position - 10.0 / M_PI * Vec3(std::cos(angle), std::sin(angle), 0)).norm() < 1e-14);
+                const Vec3 tangent = rod.triads[entry] * Vec3::UnitX();
+                CHECK((tangent - Vec3(-std::sin(angle), std::cos(angle), 0)).norm() < 1e-14);
+            }
+        }
+    }
+}
+
+TEST_CASE("A corner of a polyline has one node and two triads", "[deck]") {
+    const std::string deck = replaced(rod_deck,
+                                      "line = { from = [0, 0, 0], to = [10, 0, 0] }",
+                                      "polyline = [[0, 0, 0], [0, 0, 3], [1, 0, 3]]");
+    const Problem problem =
+        read(deck + "[[history]]\nname = \"c\"\nat = \"r@0.75\"\nquantities = \"position\"\n",
+             {"rod.r.order=2", "rod.r.elements=4"});
+    const Rod& rod = problem.model.rods[0];
+    REQUIRE(rod.element_count() == 4);
+    CHECK(problem.model.nodes.size() == 9);
+    // Elements share the pieces by length: three and one.
+    const int corner = rod.element_nodes[8];
+    CHECK(corner == rod.element_nodes[9]);
+    CHECK(problem.model.nodes[static_cast<std::size_t>(corner)].position == Vec3(0, 0, 3));
+    CHECK(problem.output.histories[0].node == corner);
+    CHECK(problem.output.histories[0].position_in_rod == 6);
+    CHECK((rod.triads[8] * Vec3::UnitX() - Vec3(0, 0, 1)).norm() < 1e-15);
+    CHECK((rod.triads[9] * Vec3::UnitX() - Vec3(1, 0, 0)).norm() < 1e-15);
+    // Section y, along global y, is across both legs and does not turn.
+    for (const Quat& triad : rod.triads) CHECK((triad * Vec3::UnitY() - Vec3(0, 1, 0)).norm() < 1e-15);
+    CHECK(rod.length == 4.0);
+    CHECK(rod.arc_length[9] == 3.0);
+}
+
+TEST_CASE("Corners of a polyline are nodes, also where equal elements would almost have one", "[deck]") {
+    const std::string deck = replaced(rod_deck,
+                                      "line = { from = [0, 0, 0], to = [10, 0, 0] }",
+                                      "polyline = [[0, 0, 0], [4.999999998, 0, 0], [10, 0.001, 0]]");
+    const Model model = read(deck).model;
+    CHECK(model.nodes.size() == 11);
+    CHECK(model.nodes[5].position == Vec3(4.999999998, 0, 0));
+}
+
+TEST_CASE("Section axes are carried along a helix without twisting, and then twisted evenly", "[deck]") {
+    const std::string deck = replaced(rod_deck,
+                                      "line = { from = [0, 0, 0], to = [10, 0, 0] }",
+                                      "helix = { centre = [0, 0, 0], axis = [0, 0, 1], from = [2, 0, 0], "
+                                      "turns = 1.5, pitch = 3 }\ny_axis = [-1, 0, 0]");
+    // Section y starts along the normal of the curve. Carried along, it falls behind the normal by the
+    // torsion times the length.
+    const double p = 3.0 / (2.0 * M_PI);
+    const double torsion = p / (4.0 + p * p);
+    for (const double twist : {0.0, 0.7, -20.0}) {
+        const Model model = read(deck, {"rod.r.order=3", "rod.r.twist=" + std::to_string(twist)}).model;
+        const Rod& rod = model.rods[0];
+        for (std::size_t i = 0; i < rod.triads.size(); ++i) {
+            const double s = rod.arc_length[i];
+            const double phi = 3.0 * M_PI * s / rod.length;
+            const Vec3 normal(-std::cos(phi), -std::sin(phi), 0);
+            const Vec3 x = rod.triads[i] * Vec3::UnitX();
+            const double ahead = twist * s / rod.length - torsion * s;
+            const Vec3 y = std::cos(ahead) * normal + std::sin(ahead) * x.cross(normal);
+            CHECK((rod.triads[i] * Vec3::UnitY() - y).norm() < 1e-13);
+        }
+    }
+}
+
+TEST_CASE("Elements of a rod are objective by default", "[deck]") {
+    CHECK(read(rod_deck).model.rods[0].kind == ElementKind::simo);
+    CHECK(read(replaced(rod_deck, "element = \"simo\"\n", "")).model.rods[0].kind == ElementKind::objective);
+    CHECK(read(replaced(rod_deck, "\"simo\"", "\"objective\"")).model.rods[0].kind == ElementKind::objective);
 }
 
 }  // namespace gxrod::test

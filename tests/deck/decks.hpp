@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,20 @@ kind = "static"
 
 // The deck with one piece of text, which it must have, replaced by another.
 std::string replaced(std::string deck, const std::string& old_text, const std::string& new_text);
+
+// A file in a folder of its own, both gone with this object.
+class ScratchFile {
+  public:
+    ScratchFile(const std::string& name, const std::string& text);
+    ~ScratchFile();
+    ScratchFile(const ScratchFile&) = delete;
+    ScratchFile& operator=(const ScratchFile&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
 
 Problem read(const std::string& deck, const std::vector<std::string>& overrides = {});
 

@@ -51,7 +51,7 @@ TEST_CASE("The examples of the reference, one after the other, are a deck", "[de
     add_examples(deck_schema(), deck);
     CHECK(faults_of(deck).empty());
     const Problem problem = read(deck);
-    CHECK(problem.model.rods.size() == 2);
+    CHECK(problem.model.rods.size() == 5);
     CHECK(problem.model.bodies.size() == 1);
     CHECK(problem.model.loads.size() == 2);
     CHECK(problem.model.distributed_loads.size() == 1);

@@ -40,9 +40,6 @@ TEST_CASE("Missing keys are errors that say what is expected", "[deck]") {
           "x.toml:1:1: body.top.mass: missing; expected a number greater than 0 or an expression");
     CHECK(faults_of(replaced(rod_deck, "section = \"s\"\n", "")) ==
           "x.toml:4:1: rod.r.section: missing; expected the name of a section");
-    CHECK(
-        faults_of(replaced(rod_deck, "element = \"simo\"\n", "")) ==
-        R"(x.toml:4:1: rod.r.element: missing; expected "simo"; this version has elements of kind "simo" only, and no default)");
     CHECK(faults_of(replaced(rod_deck, "elements = 10\n", "")) ==
           "x.toml:4:1: rod.r.elements: missing; expected an integer from 1 to 10000000");
     CHECK(faults_of(replaced(rod_deck, "rhoIy = 10, ", "")) ==

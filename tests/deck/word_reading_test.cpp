@@ -6,11 +6,10 @@ namespace gxrod::test {
 
 TEST_CASE("Words are among the choices", "[deck]") {
     CHECK(
-        faults_of(replaced(rod_deck, R"(element = "simo")", R"(element = "objective")")) ==
-        R"(x.toml:8:11: rod.r.element: expected "simo", found the text "objective"; this version has elements of kind "simo" only, and no default)");
-    CHECK(
-        faults_of(replaced(rod_deck, R"(element = "simo")", "element = 1")) ==
-        R"(x.toml:8:11: rod.r.element: expected "simo", found 1; this version has elements of kind "simo" only, and no default)");
+        faults_of(replaced(rod_deck, R"(element = "simo")", R"(element = "simmo")")) ==
+        R"(x.toml:8:11: rod.r.element: expected one of "objective", "simo", found the text "simmo"; did you mean "simo"?)");
+    CHECK(faults_of(replaced(rod_deck, R"(element = "simo")", "element = 1")) ==
+          R"(x.toml:8:11: rod.r.element: expected one of "objective", "simo", found 1)");
     CHECK(
         faults_of(replaced(body_deck, R"("dynamic")", R"("statics")")) ==
         R"(x.toml:5:8: analysis.kind: expected one of "dynamic", "static", found the text "statics"; did you mean "static"?)");

@@ -55,6 +55,28 @@ TEST_CASE("A results file says where it came from and how the run ended", "[resu
           "c1c7f3d5767ceb9512dbc81f7791fb113e3075f03cad1b0c7141ffd86fbf0550");
 }
 
+TEST_CASE("A results file has the meshes that its deck read", "[results]") {
+    const sample::ScratchFolder folder;
+    const Model model = sample::make_model();
+    DeckRecord deck = sample::make_deck();
+    deck.meshes = {{"meshes/a.geo", "Point(1) = {0, 0, 0};\n"}, {"other/a.geo", std::string("\0\xff", 2)}};
+    { ResultsFile file({folder / "a.vtkhdf"}, deck, model, OutputSettings{}); }
+    const Hdf5Reader file(folder / "a.vtkhdf");
+    const auto bytes = [&](const std::string& dataset) {
+        std::string text;
+        for (const double value : file.numbers(dataset))
+            text += static_cast<char>(static_cast<unsigned char>(value));
+        return text;
+    };
+    CHECK(bytes("/meshes/a.geo") == deck.meshes[0].bytes);
+    CHECK(bytes("/meshes/2_a.geo") == deck.meshes[1].bytes);
+    CHECK(file.text_attribute("/meshes/a.geo", "file") == "meshes/a.geo");
+    CHECK(file.text_attribute("/meshes/2_a.geo", "file") == "other/a.geo");
+    CHECK(file.text_attribute("/meshes/a.geo", "sha256") ==
+          "b80970af57d56e58d800d0547d318c3300f82216d6360ae6a3e55d51bbc816ad");
+    CHECK(!file.text_attribute("/meshes/a.geo", "description").empty());
+}
+
 TEST_CASE("Every dataset of a results file is described", "[results]") {
     const sample::ScratchFolder folder;
     const Model model = sample::make_model();

@@ -1,0 +1,19 @@
+// A square panel with a diagonal (a closed loop with branches) and a mast on it; 2 elements a member.
+Point(1) = {0, 0, 0};
+Point(2) = {1, 0, 0};
+Point(3) = {1, 0, 1};
+Point(4) = {0, 0, 1};
+Point(5) = {1, 0, 1.8};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Line(5) = {1, 3};
+Line(6) = {5, 3};
+Transfinite Curve {1:6} = 3;
+Physical Point("left_foot", 11) = {1};
+Physical Point("right_foot", 12) = {2};
+Physical Point("top", 13) = {5};
+Physical Point("feet", 14) = {1, 2};
+Physical Curve("truss", 21) = {1:6};
+Physical Curve(22) = {1};

@@ -1,0 +1,61 @@
+#include "deck/mesh/gmsh_library.hpp"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+
+#include "deck/mesh/line_mesh.hpp"
+
+namespace gxrod {
+namespace {
+
+template <class Function>
+void find_function(void* library, const char* name, Function*& function) {
+    void* address = dlsym(library, name);
+    if (address == nullptr) throw MeshError(fmt::format("libgmsh has no function {}", name));
+    function = reinterpret_cast<Function*>(address);
+}
+
+}  // namespace
+
+GmshLibrary load_gmsh(std::span<const char* const> names) {
+    void* library = nullptr;
+    std::string reason;
+    for (const char* name : names) {
+        // Never closed: its destructors run at the end of the program.
+        library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+        if (library != nullptr) break;
+        if (reason.empty()) reason = dlerror();
+    }
+    if (library == nullptr) {
+        throw MeshError(
+            fmt::format("reading a mesh needs libgmsh; on Debian: apt install libgmsh4.8 ({})", reason));
+    }
+    GmshLibrary gmsh{};
+    find_function(library, "gmshInitialize", gmsh.initialize);
+    find_function(library, "gmshFinalize", gmsh.finalize);
+    find_function(library, "gmshOpen", gmsh.open);
+    find_function(library, "gmshOptionSetNumber", gmsh.set_number);
+    find_function(library, "gmshModelMeshGenerate", gmsh.generate);
+    find_function(library, "gmshFree", gmsh.release);
+    find_function(library, "gmshLoggerStart", gmsh.start_log);
+    find_function(library, "gmshLoggerStop", gmsh.stop_log);
+    find_function(library, "gmshLoggerGet", gmsh.get_log);
+    find_function(library, "gmshModelGetPhysicalGroups", gmsh.get_groups);
+    find_function(library, "gmshModelGetPhysicalName", gmsh.get_group_name);
+    find_function(library, "gmshModelGetEntitiesForPhysicalGroup", gmsh.get_group_entities);
+    find_function(library, "gmshModelMeshGetNodesForPhysicalGroup", gmsh.get_group_nodes);
+    find_function(library, "gmshModelMeshGetNodes", gmsh.get_nodes);
+    find_function(library, "gmshModelMeshGetElements", gmsh.get_elements);
+    return gmsh;
+}
+
+const GmshLibrary& gmsh_library() {
+    static constexpr std::array names{"libgmsh.so.4.8", "libgmsh.so.4", "libgmsh.so"};
+    static const GmshLibrary library = load_gmsh(names);
+    return library;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+// The few functions of Gmsh's C API (gmshc.h of Gmsh 4) that read a mesh. The library is loaded when it is
+// first asked for, since it brings some 90 others; gxrod is built without it.
+namespace gxrod {
+
+// Each function's last argument takes its error, 0 if there is none. Arrays that it gives are the caller's to
+// free, with `release`.
+struct GmshLibrary {
+    // The fourth argument is 0. Gmsh 4.8 takes it for an absent place for the error; later versions, which
+    // have a flag before that place, for the flag's 0.
+    void (*initialize)(int argc, char** argv, int read_configuration, std::intptr_t zero, int* error);
+    void (*finalize)(int* error);
+    void (*open)(const char* file, int* error);
+    void (*set_number)(const char* option, double value, int* error);
+    void (*generate)(int dimension, int* error);
+    void (*release)(void* array);
+    void (*start_log)(int* error);
+    void (*stop_log)(int* error);
+    void (*get_log)(char*** lines, std::size_t* count, int* error);
+    void (*get_groups)(int** dimensions_and_numbers, std::size_t* count, int dimension, int* error);
+    void (*get_group_name)(int dimension, int number, char** name, int* error);
+    void (*get_group_entities)(int dimension, int number, int** entities, std::size_t* count, int* error);
+    void (*get_group_nodes)(int dimension,
+                            int number,
+                            std::size_t** nodes,
+                            std::size_t* count,
+                            double** coordinates,
+                            std::size_t* coordinate_count,
+                            int* error);
+    // Of an entity, or, with −1 and −1, of all.
+    void (*get_nodes)(std::size_t** nodes,
+                      std::size_t* count,
+                      double** coordinates,
+                      std::size_t* coordinate_count,
+                      double** parameters,
+                      std::size_t* parameter_count,
+                      int dimension,
+                      int entity,
+                      int include_boundary,
+                      int with_parameters,
+                      int* error);
+    // Of each type of element the numbers and nodes.
+    void (*get_elements)(int** types,
+                         std::size_t* type_count,
+                         std::size_t*** elements,
+                         std::size_t** element_counts,
+                         std::size_t* element_array_count,
+                         std::size_t*** nodes,
+                         std::size_t** node_counts,
+                         std::size_t* node_array_count,
+                         int dimension,
+                         int entity,
+                         int* error);
+};
+
+// Loads the first of the libraries that there is. Throws MeshError, saying what to install, if there is none.
+GmshLibrary load_gmsh(std::span<const char* const> names);
+
+// The library under the names that Debian and Gmsh itself give it; loaded once.
+const GmshLibrary& gmsh_library();
+
+}  // namespace gxrod

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "deck/checked_deck.hpp"
+#include "deck/fault_list.hpp"
+#include "deck/mesh/rod_net.hpp"
+#include "deck/point.hpp"
+#include "model/deck_record.hpp"
+
+namespace gxrod {
+
+// A rod from a mesh, and the points that the mesh names.
+struct NamedNet {
+    RodNet net;
+    NetPoints points;
+};
+
+using RodNets = std::map<int, NamedNet>;  // by index in Model::rods
+
+// Reads the meshes of a deck, each once; their files are relative to `folder`. What is wrong goes to the
+// faults, and the rod has no entry. `records` gets the files' bytes.
+RodNets read_rod_nets(const CheckedTable& deck,
+                      const std::filesystem::path& folder,
+                      FaultList& faults,
+                      std::vector<MeshRecord>& records);
+
+// The points by rod, as PointNames takes them.
+std::map<int, NetPoints> points_of(const RodNets& nets);
+
+}  // namespace gxrod
