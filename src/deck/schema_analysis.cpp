@@ -90,7 +90,10 @@ std::vector<KeySpec> scheme_keys() {
             {.name = "linear_solver",
              .type = ValueType::choice,
              .default_value = word_of(linear_solver_choices, defaults.linear_solver),
-             .sentence = "auto chooses; klu is a sparse LU factorisation.",
+             .sentence =
+                 "klu: sparse LU, for rods. umfpack: LU by dense fronts, for nets that fill. auto: one of "
+                 "these two, by the matrix. cholmod: L D Lᵀ of the symmetric part, where the tangent "
+                 "is symmetric.",
              .choices = words_of(linear_solver_choices)}};
 }
 

@@ -75,6 +75,9 @@ TEST_CASE("Every integrator, tangent and solver has its word", "[deck]") {
     CHECK(analysis("newton.tangent = \"consistent\"").newton.tangent == TangentKind::consistent);
     CHECK(analysis("newton.tangent = \"difference\"").newton.tangent == TangentKind::difference);
     CHECK(analysis("linear_solver = \"auto\"").linear_solver == LinearSolverKind::automatic);
+    CHECK(analysis("linear_solver = \"klu\"").linear_solver == LinearSolverKind::klu);
+    CHECK(analysis("linear_solver = \"umfpack\"").linear_solver == LinearSolverKind::umfpack);
+    CHECK(analysis("linear_solver = \"cholmod\"").linear_solver == LinearSolverKind::cholmod);
 }
 
 }  // namespace gxrod::test
