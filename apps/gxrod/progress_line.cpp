@@ -40,12 +40,13 @@ void ProgressLine::finish() {
 }
 
 std::string describe(const Progress& progress, double elapsed_seconds) {
-    const double done = static_cast<double>(progress.step) / static_cast<double>(progress.steps);
+    const double done = progress.part;
     const std::string left =
         done > 0.0 ? describe_duration(elapsed_seconds * (1.0 - done) / done) + " left" : "";
-    return fmt::format("step {}/{}  t = {:.6g}  Δt = {:.4g}  {} Newton iterations  {}",
+    const std::string all = progress.steps > 0 ? fmt::format("/{}", progress.steps) : "";
+    return fmt::format("step {}{}  t = {:.6g}  Δt = {:.4g}  {} Newton iterations  {}",
                        progress.step,
-                       progress.steps,
+                       all,
                        progress.time,
                        progress.time_step,
                        progress.newton_iterations,

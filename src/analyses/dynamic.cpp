@@ -7,10 +7,10 @@ DynamicAnalysis::DynamicAnalysis(const Model& model, const DynamicSettings& sett
                       make_integrator(settings),
                       settings.newton,
                       settings.linear_solver,
-                      StepControl(settings.end_time, settings.steps)) {}
+                      make_step_sequence(settings)) {}
 
 EquilibriumReport DynamicAnalysis::start() {
-    const SupportDifferences differences{support_difference * control_.time_step(), Supports::Side::after};
+    const SupportDifferences differences{support_difference * steps_->time_step(), Supports::Side::after};
     const EquilibriumReport report = solve_accelerations(system_, 0.0, differences, workspace_, state_);
     if (report.converged()) accept_start();
     return report;

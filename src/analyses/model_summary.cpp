@@ -75,6 +75,15 @@ std::string describe_dynamic(const DynamicSettings& settings) {
     } else if (settings.scheme == Scheme::generalized_alpha) {
         parameters = fmt::format(" (spectral radius {:.6g})", settings.spectral_radius);
     }
+    if (settings.adaptive) {
+        return fmt::format(
+            "dynamic analysis: {}, steps by their error, tolerance {:.6g}, first step {:.6g}, to t = "
+            "{:.6g}\n",
+            name_of(settings.scheme),
+            settings.adaptive->tolerance,
+            settings.end_time / static_cast<double>(settings.steps),
+            settings.end_time);
+    }
     return fmt::format("dynamic analysis: {}{}, {} steps of {:.6g} to t = {:.6g}\n",
                        name_of(settings.scheme),
                        parameters,
@@ -94,7 +103,10 @@ std::string describe_analysis(const AnalysisSettings& settings) {
 std::string describe_output(const AnalysisSettings& settings, const OutputSettings& output) {
     const long steps = std::visit([](const auto& analysis) { return analysis.steps; }, settings);
     const long frames = 1 + steps / output.every + (steps % output.every == 0 ? 0 : 1);
-    std::string text = fmt::format("output: {} frames", frames);
+    const auto* dynamic = std::get_if<DynamicSettings>(&settings);
+    std::string text = dynamic != nullptr && dynamic->adaptive
+                           ? fmt::format("output: a frame every {} steps", output.every)
+                           : fmt::format("output: {} frames", frames);
     for (const HistoryRequest& history : output.histories) {
         text += fmt::format(", history {} at {}", history.name, history.at);
     }

@@ -62,9 +62,10 @@ class Run {
         ++summary_.steps;
         summary_.newton_iterations += row.newton_iterations;
         record();
-        const StepControl& control = analysis_->control();
-        request_.report_progress({control.nominal_steps_done(),
-                                  control.nominal_steps(),
+        const StepSequence& steps = analysis_->steps();
+        request_.report_progress({steps.steps_done(),
+                                  steps.steps_in_all(),
+                                  steps.part_done(),
                                   analysis_->state().time,
                                   row.time_step,
                                   row.newton_iterations});
@@ -75,9 +76,8 @@ class Run {
         const PhaseTimer timer(output_seconds_);
         const Snapshot snapshot = analysis_->snapshot();
         file_.record_step(snapshot, analysis_->ledger_row(), analysis_->solver_row());
-        const StepControl& control = analysis_->control();
         last_framed_ = false;
-        if (control.at_nominal_step() && control.nominal_steps_done() % request_.output.every == 0) {
+        if (analysis_->steps().is_frame_due(request_.output.every)) {
             file_.write_frame(snapshot);
             last_framed_ = true;
         }

@@ -12,8 +12,9 @@
 namespace gxrod {
 
 struct Progress {
-    long step;   // nominal steps done
-    long steps;  // of the whole run
+    long step;    // steps done
+    long steps;   // of the whole run; 0 if not known beforehand
+    double part;  // of the run done, 0 … 1
     double time;
     double time_step;  // of the last step
     int newton_iterations;

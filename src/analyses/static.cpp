@@ -2,6 +2,7 @@
 
 #include "analyses/dynamic.hpp"
 #include "integrators/load_stepping.hpp"
+#include "solvers/step_control.hpp"
 
 namespace gxrod {
 
@@ -10,7 +11,7 @@ StaticAnalysis::StaticAnalysis(const Model& model, const StaticSettings& setting
                       std::make_unique<LoadStepping>(),
                       settings.newton,
                       settings.linear_solver,
-                      StepControl(1.0, settings.steps)) {}
+                      std::make_unique<StepControl>(1.0, settings.steps)) {}
 
 EquilibriumReport StaticAnalysis::start() {
     for (NodeMotion& motion : state_.trial) {

@@ -6,12 +6,12 @@ SteppedAnalysis::SteppedAnalysis(const Model& model,
                                  std::unique_ptr<Integrator> integrator,
                                  const NewtonSettings& newton,
                                  LinearSolverKind linear_solver,
-                                 const StepControl& control)
+                                 std::unique_ptr<StepSequence> steps)
     : system_(model),
       integrator_(std::move(integrator)),
       newton_(newton),
       workspace_(system_, linear_solver),
-      control_(control),
+      steps_(std::move(steps)),
       state_(system_.initial_state()) {}
 
 void SteppedAnalysis::accept_start() {
@@ -22,7 +22,7 @@ void SteppedAnalysis::accept_start() {
 }
 
 bool SteppedAnalysis::take_step(EquilibriumReport& report) {
-    const Stage first_stage{0, control_.time(), control_.time_step(), control_.next_time()};
+    const Stage first_stage{0, steps_->time(), steps_->time_step(), steps_->next_time()};
     const State last_accepted = state_;
     try {
         report = solve_step(system_, *integrator_, newton_, first_stage, workspace_, state_);
@@ -30,8 +30,18 @@ bool SteppedAnalysis::take_step(EquilibriumReport& report) {
         state_ = last_accepted;
         throw;
     }
+    if (report.converged() && steps_->needs_error()) check_error(report);
     if (!report.converged()) state_ = last_accepted;
     return report.converged();
+}
+
+void SteppedAnalysis::check_error(EquilibriumReport& report) {
+    const StepError error = integrator_->estimate_error(state_, steps_->time_step(), system_.length_scale());
+    if (steps_->admits(error.size)) return;
+    report.outcome = Outcome::error_too_large;
+    report.step_error = error.size;
+    report.worst_node = error.node;
+    report.worst_component = error.component;
 }
 
 EquilibriumReport SteppedAnalysis::advance() {
@@ -39,17 +49,17 @@ EquilibriumReport SteppedAnalysis::advance() {
     solver_row_ = SolverRow{};
     while (!take_step(report)) {
         ++solver_row_.rejected_steps;
-        if (!control_.reject()) return report;
+        if (!steps_->reject()) return report;
     }
     const PhaseTimer timer(workspace_.seconds.update);
     ledger_->add_step(
-        state_, {control_.next_time(), control_.time_step(), workspace_.residual, workspace_.stage_powers});
+        state_, {steps_->next_time(), steps_->time_step(), workspace_.residual, workspace_.stage_powers});
     reactions_ = system_.compute_reactions(workspace_.residual);
-    solver_row_.time_step = control_.time_step();
+    solver_row_.time_step = steps_->time_step();
     solver_row_.newton_iterations = report.iterations;
     solver_row_.residual = report.residual;
-    system_.commit(state_, control_.next_time());
-    control_.accept();
+    system_.commit(state_, steps_->next_time());
+    steps_->accept();
     return report;
 }
 

@@ -7,25 +7,25 @@
 #include "integrators/integrator.hpp"
 #include "results/step_record.hpp"
 #include "solvers/equilibrium.hpp"
-#include "solvers/step_control.hpp"
+#include "solvers/step_sequence.hpp"
 
 namespace gxrod {
 
-// What all analyses in steps do: one step after the other, halving one that fails.
+// What all analyses in steps do: one step after the other, repeating one that fails with a shorter one.
 class SteppedAnalysis {
   public:
     virtual ~SteppedAnalysis() = default;
 
     // Prepares the first step; before anything else.
     virtual EquilibriumReport start() = 0;
-    // One accepted step, of the nominal length or a part of it. If even the shortest step fails, the report
+    // One accepted step, as long as the sequence of steps has it. If even the shortest step fails, the report
     // says why and the state is the last accepted one.
     EquilibriumReport advance();
-    bool finished() const { return control_.finished(); }
+    bool finished() const { return steps_->finished(); }
 
     const System& system() const { return system_; }
     const State& state() const { return state_; }
-    const StepControl& control() const { return control_; }
+    const StepSequence& steps() const { return *steps_; }
     const PhaseSeconds& seconds() const { return workspace_.seconds; }
 
     LedgerRow ledger_row() const { return ledger_->row(state_); }
@@ -39,7 +39,7 @@ class SteppedAnalysis {
                     std::unique_ptr<Integrator> integrator,
                     const NewtonSettings& newton,
                     LinearSolverKind linear_solver,
-                    const StepControl& control);
+                    std::unique_ptr<StepSequence> steps);
 
     // Takes the trial motions for the state at t = 0; the workspace has their residual.
     void accept_start();
@@ -48,12 +48,14 @@ class SteppedAnalysis {
     std::unique_ptr<Integrator> integrator_;
     NewtonSettings newton_;
     SolverWorkspace workspace_;
-    StepControl control_;
+    std::unique_ptr<StepSequence> steps_;
     State state_;
 
   private:
     // Tries the next step; if that fails, or a load throws EvaluationError, the state is as before.
     bool take_step(EquilibriumReport& report);
+    // Fails the report if the step's estimated error is too large.
+    void check_error(EquilibriumReport& report);
 
     std::unique_ptr<Ledger> ledger_;
     SolverRow solver_row_;

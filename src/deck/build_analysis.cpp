@@ -28,7 +28,7 @@ long find_steps(const CheckedTable& table, double end_time, const BuildContext& 
             fmt::format("{:.3g} steps are too many; expected at most {}", steps, largest_step_count));
         return 1;
     }
-    if (!is_whole) {
+    if (!is_whole && !table.gives("adaptive")) {
         context.notes.push_back(fmt::format("{}: {} does not divide {}; {:.0f} steps of {} are taken",
                                             table.path_of("time_step"),
                                             time_step,
@@ -37,6 +37,39 @@ long find_steps(const CheckedTable& table, double end_time, const BuildContext& 
                                             end_time / steps));
     }
     return static_cast<long>(steps);
+}
+
+std::optional<AdaptiveSettings> build_adaptive(const CheckedTable& analysis, const BuildContext& context) {
+    if (!analysis.gives("adaptive")) return std::nullopt;
+    const CheckedTable& table = analysis.tables("adaptive").front();
+    AdaptiveSettings adaptive;
+    adaptive.tolerance = table.get<double>("tolerance");
+    adaptive.min_step = table.get<double>("min_step");
+    if (table.gives("max_step")) adaptive.max_step = table.get<double>("max_step");
+    if (adaptive.max_step < adaptive.min_step) {
+        context.add_fault(
+            table,
+            "max_step",
+            fmt::format(
+                "expected a number not below min_step, {}; found {}", adaptive.min_step, adaptive.max_step));
+    }
+    return adaptive;
+}
+
+// Says so where the first step is not what the deck asks for.
+void note_first_step(const DynamicSettings& settings,
+                     const CheckedTable& table,
+                     const BuildContext& context) {
+    const AdaptiveSettings& adaptive = *settings.adaptive;
+    const double first = settings.end_time / static_cast<double>(settings.steps);
+    if (first >= adaptive.min_step && first <= adaptive.max_step) return;
+    const bool is_short = first < adaptive.min_step;
+    context.notes.push_back(fmt::format("{}: the first step, {}, is {} adaptive.{}; it will be {}",
+                                        table.path_of(table.gives("steps") ? "steps" : "time_step"),
+                                        first,
+                                        is_short ? "below" : "above",
+                                        is_short ? "min_step" : "max_step",
+                                        is_short ? adaptive.min_step : adaptive.max_step));
 }
 
 // Faults of the paper's tangent; `user` is what else the deck has in the place of its integrator, or "".
@@ -81,6 +114,8 @@ DynamicSettings build_dynamic(const CheckedTable& table, const BuildContext& con
     settings.beta = table.get<double>("beta");
     settings.gamma = table.get<double>("gamma");
     settings.spectral_radius = table.get<double>("spectral_radius");
+    settings.adaptive = build_adaptive(table, context);
+    if (settings.adaptive) note_first_step(settings, table, context);
     const bool is_papers_scheme = settings.scheme == Scheme::newmark_simplified;
     const std::string user = "\"" + word_of(scheme_choices, settings.scheme) + "\"";
     settings.newton = build_newton(table, is_papers_scheme ? "" : user, context);

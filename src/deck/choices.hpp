@@ -36,8 +36,11 @@ inline constexpr std::array<Choice<TangentKind>, 3> tangent_choices{
      {"paper", TangentKind::paper},
      {"difference", TangentKind::difference}}};
 
-inline constexpr std::array<Choice<LinearSolverKind>, 2> linear_solver_choices{
-    {{"auto", LinearSolverKind::automatic}, {"klu", LinearSolverKind::klu}}};
+inline constexpr std::array<Choice<LinearSolverKind>, 4> linear_solver_choices{
+    {{"auto", LinearSolverKind::automatic},
+     {"klu", LinearSolverKind::klu},
+     {"umfpack", LinearSolverKind::umfpack},
+     {"cholmod", LinearSolverKind::cholmod}}};
 
 inline constexpr std::array<Choice<Quantity>, 18> quantity_choices{
     {{"position", Quantity::position},

@@ -50,48 +50,86 @@ const TableSpec& newton_table() {
     return table;
 }
 
+const TableSpec& adaptive_table() {
+    static const TableSpec table{
+        .path = "analysis.adaptive",
+        .heading = "adaptive = { … }",
+        .sentence = "",
+        .keys = {
+            {.name = "tolerance",
+             .type = ValueType::number,
+             .dimension = "1",
+             .range = positive,
+             .default_value = AdaptiveSettings{}.tolerance,
+             .sentence = "Of one step's estimated error: displacements over the model's length, rotations "
+                         "in rad, and velocities times the step alike, the largest of all nodes."},
+            {.name = "min_step",
+             .type = ValueType::number,
+             .dimension = "time",
+             .range = {.lower = 0.0},
+             .default_value = AdaptiveSettings{}.min_step,
+             .sentence = "A run that needs a shorter step fails."},
+            {.name = "max_step",
+             .type = ValueType::number,
+             .dimension = "time",
+             .range = positive,
+             .default_text = "none",
+             .sentence = "No step is longer."}}};
+    return table;
+}
+
 std::vector<KeySpec> scheme_keys() {
     const DynamicSettings defaults;
     const std::vector<Condition> newmark =
         for_schemes({Scheme::newmark_simplified, Scheme::newmark_ibrahimbegovic});
-    return {{.name = "integrator",
-             .type = ValueType::choice,
-             .default_value = word_of(scheme_choices, defaults.scheme),
-             .sentence = "How time advances.",
-             .choices = words_of(scheme_choices),
-             .only_for = {dynamic_only}},
-            {.name = "beta",
-             .type = ValueType::number,
-             .dimension = "1",
-             .range = {.lower = 0.0, .at_lower = Bound::open, .upper = 0.5},
-             .default_value = defaults.beta,
-             .sentence = "Newmark's β.",
-             .only_for = newmark},
-            {.name = "gamma",
-             .type = ValueType::number,
-             .dimension = "1",
-             .range = {.lower = 0.0, .upper = 1.0},
-             .default_value = defaults.gamma,
-             .sentence = "Newmark's γ.",
-             .only_for = newmark},
-            {.name = "spectral_radius",
-             .type = ValueType::number,
-             .dimension = "1",
-             .range = {.lower = 0.0, .upper = 1.0},
-             .default_value = defaults.spectral_radius,
-             .sentence =
-                 "At infinite frequency: 1 keeps the amplitude of every frequency, 0 removes the highest.",
-             .only_for = for_schemes({Scheme::generalized_alpha})},
-            {.name = "newton",
-             .type = ValueType::table,
-             .sentence = "How equilibrium is found.",
-             .only_for = for_equilibria(),
-             .table = &newton_table()},
-            {.name = "linear_solver",
-             .type = ValueType::choice,
-             .default_value = word_of(linear_solver_choices, defaults.linear_solver),
-             .sentence = "auto chooses; klu is a sparse LU factorisation.",
-             .choices = words_of(linear_solver_choices)}};
+    return {
+        {.name = "integrator",
+         .type = ValueType::choice,
+         .default_value = word_of(scheme_choices, defaults.scheme),
+         .sentence = "How time advances.",
+         .choices = words_of(scheme_choices),
+         .only_for = {dynamic_only}},
+        {.name = "beta",
+         .type = ValueType::number,
+         .dimension = "1",
+         .range = {.lower = 0.0, .at_lower = Bound::open, .upper = 0.5},
+         .default_value = defaults.beta,
+         .sentence = "Newmark's β.",
+         .only_for = newmark},
+        {.name = "gamma",
+         .type = ValueType::number,
+         .dimension = "1",
+         .range = {.lower = 0.0, .upper = 1.0},
+         .default_value = defaults.gamma,
+         .sentence = "Newmark's γ.",
+         .only_for = newmark},
+        {.name = "spectral_radius",
+         .type = ValueType::number,
+         .dimension = "1",
+         .range = {.lower = 0.0, .upper = 1.0},
+         .default_value = defaults.spectral_radius,
+         .sentence =
+             "At infinite frequency: 1 keeps the amplitude of every frequency, 0 removes the highest.",
+         .only_for = for_schemes({Scheme::generalized_alpha})},
+        {.name = "adaptive",
+         .type = ValueType::table,
+         .sentence = "Steps by an estimate of their error, of which time_step or steps gives the first; left "
+                     "out, equal steps.",
+         .only_for = for_schemes({Scheme::sdirk_4}),
+         .table = &adaptive_table()},
+        {.name = "newton",
+         .type = ValueType::table,
+         .sentence = "How equilibrium is found.",
+         .only_for = for_equilibria(),
+         .table = &newton_table()},
+        {.name = "linear_solver",
+         .type = ValueType::choice,
+         .default_value = word_of(linear_solver_choices, defaults.linear_solver),
+         .sentence =
+             "klu: sparse LU, for rods. umfpack: LU by dense fronts, for nets that fill. auto: one of "
+             "these two, by the matrix. cholmod: L D Lᵀ of the symmetric part, where the tangent "
+             "is symmetric.",
+         .choices = words_of(linear_solver_choices)}};
 }
 
 std::vector<KeySpec> analysis_keys() {

@@ -16,6 +16,15 @@ struct Stage {
     double end_time;   // where the step ends: step_time + time_step but for rounding
 };
 
+// An estimate of a step's error: of displacements relative to the model's length, of rotations in rad, and of
+// velocities and angular velocities, times Δt, alike. The largest, and the node and component (0 … 5) that
+// has it.
+struct StepError {
+    double size = 0.0;
+    int node = -1;
+    int component = -1;
+};
+
 // How time advances. A step is a sequence of stages; for each, begin_stage places the trial motions and the
 // solver then makes them satisfy equilibrium at stage_time: an implicit scheme by moving (r, Λ) and calling
 // update_rates, an explicit one by finding the accelerations at the given motions. The last stage leaves the
@@ -53,6 +62,13 @@ class Integrator {
     virtual void linearize_as_paper(const State&, const Stage&, std::vector<NodeLinearization>&) const {}
     // After the stage's equilibrium is found.
     virtual void end_stage(State&, const Stage&) const {}
+
+    // The power of Δt by which estimate_error falls; 0 for a scheme that has no estimate.
+    virtual int error_order() const { return 0; }
+    // Of the step whose last stage was just solved, before it is committed. `length` is the model's.
+    virtual StepError estimate_error(const State&, double /*time_step*/, double /*length*/) const {
+        return {};
+    }
 
     // Weights of the load power over a step, in order: at its start, then at each stage. They integrate the
     // work of the loads to the scheme's order. Empty for one-stage schemes, whose work is the mean load times

@@ -13,6 +13,9 @@ const std::array<std::array<double, Sdirk4::stages>, Sdirk4::stages> Sdirk4::a{{
     {25.0 / 24.0, -49.0 / 48.0, 125.0 / 16.0, -85.0 / 12.0, 1.0 / 4.0},
 }};
 
+const std::array<double, Sdirk4::stages> Sdirk4::embedded_weights{
+    59.0 / 48.0, -17.0 / 96.0, 225.0 / 32.0, -85.0 / 12.0, 0.0};
+
 namespace {
 
 // What a stage takes from the stages before it: the part of r, θ, v and ω that does not depend on its own
@@ -92,6 +95,26 @@ void Sdirk4::end_stage(State& state, const Stage& stage) const {
         rates.a = trial.a;
         rates.alpha = trial.alpha;
     }
+}
+
+StepError Sdirk4::estimate_error(const State& state, double time_step, double length) const {
+    StepError error;
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        Vec6 placement = Vec6::Zero();
+        Vec6 rates = Vec6::Zero();
+        for (int j = 0; j < stages; ++j) {
+            const StageRates& stage = state.stages[j][i];
+            const double weight = time_step * (a.back()[j] - embedded_weights[j]);
+            placement.head<3>() += weight / length * stage.v;
+            placement.tail<3>() += weight * stage.theta_dot;
+            rates.head<3>() += weight * time_step / length * stage.a;
+            rates.tail<3>() += weight * time_step * stage.alpha;
+        }
+        int component = 0;
+        const double size = placement.cwiseAbs().cwiseMax(rates.cwiseAbs()).maxCoeff(&component);
+        if (size > error.size) error = {size, static_cast<int>(i), component};
+    }
+    return error;
 }
 
 std::vector<double> Sdirk4::power_weights() const {

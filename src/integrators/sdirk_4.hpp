@@ -14,6 +14,8 @@ class Sdirk4 : public Integrator {
     static constexpr int stages = 5;
     static constexpr double diagonal = 0.25;
     static const std::array<std::array<double, stages>, stages> a;
+    // The weights of the embedded scheme of order 3; the last row of `a` has those of order 4.
+    static const std::array<double, stages> embedded_weights;
 
     int stage_count() const override { return stages; }
     double stage_fraction(int stage) const override;
@@ -23,6 +25,9 @@ class Sdirk4 : public Integrator {
                    const Stage& stage,
                    std::vector<NodeLinearization>& linearizations) const override;
     void end_stage(State& state, const Stage& stage) const override;
+    // The difference between the schemes of order 4 and 3, whose leading term is that of order 3.
+    int error_order() const override { return 4; }
+    StepError estimate_error(const State& state, double time_step, double length) const override;
     std::vector<double> power_weights() const override;
 };
 

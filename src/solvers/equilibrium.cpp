@@ -37,6 +37,12 @@ std::string describe(const EquilibriumReport& report, const Model& model) {
                 "one element's nodes turn against each other by half a turn{}; use more elements or smaller "
                 "steps",
                 where);
+        case Outcome::error_too_large:
+            return fmt::format(
+                "the estimated error of the shortest step allowed, {:.2e}, is above the tolerance{}; allow a "
+                "shorter min_step or a larger tolerance",
+                report.step_error,
+                where);
     }
     return "converged";
 }

@@ -18,7 +18,8 @@ enum class Outcome {
     singular,            // the tangent (or mass) matrix has no inverse
     not_finite,          // a residual or an increment is not a number
     rotation_too_large,  // a node turns by π or more within the step
-    element_too_turned   // nodes of one element are turned against each other by nearly π
+    element_too_turned,  // nodes of one element are turned against each other by nearly π
+    error_too_large      // the step's estimated error is above its tolerance
 };
 
 // How the search for one equilibrium went. Not converging is a value, not an exception.
@@ -28,6 +29,7 @@ struct EquilibriumReport {
     double residual = 0.0;  // the larger of force and moment, each relative to its scale
     int worst_node = -1;    // where: of the residual, the pivot, the rotation or the non-finite number
     int worst_component = -1;
+    double step_error = 0.0;  // of error_too_large: the estimate
 
     bool converged() const { return outcome == Outcome::converged; }
 };

@@ -3,7 +3,8 @@
 #include <klu.h>
 
 #include <cassert>
-#include <stdexcept>
+
+#include "solvers/suite_sparse.hpp"
 
 namespace gxrod {
 
@@ -18,26 +19,17 @@ struct KluSolver::Handles {
     }
 };
 
-static_assert(sizeof(SuiteSparse_long) == sizeof(std::int64_t));
-
-namespace {
-
-// KLU takes the pattern by pointers to non-const and does not write through them.
-SuiteSparse_long* as_klu(const std::vector<std::int64_t>& indices) {
-    return reinterpret_cast<SuiteSparse_long*>(const_cast<std::int64_t*>(indices.data()));
-}
-
-}  // namespace
-
 KluSolver::KluSolver(const SparsePattern& pattern)
     : handles_(std::make_unique<Handles>()), pattern_(&pattern) {
     klu_l_defaults(&handles_->common);
     if (pattern.size() == 0) return;
-    handles_->symbolic =
-        klu_l_analyze(pattern.size(), as_klu(pattern.column_starts), as_klu(pattern.rows), &handles_->common);
+    handles_->symbolic = klu_l_analyze(pattern.size(),
+                                       as_suite_sparse(pattern.column_starts),
+                                       as_suite_sparse(pattern.rows),
+                                       &handles_->common);
     // A structurally singular matrix is told apart from a lack of memory when it is factorized.
     if (!handles_->symbolic && handles_->common.status == KLU_OUT_OF_MEMORY) {
-        throw std::runtime_error("not enough memory to order the system of equations");
+        throw_no_memory_to_order();
     }
 }
 
@@ -48,13 +40,13 @@ Factorization KluSolver::factorize(const std::vector<double>& values) {
     klu_l_common& common = handles_->common;
     if (!handles_->symbolic) return {false, -1};
     klu_l_free_numeric(&handles_->numeric, &common);
-    handles_->numeric = klu_l_factor(as_klu(pattern_->column_starts),
-                                     as_klu(pattern_->rows),
-                                     const_cast<double*>(values.data()),
+    handles_->numeric = klu_l_factor(as_suite_sparse(pattern_->column_starts),
+                                     as_suite_sparse(pattern_->rows),
+                                     as_suite_sparse(values),
                                      handles_->symbolic,
                                      &common);
     if (common.status == KLU_OUT_OF_MEMORY) {
-        throw std::runtime_error("not enough memory to factorize the system of equations");
+        throw_no_memory_to_factorize();
     }
     if (!handles_->numeric || common.status == KLU_SINGULAR) return {false, common.singular_col};
     return {};
@@ -71,8 +63,10 @@ void KluSolver::solve(Eigen::VectorXd& right_hand_side) {
                 &handles_->common);
 }
 
-std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind, const SparsePattern& pattern) {
-    return std::make_unique<KluSolver>(pattern);
+double KluSolver::estimate_flops_per_entry() const {
+    const klu_l_symbolic* symbolic = handles_->symbolic;
+    if (!symbolic || symbolic->lnz <= 0.0 || symbolic->est_flops < 0.0) return 0.0;
+    return symbolic->est_flops / symbolic->lnz;
 }
 
 }  // namespace gxrod

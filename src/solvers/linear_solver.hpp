@@ -16,7 +16,7 @@ struct Factorization {
     std::int64_t singular_equation = -1;  // where the pivot vanished, if known
 };
 
-// A direct solver of sparse unsymmetric systems on one pattern: the symbolic work is done once, each
+// A direct solver of sparse systems on one pattern: the symbolic work is done once, each
 // factorization finds its pivots anew, so that equal values give equal bits whatever was solved before.
 class LinearSolver {
   public:
@@ -26,9 +26,13 @@ class LinearSolver {
     virtual Factorization factorize(const std::vector<double>& values) = 0;
     // Replaces the right-hand side by the solution. After a regular factorization only.
     virtual void solve(Eigen::VectorXd& right_hand_side) = 0;
+    // Which one it is; never `automatic`.
+    virtual LinearSolverKind kind() const = 0;
 };
 
-// The pattern must outlive the solver. Throws std::runtime_error if memory does not suffice.
+// The pattern must outlive the solver. Throws std::runtime_error if memory does not suffice; so do its
+// members. `automatic` takes KLU or UMFPACK, by the pattern alone, so that a model is always solved in the
+// same way.
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, const SparsePattern& pattern);
 
 }  // namespace gxrod

@@ -5,18 +5,21 @@
 
 namespace gxrod {
 
-void measure_residual(const System& system, const Residual& residual, EquilibriumReport& report) {
+ResidualScales compute_scales(const System& system, const Residual& residual) {
     const double length = system.length_scale();
-    // A force at the model's length is a moment: neither scale falls to round-off of the other.
-    const double force_scale = std::max(residual.force_scale, 1e-6 * residual.moment_scale / length);
-    const double moment_scale = std::max(residual.moment_scale, 1e-6 * residual.force_scale * length);
+    return {std::max(residual.force_scale, 1e-6 * residual.moment_scale / length),
+            std::max(residual.moment_scale, 1e-6 * residual.force_scale * length)};
+}
+
+void measure_residual(const System& system, const Residual& residual, EquilibriumReport& report) {
+    const ResidualScales scales = compute_scales(system, residual);
     const Eigen::VectorXd values = gather(residual.nodal, system.equations());
     report.residual = 0.0;
     for (std::int64_t i = 0; i < values.size(); ++i) {
         const auto& [node, component] = system.equations().unknown(i);
         const double value = std::abs(values[i]);
         if (value == 0.0) continue;
-        const double scaled = value / (component < 3 ? force_scale : moment_scale);
+        const double scaled = value / scales.of(component);
         if (!std::isfinite(scaled)) {
             report.outcome = Outcome::not_finite;
             report.worst_node = node;

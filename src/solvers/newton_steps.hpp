@@ -5,6 +5,14 @@
 // What Newton's method and the solution for accelerations are made of.
 namespace gxrod {
 
+// What a residual's forces and moments are small against. A force at the model's length is a moment: neither
+// scale falls to round-off of the other.
+struct ResidualScales {
+    double force, moment;
+    double of(int component) const { return component < 3 ? force : moment; }
+};
+ResidualScales compute_scales(const System& system, const Residual& residual);
+
 // The residual's size relative to its scales, and where it is largest.
 void measure_residual(const System& system, const Residual& residual, EquilibriumReport& report);
 

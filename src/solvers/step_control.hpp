@@ -2,29 +2,35 @@
 
 #include <cstdint>
 
+#include "solvers/step_sequence.hpp"
+
 namespace gxrod {
 
 // Where the next step ends: equal nominal steps from 0 to end_time, halved while they fail and doubled again
 // as soon as they fit the grid. Times are fractions of end_time counted in whole ticks, so that the grid is
 // met exactly.
-class StepControl {
+class StepControl : public StepSequence {
   public:
     StepControl(double end_time, long nominal_steps);
 
-    double time() const { return at(position_); }
-    double next_time() const { return at(position_ + span_); }
-    double time_step() const { return nominal_step_ * static_cast<double>(span_) / ticks_per_step; }
-    bool finished() const { return position_ >= end_; }
+    double time() const override { return at(position_); }
+    double next_time() const override { return at(position_ + span_); }
+    double time_step() const override { return nominal_step_ * static_cast<double>(span_) / ticks_per_step; }
+    bool finished() const override { return position_ >= end_; }
 
-    // The step was accepted.
-    void accept();
-    // The step failed: halves it. False if it is already as short as it may be.
-    bool reject();
+    void accept() override;
+    bool reject() override;
 
-    // Whether the accepted time lies on the nominal grid, and where.
+    // Nominal steps; parts of one do not count, and frames stand where nominal steps end.
+    long steps_done() const override { return static_cast<long>(position_ / ticks_per_step); }
+    long steps_in_all() const override { return static_cast<long>(end_ / ticks_per_step); }
+    double part_done() const override {
+        return static_cast<double>(steps_done()) / static_cast<double>(steps_in_all());
+    }
+    bool is_frame_due(long every) const override { return at_nominal_step() && steps_done() % every == 0; }
+
+    // Whether the accepted time lies on the nominal grid.
     bool at_nominal_step() const { return position_ % ticks_per_step == 0; }
-    long nominal_steps_done() const { return static_cast<long>(position_ / ticks_per_step); }
-    long nominal_steps() const { return static_cast<long>(end_ / ticks_per_step); }
 
   private:
     static constexpr std::int64_t ticks_per_step = 1024;  // the shortest step is a 1024th of the nominal one

@@ -99,7 +99,7 @@ Flight fly(Pulse pulse, Scheme scheme, int elements, long steps) {
         equilibrium = analysis.advance();
         flight.iterations_per_step += analysis.solver_row().newton_iterations / static_cast<double>(steps);
         const auto& nodes = analysis.state().trial;
-        if (2 * analysis.control().nominal_steps_done() == steps) {
+        if (2 * analysis.steps().steps_done() == steps) {
             flight.loaded_early = nodes.front().r;
             flight.free_early = nodes.back().r;
         }

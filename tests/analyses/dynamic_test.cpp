@@ -202,3 +202,97 @@ TEST_CASE("a snapshot holds the section values of every element", "[analyses]") 
         CHECK(relative_difference(values.force, 1e4 * values.strain) < 1e-13);
     }
 }
+
+namespace {
+
+DynamicSettings make_adaptive(double end_time, long steps, const AdaptiveSettings& adaptive) {
+    DynamicSettings settings = make_settings(Scheme::sdirk_4, end_time, steps);
+    settings.adaptive = adaptive;
+    return settings;
+}
+
+struct AdaptiveRun {
+    double error;  // of the heavy top's centre of mass at t = 1
+    long steps;
+};
+
+AdaptiveRun run_heavy_top(double tolerance) {
+    const Model model = heavy_top::make_model();
+    DynamicAnalysis analysis(model, make_adaptive(1.0, 1000, {.tolerance = tolerance}));
+    REQUIRE(analysis.start().converged());
+    while (!analysis.finished()) REQUIRE(analysis.advance().converged());
+    CHECK(analysis.state().time == 1.0);
+    const Vec3 centre = heavy_top::centre_of_mass(analysis.state().trial[0].Lambda);
+    return {(centre - heavy_top::references()[1].centre_of_mass).norm(), analysis.steps().steps_done()};
+}
+
+}  // namespace
+
+TEST_CASE("the error of a run falls with its tolerance", "[analyses]") {
+    std::vector<AdaptiveRun> runs;
+    for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6}) runs.push_back(run_heavy_top(tolerance));
+    for (std::size_t i = 1; i < runs.size(); ++i) {
+        UNSCOPED_INFO("errors " << runs[i - 1].error << " " << runs[i].error << ", steps " << runs[i].steps);
+    }
+    for (std::size_t i = 1; i < runs.size(); ++i) {
+        const double ratio = runs[i - 1].error / runs[i].error;
+        CHECK(ratio > 5.0);
+        CHECK(ratio < 20.0);
+        // A fourth root of ten more steps.
+        CHECK(static_cast<double>(runs[i].steps) / static_cast<double>(runs[i - 1].steps) ==
+              Approx(std::pow(10.0, 0.25)).epsilon(0.1));
+    }
+}
+
+TEST_CASE("steps are short while a load hammers and long when it is over", "[analyses]") {
+    const Model model = make_loaded_body([](double t) { return t < 1.0 ? 30.0 * std::sin(60.0 * t) : 0.0; });
+    DynamicAnalysis analysis(model, make_adaptive(10.0, 1000, {.tolerance = 1e-6, .max_step = 2.0}));
+    REQUIRE(analysis.start().converged());
+    double longest_loaded = 0.0;
+    double longest_free = 0.0;
+    long rejected = 0;
+    while (!analysis.finished()) {
+        const double start = analysis.state().time;
+        REQUIRE(analysis.advance().converged());
+        const SolverRow& row = analysis.solver_row();
+        CHECK(analysis.state().time == Approx(start + row.time_step).epsilon(1e-14));
+        double& longest = analysis.state().time < 1.0 ? longest_loaded : longest_free;
+        if (start > 0.2) longest = std::max(longest, row.time_step);
+        rejected += row.rejected_steps;
+    }
+    CHECK(analysis.state().time == 10.0);
+    CHECK(longest_free > 4.0 * longest_loaded);
+    CHECK(rejected > 0);
+}
+
+TEST_CASE("two runs with error control are equal to the last bit", "[analyses]") {
+    const Model model = make_spinning_rod();
+    const DynamicSettings settings = make_adaptive(0.4, 2, {.tolerance = 1e-5});
+    DynamicAnalysis first(model, settings);
+    DynamicAnalysis second(model, settings);
+    REQUIRE(first.start().converged());
+    REQUIRE(second.start().converged());
+    long rejected = 0;
+    while (!first.finished()) {
+        REQUIRE(first.advance().converged());
+        REQUIRE(second.advance().converged());
+        CHECK(are_equal(first.state(), second.state()));
+        rejected += first.solver_row().rejected_steps;
+    }
+    CHECK(second.finished());
+    CHECK(rejected > 0);  // the first step turns by more than π
+}
+
+TEST_CASE("a tolerance that the shortest step misses is told", "[analyses]") {
+    const Model model = heavy_top::make_model();
+    DynamicAnalysis analysis(model, make_adaptive(1.0, 500, {.tolerance = 1e-9, .min_step = 1e-3}));
+    REQUIRE(analysis.start().converged());
+    const State before = analysis.state();
+    const EquilibriumReport report = analysis.advance();
+    CHECK(report.outcome == Outcome::error_too_large);
+    CHECK(report.step_error > 1e-9);
+    CHECK(report.worst_node == 0);
+    CHECK(report.worst_component >= 3);
+    CHECK(analysis.solver_row().rejected_steps == 2);
+    CHECK(are_equal(analysis.state(), before));
+}

@@ -75,6 +75,44 @@ TEST_CASE("Every integrator, tangent and solver has its word", "[deck]") {
     CHECK(analysis("newton.tangent = \"consistent\"").newton.tangent == TangentKind::consistent);
     CHECK(analysis("newton.tangent = \"difference\"").newton.tangent == TangentKind::difference);
     CHECK(analysis("linear_solver = \"auto\"").linear_solver == LinearSolverKind::automatic);
+    CHECK(analysis("linear_solver = \"klu\"").linear_solver == LinearSolverKind::klu);
+    CHECK(analysis("linear_solver = \"umfpack\"").linear_solver == LinearSolverKind::umfpack);
+    const Problem symmetric = read(static_rod_deck + "linear_solver = \"cholmod\"");
+    CHECK(std::get<StaticSettings>(symmetric.analysis).linear_solver == LinearSolverKind::cholmod);
+}
+
+TEST_CASE("Steps by their error are for sdirk-4", "[deck]") {
+    CHECK(
+        faults_of(body_deck + "adaptive = {}") ==
+        R"(x.toml:8:1: analysis.adaptive: integrator "newmark-simplified" does not use this key; it is for sdirk-4)");
+    CHECK_FALSE(dynamic_of(read(body_deck + "integrator = \"sdirk-4\"")).adaptive);
+    const auto adaptive = dynamic_of(read(body_deck + "integrator = \"sdirk-4\"\nadaptive = {}")).adaptive;
+    REQUIRE(adaptive);
+    CHECK(adaptive->tolerance == 1e-4);
+    CHECK(adaptive->min_step == 0.0);
+    CHECK(std::isinf(adaptive->max_step));
+}
+
+TEST_CASE("A shortest step is not above the longest", "[deck]") {
+    CHECK(faults_of(body_deck + R"(integrator = "sdirk-4"
+adaptive = { min_step = 0.1, max_step = 0.01 })") ==
+          "x.toml:9:41: analysis.adaptive.max_step: expected a number not below min_step, 0.1; found 0.01");
+}
+
+TEST_CASE("A first step outside the limits is noted", "[deck]") {
+    const auto notes = [](const std::string& step, const std::string& adaptive) {
+        return read(replaced(body_deck, "steps = 10", step) +
+                    "integrator = \"sdirk-4\"\nadaptive = " + adaptive)
+            .notes;
+    };
+    CHECK(notes("steps = 10", "{ min_step = 0.1, max_step = 0.1 }").empty());
+    CHECK(notes("time_step = 0.3", "{}").empty());
+    CHECK(notes("steps = 10", "{ min_step = 0.2 }") ==
+          std::vector<std::string>{
+              "analysis.steps: the first step, 0.1, is below adaptive.min_step; it will be 0.2"});
+    CHECK(notes("time_step = 0.25", "{ max_step = 0.02 }") ==
+          std::vector<std::string>{
+              "analysis.time_step: the first step, 0.25, is above adaptive.max_step; it will be 0.02"});
 }
 
 }  // namespace gxrod::test

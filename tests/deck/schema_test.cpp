@@ -85,7 +85,7 @@ TEST_CASE("A condition on a key or group names words of another key of the table
             CHECK((group.only_with.empty() || table->find(group.only_with) != nullptr));
         }
     }
-    CHECK(conditions == 11);
+    CHECK(conditions == 13);
 }
 
 TEST_CASE("Ranges know their bounds and say them", "[deck]") {

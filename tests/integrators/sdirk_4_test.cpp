@@ -1,10 +1,13 @@
 #include "integrators/sdirk_4.hpp"
 
+#include <Eigen/LU>
 #include <catch2/catch.hpp>
 
 #include "integrators/scheme_samples.hpp"
 #include "rotation/tangent_map.hpp"
 #include "tools/difference.hpp"
+#include "tools/run.hpp"
+#include "tools/tops.hpp"
 
 using namespace gxrod;
 using namespace gxrod::tools;
@@ -18,19 +21,21 @@ using Vector = Eigen::Matrix<double, stages, 1>;
 struct Tableau {
     Matrix A;
     Vector b, c;
+    Vector embedded;
     Tableau() {
         for (int i = 0; i < stages; ++i) {
             for (int j = 0; j < stages; ++j) A(i, j) = Sdirk4::a[i][j];
         }
         b = A.row(stages - 1).transpose();
         c = A.rowwise().sum();
+        for (int j = 0; j < stages; ++j) embedded[j] = Sdirk4::embedded_weights[j];
     }
 };
 
 }  // namespace
 
 TEST_CASE("sdirk-4 meets Butcher's conditions to order 4", "[integrators]") {
-    const auto [A, b, c] = Tableau();
+    const auto [A, b, c, embedded] = Tableau();
     const Vector c2 = c.cwiseProduct(c);
     const Vector c3 = c2.cwiseProduct(c);
     CHECK(b.sum() == Approx(1.0).epsilon(1e-13));
@@ -45,8 +50,69 @@ TEST_CASE("sdirk-4 meets Butcher's conditions to order 4", "[integrators]") {
     CHECK(std::abs(b.dot(c2.cwiseProduct(c2)) - 1.0 / 5.0) > 1e-4);
 }
 
+TEST_CASE("the embedded scheme of sdirk-4 meets the conditions to order 3, and not of order 4",
+          "[integrators]") {
+    const auto [A, b, c, embedded] = Tableau();
+    const Vector c2 = c.cwiseProduct(c);
+    CHECK(embedded.sum() == Approx(1.0).epsilon(1e-13));
+    CHECK(embedded.dot(c) == Approx(1.0 / 2.0).epsilon(1e-13));
+    CHECK(embedded.dot(c2) == Approx(1.0 / 3.0).epsilon(1e-13));
+    CHECK(embedded.dot(A * c) == Approx(1.0 / 6.0).epsilon(1e-13));
+    CHECK(std::abs(embedded.dot(c2.cwiseProduct(c)) - 1.0 / 4.0) > 1e-3);
+    CHECK(std::abs(embedded.dot(A * (A * c)) - 1.0 / 24.0) > 1e-3);
+    // The estimate of a stiff component stays bounded: |1 − b̂ᵀ A⁻¹ 1| at infinity.
+    CHECK(std::abs(1.0 - embedded.dot(A.fullPivLu().solve(Vector::Ones().eval()))) < 10.0);
+}
+
+TEST_CASE("the error estimate of sdirk-4 falls with the fourth power of the step", "[integrators]") {
+    const Model model = heavy_top::make_model();
+    const System system(model);
+    SolverWorkspace workspace(system, LinearSolverKind::klu);
+    const Sdirk4 scheme;
+    CHECK(scheme.error_order() == 4);
+    NewtonSettings newton;
+    newton.tolerance = 1e-12;
+    std::vector<double> errors;
+    for (const double step : {2e-3, 1e-3, 5e-4}) {
+        State state = system.initial_state();
+        REQUIRE(solve_accelerations(system, 0.0, {0.1 * step, Supports::Side::after}, workspace, state)
+                    .converged());
+        system.commit(state, 0.0);
+        REQUIRE(solve_step(system, scheme, newton, {0, 0.0, step, step}, workspace, state).converged());
+        const StepError error = scheme.estimate_error(state, step, system.length_scale());
+        CHECK(error.node == 0);
+        errors.push_back(error.size);
+    }
+    INFO("errors " << errors[0] << " " << errors[1] << " " << errors[2]);
+    CHECK(compute_orders(errors)[1] == Approx(4.0).margin(0.1));
+}
+
+TEST_CASE("the error estimate of sdirk-4 is that of the worst node and component", "[integrators]") {
+    // From rates of one stage alone, with b − b̂ = 1/4 for the last.
+    const Sdirk4 scheme;
+    State state = make_random_state(scheme, 3);
+    state.stages.assign(stages, std::vector<StageRates>(2));
+    StageRates& rates = state.stages[4][1];
+    const double weight = 0.25 * 0.2;
+    const auto check = [&](double size, int component) {
+        const StepError error = scheme.estimate_error(state, 0.2, 5.0);
+        CHECK(error.size == Approx(size).epsilon(1e-14));
+        CHECK(error.node == 1);
+        CHECK(error.component == component);
+    };
+    CHECK(scheme.estimate_error(state, 0.2, 5.0).size == 0.0);
+    rates.v = Vec3(0.0, -3.0, 1.0);
+    check(weight * 3.0 / 5.0, 1);
+    rates.theta_dot = Vec3(0.0, 0.0, 0.7);
+    check(weight * 0.7, 5);
+    rates.a = Vec3(0.0, 0.0, -20.0);
+    check(weight * 0.2 * 20.0 / 5.0, 2);
+    rates.alpha = Vec3(5.0, 0.0, 0.0);
+    check(weight * 0.2 * 5.0, 3);
+}
+
 TEST_CASE("sdirk-4 is stiffly accurate and L-stable", "[integrators]") {
-    const auto [A, b, c] = Tableau();
+    const auto [A, b, c, embedded] = Tableau();
     // R(z) = 1 + z bᵀ (I − z A)⁻¹ 1 vanishes at infinity, and stays in the unit disk on the imaginary axis.
     const auto stability = [&A = A, &b = b](std::complex<double> z) {
         const Eigen::MatrixXcd matrix =

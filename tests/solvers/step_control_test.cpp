@@ -6,10 +6,10 @@ using namespace gxrod;
 
 TEST_CASE("steps that succeed are the nominal ones and end at the end time", "[solvers]") {
     StepControl control(0.7, 7);
-    CHECK(control.nominal_steps() == 7);
+    CHECK(control.steps_in_all() == 7);
     for (long step = 0; step < 7; ++step) {
         CHECK_FALSE(control.finished());
-        CHECK(control.nominal_steps_done() == step);
+        CHECK(control.steps_done() == step);
         CHECK(control.time_step() == 0.7 / 7.0);
         CHECK(control.next_time() == Approx(0.1 * static_cast<double>(step + 1)).epsilon(1e-15));
         const double next = control.next_time();
@@ -26,7 +26,7 @@ TEST_CASE("the end is exact whatever the number of steps", "[solvers]") {
         StepControl control(0.1, steps);
         while (!control.finished()) control.accept();
         CHECK(control.time() == 0.1);
-        CHECK(control.nominal_steps_done() == steps);
+        CHECK(control.steps_done() == steps);
     }
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("a step that fails is halved and doubled again on the grid", "[solvers
     control.accept();
     CHECK(control.time() == 1.0);
     CHECK(control.at_nominal_step());
-    CHECK(control.nominal_steps_done() == 1);
+    CHECK(control.steps_done() == 1);
     CHECK(control.time_step() == 1.0);
     while (!control.finished()) control.accept();
     CHECK(control.time() == 8.0);
@@ -85,4 +85,20 @@ TEST_CASE("the shortest steps all the way reach the end exactly", "[solvers]") {
     }
     CHECK(count == 3 * 1024);
     CHECK(control.time() == 0.3);
+}
+
+TEST_CASE("parts of a step are not steps, and frames stand on the grid", "[solvers]") {
+    StepControl control(4.0, 4);
+    REQUIRE(control.reject());
+    control.accept();
+    CHECK(control.steps_done() == 0);
+    CHECK(control.part_done() == 0.0);
+    CHECK_FALSE(control.is_frame_due(1));
+    control.accept();
+    CHECK(control.steps_done() == 1);
+    CHECK(control.part_done() == 0.25);
+    CHECK(control.is_frame_due(1));
+    CHECK_FALSE(control.is_frame_due(2));
+    control.accept();
+    CHECK(control.is_frame_due(2));
 }

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+
+namespace gxrod {
+
+// Nodes that elements tie to each other, directly or by others; and what they carry.
+struct ModelPart {
+    std::vector<int> nodes;  // ascending
+    std::vector<int> rods;   // likewise; indices in Model::rods and Model::bodies
+    std::vector<int> bodies;
+};
+
+// Every node is in one part; parts in the order of their first nodes. A mesh of several lines that do not
+// touch makes one rod part of several.
+std::vector<ModelPart> find_parts(const Model& model);
+
+// As a sentence says it: "rod cable", "body gyroscope", "the part with rods arm and leg".
+std::string name_part(const ModelPart& part, const Model& model);
+
+}  // namespace gxrod

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assembly/system.hpp"
+
+namespace gxrod {
+
+// What a model resists least, in a user's words.
+struct Weakness {
+    // "rod cable, node 14: twist", "the whole model moves along x or y, or turns about z", "rod shaft turns
+    // about its own axis".
+    std::string words;
+    // Against the stiffest unknown, lengths over the model's length: about 1e-16 if the tangent is singular.
+    double stiffness = 0.0;
+};
+
+// The direction for which a tangent is smallest, at the trial motions of the state. `values` are on the
+// system's pattern; nullopt if they are not finite or nothing can move. Costs a few factorizations: for
+// failures only.
+std::optional<Weakness> describe_weakness(const System& system,
+                                          const State& state,
+                                          const std::vector<double>& values);
+
+// Whether a tangent this weak in one direction has an inverse in name only.
+inline constexpr double singular_stiffness = 1e-13;
+
+}  // namespace gxrod

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solvers/equilibrium.hpp"
+
+namespace gxrod {
+
+// What is known of an equilibrium that was not found, for a reader.
+struct Failure {
+    enum class Phase { initial_accelerations, implicit_step, explicit_step, load_step };
+
+    Phase phase = Phase::implicit_step;
+    Outcome outcome = Outcome::out_of_iterations;
+    double time = 0.0;       // where the step starts: time, or the load factor
+    double time_step = 0.0;  // the shortest that was tried
+    int iterations = 0;
+    double residual = 0.0;            // relative to the largest force or moment
+    double step_error = 0.0;          // the estimate, of error_too_large
+    std::vector<std::string> places;  // "flyer.end (ry)", the worst first
+    std::string weakness;             // in words; "" unless the tangent is singular or nearly so
+    LinearSolverKind linear_solver = LinearSolverKind::klu;
+};
+
+// What to try, the likeliest first, in the words of a deck.
+std::vector<std::string> advise(const Failure& failure);
+
+// All of it, ending with the advice: "the step from t = 0.3 failed, even with Δt = 9.8e-05: Newton's method
+// did not converge in 20 iterations; the residual, 3.1e-02 of the largest force or moment, is largest at
+// flyer.end (ry), flyer node 14 (x). Try a smaller time_step; …".
+std::string describe_failure(const Failure& failure);
+
+}  // namespace gxrod

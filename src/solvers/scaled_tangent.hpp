@@ -1,0 +1,28 @@
+#pragma once
+
+#include "assembly/system.hpp"
+
+namespace gxrod {
+
+// A tangent K in unknowns that compare: δr over the model's length, and so the forces times it; divided by
+// the length of its longest column. The system must outlive it.
+class ScaledTangent {
+  public:
+    // The values are those on the system's pattern.
+    ScaledTangent(const System& system, const std::vector<double>& values);
+
+    const SparsePattern& pattern() const { return *pattern_; }
+    const std::vector<double>& values() const { return values_; }
+    bool is_finite() const { return is_finite_; }
+
+    Eigen::VectorXd multiply(const Eigen::VectorXd& x) const;
+    // The values of Kᵀ, on the same pattern, which is symmetric.
+    std::vector<double> compute_transpose() const;
+
+  private:
+    const SparsePattern* pattern_;
+    std::vector<double> values_;
+    bool is_finite_ = true;
+};
+
+}  // namespace gxrod

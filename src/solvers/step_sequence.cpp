@@ -1,0 +1,16 @@
+#include "solvers/step_sequence.hpp"
+
+#include "integrators/integrator.hpp"
+#include "solvers/error_control.hpp"
+#include "solvers/step_control.hpp"
+
+namespace gxrod {
+
+std::unique_ptr<StepSequence> make_step_sequence(const DynamicSettings& settings) {
+    if (!settings.adaptive) return std::make_unique<StepControl>(settings.end_time, settings.steps);
+    const double first_step = settings.end_time / static_cast<double>(settings.steps);
+    const int order = make_integrator(settings)->error_order();
+    return std::make_unique<ErrorControl>(settings.end_time, first_step, order, *settings.adaptive);
+}
+
+}  // namespace gxrod

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "solvers/linear_solver.hpp"
+
+// Matrices for the tests of linear solvers.
+namespace gxrod::tools {
+
+// A matrix as a solver takes it.
+struct Sparse {
+    SparsePattern pattern;
+    std::vector<double> values;
+};
+
+// The non-zero entries of a dense matrix.
+Sparse make_sparse(const Eigen::MatrixXd& dense);
+
+// Sparse and regular, most diagonals zero.
+Eigen::MatrixXd make_unsymmetric_matrix(int size, unsigned seed);
+// Sparse, symmetric and regular, with eigenvalues of both signs.
+Eigen::MatrixXd make_indefinite_matrix(int size, unsigned seed);
+
+// Of a net with width × height nodes, two-node elements between neighbours; of width 1, a rod.
+SparsePattern make_net_pattern(int width, int height);
+// Symmetric and positive definite, on a pattern that is symmetric.
+std::vector<double> make_stiffness_values(const SparsePattern& pattern, unsigned seed);
+
+Eigen::VectorXd multiply(const SparsePattern& pattern,
+                         const std::vector<double>& values,
+                         const Eigen::VectorXd& x);
+
+}  // namespace gxrod::tools
