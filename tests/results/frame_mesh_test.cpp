@@ -6,6 +6,23 @@
 
 using namespace gxrod;
 
+namespace {
+
+// One rod through five nodes, as elements of an order.
+Model make_curve(int order) {
+    Model model = sample::make_model();
+    model.bodies.clear();
+    model.nodes.resize(5, model.nodes[0]);
+    Rod rod;
+    rod.order = order;
+    rod.nodes = {0, 1, 2, 3, 4};
+    set_line_elements(rod, {0.0, 1.0, 2.0, 3.0, 4.0}, std::vector<Quat>(5, Quat::Identity()));
+    model.rods = {rod};
+    return model;
+}
+
+}  // namespace
+
 TEST_CASE("Frames have a line for each element and a vertex for each body", "[results]") {
     const FrameMesh mesh = make_frame_mesh(sample::make_model());
     CHECK(mesh.connectivity == std::vector<std::int64_t>{0, 1, 1, 2, 2, 3});
@@ -14,18 +31,10 @@ TEST_CASE("Frames have a line for each element and a vertex for each body", "[re
 }
 
 TEST_CASE("Elements of higher order become VTK's curves, the ends first", "[results]") {
-    Model model = sample::make_model();
-    model.bodies.clear();
-    model.nodes.resize(5, model.nodes[0]);
-    Rod& rod = model.rods[0];
-    rod.nodes = {0, 1, 2, 3, 4};
-    rod.triads.resize(5, Quat::Identity());
-    rod.order = 2;
-    FrameMesh mesh = make_frame_mesh(model);
+    FrameMesh mesh = make_frame_mesh(make_curve(2));
     CHECK(mesh.connectivity == std::vector<std::int64_t>{0, 2, 1, 2, 4, 3});
     CHECK(mesh.types == std::vector<std::uint8_t>{21, 21});
-    rod.order = 4;
-    mesh = make_frame_mesh(model);
+    mesh = make_frame_mesh(make_curve(4));
     CHECK(mesh.connectivity == std::vector<std::int64_t>{0, 4, 1, 2, 3});
     CHECK(mesh.offsets == std::vector<std::int64_t>{0, 5});
     CHECK(mesh.types == std::vector<std::uint8_t>{68});
@@ -34,7 +43,7 @@ TEST_CASE("Elements of higher order become VTK's curves, the ends first", "[resu
 TEST_CASE("A node carries the axes of its first rod, else those of its body", "[results]") {
     const Model model = sample::make_model();
     const FrameMesh mesh = make_frame_mesh(model);
-    CHECK(mesh.triads[2].coeffs() == model.rods[0].triads[2].coeffs());
+    CHECK(mesh.triads[2].coeffs() == model.rods[0].triad_at(2).coeffs());
     CHECK(mesh.triads[3].coeffs() == model.bodies[1].attitude.coeffs());
 }
 

@@ -86,7 +86,7 @@ TEST_CASE("The points of a frame carry their motion and axes", "[results]") {
             CHECK((vector_at(file, "PointData/rotation_vector", index) - log(node.Lambda)).norm() < 1e-15);
             CHECK(vector_at(file, "PointData/velocity", index) == node.v);
             CHECK(vector_at(file, "PointData/angular_velocity", index) == node.omega);
-            const Quat triad = i < 3 ? model.rods[0].triads[i] : model.bodies[1].attitude;
+            const Quat triad = i < 3 ? model.rods[0].triad_at(static_cast<int>(i)) : model.bodies[1].attitude;
             const Mat3 axes = node.Lambda.toRotationMatrix() * triad.toRotationMatrix();
             CHECK((vector_at(file, "PointData/axis_x", index) - axes.col(0)).norm() < 1e-14);
             CHECK((vector_at(file, "PointData/axis_y", index) - axes.col(1)).norm() < 1e-14);

@@ -113,9 +113,11 @@ TEST_CASE("Section values are those of the end element, or the mean of two neigh
 
 TEST_CASE("Section values of a later rod, and inside an element of higher order, are its own", "[results]") {
     Model model = sample::make_model();
-    Rod curve = model.rods[0];
+    Rod curve;
     curve.name = "curve";
     curve.order = 2;
+    curve.nodes = {0, 1, 2};
+    set_line_elements(curve, {0.0, 1.0, 2.0}, std::vector<Quat>(3, Quat::Identity()));
     model.rods.push_back(curve);
     Motion motion(0.7);
     motion.elements.push_back({Vec3(1, 2, 3), Vec3(4, 5, 6), Vec3(7, 8, 9), Vec3(1, 1, 1), Quat::Identity()});
