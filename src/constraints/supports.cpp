@@ -4,6 +4,7 @@
 
 #include "rotation/rates.hpp"
 #include "rotation/rotation_map.hpp"
+#include "rotation/tangent_map.hpp"
 
 namespace gxrod {
 
@@ -88,7 +89,9 @@ void Supports::place_rotation(const Support& support, double time, State& state)
     const NodeMotion& previous = state.previous[support.node];
     NodeMotion& trial = state.trial[support.node];
     const Vec3 phi = Q * motion_at(support, 3, time);
-    const Vec3 guess = phi - Q * motion_at(support, 3, state.time);
+    const Vec3 change = phi - Q * motion_at(support, 3, state.time);
+    // A long φ that leans turns much less than it changes: ω = T(φ) φ̇.
+    const Vec3 guess = tangent_map(phi - 0.5 * change) * change;
     trial.Lambda = exp_quaternion(phi);
     trial.theta = log_nearest(trial.Lambda * previous.Lambda.conjugate(), guess);
 }

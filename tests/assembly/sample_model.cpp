@@ -1,6 +1,7 @@
 #include "assembly/sample_model.hpp"
 
 #include "state/increment.hpp"
+#include "tools/rod_models.hpp"
 
 namespace gxrod::tools {
 
@@ -69,6 +70,75 @@ Model make_sample_model() {
     model.supports.push_back({0, {true, true, true, false, false, false}});
     model.supports.push_back({lone_node, {false, false, false, true, true, false}});
     return model;
+}
+
+namespace {
+
+Support make_moving_hinge(RandomValues& random) {
+    Support support{.axes = random.rotation()};
+    support.fixed = {true, false, true, true, true, false};
+    support.moved[1] = true;
+    support.motion[1] = TimeFunction([](double t) { return 0.1 * t * t; });
+    return support;
+}
+
+DistributedLoad make_distributed_load(RandomValues& random, Frame frame) {
+    DistributedLoad load;
+    load.frame = frame;
+    for (int i = 0; i < 3; ++i) {
+        const double force = random.number(-3.0, 3.0);
+        const double moment = random.number(-2.0, 2.0);
+        load.force[i] = LineFunction([force](double t, double s) { return force * (1.0 + t * s); });
+        load.moment[i] = LineFunction([moment](double t, double s) { return moment * (t - s * s); });
+    }
+    return load;
+}
+
+}  // namespace
+
+Model make_turned_model(ElementKind kind, int order) {
+    RandomValues random(82);
+    const Quat axes = random.rotation();
+    const Line arc = [&](double s) {
+        return Placement{axes * Vec3(std::sin(s), 1.0 - std::cos(s), 0.2 * s),
+                         axes * exp_quaternion(s * Vec3(0.2, 0.0, 1.0))};
+    };
+    Section section{"tube", random.positive_definite<6>()};
+    const Mat3 spin_d = spin(random.vector(0.5));
+    section.mass << 1.3 * Mat3::Identity(), -1.3 * spin_d, 1.3 * spin_d,
+        random.positive_definite<3>() - 1.3 * spin_d * spin_d;
+    section.kelvin_voigt = 0.2;
+    section.mass_proportional = 0.6;
+    Model model = make_rod_model(arc, 1.2, {2, order, kind}, section);
+    model.gravity = Vec3(0.1, 0.4, -9.0);
+    const int end = last_node(model);
+    model.supports.push_back(make_moving_hinge(random));
+    model.supports.push_back({.node = end, .fixed = {false, true}, .axes = random.rotation()});
+    model.bodies.push_back(make_body(random, end, random.vector()));
+    for (const Frame frame : {Frame::spatial, Frame::follower, Frame::body}) {
+        model.loads.push_back(make_load(random, end, frame));
+        model.distributed_loads.push_back(make_distributed_load(random, frame));
+    }
+    return model;
+}
+
+State make_turned_state(const System& system, unsigned seed) {
+    RandomValues random(seed);
+    State state = system.initial_state();
+    const Quat common = random.rotation();
+    const Vec3 turn = random.number(0.2, 1.5) * random.direction();
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        NodeMotion& previous = state.previous[i];
+        previous.r += random.vector(0.1);
+        previous.Lambda = exp_quaternion(random.vector(0.3)) * common;
+        previous.v = random.vector();
+        previous.a = random.vector();
+        previous.omega = random.vector();
+        previous.alpha = random.vector();
+        place(previous, previous.r + random.vector(0.1), turn + random.vector(0.3), state.trial[i]);
+    }
+    for (SectionHistory& history : state.sections) history = {random.rotation(), random.vector(0.4)};
+    return state;
 }
 
 State make_sample_state(const System& system, unsigned seed) {

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "assembly/held_nodes.hpp"
 #include "assembly/sample_model.hpp"
 
 using namespace gxrod;
@@ -14,9 +15,7 @@ using Dense = Eigen::MatrixXd;
 
 // Three elements, one of them backwards and one that closes a ring; two nodes partly held.
 const std::vector<std::array<int, 2>> elements{{0, 1}, {2, 1}, {3, 0}};
-EquationNumbers make_equations() {
-    return EquationNumbers({{}, {true, false, true}, {}, {false, false, false, true, true, true}});
-}
+const std::vector<HeldComponents> held{{}, {true, false, true}, {}, {false, false, false, true, true, true}};
 
 SparsePattern make_pattern(const EquationNumbers& equations) {
     std::vector<NodeGroup> groups;
@@ -36,14 +35,15 @@ Dense make_selection(const EquationNumbers& equations) {
 }  // namespace
 
 TEST_CASE("scattered element matrices make the sum that dense assembly makes", "[assembly]") {
-    const EquationNumbers equations = make_equations();
+    const HeldNodes numbered(held);
+    const EquationNumbers& equations = numbered.equations;
     const SparsePattern pattern = make_pattern(equations);
     RandomValues random(71);
     std::vector<double> values(pattern.rows.size(), 0.0);
     Dense dense = Dense::Zero(6 * node_count, 6 * node_count);
     for (const auto& nodes : elements) {
         const NodalMatrix<2> matrix = random.matrix<12>();
-        add_to_values<2>(matrix, compute_slots<2>(nodes, equations, pattern), values);
+        add_to_values(matrix.data(), compute_slots<2>(nodes, equations, pattern), values);
         for (int i = 0; i < 2; ++i) {
             for (int j = 0; j < 2; ++j) {
                 dense.block<6, 6>(6 * nodes[i], 6 * nodes[j]) += matrix.block<6, 6>(6 * i, 6 * j);
@@ -56,7 +56,8 @@ TEST_CASE("scattered element matrices make the sum that dense assembly makes", "
 }
 
 TEST_CASE("element vectors add up at nodes and free components are gathered", "[assembly]") {
-    const EquationNumbers equations = make_equations();
+    const HeldNodes numbered(held);
+    const EquationNumbers& equations = numbered.equations;
     RandomValues random(72);
     std::vector<Vec6> nodal(node_count, Vec6::Zero());
     Eigen::VectorXd dense = Eigen::VectorXd::Zero(6 * node_count);

@@ -3,7 +3,10 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "assembly/held_nodes.hpp"
+
 using namespace gxrod;
+using namespace gxrod::tools;
 
 namespace {
 
@@ -18,15 +21,15 @@ std::set<std::pair<std::int64_t, std::int64_t>> entries_of(const SparsePattern& 
 }
 
 // Nodes 0–1–2 in a chain, 2–4 by another element, 3 alone; 0 clamped in position and node 4 a hinge.
-EquationNumbers make_equations() {
-    return EquationNumbers({{true, true, true}, {}, {}, {}, {false, false, false, true, true, false}});
-}
+const std::vector<HeldComponents> held{
+    {true, true, true}, {}, {}, {}, {false, false, false, true, true, false}};
 const std::vector<NodeGroup> groups{{0, 1}, {1, 2}, {3}, {4, 2}};
 
 }  // namespace
 
 TEST_CASE("the pattern couples exactly the free unknowns of each group", "[assembly]") {
-    const EquationNumbers equations = make_equations();
+    const HeldNodes nodes(held);
+    const EquationNumbers& equations = nodes.equations;
     const SparsePattern pattern = compute_pattern(equations, groups);
     REQUIRE(pattern.size() == equations.count());
     std::set<std::pair<std::int64_t, std::int64_t>> expected;
@@ -48,7 +51,8 @@ TEST_CASE("the pattern couples exactly the free unknowns of each group", "[assem
 }
 
 TEST_CASE("rows ascend within a column and a slot is their place", "[assembly]") {
-    const SparsePattern pattern = compute_pattern(make_equations(), groups);
+    const HeldNodes nodes(held);
+    const SparsePattern pattern = compute_pattern(nodes.equations, groups);
     for (std::int64_t column = 0; column < pattern.size(); ++column) {
         for (std::int64_t k = pattern.column_starts[column]; k < pattern.column_starts[column + 1]; ++k) {
             if (k > pattern.column_starts[column]) CHECK(pattern.rows[k - 1] < pattern.rows[k]);

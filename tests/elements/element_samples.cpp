@@ -98,6 +98,9 @@ RodPiece<Nodes> make_rod_piece(RandomValues& random) {
 }
 
 template RodPiece<2> make_rod_piece<2>(RandomValues&);
+template RodPiece<3> make_rod_piece<3>(RandomValues&);
+template RodPiece<4> make_rod_piece<4>(RandomValues&);
+template RodPiece<5> make_rod_piece<5>(RandomValues&);
 
 Body make_body(RandomValues& random, const Vec3& centre_of_mass) {
     Body body;

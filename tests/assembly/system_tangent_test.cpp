@@ -1,0 +1,111 @@
+// Tangents of whole models, own axes of supports, distributed loads and damping included, for every kind and
+// order of rod.
+#include <catch2/catch.hpp>
+
+#include "assembly/sample_model.hpp"
+#include "integrators/generalized_alpha.hpp"
+#include "integrators/load_stepping.hpp"
+#include "integrators/newmark_simplified.hpp"
+#include "solvers/difference_tangent.hpp"
+#include "tools/difference.hpp"
+
+using namespace gxrod;
+using namespace gxrod::tools;
+
+namespace {
+
+constexpr double now = 0.7;
+const Stage stage{0, 0.6, 0.1, now};
+
+template <class Visit>
+void for_each_turned_model(Visit&& visit) {
+    for (const ElementKind kind : {ElementKind::objective, ElementKind::simo}) {
+        for (int order = 1; order <= 4; ++order) {
+            INFO((kind == ElementKind::simo ? "simo" : "objective") << ", order " << order);
+            visit(make_turned_model(kind, order));
+        }
+    }
+}
+
+void check_tangent(const System& system, const Integrator& integrator, unsigned seed) {
+    State state = make_turned_state(system, seed);
+    integrator.start(state);
+    integrator.update_rates(state, stage);
+    std::vector<NodeLinearization> linearizations(state.trial.size());
+    integrator.linearize(state, stage, linearizations);
+    std::vector<double> values, differences;
+    system.compute_tangent(state, now, linearizations, values);
+    DifferenceTangent(system).compute(integrator, stage, state, differences);
+    CHECK(relative_difference(make_dense(system.pattern(), values),
+                              make_dense(system.pattern(), differences)) < 1e-8);
+}
+
+}  // namespace
+
+TEST_CASE("tangents of turned models are derivatives of the residual", "[assembly]") {
+    for_each_turned_model([](const Model& model) {
+        const System system(model);
+        // Those of statics show stiffness and loads, those of dynamics inertia and damping too.
+        for (const unsigned seed : {1U, 2U}) {
+            check_tangent(system, LoadStepping(), seed);
+            check_tangent(system, NewmarkSimplified({}), seed);
+        }
+        check_tangent(system, GeneralizedAlpha(0.5), 3);
+    });
+}
+
+TEST_CASE("the static tangent without loads is symmetric but for moments out of balance", "[assembly]") {
+    // K − Kᵀ = −[m_I]× of each node, in the axes of its support; see objective_map_test.cpp.
+    for_each_turned_model([](Model model) {
+        model.loads.clear();
+        model.distributed_loads.clear();
+        const System system(model);
+        const State state = make_turned_state(system, 4);
+        Residual residual;
+        system.compute_residual(state, now, residual);
+        std::vector<NodeLinearization> linearizations(state.trial.size());
+        LoadStepping().linearize(state, stage, linearizations);
+        std::vector<double> values;
+        system.compute_tangent(state, now, linearizations, values);
+        const Eigen::MatrixXd tangent = make_dense(system.pattern(), values);
+        Eigen::MatrixXd skew = tangent - tangent.transpose();
+        CHECK(skew.norm() > 1e-3 * tangent.norm());
+        for (std::size_t node = 0; node < model.nodes.size(); ++node) {
+            const int number = static_cast<int>(node);
+            const Vec6 own = system.equations().to_own_axes(number, residual.nodal[node]);
+            const Mat3 expected = -spin(own.tail<3>());
+            const auto& equations = system.equations().of_node(number);
+            for (int i = 0; i < 3; ++i) {
+                for (int j = 0; j < 3; ++j) {
+                    const std::int64_t row = equations[3 + i];
+                    const std::int64_t column = equations[3 + j];
+                    if (row >= 0 && column >= 0) skew(row, column) -= expected(i, j);
+                }
+            }
+        }
+        CHECK(skew.norm() < 1e-13 * tangent.norm());
+    });
+}
+
+TEST_CASE("reactions are those of held components, in global axes", "[assembly]") {
+    for_each_turned_model([](const Model& model) {
+        const System system(model);
+        const State state = make_turned_state(system, 5);
+        Residual residual;
+        system.compute_residual(state, now, residual);
+        const std::vector<Vec6> reactions = system.compute_reactions(residual);
+        for (std::size_t node = 0; node < model.nodes.size(); ++node) {
+            Vec6 expected = Vec6::Zero();
+            for (const Support& support : model.supports) {
+                if (support.node != static_cast<int>(node)) continue;
+                for (int i = 0; i < 6; ++i) {
+                    if (!support.holds(i)) continue;
+                    const Vec3 axis = support.axes * Vec3::Unit(i % 3);
+                    expected.segment<3>(3 * (i / 3)) +=
+                        axis * axis.dot(residual.nodal[node].segment<3>(3 * (i / 3)));
+                }
+            }
+            CHECK((reactions[node] - expected).norm() < 1e-13);
+        }
+    });
+}
