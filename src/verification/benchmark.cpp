@@ -2,14 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
-#include "analyses/static.hpp"
-#include "deck/choices.hpp"
-#include "deck/problem.hpp"
-#include "results/history_point.hpp"
+#include "verification/deck_run.hpp"
 #include "verification/example_texts.hpp"
 
 namespace gxrod {
@@ -40,81 +37,15 @@ Vec3 ledger_value(const std::string& quantity, const LedgerRow& row) {
     throw std::runtime_error("the ledger has no " + quantity);
 }
 
-class BenchmarkRunner {
-  public:
-    BenchmarkRunner(const Benchmark& benchmark, const std::vector<std::string>& overrides)
-        : benchmark_(benchmark),
-          problem_(read_problem_text(benchmark.deck, benchmark.name + ".toml", overrides)),
-          analysis_(make_analysis(problem_.model, problem_.analysis)),
-          found_(benchmark.values.size(), false) {}
-
-    BenchmarkRun run() {
-        const auto start = std::chrono::steady_clock::now();
-        check(analysis_->start());
-        compare();
-        while (!analysis_->finished()) {
-            check(analysis_->advance());
-            ++run_.steps;
-            run_.newton_iterations += analysis_->solver_row().newton_iterations;
-            compare();
-        }
-        for (std::size_t i = 0; i < found_.size(); ++i) {
-            if (found_[i]) continue;
-            const BenchmarkValue& value = benchmark_.values[i];
-            throw std::runtime_error(fmt::format(
-                "{}: no step ends at t = {}, where {} is known", benchmark_.name, value.time, value.source));
-        }
-        run_.unknowns = analysis_->system().equations().count();
-        run_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        return run_;
-    }
-
-  private:
-    void check(const EquilibriumReport& report) const {
-        if (report.converged()) return;
-        throw std::runtime_error(fmt::format("{}: step from t = {}: {}",
-                                             benchmark_.name,
-                                             analysis_->state().time,
-                                             describe(report, problem_.model)));
-    }
-
-    double end_time() const {
-        const auto* dynamic = std::get_if<DynamicSettings>(&problem_.analysis);
-        return dynamic == nullptr ? 1.0 : dynamic->end_time;
-    }
-
-    void compare() {
-        const LedgerRow ledger = analysis_->ledger_row();
-        run_.energy_error = std::max(run_.energy_error, std::abs(ledger.energy_error));
-        for (std::size_t i = 0; i < found_.size(); ++i) {
-            const BenchmarkValue& value = benchmark_.values[i];
-            if (std::abs(analysis_->state().time - value.time) > same_time * end_time()) continue;
-            const double error = value.source == "ledger"
-                                     ? distance(value.reference, ledger_value(value.quantity, ledger).data())
-                                     : distance(value.reference, history_value(value).data());
-            run_.error = std::max(run_.error, error / value.scale);
-            found_[i] = true;
-        }
-    }
-
-    HistoryPoint::Row history_value(const BenchmarkValue& value) {
-        for (const HistoryRequest& request : problem_.output.histories) {
-            if (request.name != value.source) continue;
-            for (const Choice<Quantity>& choice : quantity_choices) {
-                if (choice.word != value.quantity) continue;
-                return HistoryPoint(problem_.model, request).compute(choice.value, analysis_->snapshot());
-            }
-        }
-        throw std::runtime_error(
-            fmt::format("{}: no {} of a history {}", benchmark_.name, value.quantity, value.source));
-    }
-
-    const Benchmark& benchmark_;
-    Problem problem_;
-    std::unique_ptr<SteppedAnalysis> analysis_;
-    BenchmarkRun run_;
-    std::vector<bool> found_;
-};
+// The error of a value now; nothing if its time is another.
+std::optional<double> find_error(const BenchmarkValue& value, DeckRun& run) {
+    if (std::abs(run.analysis().state().time - value.time) > same_time * run.end_time()) return std::nullopt;
+    const double error =
+        value.source == "ledger"
+            ? distance(value.reference, ledger_value(value.quantity, run.analysis().ledger_row()).data())
+            : distance(value.reference, run.value(value.source, value.quantity).data());
+    return error / value.scale;
+}
 
 struct Row {
     std::string refinement;
@@ -168,7 +99,29 @@ nlohmann::ordered_json to_json(const Row& row) {
 }  // namespace
 
 BenchmarkRun run_benchmark(const Benchmark& benchmark, const std::vector<std::string>& overrides) {
-    return BenchmarkRunner(benchmark, overrides).run();
+    DeckRun run(benchmark.name, benchmark.deck, overrides);
+    BenchmarkRun result;
+    std::vector<bool> found(benchmark.values.size(), false);
+    run.run([&] {
+        result.energy_error =
+            std::max(result.energy_error, std::abs(run.analysis().ledger_row().energy_error));
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            const std::optional<double> error = find_error(benchmark.values[i], run);
+            if (!error) continue;
+            result.error = std::max(result.error, *error);
+            found[i] = true;
+        }
+    });
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        if (found[i]) continue;
+        throw std::runtime_error(fmt::format(
+            "{}: no step ends at t = {}, where a value is known", benchmark.name, benchmark.values[i].time));
+    }
+    result.unknowns = run.analysis().system().equations().count();
+    result.steps = run.steps();
+    result.newton_iterations = run.newton_iterations();
+    result.seconds = run.seconds();
+    return result;
 }
 
 StudyResult report_benchmark(const Benchmark& benchmark) {

@@ -2,6 +2,7 @@
 
 #include "verification/benchmark.hpp"
 #include "verification/free_flight_study.hpp"
+#include "verification/rod_schemes_study.hpp"
 #include "verification/rubin2007_report.hpp"
 
 namespace gxrod {
@@ -12,6 +13,9 @@ const std::vector<Study>& studies() {
             {"free_flight",
              "A flexible rod in free flight in space against its continuum solution",
              free_flight::report},
+            {"rod_schemes",
+             "The integrators on flexible rods: errors of orientation, energy and momentum against cost",
+             rod_schemes::report},
             {"rubin2007",
              "The rigid body of Rubin (2007), section 6, by every scheme against its exact solution",
              rubin2007::report},
