@@ -1,19 +1,32 @@
 #include "verification/study.hpp"
 
+#include "verification/benchmark.hpp"
 #include "verification/free_flight_study.hpp"
+#include "verification/rod_schemes_study.hpp"
 #include "verification/rubin2007_report.hpp"
 
 namespace gxrod {
 
 const std::vector<Study>& studies() {
-    static const std::vector<Study> all = {
-        {"free_flight",
-         "A flexible rod in free flight in space against its continuum solution",
-         free_flight::report},
-        {"rubin2007",
-         "The rigid body of Rubin (2007), section 6, by every scheme against its exact solution",
-         rubin2007::report},
-    };
+    static const std::vector<Study> all = [] {
+        std::vector<Study> list = {
+            {"free_flight",
+             "A flexible rod in free flight in space against its continuum solution",
+             free_flight::report},
+            {"rod_schemes",
+             "The integrators on flexible rods: errors of orientation, energy and momentum against cost",
+             rod_schemes::report},
+            {"rubin2007",
+             "The rigid body of Rubin (2007), section 6, by every scheme against its exact solution",
+             rubin2007::report},
+        };
+        for (const Benchmark& benchmark : benchmarks()) {
+            list.push_back({benchmark.name, benchmark.sentence, [&benchmark](const StudyOptions&) {
+                                return report_benchmark(benchmark);
+                            }});
+        }
+        return list;
+    }();
     return all;
 }
 

@@ -1,0 +1,27 @@
+# Writes a source that holds the deck and the reference.toml of every example that has one, so that
+# `gxrod verify` knows them wherever it is installed.
+function(gxrod_embed_examples examples_dir output)
+  file(GLOB references CONFIGURE_DEPENDS "${examples_dir}/*/reference.toml")
+  set(entries "")
+  foreach(reference IN LISTS references)
+    get_filename_component(folder "${reference}" DIRECTORY)
+    get_filename_component(name "${folder}" NAME)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${reference}" "${folder}/${name}.toml")
+    file(READ "${folder}/${name}.toml" deck)
+    file(READ "${reference}" reference_text)
+    string(APPEND entries "        {\"${name}\", R\"deck(${deck})deck\", R\"deck(${reference_text})deck\"},\n")
+  endforeach()
+  file(CONFIGURE OUTPUT "${output}" @ONLY CONTENT
+"#include \"verification/example_texts.hpp\"
+
+namespace gxrod {
+
+const std::vector<ExampleText>& example_texts() {
+    static const std::vector<ExampleText> all = {
+@entries@    };
+    return all;
+}
+
+}  // namespace gxrod
+")
+endfunction()

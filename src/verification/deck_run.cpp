@@ -1,0 +1,53 @@
+#include "verification/deck_run.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "deck/choices.hpp"
+#include "solvers/phase_timer.hpp"
+
+namespace gxrod {
+
+DeckRun::DeckRun(const std::string& name, const std::string& text, const std::vector<std::string>& overrides)
+    : name_(name),
+      problem_(read_problem_text(text, name + ".toml", overrides)),
+      analysis_(make_analysis(problem_.model, problem_.analysis)) {}
+
+double DeckRun::end_time() const {
+    const auto* dynamic = std::get_if<DynamicSettings>(&problem_.analysis);
+    return dynamic == nullptr ? 1.0 : dynamic->end_time;
+}
+
+void DeckRun::check(const EquilibriumReport& report) const {
+    if (report.converged()) return;
+    throw std::runtime_error(fmt::format(
+        "{}: step from t = {}: {}", name_, analysis_->state().time, describe(report, problem_.model)));
+}
+
+void DeckRun::run(const std::function<void()>& visit) {
+    check(analysis_->start());
+    visit();
+    while (!analysis_->finished()) {
+        {
+            const PhaseTimer timer(seconds_);
+            check(analysis_->advance());
+        }
+        ++steps_;
+        newton_iterations_ += analysis_->solver_row().newton_iterations;
+        visit();
+    }
+}
+
+HistoryPoint::Row DeckRun::value(const std::string& history, const std::string& quantity) {
+    for (const HistoryRequest& request : problem_.output.histories) {
+        if (request.name != history) continue;
+        for (const Choice<Quantity>& choice : quantity_choices) {
+            if (choice.word != quantity) continue;
+            return HistoryPoint(problem_.model, request).compute(choice.value, analysis_->snapshot());
+        }
+    }
+    throw std::runtime_error(fmt::format("{}: no {} of a history {}", name_, quantity, history));
+}
+
+}  // namespace gxrod

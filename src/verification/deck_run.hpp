@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "analyses/static.hpp"
+#include "deck/problem.hpp"
+#include "results/history_point.hpp"
+
+namespace gxrod {
+
+// A deck's text run in memory, without a results file, for studies.
+class DeckRun {
+  public:
+    // Throws DeckError. `name` is what messages call the deck.
+    DeckRun(const std::string& name, const std::string& text, const std::vector<std::string>& overrides);
+
+    const Problem& problem() const { return problem_; }
+    SteppedAnalysis& analysis() { return *analysis_; }
+    double end_time() const;
+
+    // Runs to the end and calls visit at the start and after each accepted step. Throws std::runtime_error if
+    // a step fails.
+    void run(const std::function<void()>& visit);
+
+    // A quantity of one of the deck's histories, now. Throws std::runtime_error if there is no such.
+    HistoryPoint::Row value(const std::string& history, const std::string& quantity);
+
+    long steps() const { return steps_; }
+    long newton_iterations() const { return newton_iterations_; }
+    double seconds() const { return seconds_; }  // of run, less what visit took
+
+  private:
+    void check(const EquilibriumReport& report) const;
+
+    std::string name_;
+    Problem problem_;
+    std::unique_ptr<SteppedAnalysis> analysis_;
+    long steps_ = 0;
+    long newton_iterations_ = 0;
+    double seconds_ = 0.0;
+};
+
+}  // namespace gxrod

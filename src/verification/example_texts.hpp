@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gxrod {
+
+// An example of docs/examples that has a reference.toml, as the build found it.
+struct ExampleText {
+    std::string name;  // of its folder
+    std::string deck;
+    std::string reference;
+};
+
+const std::vector<ExampleText>& example_texts();
+
+}  // namespace gxrod
