@@ -49,13 +49,15 @@ double Sdirk4::stage_fraction(int stage) const {
 void Sdirk4::begin_stage(State& state, const Stage& stage) const {
     state.stages.resize(stages);
     for (auto& stage_rates : state.stages) stage_rates.resize(state.trial.size());
-    const double h = stage_fraction(stage.index) * stage.time_step;
+    // With the rates of the stage before. Accelerations are left out: of stiff parts they say nothing.
+    const double h = diagonal * stage.time_step;
     for (std::size_t i = 0; i < state.trial.size(); ++i) {
         const NodeMotion& previous = state.previous[i];
-        place(previous,
-              previous.r + h * previous.v + (0.5 * h * h) * previous.a,
-              h * previous.omega + (0.5 * h * h) * previous.alpha,
-              state.trial[i]);
+        const Known known = compute_known(state, stage, i);
+        const bool is_first = stage.index == 0;
+        const Vec3 v = is_first ? previous.v : state.stages[stage.index - 1][i].v;
+        const Vec3 theta_dot = is_first ? previous.omega : state.stages[stage.index - 1][i].theta_dot;
+        place(previous, known.r + h * v, known.theta + h * theta_dot, state.trial[i]);
     }
     update_rates(state, stage);
 }
