@@ -74,8 +74,13 @@ MeshPoints read_points(const GmshSession& session, const GmshSession::Group& gro
 void check_file(const std::filesystem::path& file) {
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored)) throw MeshError("is a folder, expected a mesh");
-    const std::ifstream stream(file);
+    std::ifstream stream(file);
     if (!stream) throw MeshError("cannot be read (" + std::generic_category().message(errno) + ")");
+    // Anything else would be parsed as geometry.
+    char first = '\0';
+    if (file.extension() == ".msh" && (!(stream >> first) || first != '$')) {
+        throw MeshError("is no mesh; a .msh file starts with $MeshFormat");
+    }
 }
 
 }  // namespace

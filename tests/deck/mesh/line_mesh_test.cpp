@@ -119,7 +119,9 @@ TEST_CASE("A mesh that cannot be read is an error with the reason", "[deck][mesh
     const ScratchFile cut("cut.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0");
     CHECK_THROWS_AS(read_line_mesh(cut.path()), MeshError);
     const ScratchFile other("other.msh", "This is no mesh.\n");
-    CHECK_THROWS_AS(read_line_mesh(other.path()), MeshError);
+    CHECK_THROWS_WITH(read_line_mesh(other.path()), "is no mesh; a .msh file starts with $MeshFormat");
+    const ScratchFile empty("empty.msh", "");
+    CHECK_THROWS_WITH(read_line_mesh(empty.path()), "is no mesh; a .msh file starts with $MeshFormat");
 }
 
 }  // namespace gxrod::test
