@@ -1,5 +1,6 @@
 """Every example deck runs, by the commands that its page states, and leaves what the page says."""
 
+import os
 import re
 import shlex
 import unittest
@@ -43,6 +44,7 @@ class Examples(ProgramTest):
             self.assertTrue(
                 hasattr(self, f"test_{folder.name}") or (folder / "reference.toml").exists(), folder)
 
+    @unittest.skipIf(os.environ.get("GXROD_SANITIZED") == "1", "takes minutes under sanitizers; Release runs it")
     def test_benchmark_pages(self):
         for reference in sorted(EXAMPLES.glob("*/reference.toml")):
             name = reference.parent.name
