@@ -40,7 +40,7 @@ class Mesh(ProgramTest):
     def test_check_says_what_the_mesh_became(self):
         done = self.gxrod("check", "decks/truss.toml")
         self.assertIn("rod truss: length 6.21421, mass 3.8313, 12 objective elements of order 1, section wire", done.stdout)
-        self.assertIn("support at truss.left_foot: x y z rx ry rz", done.stdout)
+        self.assertIn("support at truss.left_foot: fixes x y z rx ry rz", done.stdout)
         self.assertEqual(done.stderr, "")
 
     def test_that_is_wrong_is_a_fault_of_the_deck_in_one_line(self):
