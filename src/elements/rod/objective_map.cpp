@@ -11,12 +11,12 @@ ObjectiveMap<Nodes>::ObjectiveMap(const Motions<Nodes>& motions, const std::arra
     for (int i = 0; i < Nodes; ++i) axes[i] = motions[i]->Lambda * triads[i];
     find_frame(axes);
     for (int i = 0; i < Nodes; ++i) {
-        local_.r.col(i) = R_.transpose() * (motions[i]->r - motions[a]->r);
+        local_.r.col(i) = frame_matrix_.transpose() * (motions[i]->r - motions[a]->r);
         if (i != a && i != b) {
             local_.theta.col(i) = log(frame_.conjugate() * axes[i]);
             largest_relative_rotation_ = std::max(largest_relative_rotation_, local_.theta.col(i).norm());
         }
-        T_inverse_[i] = tangent_map_inverse(local_.theta.col(i));
+        inverse_tangents_[i] = tangent_map_inverse(local_.theta.col(i));
     }
 }
 
@@ -32,29 +32,29 @@ void ObjectiveMap<Nodes>::find_frame(const std::array<Quat, Nodes>& axes) {
         local_.theta.col(a) = -0.5 * Phi;
         local_.theta.col(b) = 0.5 * Phi;
         const Vec3 tau = half.vec() / half.w();
-        A_a_ = 0.5 * (Mat3::Identity() + spin(tau));
-        A_b_ = 0.5 * (Mat3::Identity() - spin(tau));
+        share_of_a_ = 0.5 * (Mat3::Identity() + spin(tau));
+        share_of_b_ = 0.5 * (Mat3::Identity() - spin(tau));
         tau_gradient_ =
             0.25 * (Mat3::Identity() + tau * tau.transpose() - spin(tau)) * tangent_map(0.5 * Phi);
         largest_relative_rotation_ = Phi.norm();
     } else {
         frame_ = axes[a];
-        A_a_.setIdentity();
-        A_b_.setZero();
+        share_of_a_.setIdentity();
+        share_of_b_.setZero();
         tau_gradient_.setZero();
     }
-    R_ = frame_.toRotationMatrix();
+    frame_matrix_ = frame_.toRotationMatrix();
 }
 
 template <int Nodes>
 auto ObjectiveMap<Nodes>::compute_frame_rates(const Motions<Nodes>& motions) const -> FrameRates {
     FrameRates rates;
     for (int i = 0; i < Nodes; ++i) {
-        rates.v.col(i) = R_.transpose() * (motions[i]->v - motions[a]->v);
-        rates.omega.col(i) = R_.transpose() * motions[i]->omega;
+        rates.v.col(i) = frame_matrix_.transpose() * (motions[i]->v - motions[a]->v);
+        rates.omega.col(i) = frame_matrix_.transpose() * motions[i]->omega;
     }
-    rates.omega_R = A_a_ * rates.omega.col(a);
-    if constexpr (has_pair) rates.omega_R += A_b_ * rates.omega.col(b);
+    rates.omega_R = share_of_a_ * rates.omega.col(a);
+    if constexpr (has_pair) rates.omega_R += share_of_b_ * rates.omega.col(b);
     return rates;
 }
 
@@ -65,7 +65,7 @@ LocalMotion<Nodes> ObjectiveMap<Nodes>::compute_rates(const Motions<Nodes>& moti
     for (int i = 0; i < Nodes; ++i) {
         const Vec3 rho = local_.r.col(i);
         rates.r.col(i) = frame_rates.v.col(i) + rho.cross(frame_rates.omega_R);
-        rates.theta.col(i) = T_inverse_[i] * (frame_rates.omega.col(i) - frame_rates.omega_R);
+        rates.theta.col(i) = inverse_tangents_[i] * (frame_rates.omega.col(i) - frame_rates.omega_R);
     }
     return rates;
 }
@@ -76,7 +76,7 @@ auto ObjectiveMap<Nodes>::compute_frame_forces(const NodalVector<Nodes>& local_f
     forces.M.setZero();
     for (int i = 0; i < Nodes; ++i) {
         const Vec3 n = local_force.template segment<3>(6 * i);
-        const Vec3 m = T_inverse_[i].transpose() * local_force.template segment<3>(6 * i + 3);
+        const Vec3 m = inverse_tangents_[i].transpose() * local_force.template segment<3>(6 * i + 3);
         const Vec3 rho = local_.r.col(i);
         forces.n.col(i) = n;
         forces.m.col(i) = m;
@@ -84,8 +84,9 @@ auto ObjectiveMap<Nodes>::compute_frame_forces(const NodalVector<Nodes>& local_f
         forces.stacked.template segment<3>(6 * i) = n;
         forces.stacked.template segment<3>(6 * i + 3) = m;
     }
-    forces.stacked.template segment<3>(6 * a + 3) += A_a_.transpose() * forces.M;
-    if constexpr (has_pair) forces.stacked.template segment<3>(6 * b + 3) += A_b_.transpose() * forces.M;
+    forces.stacked.template segment<3>(6 * a + 3) += share_of_a_.transpose() * forces.M;
+    if constexpr (has_pair)
+        forces.stacked.template segment<3>(6 * b + 3) += share_of_b_.transpose() * forces.M;
     return forces;
 }
 
@@ -93,7 +94,7 @@ template <int Nodes>
 void ObjectiveMap<Nodes>::add_force(const NodalVector<Nodes>& local_force, NodalVector<Nodes>& force) const {
     const FrameForces forces = compute_frame_forces(local_force);
     for (int i = 0; i < 2 * Nodes; ++i) {
-        force.template segment<3>(3 * i) += R_ * forces.stacked.template segment<3>(3 * i);
+        force.template segment<3>(3 * i) += frame_matrix_ * forces.stacked.template segment<3>(3 * i);
     }
 }
 
@@ -102,7 +103,7 @@ auto ObjectiveMap<Nodes>::pull_rows(NodalMatrix<Nodes>& rows) const -> FrameRows
     FrameRows on_frame = FrameRows::Zero();
     for (int i = 0; i < Nodes; ++i) {
         auto moment = rows.template middleRows<3>(6 * i + 3);
-        moment = (T_inverse_[i].transpose() * moment).eval();
+        moment = (inverse_tangents_[i].transpose() * moment).eval();
         on_frame -= spin(local_.r.col(i)) * rows.template middleRows<3>(6 * i) + moment;
     }
     return on_frame;
@@ -110,19 +111,19 @@ auto ObjectiveMap<Nodes>::pull_rows(NodalMatrix<Nodes>& rows) const -> FrameRows
 
 template <int Nodes>
 void ObjectiveMap<Nodes>::add_frame_rows(const FrameRows& on_frame, NodalMatrix<Nodes>& rows) const {
-    rows.template middleRows<3>(6 * a + 3) += A_a_.transpose() * on_frame;
-    if constexpr (has_pair) rows.template middleRows<3>(6 * b + 3) += A_b_.transpose() * on_frame;
+    rows.template middleRows<3>(6 * a + 3) += share_of_a_.transpose() * on_frame;
+    if constexpr (has_pair) rows.template middleRows<3>(6 * b + 3) += share_of_b_.transpose() * on_frame;
 }
 
 template <int Nodes>
 void ObjectiveMap<Nodes>::push_columns(FrameColumns by_frame, NodalMatrix<Nodes>& matrix) const {
     for (int i = 0; i < Nodes; ++i) {
         auto by_psi = matrix.template middleCols<3>(6 * i + 3);
-        by_psi = (by_psi * T_inverse_[i]).eval();
+        by_psi = (by_psi * inverse_tangents_[i]).eval();
         by_frame += matrix.template middleCols<3>(6 * i) * spin(local_.r.col(i)) - by_psi;
     }
-    matrix.template middleCols<3>(6 * a + 3) += by_frame * A_a_;
-    if constexpr (has_pair) matrix.template middleCols<3>(6 * b + 3) += by_frame * A_b_;
+    matrix.template middleCols<3>(6 * a + 3) += by_frame * share_of_a_;
+    if constexpr (has_pair) matrix.template middleCols<3>(6 * b + 3) += by_frame * share_of_b_;
 }
 
 template <int Nodes>
@@ -130,10 +131,10 @@ void ObjectiveMap<Nodes>::add_turned_out(const NodalMatrix<Nodes>& matrix,
                                          const Linearizations<Nodes>& linearizations,
                                          NodalMatrix<Nodes>& tangent) const {
     for (int j = 0; j < 2 * Nodes; ++j) {
-        const Mat3 columns = linearizations[j / 2]->placement * R_.transpose();
+        const Mat3 columns = linearizations[j / 2]->placement * frame_matrix_.transpose();
         for (int i = 0; i < 2 * Nodes; ++i) {
             tangent.template block<3, 3>(3 * i, 3 * j) +=
-                R_ * matrix.template block<3, 3>(3 * i, 3 * j) * columns;
+                frame_matrix_ * matrix.template block<3, 3>(3 * i, 3 * j) * columns;
         }
     }
 }
@@ -174,10 +175,10 @@ auto ObjectiveMap<Nodes>::compute_rate_gradients(const FrameRates& rates) const 
     RateGradients gradients{NodalMatrix<Nodes>::Zero(), FrameColumns::Zero()};
     // δω_R = by_psi (δψ_b − δψ_a) + by_R δφ_R.
     Mat3 by_psi = Mat3::Zero();
-    Mat3 by_R = A_a_ * spin(rates.omega.col(a));
+    Mat3 by_R = share_of_a_ * spin(rates.omega.col(a));
     if constexpr (has_pair) {
         by_psi = 0.5 * spin(rates.omega.col(b) - rates.omega.col(a)) * tau_gradient_;
-        by_R += A_b_ * spin(rates.omega.col(b));
+        by_R += share_of_b_ * spin(rates.omega.col(b));
     }
     for (int i = 0; i < Nodes; ++i) {
         const Mat3 spin_rho = spin(local_.r.col(i));
@@ -189,12 +190,12 @@ auto ObjectiveMap<Nodes>::compute_rate_gradients(const FrameRates& rates) const 
         if constexpr (has_pair) {
             of_rho.template middleCols<3>(6 * b + 3) += spin_rho * by_psi;
             of_rho.template middleCols<3>(6 * a + 3) -= spin_rho * by_psi;
-            of_psi.template middleCols<3>(6 * b + 3) -= T_inverse_[i] * by_psi;
-            of_psi.template middleCols<3>(6 * a + 3) += T_inverse_[i] * by_psi;
+            of_psi.template middleCols<3>(6 * b + 3) -= inverse_tangents_[i] * by_psi;
+            of_psi.template middleCols<3>(6 * a + 3) += inverse_tangents_[i] * by_psi;
         }
         gradients.by_frame.template middleRows<3>(6 * i) = spin(rates.v.col(i)) + spin_rho * by_R;
         gradients.by_frame.template middleRows<3>(6 * i + 3) =
-            T_inverse_[i] * (spin(rates.omega.col(i)) - by_R);
+            inverse_tangents_[i] * (spin(rates.omega.col(i)) - by_R);
     }
     return gradients;
 }
@@ -214,12 +215,13 @@ void ObjectiveMap<Nodes>::add_rate_tangent(const Motions<Nodes>& motions,
     // The rates themselves follow nodal rates as the motion follows spins.
     push_columns(FrameColumns::Zero(), rows);
     for (int j = 0; j < Nodes; ++j) {
-        const Mat3 by_v = linearizations[j]->rate * R_.transpose();
-        const Mat3 by_omega = R_.transpose() * linearizations[j]->d_omega;
+        const Mat3 by_v = linearizations[j]->rate * frame_matrix_.transpose();
+        const Mat3 by_omega = frame_matrix_.transpose() * linearizations[j]->d_omega;
         for (int i = 0; i < 2 * Nodes; ++i) {
-            tangent.template block<3, 3>(3 * i, 6 * j) += R_ * rows.template block<3, 3>(3 * i, 6 * j) * by_v;
+            tangent.template block<3, 3>(3 * i, 6 * j) +=
+                frame_matrix_ * rows.template block<3, 3>(3 * i, 6 * j) * by_v;
             tangent.template block<3, 3>(3 * i, 6 * j + 3) +=
-                R_ * rows.template block<3, 3>(3 * i, 6 * j + 3) * by_omega;
+                frame_matrix_ * rows.template block<3, 3>(3 * i, 6 * j + 3) * by_omega;
         }
     }
 }

@@ -78,10 +78,10 @@ class ObjectiveMap {
     RateGradients compute_rate_gradients(const FrameRates& rates) const;
 
     Quat frame_;
-    Mat3 R_;
+    Mat3 frame_matrix_;
     LocalMotion<Nodes> local_;
-    std::array<Mat3, Nodes> T_inverse_;
-    Mat3 A_a_, A_b_;
+    std::array<Mat3, Nodes> inverse_tangents_;
+    Mat3 share_of_a_, share_of_b_;
     Mat3 tau_gradient_;  // ∂τ/∂(ψ_b − ψ_a), τ the vector of A_a = ½(I + [τ]×), A_b = ½(I − [τ]×)
     double largest_relative_rotation_ = 0.0;
 };

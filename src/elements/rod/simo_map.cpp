@@ -9,7 +9,7 @@ SimoMap<Nodes>::SimoMap(const Motions<Nodes>& motions, const std::array<Quat, No
     for (int i = 0; i < Nodes; ++i) {
         local_.r.col(i) = motions[i]->r - motions[0]->r;
         local_.theta.col(i) = motions[i]->theta;
-        T_inverse_[i] = tangent_map_inverse(motions[i]->theta);
+        inverse_tangents_[i] = tangent_map_inverse(motions[i]->theta);
     }
 }
 
@@ -18,7 +18,7 @@ LocalMotion<Nodes> SimoMap<Nodes>::compute_rates(const Motions<Nodes>& motions) 
     LocalMotion<Nodes> rates;
     for (int i = 0; i < Nodes; ++i) {
         rates.r.col(i) = motions[i]->v - motions[0]->v;
-        rates.theta.col(i) = T_inverse_[i] * motions[i]->omega;
+        rates.theta.col(i) = inverse_tangents_[i] * motions[i]->omega;
     }
     return rates;
 }
@@ -28,7 +28,7 @@ void SimoMap<Nodes>::add_force(const NodalVector<Nodes>& local_force, NodalVecto
     for (int i = 0; i < Nodes; ++i) {
         force.template segment<3>(6 * i) += local_force.template segment<3>(6 * i);
         force.template segment<3>(6 * i + 3) +=
-            T_inverse_[i].transpose() * local_force.template segment<3>(6 * i + 3);
+            inverse_tangents_[i].transpose() * local_force.template segment<3>(6 * i + 3);
     }
 }
 
@@ -36,7 +36,7 @@ template <int Nodes>
 NodalMatrix<Nodes> SimoMap<Nodes>::pull_rows(NodalMatrix<Nodes> rows) const {
     for (int i = 0; i < Nodes; ++i) {
         auto moment = rows.template middleRows<3>(6 * i + 3);
-        moment = (T_inverse_[i].transpose() * moment).eval();
+        moment = (inverse_tangents_[i].transpose() * moment).eval();
     }
     return rows;
 }
@@ -56,7 +56,7 @@ void SimoMap<Nodes>::add_tangent(const NodalVector<Nodes>& local_force,
         const double placement = linearizations[j]->placement;
         tangent.template middleCols<3>(6 * j) += placement * rows.template middleCols<3>(6 * j);
         tangent.template middleCols<3>(6 * j + 3) +=
-            rows.template middleCols<3>(6 * j + 3) * (placement * T_inverse_[j]);
+            rows.template middleCols<3>(6 * j + 3) * (placement * inverse_tangents_[j]);
     }
 }
 
@@ -69,10 +69,10 @@ void SimoMap<Nodes>::add_rate_tangent(const Motions<Nodes>& motions,
     for (int j = 0; j < Nodes; ++j) {
         const NodeLinearization& linearization = *linearizations[j];
         // θ̇ = T(θ)⁻¹ ω.
-        const Mat3 by_spin = T_inverse_[j] * linearization.d_omega +
+        const Mat3 by_spin = inverse_tangents_[j] * linearization.d_omega +
                              linearization.placement *
                                  tangent_map_inverse_derivative(local_.theta.col(j), motions[j]->omega) *
-                                 T_inverse_[j];
+                                 inverse_tangents_[j];
         tangent.template middleCols<3>(6 * j) += linearization.rate * rows.template middleCols<3>(6 * j);
         tangent.template middleCols<3>(6 * j + 3) += rows.template middleCols<3>(6 * j + 3) * by_spin;
     }

@@ -40,7 +40,7 @@ class SimoMap {
     NodalMatrix<Nodes> pull_rows(NodalMatrix<Nodes> rows) const;
 
     LocalMotion<Nodes> local_;
-    std::array<Mat3, Nodes> T_inverse_;
+    std::array<Mat3, Nodes> inverse_tangents_;
 };
 
 extern template class SimoMap<2>;
