@@ -96,7 +96,7 @@ struct HistoryRequest {
     std::vector<Quantity> quantities;
     int end_element = -1;  // of an end of a rod that comes back to its node: the rod's element there
     // Where the deck says relative_to: components are in the axes of this node, positions from its place.
-    std::string relative_to;  // as the deck has it
+    std::string relative_to = {};  // as the deck has it
     int relative_node = -1;
     Quat relative_axes = Quat::Identity();  // of section or body there at t = 0
 };
