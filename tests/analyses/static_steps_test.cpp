@@ -141,3 +141,19 @@ TEST_CASE("a rod sags by its weight as beams do", "[analyses][static]") {
         CHECK(measure(1) < 1e-11);
     }
 }
+
+TEST_CASE("moments do all their work in steps of whole turns too", "[analyses][static]") {
+    // A helix of an isotropic section: its tip turns about one axis, its moment stays M, and W = M θ/2.
+    for (const double turns : {1.0, 2.0, 3.0}) {
+        for (const long steps : {1L, 2L, 3L}) {
+            const Vec3 axis = Vec3(6.0, 3.0, 2.0) / 7.0;
+            const Model model = make_bent_elements(turns * 2.0 * pi / 20.0, 20, axis, {0, 1});
+            const StaticRun run = run_static(model, make_static_settings(steps));
+            INFO(turns << " turns in " << steps << " steps");
+            CHECK(run.rejected_steps == 0);
+            const double angle = 2.0 * pi * turns;
+            CHECK(run.ledger.external_work == Approx(0.5 * 100.0 / 10.0 * angle * angle).epsilon(1e-10));
+            CHECK(std::abs(run.ledger.energy_error) < 1e-8);
+        }
+    }
+}
