@@ -10,8 +10,8 @@ DynamicAnalysis::DynamicAnalysis(const Model& model, const DynamicSettings& sett
                       make_step_sequence(settings)) {}
 
 EquilibriumReport DynamicAnalysis::start() {
-    const SupportDifferences differences{support_difference * steps_->time_step(), Supports::Side::after};
-    const EquilibriumReport report = solve_accelerations(system_, 0.0, differences, workspace_, state_);
+    const TimeSpan first_step{0.0, steps_->time_step()};
+    const EquilibriumReport report = solve_accelerations(system_, 0.0, first_step, workspace_, state_);
     if (report.converged()) accept_start();
     return report;
 }

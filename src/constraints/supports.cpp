@@ -10,24 +10,6 @@ namespace gxrod {
 
 namespace {
 
-constexpr int stencil_size = 7;
-using Stencil = std::array<double, stencil_size>;
-
-// Derivatives from seven equally spaced values, exact for polynomials of degree 6 (Fornberg 1988).
-struct DifferenceRule {
-    int first;  // of the points, in steps
-    Stencil slope, curvature;
-};
-
-constexpr DifferenceRule after{
-    0,
-    {-49.0 / 20.0, 6.0, -15.0 / 2.0, 20.0 / 3.0, -15.0 / 4.0, 6.0 / 5.0, -1.0 / 6.0},
-    {203.0 / 45.0, -87.0 / 5.0, 117.0 / 4.0, -254.0 / 9.0, 33.0 / 2.0, -27.0 / 5.0, 137.0 / 180.0}};
-constexpr DifferenceRule central{
-    -3,
-    {-1.0 / 60.0, 3.0 / 20.0, -3.0 / 4.0, 0.0, 3.0 / 4.0, -3.0 / 20.0, 1.0 / 60.0},
-    {1.0 / 90.0, -3.0 / 20.0, 3.0 / 2.0, -49.0 / 18.0, 3.0 / 2.0, -3.0 / 20.0, 1.0 / 90.0}};
-
 // Three components of a support's motion, from `first` on; zero where it does not move. In its own axes.
 Vec3 motion_at(const Support& support, int first, double time) {
     Vec3 value = Vec3::Zero();
@@ -37,24 +19,39 @@ Vec3 motion_at(const Support& support, int first, double time) {
     return value;
 }
 
+bool moves(const Support& support, int first) {
+    return support.moved[first] || support.moved[first + 1] || support.moved[first + 2];
+}
+
+bool holds(const Support& support, int first) {
+    return support.holds(first) || support.holds(first + 1) || support.holds(first + 2);
+}
+
 struct Derivatives {
-    Vec3 slope = Vec3::Zero();
-    Vec3 curvature = Vec3::Zero();
+    Vec3 first = Vec3::Zero();
+    Vec3 second = Vec3::Zero();
 };
 
-Derivatives differentiate(
-    const Support& support, int first, double time, double step, const DifferenceRule& rule) {
+// Of three components of a support's motion; zero where it does not move.
+Derivatives differentiate(const Support& support, int first, const StepDifferences& differences) {
     Derivatives derivatives;
-    for (int k = 0; k < stencil_size; ++k) {
-        const Vec3 value = motion_at(support, first, time + (rule.first + k) * step);
-        derivatives.slope += (rule.slope[k] / step) * value;
-        derivatives.curvature += (rule.curvature[k] / (step * step)) * value;
+    if (!moves(support, first)) return derivatives;
+    for (int k = 0; k < difference_points; ++k) {
+        const Vec3 value = motion_at(support, first, differences.times[k]);
+        derivatives.first += differences.first[k] * value;
+        derivatives.second += differences.second[k] * value;
     }
     return derivatives;
 }
 
-bool moves(const Support& support, int first) {
-    return support.moved[first] || support.moved[first + 1] || support.moved[first + 2];
+// Puts those of three components of `value` that the support holds, seen in its axes, to what is wanted.
+void replace_held(const Support& support, int first, const Mat3& axes, const Vec3& wanted, Vec3& value) {
+    if (!holds(support, first)) return;
+    Vec3 own = axes.transpose() * value;
+    for (int i = 0; i < 3; ++i) {
+        if (support.holds(first + i)) own[i] = wanted[i];
+    }
+    value = axes * own;
 }
 
 }  // namespace
@@ -76,12 +73,9 @@ Supports::Supports(const Model& model)
 void Supports::place_position(const Support& support, double time, NodeMotion& motion) const {
     const Mat3& Q = axes(support.node);
     const Vec3& reference = model_->nodes[support.node].position;
-    const Vec3 wanted = motion_at(support, 0, time);
-    Vec3 displacement = Q.transpose() * (motion.r - reference);
-    for (int i = 0; i < 3; ++i) {
-        if (support.holds(i)) displacement[i] = wanted[i];
-    }
-    motion.r = reference + Q * displacement;
+    Vec3 displacement = motion.r - reference;
+    replace_held(support, 0, Q, motion_at(support, 0, time), displacement);
+    motion.r = reference + displacement;
 }
 
 void Supports::place_rotation(const Support& support, double time, State& state) const {
@@ -103,28 +97,22 @@ void Supports::place(double time, State& state) const {
     }
 }
 
-void Supports::set_rates(double time, double step, Side side, std::vector<NodeMotion>& motions) const {
-    const DifferenceRule& rule = side == Side::after ? after : central;
-    for (const Support* support : moving_) {
-        const Mat3& Q = axes(support->node);
-        NodeMotion& motion = motions[support->node];
-        if (moves(*support, 0)) {
-            const Derivatives rates = differentiate(*support, 0, time, step, rule);
-            Vec3 v = Q.transpose() * motion.v;
-            Vec3 a = Q.transpose() * motion.a;
-            for (int i = 0; i < 3; ++i) {
-                if (!support->moved[i]) continue;
-                v[i] = rates.slope[i];
-                a[i] = rates.curvature[i];
-            }
-            motion.v = Q * v;
-            motion.a = Q * a;
-        }
-        if (moves(*support, 3)) {
-            const Derivatives rates = differentiate(*support, 3, time, step, rule);
-            const Vec3 phi = Q * motion_at(*support, 3, time);
-            motion.omega = angular_velocity(phi, Q * rates.slope);
-            motion.alpha = angular_acceleration(phi, Q * rates.slope, Q * rates.curvature);
+void Supports::set_rates(double time, const TimeSpan& step, std::vector<NodeMotion>& motions) const {
+    const StepDifferences differences = compute_step_differences(time, step);
+    for (const Support& support : model_->supports) {
+        const Mat3& Q = axes(support.node);
+        NodeMotion& motion = motions[support.node];
+        const Derivatives of_position = differentiate(support, 0, differences);
+        replace_held(support, 0, Q, of_position.first, motion.v);
+        replace_held(support, 0, Q, of_position.second, motion.a);
+        const Derivatives of_rotation = differentiate(support, 3, differences);
+        if (moves(support, 3)) {
+            const Vec3 phi = Q * motion_at(support, 3, time);
+            motion.omega = angular_velocity(phi, Q * of_rotation.first);
+            motion.alpha = angular_acceleration(phi, Q * of_rotation.first, Q * of_rotation.second);
+        } else {
+            replace_held(support, 3, Q, Vec3::Zero(), motion.omega);
+            replace_held(support, 3, Q, Vec3::Zero(), motion.alpha);
         }
     }
 }

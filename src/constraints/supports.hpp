@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "constraints/step_differences.hpp"
 #include "model/model.hpp"
 #include "state/state.hpp"
 
@@ -32,10 +33,9 @@ class Supports {
     // Puts held positions and rotations where the supports want them at `time`; θ counts from
     // state.previous, at state.time, whole turns included.
     void place(double time, State& state) const;
-    // Velocities and accelerations of the moving components from f, by differences over `step`: one-sided at
-    // the start of a run, else central.
-    enum class Side { after, both };
-    void set_rates(double time, double step, Side side, std::vector<NodeMotion>& motions) const;
+    // Velocities and accelerations of held components at a time within a step: zero where fixed, where they
+    // move the derivatives of f, by differences within the step.
+    void set_rates(double time, const TimeSpan& step, std::vector<NodeMotion>& motions) const;
 
   private:
     void place_position(const Support& support, double time, NodeMotion& motion) const;

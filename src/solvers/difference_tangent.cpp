@@ -1,5 +1,6 @@
 #include "solvers/difference_tangent.hpp"
 
+#include "solvers/trial_rates.hpp"
 #include "state/increment.hpp"
 
 namespace gxrod {
@@ -20,7 +21,7 @@ void move(const System& system,
         const Vec6 delta = system.equations().to_global_axes(node, sign * size * Vec6::Unit(component));
         apply_spin(state.previous[node], delta.head<3>(), delta.tail<3>(), state.trial[node]);
     }
-    integrator.update_rates(state, stage);
+    update_trial_rates(system, integrator, stage, state);
 }
 
 }  // namespace
@@ -79,7 +80,7 @@ void DifferenceTangent::compute(const Integrator& integrator,
             }
         }
     }
-    integrator.update_rates(state, stage);
+    update_trial_rates(*system_, integrator, stage, state);
 }
 
 }  // namespace gxrod

@@ -59,17 +59,14 @@ Power compute_power(const WorkingForces& forces, const std::vector<NodeMotion>& 
     return power;
 }
 
-EquilibriumReport solve_accelerations(const System& system,
-                                      double time,
-                                      const SupportDifferences& differences,
-                                      SolverWorkspace& workspace,
-                                      State& state) {
+EquilibriumReport solve_accelerations(
+    const System& system, double time, const TimeSpan& step, SolverWorkspace& workspace, State& state) {
     EquilibriumReport report;
     for (NodeMotion& motion : state.trial) {
         motion.a.setZero();
         motion.alpha.setZero();
     }
-    system.supports().set_rates(time, differences.step, differences.side, state.trial);
+    system.supports().set_rates(time, step, state.trial);
     system.compute_residual(state, time, workspace.residual);
     measure_residual(system, workspace.residual, report);
     if (report.outcome == Outcome::not_finite) return report;
@@ -98,8 +95,7 @@ EquilibriumReport solve_stage_explicitly(const System& system,
     const double time = integrator.stage_time(stage);
     integrator.begin_stage(state, stage);
     system.supports().place(time, state);
-    return solve_accelerations(
-        system, time, {support_difference * stage.time_step, Supports::Side::both}, workspace, state);
+    return solve_accelerations(system, time, {stage.step_time, stage.time_step}, workspace, state);
 }
 
 }  // namespace

@@ -71,22 +71,10 @@ EquilibriumReport solve_equilibrium(const System& system,
                                     SolverWorkspace& workspace,
                                     State& state);
 
-// How velocities and accelerations of moving supports come from differences of what the deck prescribes.
-struct SupportDifferences {
-    double step;
-    Supports::Side side;
-};
-
-// Of a time step: where differences are taken for moving supports.
-inline constexpr double support_difference = 0.125;
-
 // Sets the trial accelerations from equilibrium at the trial's positions, rotations and velocities: M a = f.
-// Where supports move they set velocities and accelerations of their components first.
-EquilibriumReport solve_accelerations(const System& system,
-                                      double time,
-                                      const SupportDifferences& differences,
-                                      SolverWorkspace& workspace,
-                                      State& state);
+// Supports set those of their components first, by differences within `step`, which `time` belongs to.
+EquilibriumReport solve_accelerations(
+    const System& system, double time, const TimeSpan& step, SolverWorkspace& workspace, State& state);
 
 // One whole step of any scheme: each stage in turn, until one fails. The trial motions hold the result.
 EquilibriumReport solve_step(const System& system,

@@ -5,6 +5,7 @@
 #include "rotation/rotation_map.hpp"
 #include "solvers/difference_tangent.hpp"
 #include "solvers/newton_steps.hpp"
+#include "solvers/trial_rates.hpp"
 #include "state/increment.hpp"
 
 namespace gxrod {
@@ -53,9 +54,9 @@ class Newton {
     void predict() {
         const PhaseTimer timer(workspace_.seconds.update);
         integrator_.begin_stage(state_, stage_);
-        if (moves_supports_ || !system_.supports().move()) return;
+        if (integrator_.is_static()) return;
         system_.supports().place(time_, state_);
-        integrator_.update_rates(state_, stage_);
+        update_trial_rates(system_, integrator_, stage_, state_);
     }
 
     std::vector<Vec3> predicted_spins() const {
@@ -165,7 +166,7 @@ class Newton {
             }
         }
         if (moves_supports_ && report_.iterations == 1) system_.supports().place(time_, state_);
-        integrator_.update_rates(state_, stage_);
+        update_trial_rates(system_, integrator_, stage_, state_);
         return check_step_rotations();
     }
 

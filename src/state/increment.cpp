@@ -1,12 +1,32 @@
 #include "state/increment.hpp"
 
+#include <numbers>
+
 #include "rotation/rotation_map.hpp"
 #include "rotation/tangent_map.hpp"
 
 namespace gxrod {
 
+namespace {
+
+// In statics a node may turn by any angle within one step. T(θ)⁻¹ is singular at whole turns, where exp(θ)
+// says nothing of the axis of θ either: there θ is the sum of its spins, elsewhere the nearest to that.
+void turn_beyond_half(const NodeMotion& previous, const Vec3& delta_phi, NodeMotion& trial) {
+    constexpr double close = 0.1;  // rad, to a whole turn
+    trial.Lambda = (exp_quaternion(delta_phi) * trial.Lambda).normalized();
+    trial.theta += delta_phi;
+    const Quat step = trial.Lambda * previous.Lambda.conjugate();
+    if (log(step).norm() > close) trial.theta = log_nearest(step, trial.theta);
+}
+
+}  // namespace
+
 void apply_spin(const NodeMotion& previous, const Vec3& delta_r, const Vec3& delta_phi, NodeMotion& trial) {
     trial.r += delta_r;
+    if (trial.theta.norm() >= std::numbers::pi) {
+        turn_beyond_half(previous, delta_phi, trial);
+        return;
+    }
     const Vec3 guess = trial.theta + tangent_map_inverse(trial.theta) * delta_phi;
     // Composed from θ rather than from Λ Λₙᵀ, a small rotation keeps its relative accuracy; rates divide it
     // by Δt².

@@ -7,6 +7,7 @@
 #include "integrators/load_stepping.hpp"
 #include "integrators/newmark_simplified.hpp"
 #include "solvers/difference_tangent.hpp"
+#include "solvers/trial_rates.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;
@@ -30,7 +31,7 @@ void for_each_turned_model(Visit&& visit) {
 void check_tangent(const System& system, const Integrator& integrator, unsigned seed) {
     State state = make_turned_state(system, seed);
     integrator.start(state);
-    integrator.update_rates(state, stage);
+    update_trial_rates(system, integrator, stage, state);
     std::vector<NodeLinearization> linearizations(state.trial.size());
     integrator.linearize(state, stage, linearizations);
     std::vector<double> values, differences;

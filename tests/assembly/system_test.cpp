@@ -8,6 +8,7 @@
 #include "loads/nodal_load.hpp"
 #include "rotation/rotation_map.hpp"
 #include "solvers/difference_tangent.hpp"
+#include "solvers/trial_rates.hpp"
 #include "state/increment.hpp"
 #include "tools/difference.hpp"
 
@@ -123,7 +124,7 @@ TEST_CASE("the assembled tangent is the derivative of the residual", "[assembly]
     const Stage stage{0, 0.6, 0.1, now};
     for (unsigned seed = 1; seed <= 3; ++seed) {
         State state = make_sample_state(system, seed);
-        scheme.update_rates(state, stage);
+        update_trial_rates(system, scheme, stage, state);
         std::vector<NodeLinearization> linearizations(state.trial.size());
         scheme.linearize(state, stage, linearizations);
         std::vector<double> values, differences;

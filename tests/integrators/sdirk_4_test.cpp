@@ -75,8 +75,7 @@ TEST_CASE("the error estimate of sdirk-4 falls with the fourth power of the step
     std::vector<double> errors;
     for (const double step : {2e-3, 1e-3, 5e-4}) {
         State state = system.initial_state();
-        REQUIRE(solve_accelerations(system, 0.0, {0.1 * step, Supports::Side::after}, workspace, state)
-                    .converged());
+        REQUIRE(solve_accelerations(system, 0.0, {0.0, step}, workspace, state).converged());
         system.commit(state, 0.0);
         REQUIRE(solve_step(system, scheme, newton, {0, 0.0, step, step}, workspace, state).converged());
         const StepError error = scheme.estimate_error(state, step, system.length_scale());

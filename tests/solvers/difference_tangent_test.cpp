@@ -5,6 +5,7 @@
 
 #include "assembly/sample_model.hpp"
 #include "integrators/scheme_samples.hpp"
+#include "solvers/trial_rates.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;
@@ -43,7 +44,7 @@ TEST_CASE("differences give the tangent of every implicit scheme and restore the
         if (integrator->stage_count() > 1) {
             state.stages.assign(integrator->stage_count(), std::vector<StageRates>(state.trial.size()));
         }
-        integrator->update_rates(state, stage);
+        update_trial_rates(system, *integrator, stage, state);
         const auto before = state.trial;
         std::vector<double> differences, values;
         DifferenceTangent(system).compute(*integrator, stage, state, differences);

@@ -91,3 +91,23 @@ TEST_CASE("a rotation vector goes past half a turn without a jump", "[state]") {
     apply_spin(previous, Vec3::Zero(), 2e-3 * axis, trial);
     CHECK((trial.theta - (std::numbers::pi + 1e-3) * axis).norm() < 1e-14);
 }
+
+TEST_CASE("whole turns are counted by their spins, whatever round-off says of their axis", "[state]") {
+    RandomValues random(55);
+    for (const double turns : {1.0, 2.0, 3.0}) {
+        const NodeMotion previous = make_previous(random);
+        const Vec3 axis = random.direction();
+        NodeMotion trial;
+        place(previous, Vec3::Zero(), Vec3::Zero(), trial);
+        apply_spin(previous, Vec3::Zero(), (2.0 * std::numbers::pi * turns + 1e-3) * axis, trial);
+        apply_spin(previous, Vec3::Zero(), -1e-3 * axis, trial);
+        for (int i = 0; i < 10; ++i) apply_spin(previous, Vec3::Zero(), random.vector(1e-13), trial);
+        CHECK((trial.theta - 2.0 * std::numbers::pi * turns * axis).norm() < 1e-11);
+        CHECK(distance(trial.Lambda, previous.Lambda) < 1e-11);
+        // Away from there θ is that of Λ again, to the last digit.
+        apply_spin(previous, Vec3::Zero(), random.vector(0.03), trial);
+        apply_spin(previous, Vec3::Zero(), 2.0 * axis, trial);
+        CHECK(distance(trial.Lambda, exp_quaternion(trial.theta) * previous.Lambda) < 1e-14);
+        CHECK(trial.theta.norm() == Approx(2.0 * std::numbers::pi * turns + 2.0).margin(0.1));
+    }
+}
