@@ -148,10 +148,10 @@ std::string explain_asymmetry(const Load& load) {
 std::string find_asymmetry(const BuildContext& context) {
     if (!context.is_static()) return "this one is dynamic";
     for (const NodalLoad& load : context.model.loads) {
-        if (const std::string reason = explain_asymmetry(load); !reason.empty()) return reason;
+        if (std::string reason = explain_asymmetry(load); !reason.empty()) return reason;
     }
     for (const DistributedLoad& load : context.model.distributed_loads) {
-        if (const std::string reason = explain_asymmetry(load); !reason.empty()) return reason;
+        if (std::string reason = explain_asymmetry(load); !reason.empty()) return reason;
     }
     return "";
 }

@@ -26,6 +26,15 @@ const TableSpec& function_table() {
     return table;
 }
 
+constexpr const char* body_example =
+    "[body.gyroscope]\n"
+    "mass            = 1.0\n"
+    "inertia         = [1.0, 1.0, 0.75]\n"
+    "at              = [0, 0, 0]\n"
+    "centre_of_mass  = [0, 0, 0.5]\n"
+    "rotation_vector = [0, \"pi/3\", 0]\n"
+    "angular_velocity_material = [0, 0, 50]\n";
+
 const TableSpec& body_table() {
     static const TableSpec table{
         .path = "body.NAME",
@@ -78,14 +87,7 @@ const TableSpec& body_table() {
                   .default_text = "what angular_velocity says",
                   .sentence = "At t = 0, components in the body axes."}},
         .groups = {{GroupRule::at_most_one, {"angular_velocity", "angular_velocity_material"}}},
-        .example =
-            "[body.gyroscope]\n"
-            "mass            = 1.0\n"
-            "inertia         = [1.0, 1.0, 0.75]\n"
-            "at              = [0, 0, 0]\n"
-            "centre_of_mass  = [0, 0, 0.5]\n"
-            "rotation_vector = [0, \"pi/3\", 0]\n"
-            "angular_velocity_material = [0, 0, 50]\n"};
+        .example = body_example};
     return table;
 }
 

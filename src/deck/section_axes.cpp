@@ -52,7 +52,7 @@ Quat choose_axes(const Vec3& tangent) { return *project_axes(tangent, choose_y_a
 
 std::optional<Quat> find_start_axes(const CheckedTable& rod, const Vec3& tangent, BuildContext& context) {
     if (!rod.gives("y_axis")) {
-        const Quat axes = choose_axes(tangent);
+        Quat axes = choose_axes(tangent);
         context.notes.push_back(fmt::format("{}: not given; section y at the start is {}, from global {}",
                                             rod.path_of("y_axis"),
                                             describe(axes * Vec3::UnitY()),
@@ -64,7 +64,7 @@ std::optional<Quat> find_start_axes(const CheckedTable& rod, const Vec3& tangent
         context.add_fault(rod, "y_axis", "expected a direction, found a vector of zero length");
         return std::nullopt;
     }
-    const std::optional<Quat> axes = project_axes(tangent, given);
+    std::optional<Quat> axes = project_axes(tangent, given);
     if (!axes) {
         context.add_fault(
             rod,

@@ -39,7 +39,7 @@ struct Axis {
 std::string describe_axis(const Axis& axis, const ModelPart& part, const System& system, const State& state) {
     const double tolerance = near * system.length_scale();
     const auto is_on_axis = [&](int node) { return axis.distance(state.trial[node].r) < tolerance; };
-    const std::string direction = describe_vector(axis.direction);
+    std::string direction = describe_vector(axis.direction);
     if (part.nodes.size() == 1) return direction;
     const auto first = std::find_if(part.nodes.begin(), part.nodes.end(), is_on_axis);
     if (first != part.nodes.end()) {

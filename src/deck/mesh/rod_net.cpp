@@ -55,7 +55,7 @@ class NetMaker {
         for (std::size_t i = 0; i <= order_; ++i) {
             points.push_back(mesh_.positions[node_of(link.element, link.is_reversed ? order_ - i : i)]);
         }
-        const Cubic cubic = interpolate(points);
+        Cubic cubic = interpolate(points);
         if (points.front() == points.back()) refuse(link.element, "has no length");
         if (find_fold({&cubic, 1})) refuse(link.element, "turns back on itself");
         return cubic;
