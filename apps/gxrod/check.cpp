@@ -37,7 +37,7 @@ int check(const CheckArguments& arguments) {
     DynamicAnalysis analysis(problem.model, *dynamic);
     const EquilibriumReport start = analysis.start();
     if (!start.converged()) {
-        fmt::print(stderr, "gxrod: initial accelerations: {}\n", describe(start, problem.model));
+        fmt::print(stderr, "gxrod: {}\n", describe_failure(analysis.explain(start)));
         return exit_not_converged;
     }
     fmt::print("initial accelerations solved; energy at the start {:.6g}\n",

@@ -1,7 +1,5 @@
 #include "analyses/run.hpp"
 
-#include <fmt/format.h>
-
 #include "model/evaluation_error.hpp"
 
 namespace gxrod {
@@ -43,7 +41,7 @@ class Run {
     bool start() {
         const EquilibriumReport report = analysis_->start();
         if (!report.converged()) {
-            fail("initial accelerations: " + describe(report, request_.model));
+            fail(describe_failure(analysis_->explain(report)));
             return false;
         }
         record();
@@ -55,8 +53,7 @@ class Run {
         const SolverRow& row = analysis_->solver_row();
         summary_.rejected_steps += row.rejected_steps;
         if (!report.converged()) {
-            fail(fmt::format(
-                "step from t = {:.10g}: {}", analysis_->state().time, describe(report, request_.model)));
+            fail(describe_failure(analysis_->explain(report)));
             return false;
         }
         ++summary_.steps;

@@ -1,6 +1,33 @@
 #include "analyses/stepped_analysis.hpp"
 
+#include "solvers/direction_words.hpp"
+#include "solvers/worst_nodes.hpp"
+
 namespace gxrod {
+
+namespace {
+
+std::vector<std::string> name_places(const System& system,
+                                     const EquilibriumReport& report,
+                                     const Residual& residual) {
+    constexpr std::size_t most = 3;
+    std::vector<std::string> places;
+    if (report.outcome == Outcome::out_of_iterations) {
+        for (const WorstNode& worst : find_worst_nodes(system, residual, most)) {
+            places.push_back(name_place(system.model(), worst.node, worst.component));
+        }
+    } else if (report.worst_node >= 0) {
+        places.push_back(name_place(system.model(), report.worst_node, report.worst_component));
+    }
+    return places;
+}
+
+bool may_come_from_weakness(Outcome outcome) {
+    return outcome == Outcome::singular || outcome == Outcome::out_of_iterations ||
+           outcome == Outcome::rotation_too_large || outcome == Outcome::element_too_turned;
+}
+
+}  // namespace
 
 SteppedAnalysis::SteppedAnalysis(const Model& model,
                                  std::unique_ptr<Integrator> integrator,
@@ -10,6 +37,7 @@ SteppedAnalysis::SteppedAnalysis(const Model& model,
     : system_(model),
       integrator_(std::move(integrator)),
       newton_(newton),
+      linear_solver_(linear_solver),
       workspace_(system_, linear_solver),
       steps_(std::move(steps)),
       state_(system_.initial_state()) {}
@@ -61,6 +89,39 @@ EquilibriumReport SteppedAnalysis::advance() {
     system_.commit(state_, steps_->next_time());
     steps_->accept();
     return report;
+}
+
+Failure::Phase SteppedAnalysis::failure_phase() const {
+    if (!ledger_) return Failure::Phase::initial_accelerations;
+    if (integrator_->is_static()) return Failure::Phase::load_step;
+    return integrator_->is_explicit() ? Failure::Phase::explicit_step : Failure::Phase::implicit_step;
+}
+
+std::string SteppedAnalysis::find_weakness() {
+    const Failure::Phase phase = failure_phase();
+    if (phase == Failure::Phase::implicit_step || phase == Failure::Phase::load_step) {
+        const Stage stage{0, steps_->time(), steps_->time_step(), steps_->next_time()};
+        workspace_.linearizations.resize(state_.trial.size());
+        integrator_->linearize(state_, stage, workspace_.linearizations);
+        system_.compute_tangent(state_, steps_->time(), workspace_.linearizations, workspace_.values);
+    }
+    const std::optional<Weakness> weakness = describe_weakness(system_, state_, workspace_.values);
+    return weakness && weakness->stiffness < singular_stiffness ? weakness->words : "";
+}
+
+Failure SteppedAnalysis::explain(const EquilibriumReport& report) {
+    Failure failure;
+    failure.phase = failure_phase();
+    failure.outcome = report.outcome;
+    failure.time = steps_->time();
+    failure.time_step = steps_->time_step();
+    failure.iterations = report.iterations;
+    failure.residual = report.residual;
+    failure.step_error = report.step_error;
+    failure.places = name_places(system_, report, workspace_.residual);
+    if (may_come_from_weakness(report.outcome)) failure.weakness = find_weakness();
+    failure.linear_solver = linear_solver_;
+    return failure;
 }
 
 Snapshot SteppedAnalysis::snapshot() {

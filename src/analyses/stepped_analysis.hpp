@@ -7,6 +7,7 @@
 #include "integrators/integrator.hpp"
 #include "results/step_record.hpp"
 #include "solvers/equilibrium.hpp"
+#include "solvers/failure_advice.hpp"
 #include "solvers/step_sequence.hpp"
 
 namespace gxrod {
@@ -22,6 +23,8 @@ class SteppedAnalysis {
     // says why and the state is the last accepted one.
     EquilibriumReport advance();
     bool finished() const { return steps_->finished(); }
+    // Why the start or the last step failed, where, and what to try. Its report must be the last one.
+    Failure explain(const EquilibriumReport& report);
 
     const System& system() const { return system_; }
     const State& state() const { return state_; }
@@ -47,6 +50,7 @@ class SteppedAnalysis {
     System system_;
     std::unique_ptr<Integrator> integrator_;
     NewtonSettings newton_;
+    LinearSolverKind linear_solver_;
     SolverWorkspace workspace_;
     std::unique_ptr<StepSequence> steps_;
     State state_;
@@ -54,10 +58,13 @@ class SteppedAnalysis {
   private:
     // Tries the next step; if that fails, or a load throws EvaluationError, the state is as before.
     bool take_step(EquilibriumReport& report);
+    Failure::Phase failure_phase() const;
+    // What nothing resists at the last accepted state, or "".
+    std::string find_weakness();
     // Fails the report if the step's estimated error is too large.
     void check_error(EquilibriumReport& report);
 
-    std::unique_ptr<Ledger> ledger_;
+    std::unique_ptr<Ledger> ledger_;  // none before the start
     SolverRow solver_row_;
     std::vector<SectionValues> section_values_;
     std::vector<Vec6> reactions_;

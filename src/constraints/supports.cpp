@@ -27,6 +27,10 @@ bool holds(const Support& support, int first) {
     return support.holds(first) || support.holds(first + 1) || support.holds(first + 2);
 }
 
+bool holds_all(const Support& support, int first) {
+    return support.holds(first) && support.holds(first + 1) && support.holds(first + 2);
+}
+
 struct Derivatives {
     Vec3 first = Vec3::Zero();
     Vec3 second = Vec3::Zero();
@@ -110,9 +114,9 @@ void Supports::set_rates(double time, const TimeSpan& step, std::vector<NodeMoti
             const Vec3 phi = Q * motion_at(support, 3, time);
             motion.omega = angular_velocity(phi, Q * of_rotation.first);
             motion.alpha = angular_acceleration(phi, Q * of_rotation.first, Q * of_rotation.second);
-        } else {
-            replace_held(support, 3, Q, Vec3::Zero(), motion.omega);
-            replace_held(support, 3, Q, Vec3::Zero(), motion.alpha);
+        } else if (holds_all(support, 3)) {
+            motion.omega.setZero();
+            motion.alpha.setZero();
         }
     }
 }

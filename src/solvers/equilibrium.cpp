@@ -1,51 +1,11 @@
 #include "solvers/equilibrium.hpp"
 
-#include <fmt/format.h>
-
 #include "solvers/newton_steps.hpp"
 
 namespace gxrod {
 
 SolverWorkspace::SolverWorkspace(const System& system, LinearSolverKind kind)
     : linear_solver(make_linear_solver(kind, system.pattern())) {}
-
-std::string describe(const EquilibriumReport& report, const Model& model) {
-    static constexpr const char* components[6] = {"x", "y", "z", "rx", "ry", "rz"};
-    std::string where = report.worst_node >= 0 ? " at " + model.nodes[report.worst_node].name : "";
-    if (report.worst_node >= 0 && report.worst_component >= 0) {
-        where += fmt::format(" ({})", components[report.worst_component]);
-    }
-    switch (report.outcome) {
-        case Outcome::converged:
-            break;
-        case Outcome::out_of_iterations:
-            return fmt::format(
-                "Newton's method did not converge in {} iterations; the residual, {:.2e} of the largest "
-                "force or moment, is largest{}",
-                report.iterations,
-                report.residual,
-                where);
-        case Outcome::singular:
-            return fmt::format("the system of equations is singular{}", where);
-        case Outcome::not_finite:
-            return fmt::format("a force or increment is not a finite number{}", where);
-        case Outcome::rotation_too_large:
-            return fmt::format("the rotation within one step reaches half a turn{}; take smaller steps",
-                               where);
-        case Outcome::element_too_turned:
-            return fmt::format(
-                "one element's nodes turn against each other by half a turn{}; use more elements or smaller "
-                "steps",
-                where);
-        case Outcome::error_too_large:
-            return fmt::format(
-                "the estimated error of the shortest step allowed, {:.2e}, is above the tolerance{}; allow a "
-                "shorter min_step or a larger tolerance",
-                report.step_error,
-                where);
-    }
-    return "converged";
-}
 
 Power compute_power(const WorkingForces& forces, const std::vector<NodeMotion>& motions) {
     Power power;

@@ -34,9 +34,6 @@ struct EquilibriumReport {
     bool converged() const { return outcome == Outcome::converged; }
 };
 
-// One line for a user: what failed, at which node and component.
-std::string describe(const EquilibriumReport& report, const Model& model);
-
 // At one instant.
 struct Power {
     double driving = 0.0;  // of loads and moving supports

@@ -19,10 +19,9 @@ double DeckRun::end_time() const {
     return dynamic == nullptr ? 1.0 : dynamic->end_time;
 }
 
-void DeckRun::check(const EquilibriumReport& report) const {
+void DeckRun::check(const EquilibriumReport& report) {
     if (report.converged()) return;
-    throw std::runtime_error(fmt::format(
-        "{}: step from t = {}: {}", name_, analysis_->state().time, describe(report, problem_.model)));
+    throw std::runtime_error(name_ + ": " + describe_failure(analysis_->explain(report)));
 }
 
 void DeckRun::run(const std::function<void()>& visit) {

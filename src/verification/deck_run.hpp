@@ -33,7 +33,7 @@ class DeckRun {
     double seconds() const { return seconds_; }  // of run, less what visit took
 
   private:
-    void check(const EquilibriumReport& report) const;
+    void check(const EquilibriumReport& report);
 
     std::string name_;
     Problem problem_;

@@ -1,7 +1,6 @@
 #include "verification/study.hpp"
 
 #include "verification/benchmark.hpp"
-#include "verification/free_flight_study.hpp"
 #include "verification/rod_schemes_study.hpp"
 #include "verification/rubin2007_report.hpp"
 
@@ -10,9 +9,6 @@ namespace gxrod {
 const std::vector<Study>& studies() {
     static const std::vector<Study> all = [] {
         std::vector<Study> list = {
-            {"free_flight",
-             "A flexible rod in free flight in space against its continuum solution",
-             free_flight::report},
             {"rod_schemes",
              "The integrators on flexible rods: errors of orientation, energy and momentum against cost",
              rod_schemes::report},

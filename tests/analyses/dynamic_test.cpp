@@ -6,9 +6,9 @@
 #include "integrators/scheme_samples.hpp"
 #include "model/evaluation_error.hpp"
 #include "tools/difference.hpp"
+#include "tools/free_flight.hpp"
 #include "tools/run.hpp"
 #include "tools/tops.hpp"
-#include "verification/free_flight_problem.hpp"
 
 using namespace gxrod;
 using namespace gxrod::tools;
@@ -17,7 +17,7 @@ namespace {
 
 // A rod and a body that spin so fast that a step of 0.2 turns them by more than π, one of 0.1 by less.
 Model make_spinning_rod() {
-    Model model = free_flight::make_model(free_flight::Pulse::smooth, 3);
+    Model model = make_free_flight(3);
     for (Node& node : model.nodes) node.angular_velocity = 21.0 * Vec3(-0.6, 0.8, 0.0);
     model.bodies.push_back({"rider", 1, 2.0, Vec3(1.0, 2.0, 2.0).asDiagonal(), Vec3(0.1, 0.0, 0.2)});
     return model;
@@ -189,7 +189,7 @@ TEST_CASE("a snapshot holds reactions at supports and nothing elsewhere", "[anal
 }
 
 TEST_CASE("a snapshot holds the section values of every element", "[analyses]") {
-    const Model model = free_flight::make_model(free_flight::Pulse::smooth, 3);
+    const Model model = make_free_flight(3);
     DynamicAnalysis analysis(model, make_settings(Scheme::newmark_simplified, 5.0, 100));
     REQUIRE(analysis.start().converged());
     for (int step = 0; step < 20; ++step) REQUIRE(analysis.advance().converged());

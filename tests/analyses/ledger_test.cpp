@@ -5,9 +5,9 @@
 
 #include "integrators/scheme_samples.hpp"
 #include "tools/difference.hpp"
+#include "tools/free_flight.hpp"
 #include "tools/run.hpp"
 #include "tools/tops.hpp"
-#include "verification/free_flight_problem.hpp"
 
 using namespace gxrod;
 using namespace gxrod::tools;
@@ -47,7 +47,7 @@ Model make_tumbling_body() {
 
 // A rod without loads that tumbles and bends: the free flyer with other initial rates.
 Model make_tumbling_rod() {
-    Model model = free_flight::make_model(free_flight::Pulse::smooth, 4);
+    Model model = make_free_flight(4);
     model.loads.clear();
     for (Node& node : model.nodes) {
         node.velocity = Vec3(0.1 * node.position.y(), 0.3, 0.02 * node.position.x() * node.position.x());
@@ -130,7 +130,7 @@ TEST_CASE("work of constant loads and of gravity is exact where the motion is", 
 }
 
 TEST_CASE("energy of a loaded rod balances to the scheme's order", "[analyses]") {
-    const Model model = free_flight::make_model(free_flight::Pulse::smooth, 4);
+    const Model model = make_free_flight(4);
     for (const SchemeSample& scheme : all_schemes()) {
         // Explicit steps, and those of β = 1/6, would have to resolve the mesh's fastest oscillation.
         if (scheme.settings.scheme == Scheme::runge_kutta_4 || scheme.settings.beta < 0.25) continue;

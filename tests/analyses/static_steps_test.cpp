@@ -72,8 +72,8 @@ TEST_CASE("an element that would be bent or twisted beyond half a turn is told",
             CHECK(refused.state.time < 1.0 / 1.1);
             CHECK(refused.state.time > 0.9);
             CHECK_THAT(
-                describe(refused.report, too_much),
-                Catch::StartsWith("one element's nodes turn against each other by half a turn at rod node"));
+                refused.failure,
+                Catch::Contains("one element's nodes turn against each other by half a turn at rod node"));
         }
     }
 }

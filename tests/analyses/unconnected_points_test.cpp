@@ -1,5 +1,7 @@
 #include "analyses/unconnected_points.hpp"
 
+#include <catch2/catch.hpp>
+
 #include "deck/decks.hpp"
 
 namespace gxrod::test {

@@ -1,3 +1,5 @@
+#include <catch2/catch.hpp>
+
 #include "deck/decks.hpp"
 
 namespace gxrod::test {

@@ -1,5 +1,7 @@
 #include "deck/build_connections.hpp"
 
+#include <catch2/catch.hpp>
+
 #include "deck/decks.hpp"
 
 namespace gxrod::test {

@@ -1,5 +1,7 @@
 #include "deck/deck_tree.hpp"
 
+#include <catch2/catch.hpp>
+
 namespace gxrod {
 namespace {
 

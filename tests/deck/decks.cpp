@@ -1,5 +1,6 @@
 #include "deck/decks.hpp"
 
+#include <catch2/catch.hpp>
 #include <stdlib.h>
 
 #include <fstream>

@@ -1,5 +1,6 @@
 #include "deck/expression.hpp"
 
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 

@@ -1,3 +1,5 @@
+#include <catch2/catch.hpp>
+
 #include "deck/choices.hpp"
 #include "deck/decks.hpp"
 #include "deck/suggestion.hpp"

@@ -1,6 +1,7 @@
 #include "deck/problem.hpp"
 
 #include <unistd.h>
+#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <filesystem>

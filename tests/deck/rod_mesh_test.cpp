@@ -1,6 +1,7 @@
 #include "deck/rod_mesh.hpp"
 
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <numeric>
 #include <random>
 

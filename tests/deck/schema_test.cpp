@@ -1,5 +1,7 @@
 #include "deck/schema.hpp"
 
+#include <catch2/catch.hpp>
+
 #include "deck/schema_tables.hpp"
 
 namespace gxrod {

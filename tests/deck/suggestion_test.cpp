@@ -1,5 +1,7 @@
 #include "deck/suggestion.hpp"
 
+#include <catch2/catch.hpp>
+
 namespace gxrod {
 
 TEST_CASE("The edit distance counts single mistakes", "[deck]") {

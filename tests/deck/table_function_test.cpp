@@ -1,5 +1,6 @@
 #include "deck/table_function.hpp"
 
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 

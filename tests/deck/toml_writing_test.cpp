@@ -1,6 +1,7 @@
 #include "deck/toml_writing.hpp"
 
 #include <bit>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <random>

@@ -1,5 +1,7 @@
 #include "deck/use_order.hpp"
 
+#include <catch2/catch.hpp>
+
 namespace gxrod {
 
 using Names = std::vector<std::string>;

@@ -1,3 +1,5 @@
+#include <catch2/catch.hpp>
+
 #include "deck/decks.hpp"
 #include "deck/expression_built_ins.hpp"
 #include "deck/suggestion.hpp"

@@ -1,5 +1,7 @@
 // What every element owes to the symmetries of space, checked for one of each kind: rigid motions, frame
 // indifference, mirrors.
+#include <catch2/catch.hpp>
+
 #include "elements/element_samples.hpp"
 #include "state/increment.hpp"
 #include "tools/difference.hpp"

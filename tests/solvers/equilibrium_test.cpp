@@ -84,7 +84,6 @@ TEST_CASE("a step that converges says so", "[solvers]") {
     CHECK(report.converged());
     CHECK(report.iterations >= 1);
     CHECK(report.residual < 1e-8);
-    CHECK(describe(report, model) == "converged");
 }
 
 TEST_CASE("iterations of all stages are counted", "[solvers]") {
@@ -106,10 +105,7 @@ TEST_CASE("running out of iterations names the largest residual", "[solvers]") {
     CHECK(report.outcome == Outcome::out_of_iterations);
     CHECK(report.worst_node == 0);
     CHECK(report.worst_component == 4);
-    CHECK(describe(report, model) ==
-          "Newton's method did not converge in 0 iterations; the residual, 1.00e+00 of the largest force or "
-          "moment, "
-          "is largest at body (ry)");
+    CHECK(report.residual == Approx(1.0));
 }
 
 TEST_CASE("a tangent without inverse names the component", "[solvers]") {
@@ -123,7 +119,6 @@ TEST_CASE("a tangent without inverse names the component", "[solvers]") {
     CHECK(report.outcome == Outcome::singular);
     CHECK(report.worst_node == 0);
     CHECK(report.worst_component == 5);
-    CHECK(describe(report, model) == "the system of equations is singular at body (rz)");
     SolverWorkspace workspace(step.system, LinearSolverKind::klu);
     State state = step.system.initial_state();
     const EquilibriumReport initial = solve_accelerations(step.system, 0.0, any_step, workspace, state);
@@ -144,7 +139,6 @@ TEST_CASE("a load that is not a number is found where it acts", "[solvers]") {
             const EquilibriumReport report = step.solve();
             CHECK(report.outcome == Outcome::not_finite);
             CHECK(report.worst_component == 2);
-            CHECK(describe(report, model) == "a force or increment is not a finite number at body (z)");
         }
     }
 }
@@ -165,8 +159,6 @@ TEST_CASE("half a turn within a step is refused", "[solvers]") {
         const EquilibriumReport report = refused.solve();
         CHECK(report.outcome == Outcome::rotation_too_large);
         CHECK(report.worst_node == 0);
-        CHECK(describe(report, fast) ==
-              "the rotation within one step reaches half a turn at body; take smaller steps");
     }
 }
 

@@ -4,9 +4,9 @@
 
 #include "integrators/scheme_samples.hpp"
 #include "solvers/equilibrium.hpp"
+#include "tools/free_flight.hpp"
 #include "tools/run.hpp"
 #include "tools/tops.hpp"
-#include "verification/free_flight_problem.hpp"
 #include "verification/rubin2007_problem.hpp"
 
 using namespace gxrod;
@@ -38,7 +38,7 @@ std::vector<Start> make_starts(DynamicSettings settings) {
     starts.push_back(
         make_start("the paper's problem", rubin2007::make_model(), settings, 50, rubin2007::period / 30.0));
     settings.end_time = 5.0;  // steps of 0.05
-    const Model flyer = free_flight::make_model(free_flight::Pulse::smooth, 6);
+    const Model flyer = make_free_flight(6);
     starts.push_back(make_start("rod in free flight", flyer, settings, 40, 0.3));
     return starts;
 }

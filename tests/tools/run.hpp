@@ -26,7 +26,8 @@ void run(const Model& model, const DynamicSettings& settings, Visit&& visit) {
     visit(analysis);
     while (!analysis.finished()) {
         const EquilibriumReport report = analysis.advance();
-        if (!report.converged() || analysis.solver_row().rejected_steps > 0) FAIL(describe(report, model));
+        if (!report.converged() || analysis.solver_row().rejected_steps > 0)
+            FAIL(describe_failure(analysis.explain(report)));
         visit(analysis);
     }
 }

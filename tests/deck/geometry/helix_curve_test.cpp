@@ -1,5 +1,6 @@
 #include "deck/geometry/helix_curve.hpp"
 
+#include <catch2/catch.hpp>
 #include <random>
 
 #include "deck/geometry/curve_samples.hpp"

@@ -1,5 +1,7 @@
 #include "deck/geometry/polynomial_curve.hpp"
 
+#include <catch2/catch.hpp>
+
 #include "deck/geometry/curve_samples.hpp"
 #include "rotation/rotation_map.hpp"
 

@@ -1,9 +1,9 @@
-#include "verification/free_flight_problem.hpp"
+#include "tools/free_flight.hpp"
 
 #include <cmath>
 #include <numbers>
 
-namespace gxrod::free_flight {
+namespace gxrod::tools {
 
 namespace {
 
@@ -24,16 +24,15 @@ Quat section_axes(const Vec3& tangent) {
     return Quat(axes);
 }
 
-}  // namespace
-
-double load(Pulse pulse, double time) {
+double load(double time) {
     if (time >= duration) return 0.0;
-    if (pulse == Pulse::triangular) return amplitude * (1.0 - std::abs(time - 2.5) / 2.5);
     const double sine = std::sin(std::numbers::pi * time / duration);
     return amplitude * sine * sine;
 }
 
-Model make_model(Pulse pulse, int elements) {
+}  // namespace
+
+Model make_free_flight(int elements) {
     const Vec3 from(6, 0, 0);
     const Vec3 to(0, 8, 0);
     Model model;
@@ -53,32 +52,11 @@ Model make_model(Pulse pulse, int elements) {
     model.rods.push_back(rod);
     NodalLoad pull;
     pull.key = "load[0]";
-    pull.force[0] = TimeFunction([pulse](double time) { return load(pulse, time) / 10.0; });
-    pull.moment[1] = TimeFunction([pulse](double time) { return -load(pulse, time) / 2.0; });
-    pull.moment[2] = TimeFunction([pulse](double time) { return -load(pulse, time); });
+    pull.force[0] = TimeFunction([](double time) { return load(time) / 10.0; });
+    pull.moment[1] = TimeFunction([](double time) { return -load(time) / 2.0; });
+    pull.moment[2] = TimeFunction([](double time) { return -load(time); });
     model.loads.push_back(pull);
     return model;
 }
 
-Reference reference(Pulse pulse) {
-    if (pulse == Pulse::triangular) {
-        return {{3.60683, 0.04470, -0.42726},
-                {3.98176, 8.53172, -0.54047},
-                {19.21360, 1.62556, -2.12724},
-                {12.95300, 6.80943, 3.02877},
-                724.436,
-                2e-5};
-    }
-    return {{3.5229950, 0.2040558, -0.5968514},
-            {3.1675222, 8.1848754, -0.4010940},
-            {18.838055, 1.641086, -2.378193},
-            {13.856509, 7.031570, 3.334713},
-            764.240708,
-            1.3e-7};
-}
-
-Vec3 exact_momentum() { return {50.0, 0.0, 0.0}; }
-
-Vec3 reference_angular_momentum() { return {0.0, -309.6410438, -526.0527178}; }
-
-}  // namespace gxrod::free_flight
+}  // namespace gxrod::tools
