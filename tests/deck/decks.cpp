@@ -1,7 +1,7 @@
 #include "deck/decks.hpp"
 
-#include <catch2/catch.hpp>
 #include <stdlib.h>
+#include <catch2/catch.hpp>
 
 #include <fstream>
 
