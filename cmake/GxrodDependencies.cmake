@@ -9,6 +9,7 @@ macro(gxrod_find name debian_package)
 endmacro()
 
 gxrod_find(Eigen3 libeigen3-dev 3.4 NO_MODULE)
+gxrod_find(Spectra libspectra-dev)
 gxrod_find(SuiteSparse libsuitesparse-dev COMPONENTS KLU UMFPACK CHOLMOD BTF AMD COLAMD SuiteSparseConfig)
 gxrod_find(HDF5 libhdf5-dev COMPONENTS C)
 gxrod_find(Nettle nettle-dev)

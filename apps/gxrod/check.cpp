@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "analyses/dynamic.hpp"
+#include "analyses/mesh_frequencies.hpp"
 #include "analyses/model_examination.hpp"
 #include "analyses/model_summary.hpp"
 #include "deck/problem.hpp"
@@ -42,6 +43,7 @@ int check(const CheckArguments& arguments) {
     }
     fmt::print("initial accelerations solved; energy at the start {:.6g}\n",
                analysis.ledger_row().kinetic_energy + analysis.ledger_row().strain_energy);
+    fmt::print("{}", describe_frequencies(problem.model, *dynamic));
     return exit_done;
 }
 

@@ -27,7 +27,7 @@ def draw_histories(figure, results, panels):
     # The lowest panel of each column, also where the last row is not full.
     for column in range(columns):
         last = (len(panels) - 1 - column) // columns
-        grid[last, column].set_xlabel("time")
+        grid[last, column].set_xlabel(results.time_label)
 
 
 def draw_series(axes, times, history, series):

@@ -2,7 +2,7 @@
 
 from .errors import FileFault
 from .histories import draw_histories, history_panels, row_count
-from .ledger import PANELS, draw_ledger
+from .ledger import draw_ledger, panel_count
 from .results import choose_histories
 from .shapes import choose_frames, draw_shapes
 from .style import BLACK, new_figure
@@ -24,7 +24,7 @@ def draw_page(results, request):
             raise FileFault(f"{request.results}: has no histories")
         return draw_sections(results, [(row_count(panels) * PANEL_HEIGHT, histories_drawer(results, panels))])
     if request.what == "ledger":
-        section = (PANELS * PANEL_HEIGHT, lambda figure: draw_ledger(figure, results))
+        section = (panel_count(results) * PANEL_HEIGHT, lambda figure: draw_ledger(figure, results))
         return draw_sections(results, [section], NARROW_WIDTH)
     if len(results.frame_times) == 0:
         raise FileFault(f"{request.results}: holds no complete frame yet")
@@ -69,7 +69,8 @@ def facts(results):
     if results.reason and status != "complete":
         status += f" ({results.reason})"
     steps = max(len(results.times) - 1, 0)
-    found = [results.deck, f"{steps} steps to t = {results.times[-1]:g}", status]
+    clock = "load factor" if results.is_static else "t"
+    found = [results.deck, f"{steps} steps to {clock} = {results.times[-1]:g}", status]
     if results.units:
         found.append(f"units {results.units}")
     return found + [f"gxrod {results.version}"]

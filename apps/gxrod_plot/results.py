@@ -44,6 +44,8 @@ class Results:
         self.status = text_of(file.attrs, "status")
         self.reason = text_of(file.attrs, "reason")
         self.units = text_of(file.attrs, "units")
+        self.is_static = text_of(file.attrs, "analysis") == "static"
+        self.time_label = "load factor" if self.is_static else "time"
         # The times are written last: their number is the number of complete steps.
         self.times = file["histories/time"][()]
         self.frame_times = self._grid["Steps/Values"][: self._grid["Steps"].attrs["NSteps"]]

@@ -112,7 +112,7 @@ def draw_shapes(figure, results, frames, view=None):
     else:
         axes = figure.add_subplot()
         draw_in_plane(axes, scene, norm, PLANES[view], view)
-    title = "Shapes over time" if results.rods else "Motion over time"
+    title = f"{'Shapes' if results.rods else 'Motion'} over {results.time_label}"
     figure.suptitle(title, x=0.02, ha="left", fontsize=9.5, fontweight="bold")
     if scene.triads:
         figure.supxlabel("bodies by their axes: x red, y green, z blue", x=0.02, ha="left", fontsize=8,
@@ -120,7 +120,7 @@ def draw_shapes(figure, results, frames, view=None):
     bar = figure.colorbar(ScalarMappable(norm, TIME_COLOURS), ax=axes, shrink=0.7, aspect=30,
                           pad=0.09 if view == "3d" else 0.02)
     bar.outline.set_visible(False)
-    bar.set_label("time")
+    bar.set_label(results.time_label)
 
 
 def coloured_lines(scene, norm, pick):

@@ -21,7 +21,7 @@ struct Extent {
     double size;  // the largest distance from the centre; 1 for a point
 };
 
-Extent measure(const Model& model, const ConnectedPart& part) {
+Extent measure(const Model& model, const ModelPart& part) {
     Extent extent{Vec3::Zero(), 0.0};
     for (const int node : part.nodes) extent.centre += model.nodes[node].position;
     extent.centre /= static_cast<double>(part.nodes.size());
@@ -32,7 +32,7 @@ Extent measure(const Model& model, const ConnectedPart& part) {
     return extent;
 }
 
-std::vector<const Support*> find_supports(const Model& model, const ConnectedPart& part) {
+std::vector<const Support*> find_supports(const Model& model, const ModelPart& part) {
     std::vector<bool> is_inside(model.nodes.size(), false);
     for (const int node : part.nodes) is_inside[node] = true;
     std::vector<const Support*> supports;
@@ -141,7 +141,7 @@ std::string describe_point(const Vec3& point, double size) {
 }
 
 // Whether the part is one rod that lies on the axis of the turn.
-bool is_twist(const Model& model, const ConnectedPart& part, const FreeMotion& turn, double size) {
+bool is_twist(const Model& model, const ModelPart& part, const FreeMotion& turn, double size) {
     if (part.rods.size() != 1 || !turn.has_place) return false;
     return std::all_of(part.nodes.begin(), part.nodes.end(), [&](int node) {
         return turn.rotation.cross(model.nodes[node].position - turn.point).norm() <= on_axis * size;
@@ -150,7 +150,7 @@ bool is_twist(const Model& model, const ConnectedPart& part, const FreeMotion& t
 
 }  // namespace
 
-std::vector<FreeMotion> find_free_motions(const Model& model, const ConnectedPart& part) {
+std::vector<FreeMotion> find_free_motions(const Model& model, const ModelPart& part) {
     const Extent extent = measure(model, part);
     const std::vector<const Support*> supports = find_supports(model, part);
     const Eigen::MatrixXd constraints = build_constraints(model, supports, extent);
@@ -176,7 +176,7 @@ std::vector<FreeMotion> find_free_motions(const Model& model, const ConnectedPar
     return motions;
 }
 
-std::string describe_free_motion(const Model& model, const ConnectedPart& part, const FreeMotion& motion) {
+std::string describe_free_motion(const Model& model, const ModelPart& part, const FreeMotion& motion) {
     if (motion.rotation.isZero(0.0)) return "move along " + describe_direction(motion.velocity);
     const double size = measure(model, part).size;
     const bool slides = !motion.velocity.isZero(0.0);

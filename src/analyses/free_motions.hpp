@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "analyses/connected_parts.hpp"
+#include "model/parts.hpp"
 
 namespace gxrod {
 
@@ -17,9 +17,9 @@ struct FreeMotion {
 
 // The rigid motions of a part that its supports leave free at t = 0: translations along directions of length
 // 1, then turns; along the global axes where that is possible. Moved components are not free.
-std::vector<FreeMotion> find_free_motions(const Model& model, const ConnectedPart& part);
+std::vector<FreeMotion> find_free_motions(const Model& model, const ModelPart& part);
 
 // "move along x", "turn about an axis along (0, 0.6, 0.8) through (1, 2, 3)", "twist about its axis".
-std::string describe_free_motion(const Model& model, const ConnectedPart& part, const FreeMotion& motion);
+std::string describe_free_motion(const Model& model, const ModelPart& part, const FreeMotion& motion);
 
 }  // namespace gxrod

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "analyses/connected_parts.hpp"
 #include "analyses/free_motions.hpp"
 #include "analyses/unconnected_points.hpp"
+#include "model/parts.hpp"
 
 namespace gxrod {
 namespace {
@@ -17,9 +17,7 @@ bool is_zero(const std::array<Function, 3>& functions) {
 }
 
 // "move along x, turn about …", or in short if nothing holds the part at all.
-std::string list_motions(const Model& model,
-                         const ConnectedPart& part,
-                         const std::vector<FreeMotion>& motions) {
+std::string list_motions(const Model& model, const ModelPart& part, const std::vector<FreeMotion>& motions) {
     if (motions.size() == 6) return "move and turn in every direction";
     std::vector<std::string> texts;
     for (const FreeMotion& motion : motions) texts.push_back(describe_free_motion(model, part, motion));
@@ -32,26 +30,24 @@ std::string list_motions(const Model& model,
 
 // Equilibrium does not say where a part is that can move without being strained.
 void find_drifting_parts(const Model& model,
-                         const std::vector<ConnectedPart>& parts,
+                         const std::vector<ModelPart>& parts,
                          std::vector<Finding>& findings) {
-    for (const ConnectedPart& part : parts) {
+    for (const ModelPart& part : parts) {
         const std::vector<FreeMotion> motions = find_free_motions(model, part);
         if (motions.empty()) continue;
         findings.push_back({Severity::error,
                             fmt::format("{} can {}; a static analysis needs supports that prevent it",
-                                        describe_part(model, part),
+                                        name_part(part, model),
                                         list_motions(model, part, motions))});
     }
 }
 
-void describe_parts(const Model& model,
-                    const std::vector<ConnectedPart>& parts,
-                    std::vector<Finding>& findings) {
+void describe_parts(const Model& model, const std::vector<ModelPart>& parts, std::vector<Finding>& findings) {
     constexpr std::size_t most = 10;
     if (parts.size() < 2) return;
     std::string text = fmt::format("nothing connects these {} parts: ", parts.size());
     for (std::size_t i = 0; i < std::min(parts.size(), most); ++i) {
-        text += (i == 0 ? "" : "; ") + describe_part(model, parts[i]);
+        text += (i == 0 ? "" : "; ") + name_part(parts[i], model);
     }
     findings.push_back({Severity::note, parts.size() > most ? text + " …" : text});
 }
@@ -116,7 +112,7 @@ void find_missing_causes(const Model& model,
 }  // namespace
 
 std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& analysis) {
-    const std::vector<ConnectedPart> parts = find_connected_parts(model);
+    const std::vector<ModelPart> parts = find_parts(model);
     std::vector<Finding> findings;
     if (std::holds_alternative<StaticSettings>(analysis)) find_drifting_parts(model, parts, findings);
     for (const std::string& sentence : find_unconnected_points(model)) {

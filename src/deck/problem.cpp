@@ -56,6 +56,7 @@ Problem build_problem(const CheckedTable& deck, const std::filesystem::path& fol
     check_linear_solver(context);
     problem.analysis = context.analysis;
     problem.output = build_output(context);
+    problem.record.is_static = std::holds_alternative<StaticSettings>(problem.analysis);
     problem.record.title = deck.get<std::string>("title");
     problem.record.units = deck.get<std::string>("units");
     return problem;

@@ -39,6 +39,15 @@ void add_once(std::vector<int>& list, int index) {
     if (list.empty() || list.back() != index) list.push_back(index);
 }
 
+// "rod a", "rods a, b and c"; of many the first ones.
+std::string list_names(const char* one, const char* several, const std::vector<std::string>& names) {
+    constexpr std::size_t most = 6;
+    std::string text = (names.size() == 1 ? one : several) + (" " + names[0]);
+    const std::size_t listed = std::min(names.size(), most);
+    for (std::size_t i = 1; i < listed; ++i) text += (i + 1 == names.size() ? " and " : ", ") + names[i];
+    return listed == names.size() ? text : text + " and " + std::to_string(names.size() - listed) + " more";
+}
+
 }  // namespace
 
 std::vector<ModelPart> find_parts(const Model& model) {
@@ -66,15 +75,13 @@ std::vector<ModelPart> find_parts(const Model& model) {
 }
 
 std::string name_part(const ModelPart& part, const Model& model) {
-    if (part.rods.empty()) {
-        return part.bodies.empty() ? model.nodes[part.nodes.front()].name
-                                   : "body " + model.bodies[part.bodies.front()].name;
-    }
-    const std::string& first = model.rods[part.rods.front()].name;
-    const std::size_t count = part.rods.size();
-    if (count == 1) return "rod " + first;
-    if (count == 2) return "the part with rods " + first + " and " + model.rods[part.rods[1]].name;
-    return "the part with rod " + first + " and " + std::to_string(count - 1) + " others";
+    std::vector<std::string> rods, bodies;
+    for (const int rod : part.rods) rods.push_back(model.rods[rod].name);
+    for (const int body : part.bodies) bodies.push_back(model.bodies[body].name);
+    if (rods.empty() && bodies.empty()) return model.nodes[part.nodes.front()].name;
+    std::string text = rods.empty() ? "" : list_names("rod", "rods", rods);
+    if (!bodies.empty()) text += (rods.empty() ? "" : ", ") + list_names("body", "bodies", bodies);
+    return rods.size() + bodies.size() == 1 ? text : "the part with " + text;
 }
 
 }  // namespace gxrod

@@ -18,7 +18,7 @@ struct ModelPart {
 // touch makes one rod part of several.
 std::vector<ModelPart> find_parts(const Model& model);
 
-// As a sentence says it: "rod cable", "body gyroscope", "the part with rods arm and leg".
+// As a sentence says it: "rod cable", "body gyroscope", "the part with rods arm and leg, body tip".
 std::string name_part(const ModelPart& part, const Model& model);
 
 }  // namespace gxrod

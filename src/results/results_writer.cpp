@@ -28,7 +28,10 @@ Hdf5Handle open_root(const Hdf5Handle& file) {
     return {H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose, "opening the root"};
 }
 
-AppendDataset<double> create_times(const Hdf5Handle& histories) {
+AppendDataset<double> create_times(const Hdf5Handle& histories, const DeckRecord& deck) {
+    if (deck.is_static) {
+        return {histories, {"time", "load factor at the end of each accepted step", "none", "1"}, scalar_row};
+    }
     return {histories, {"time", "time at the end of each accepted step", "none", "time"}, scalar_row};
 }
 
@@ -54,6 +57,7 @@ void write_provenance(const Hdf5Handle& root, const DeckRecord& deck) {
     write_attribute(root.id(), "deck_sha256", sha256_hex(deck.text));
     write_attribute(root.id(), "title", deck.title);
     write_attribute(root.id(), "units", deck.units);
+    write_attribute(root.id(), "analysis", deck.is_static ? "static" : "dynamic");
     write_attribute(root.id(), "status", "running");
     write_attribute(root.id(), "reason", "");
     const Hdf5Handle group = create_group(root, "deck");
@@ -63,11 +67,14 @@ void write_provenance(const Hdf5Handle& root, const DeckRecord& deck) {
 
 }  // namespace
 
-ResultsTables::ResultsTables(const Hdf5Handle& root, const Model& model, const OutputSettings& output)
+ResultsTables::ResultsTables(const Hdf5Handle& root,
+                             const DeckRecord& deck,
+                             const Model& model,
+                             const OutputSettings& output)
     : histories_group_(create_group(root, "histories")),
       ledger_group_(create_group(root, "ledger")),
       solver_group_(create_group(root, "solver")),
-      times_(create_times(histories_group_)),
+      times_(create_times(histories_group_, deck)),
       histories_(histories_group_, model, output.histories),
       ledger_(ledger_group_),
       solver_(solver_group_),
@@ -109,7 +116,7 @@ ResultsWriter::ResultsWriter(int descriptor,
                              const OutputSettings& output)
     : file_(descriptor), hdf5_(create_hdf5(file_)), root_(open_root(hdf5_)) {
     write_provenance(root_, deck);
-    tables_.emplace(root_, model, output);
+    tables_.emplace(root_, deck, model, output);
     commit();
     next_flush_ = Clock::now() + flush_interval;
 }

@@ -18,7 +18,10 @@ namespace gxrod {
 class ResultsTables {
   public:
     // `model` must outlive the tables.
-    ResultsTables(const Hdf5Handle& root, const Model& model, const OutputSettings& output);
+    ResultsTables(const Hdf5Handle& root,
+                  const DeckRecord& deck,
+                  const Model& model,
+                  const OutputSettings& output);
 
     void append_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
     void append_frame(const Snapshot& snapshot);

@@ -35,7 +35,7 @@ void hold(Model& model, int node, const Held& held, const Quat& axes = Quat::Ide
 }
 
 std::vector<std::string> motions_of(const Model& model) {
-    const std::vector<ConnectedPart> parts = find_connected_parts(model);
+    const std::vector<ModelPart> parts = find_parts(model);
     REQUIRE(parts.size() == 1);
     std::vector<std::string> texts;
     for (const FreeMotion& motion : find_free_motions(model, parts[0])) {
@@ -155,7 +155,7 @@ TEST_CASE("Free motions do not move what is held, and are as many as there can b
                 if (i >= 3) rows.bottomRows<1>().tail<3>() = axis.transpose();
             }
         }
-        const auto motions = find_free_motions(model, find_connected_parts(model)[0]);
+        const auto motions = find_free_motions(model, find_parts(model)[0]);
         const Eigen::Index rank = rows.rows() == 0 ? 0 : rows.jacobiSvd().rank();
         CHECK(static_cast<Eigen::Index>(motions.size()) == 6 - rank);
         for (const FreeMotion& motion : motions) {

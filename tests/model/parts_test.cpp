@@ -23,6 +23,7 @@ Model make_model() {
     model.bodies.resize(2);
     model.bodies[0].name = "head";
     model.bodies[0].node = 4;
+    model.bodies[1].name = "top";
     model.bodies[1].node = 3;
     return model;
 }
@@ -47,10 +48,13 @@ TEST_CASE("nodes that elements tie are one part", "[model]") {
 TEST_CASE("a part is named by what it is made of", "[model]") {
     Model model = make_model();
     const std::vector<ModelPart> parts = find_parts(model);
-    CHECK(name_part(parts[0], model) == "the part with rods a and b");
+    CHECK(name_part(parts[0], model) == "the part with rods a and b, body top");
     CHECK(name_part(parts[1], model) == "body head");
     CHECK(name_part(parts[2], model) == "rod c");
-    CHECK(name_part({{0}, {0, 1, 2}, {}}, model) == "the part with rod a and 2 others");
+    CHECK(name_part({{0}, {0, 1, 2}, {}}, model) == "the part with rods a, b and c");
+    CHECK(name_part({{0}, {0, 1, 2, 0, 1, 2, 0, 1}, {}}, model) ==
+          "the part with rods a, b, c, a, b, c and 2 more");
+    CHECK(name_part({{0}, {}, {0, 1}}, model) == "the part with bodies head and top");
     CHECK(name_part({{4}, {}, {}}, model) == "lone");
 }
 

@@ -48,11 +48,26 @@ TEST_CASE("A results file says where it came from and how the run ended", "[resu
     CHECK(file.text_attribute("/", "deck_name") == "sample.toml");
     CHECK(file.text_attribute("/", "title") == "Sample");
     CHECK(file.text_attribute("/", "units") == "m kg s");
+    CHECK(file.text_attribute("/", "analysis") == "dynamic");
+    CHECK(file.text_attribute("/histories/time", "dimension") == "time");
     CHECK(file.text_attribute("/", "status") == "complete");
     CHECK(file.text_attribute("/", "reason") == "end_time reached");
     CHECK(file.text("/deck/text") == sample::make_deck().text);
     CHECK(file.text_attribute("/", "deck_sha256") ==
           "c1c7f3d5767ceb9512dbc81f7791fb113e3075f03cad1b0c7141ffd86fbf0550");
+}
+
+TEST_CASE("The time of a static run is a load factor", "[results]") {
+    const sample::ScratchFolder folder;
+    const Model model = sample::make_model();
+    DeckRecord deck = sample::make_deck();
+    deck.is_static = true;
+    { ResultsFile file({folder / "a.vtkhdf"}, deck, model, OutputSettings{}); }
+    const Hdf5Reader file(folder / "a.vtkhdf");
+    CHECK(file.text_attribute("/", "analysis") == "static");
+    CHECK(file.text_attribute("/histories/time", "dimension") == "1");
+    CHECK(file.text_attribute("/ledger/time", "description") ==
+          "load factor at the end of each accepted step");
 }
 
 TEST_CASE("A results file has the meshes that its deck read", "[results]") {
