@@ -51,12 +51,12 @@ struct Row {
     std::string refinement;
     std::string overrides;
     BenchmarkRun run;
-    double order = 0.0;  // 0 for the first of a refinement
+    std::optional<double> order;  // none of the first of a refinement, nor below the floor
 };
 
 // log₂ of the fall of the error; refinements double elements or steps from row to row.
-double find_order(const Refinement& refinement, double before, double now) {
-    if (before <= refinement.floor || now <= refinement.floor) return 0.0;
+std::optional<double> find_order(const Refinement& refinement, double before, double now) {
+    if (before <= refinement.floor || now <= refinement.floor) return std::nullopt;
     return std::log2(before / now);
 }
 
@@ -67,7 +67,7 @@ bool add_rows(const Benchmark& benchmark, const Refinement& refinement, std::vec
         Row row{refinement.name,
                 fmt::format("{}", fmt::join(refinement.rows[i], " ")),
                 run_benchmark(benchmark, refinement.rows[i]),
-                0.0};
+                std::nullopt};
         if (i > 0) row.order = find_order(refinement, before, row.run.error);
         before = row.run.error;
         rows.push_back(row);
@@ -75,12 +75,11 @@ bool add_rows(const Benchmark& benchmark, const Refinement& refinement, std::vec
     const Row& last = rows.back();
     if (refinement.tolerance > 0.0) matches = last.run.error <= refinement.tolerance;
     // The finest pair of rows above the floor shows the order.
-    double order = 0.0;
+    std::optional<double> order;
     for (std::size_t i = rows.size() - refinement.rows.size(); i < rows.size(); ++i) {
-        if (rows[i].order != 0.0) order = rows[i].order;
+        if (rows[i].order) order = rows[i].order;
     }
-    if (refinement.order > 0.0 && order != 0.0)
-        matches = matches && order >= refinement.order - order_tolerance;
+    if (refinement.order > 0.0 && order) matches = matches && *order >= refinement.order - order_tolerance;
     return matches;
 }
 
@@ -92,7 +91,7 @@ nlohmann::ordered_json to_json(const Row& row) {
             {"newton_iterations", row.run.newton_iterations},
             {"seconds", row.run.seconds},
             {"error", row.run.error},
-            {"order", row.order != 0.0 ? nlohmann::ordered_json(row.order) : nlohmann::ordered_json()},
+            {"order", row.order ? nlohmann::ordered_json(*row.order) : nlohmann::ordered_json()},
             {"energy_error", row.run.energy_error}};
 }
 
@@ -142,7 +141,7 @@ StudyResult report_benchmark(const Benchmark& benchmark) {
                                     row.run.steps,
                                     row.run.newton_iterations,
                                     row.run.error,
-                                    row.order != 0.0 ? fmt::format("{:.2f}", row.order) : "-",
+                                    row.order ? fmt::format("{:.2f}", *row.order) : "-",
                                     row.refinement,
                                     row.overrides);
     }

@@ -121,7 +121,7 @@ class ReferenceReader {
         const std::vector<std::string> shared =
             common == nullptr ? std::vector<std::string>() : texts(*common, "set");
         const DeckNode* rows = find(table, "rows");
-        if (rows == nullptr || rows->array() == nullptr) {
+        if (rows == nullptr || rows->array() == nullptr || rows->array()->empty()) {
             faults_.add(table.place, "rows", "expected an array of arrays of \"KEY=VALUE\"");
             return refinement;
         }

@@ -1,0 +1,119 @@
+#include "verification/benchmark.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace gxrod;
+
+namespace {
+
+// A bar pulled by a force that grows with t: its end moves by exactly t/100 in theory of small strains and
+// finite ones alike.
+const std::string bar = R"([section.s]
+stiffness = { EA = 100, GAy = 50, GAz = 50, GJ = 1, EIy = 1, EIz = 1 }
+[rod.bar]
+section = "s"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 2
+[[support]]
+at = "bar.start"
+fix = "all"
+[[load]]
+at = "bar.end"
+force = [1, 0, 0]
+[analysis]
+kind = "static"
+steps = 2
+[[history]]
+name = "end"
+at = "bar.end"
+quantities = ["displacement"]
+)";
+
+Benchmark make_benchmark(const BenchmarkValue& value) {
+    Benchmark benchmark;
+    benchmark.name = "bar";
+    benchmark.deck = bar;
+    benchmark.values = {value};
+    return benchmark;
+}
+
+const BenchmarkValue half_way{"end", "displacement", 0.5, {0.005, 0.0, 0.0}};
+
+}  // namespace
+
+TEST_CASE("a run is compared at the times at which values are known", "[verification]") {
+    const BenchmarkRun run = run_benchmark(make_benchmark(half_way), {"rod.bar.elements=3"});
+    CHECK(run.error < 1e-15);
+    CHECK(run.unknowns == 18);
+    CHECK(run.steps == 2);
+    CHECK(run.newton_iterations >= 2);
+    CHECK(run.energy_error < 1e-15);
+}
+
+TEST_CASE("errors are distances over a scale; what is no number is not compared", "[verification]") {
+    BenchmarkValue value = half_way;
+    value.reference = {0.005 + 0.003, 0.004, 0.0};
+    CHECK(run_benchmark(make_benchmark(value), {}).error == Approx(0.005));
+    value.scale = 10.0;
+    CHECK(run_benchmark(make_benchmark(value), {}).error == Approx(0.0005));
+    value.reference[1] = std::nan("");
+    CHECK(run_benchmark(make_benchmark(value), {}).error == Approx(0.0003));
+}
+
+TEST_CASE("values of the ledger are compared", "[verification]") {
+    // Half of the force times the displacement.
+    for (const char* quantity : {"energy", "strain_energy", "external_work"}) {
+        CHECK(run_benchmark(make_benchmark({"ledger", quantity, 1.0, {0.005}}), {}).error < 1e-15);
+    }
+    CHECK(run_benchmark(make_benchmark({"ledger", "energy_less_work", 1.0, {0.0}}), {}).error < 1e-15);
+    for (const char* quantity : {"linear_momentum", "angular_momentum"}) {
+        CHECK(run_benchmark(make_benchmark({"ledger", quantity, 1.0, {0.0, 0.0, 2.0}}), {}).error == 2.0);
+    }
+}
+
+TEST_CASE("a wrong reference, order or tolerance is missed", "[verification]") {
+    Benchmark benchmark = make_benchmark(half_way);
+    Refinement refinement{"mesh", {{"rod.bar.elements=1"}, {"rod.bar.elements=2"}}, 0.0, 1e-12, 1e-12};
+    benchmark.refinements = {refinement};
+    CHECK(report_benchmark(benchmark).matches);
+    CHECK_THAT(report_benchmark(benchmark).table, !Catch::Contains("MISSED"));
+    benchmark.values[0].reference[0] = 0.0051;
+    const StudyResult missed = report_benchmark(benchmark);
+    CHECK_FALSE(missed.matches);
+    CHECK_THAT(missed.table, Catch::Contains("mesh MISSED"));
+    REQUIRE(missed.json.size() == 2);
+    CHECK(missed.json[1]["error"] == Approx(1e-4));
+    CHECK(missed.json[0]["order"].is_null());
+    // An error that does not fall.
+    benchmark.refinements[0].tolerance = 0.0;
+    CHECK(report_benchmark(benchmark).matches);
+    benchmark.refinements[0].order = 2.0;
+    CHECK_FALSE(report_benchmark(benchmark).matches);
+}
+
+TEST_CASE("what a run does not have is told", "[verification]") {
+    const auto run = [](const BenchmarkValue& value) { run_benchmark(make_benchmark(value), {}); };
+    CHECK_THROWS_WITH(run({"end", "displacement", 0.3, {0.0}}),
+                      "bar: no step ends at t = 0.3, where a value is known");
+    CHECK_THROWS_WITH(run({"tip", "displacement", 0.5, {0.0}}), "bar: no displacement of a history tip");
+    CHECK_THROWS_WITH(run({"end", "length", 0.5, {0.0}}), "bar: no length of a history end");
+    CHECK_THROWS_WITH(run({"ledger", "heat", 0.5, {0.0}}), "the ledger has no heat");
+    CHECK_THROWS_WITH(run_benchmark(make_benchmark(half_way),
+                                    {"load[0].force=[0, 1e3, 0]", "analysis.newton.max_iterations=1"}),
+                      Catch::StartsWith("bar: the step from load factor 0 failed"));
+}
+
+TEST_CASE("every built-in benchmark can be missed", "[verification]") {
+    // Each has something that is asked of its runs.
+    CHECK(benchmarks().size() >= 24);
+    for (const Benchmark& benchmark : benchmarks()) {
+        INFO(benchmark.name);
+        CHECK_FALSE(benchmark.sentence.empty());
+        CHECK_FALSE(benchmark.values.empty());
+        bool is_asked = false;
+        for (const Refinement& refinement : benchmark.refinements) {
+            is_asked = is_asked || refinement.tolerance > 0.0 || refinement.order > 0.0;
+        }
+        CHECK(is_asked);
+    }
+}
