@@ -11,7 +11,10 @@ if(GXROD_WARNINGS_AS_ERRORS)
   target_compile_options(gxrod_compiler INTERFACE -Werror)
 endif()
 if(GXROD_SANITIZE)
+  # Null pointers end in AddressSanitizer's report, misaligned ones in Eigen's assertions: to check both at every
+  # access as well takes a third of the build's time.
   target_compile_options(gxrod_compiler INTERFACE
-    -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -O1)
+    -fsanitize=address,undefined -fno-sanitize=null,alignment -fno-sanitize-recover=undefined
+    -fno-omit-frame-pointer -O1)
   target_link_options(gxrod_compiler INTERFACE -fsanitize=address,undefined)
 endif()

@@ -8,17 +8,11 @@
 namespace gxrod {
 namespace {
 
-constexpr std::array<const char*, 6> components{"x", "y", "z", "rx", "ry", "rz"};
 constexpr double round_off = 1e-15;  // of a component of a direction
 constexpr std::array<const char*, 3> frames{"spatial", "follower", "body"};
 
 std::string describe(const Vec3& v) {
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0] + 0.0, v[1] + 0.0, v[2] + 0.0);
-}
-
-template <class Function>
-bool is_zero(const std::array<Function, 3>& functions) {
-    return std::all_of(functions.begin(), functions.end(), [](const Function& f) { return f.is_zero(); });
 }
 
 // Nodes that several rods share.
@@ -40,9 +34,9 @@ std::string describe_connections(const Model& model) {
 
 std::string describe_support(const Model& model, const Support& support) {
     std::string fixed, moved;
-    for (std::size_t i = 0; i < components.size(); ++i) {
-        if (support.fixed[i]) fixed += std::string(" ") + components[i];
-        if (support.moved[i]) moved += std::string(" ") + components[i];
+    for (std::size_t i = 0; i < component_names.size(); ++i) {
+        if (support.fixed[i]) fixed.append(" ").append(component_names[i]);
+        if (support.moved[i]) moved.append(" ").append(component_names[i]);
     }
     std::string text = fmt::format("support at {}:", model.nodes[support.node].name);
     if (!fixed.empty()) text += " fixes" + fixed;

@@ -6,9 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
-#include "analyses/free_motions.hpp"
+#include "analyses/unsupported_motions.hpp"
 #include "assembly/system.hpp"
 #include "integrators/load_stepping.hpp"
 #include "solvers/linear_solver.hpp"
@@ -19,6 +20,9 @@ namespace {
 
 // More unknowns are not examined: it would take longer than a user waits for a check.
 constexpr std::int64_t most_unknowns = 100'000;
+
+// Beyond so many the search for the lowest frequency, which passes them all, takes too long.
+constexpr int most_rigid_motions = 60;
 
 using Vector = Eigen::VectorXd;
 using VectorMap = Eigen::Map<Vector>;
@@ -100,7 +104,7 @@ std::optional<double> find_smallest(Operation& K, Operation& M, int rigid, doubl
     // Near enough to the smallest, far enough from zero for K − σM to have an inverse.
     const double sigma = rigid == 0 ? 0.0 : -1e-12 * largest;
     const int wanted = rigid + 1;
-    if (wanted >= K.rows() || !K.factorize_sum(-sigma, M)) return std::nullopt;
+    if (rigid > most_rigid_motions || wanted >= K.rows() || !K.factorize_sum(-sigma, M)) return std::nullopt;
     Inverse inverse(K);
     Spectra::SymGEigsShiftSolver<Inverse, Operation, Spectra::GEigsMode::ShiftInvert> solver(
         inverse, M, wanted, subspace(K.rows(), wanted), sigma);
@@ -113,7 +117,7 @@ std::optional<double> find_smallest(Operation& K, Operation& M, int rigid, doubl
 int count_rigid_motions(const Model& model) {
     std::size_t count = 0;
     for (const ModelPart& part : find_parts(model)) {
-        count += find_free_motions(model, part).size();
+        count += find_unsupported_motions(model, part).size();
     }
     return static_cast<int>(count);
 }
@@ -128,6 +132,27 @@ Model make_bare(Model model) {
         node.angular_velocity.setZero();
     }
     return model;
+}
+
+// The largest |λ|Δt at which runge-kutta-4 damps a vibration with damping ratio zeta, |λ| = ω: where its
+// |1 + z + z²/2 + z³/6 + z⁴/24| reaches 1 on the ray z = λΔt.
+double find_explicit_limit(double zeta) {
+    using Complex = std::complex<double>;
+    // The faster of two real rates, in units of ω, or the angle of two complex ones.
+    const Complex direction = zeta < 1.0 ? Complex(-zeta, std::sqrt(1.0 - zeta * zeta))
+                                         : Complex(-zeta - std::sqrt(zeta * zeta - 1.0), 0.0);
+    const auto grows = [&](double length) {
+        const Complex z = length * direction;
+        const Complex growth = 1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)));
+        return std::abs(growth) > 1.0 + 1e-12;
+    };
+    double stable = 1.0 / std::abs(direction);
+    double unstable = 4.0 / std::abs(direction);
+    while (unstable - stable > 1e-6 * stable) {
+        const double middle = 0.5 * (stable + unstable);
+        (grows(middle) ? unstable : stable) = middle;
+    }
+    return stable;
 }
 
 // Of a section: ζ = ½(τω + α/ω).
@@ -159,8 +184,6 @@ std::optional<MeshFrequencies> find_mesh_frequencies(const Model& model) {
 }
 
 std::string describe_frequencies(const Model& model, const DynamicSettings& settings) {
-    // On the imaginary axis runge-kutta-4 is stable up to 2√2.
-    constexpr double explicit_limit = 2.0 * std::numbers::sqrt2;
     constexpr double cycle = 2.0 * std::numbers::pi;
     if (model.rods.empty() || 6 * model.nodes.size() > most_unknowns) return "";
     const std::optional<MeshFrequencies> found = find_mesh_frequencies(model);
@@ -169,7 +192,9 @@ std::string describe_frequencies(const Model& model, const DynamicSettings& sett
         fmt::format("frequencies of the undeformed model, cycles per time: lowest {:.4g}, highest {:.4g}\n",
                     found->lowest / cycle,
                     found->highest / cycle);
+    double largest_ratio = 0.0;
     for (const Section& section : model.sections) {
+        largest_ratio = std::max(largest_ratio, compute_damping_ratio(section, found->highest));
         if (section.kelvin_voigt == 0.0 && section.mass_proportional == 0.0) continue;
         text +=
             fmt::format("  damping of section {}: {:.3g} of critical at the lowest, {:.3g} at the highest\n",
@@ -178,7 +203,7 @@ std::string describe_frequencies(const Model& model, const DynamicSettings& sett
                         compute_damping_ratio(section, found->highest));
     }
     if (settings.scheme != Scheme::runge_kutta_4) return text;
-    const double longest = explicit_limit / found->highest;
+    const double longest = find_explicit_limit(largest_ratio) / found->highest;
     const double step = settings.end_time / static_cast<double>(settings.steps);
     text += fmt::format("  runge-kutta-4 is stable up to time steps of {:.3g}{}\n",
                         longest,

@@ -14,7 +14,8 @@ struct MeshFrequencies {
     double highest = 0.0;
 };
 
-// By Lanczos' method, to some 1e-4. nullopt if a motion has no inertia, or nothing can vibrate.
+// By Lanczos' method, to some 1e-4. nullopt if a motion has no inertia, nothing can vibrate, or
+// more than ten parts are free.
 std::optional<MeshFrequencies> find_mesh_frequencies(const Model& model);
 
 // The frequencies, what the damping of sections makes of them, and the longest stable step of explicit

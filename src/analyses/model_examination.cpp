@@ -4,23 +4,21 @@
 
 #include <algorithm>
 
-#include "analyses/free_motions.hpp"
 #include "analyses/unconnected_points.hpp"
+#include "analyses/unsupported_motions.hpp"
 #include "model/parts.hpp"
 
 namespace gxrod {
 namespace {
 
-template <class Function>
-bool is_zero(const std::array<Function, 3>& functions) {
-    return std::all_of(functions.begin(), functions.end(), [](const Function& f) { return f.is_zero(); });
-}
-
 // "move along x, turn about …", or in short if nothing holds the part at all.
-std::string list_motions(const Model& model, const ModelPart& part, const std::vector<FreeMotion>& motions) {
+std::string list_motions(const Model& model,
+                         const ModelPart& part,
+                         const std::vector<UnsupportedMotion>& motions) {
     if (motions.size() == 6) return "move and turn in every direction";
     std::vector<std::string> texts;
-    for (const FreeMotion& motion : motions) texts.push_back(describe_free_motion(model, part, motion));
+    for (const UnsupportedMotion& motion : motions)
+        texts.push_back(describe_unsupported_motion(model, part, motion));
     std::string text = texts[0];
     for (std::size_t i = 1; i < texts.size(); ++i) {
         text += (i + 1 == texts.size() ? " and " : ", ") + texts[i];
@@ -33,7 +31,7 @@ void find_drifting_parts(const Model& model,
                          const std::vector<ModelPart>& parts,
                          std::vector<Finding>& findings) {
     for (const ModelPart& part : parts) {
-        const std::vector<FreeMotion> motions = find_free_motions(model, part);
+        const std::vector<UnsupportedMotion> motions = find_unsupported_motions(model, part);
         if (motions.empty()) continue;
         findings.push_back({Severity::error,
                             fmt::format("{} can {}; a static analysis needs supports that prevent it",
@@ -52,17 +50,12 @@ void describe_parts(const Model& model, const std::vector<ModelPart>& parts, std
     findings.push_back({Severity::note, parts.size() > most ? text + " …" : text});
 }
 
-// Whether the support holds three components from `first` on.
-bool holds_all(const Support& support, int first) {
-    return support.holds(first) && support.holds(first + 1) && support.holds(first + 2);
-}
-
 void find_idle_loads(const Model& model, std::vector<Finding>& findings) {
     for (const NodalLoad& load : model.loads) {
         const bool is_idle =
             std::any_of(model.supports.begin(), model.supports.end(), [&](const Support& support) {
-                return support.node == load.node && (is_zero(load.force) || holds_all(support, 0)) &&
-                       (is_zero(load.moment) || holds_all(support, 3));
+                return support.node == load.node && (is_zero(load.force) || support.holds_all(0)) &&
+                       (is_zero(load.moment) || support.holds_all(3));
             });
         if (!is_idle) continue;
         findings.push_back({Severity::warning,

@@ -1,6 +1,7 @@
 #include "analyses/run.hpp"
 
 #include "model/evaluation_error.hpp"
+#include "model/file_error.hpp"
 
 namespace gxrod {
 
@@ -26,6 +27,10 @@ class Run {
         } catch (const EvaluationError& error) {
             fail(error.what());
             summary_.deck_fault = true;
+        } catch (const FileError&) {
+            throw;
+        } catch (const std::exception& error) {
+            fail(error.what());  // out of memory, say
         }
         close();
     }

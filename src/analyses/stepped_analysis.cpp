@@ -119,7 +119,11 @@ Failure SteppedAnalysis::explain(const EquilibriumReport& report) {
     failure.residual = report.residual;
     failure.step_error = report.step_error;
     failure.places = name_places(system_, report, workspace_.residual);
-    if (may_come_from_weakness(report.outcome)) failure.weakness = find_weakness();
+    try {
+        if (may_come_from_weakness(report.outcome)) failure.weakness = find_weakness();
+    } catch (const std::exception&) {
+        // Too little memory for more factors: the rest is known.
+    }
     failure.linear_solver = linear_solver_;
     return failure;
 }

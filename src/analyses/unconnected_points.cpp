@@ -64,11 +64,7 @@ class EndSearch {
 
 bool is_wholly_held(const Model& model, int node) {
     return std::any_of(model.supports.begin(), model.supports.end(), [&](const Support& support) {
-        if (support.node != node) return false;
-        for (int i = 0; i < 6; ++i) {
-            if (!support.holds(i)) return false;
-        }
-        return true;
+        return support.node == node && support.holds_all(0) && support.holds_all(3);
     });
 }
 

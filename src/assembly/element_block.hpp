@@ -41,8 +41,8 @@ struct ElementBlock {
     }
 };
 
-// Every kind of element: one entry here and, unless it is a rod's, a builder in system.cpp make a new one
-// known.
+// Every kind of element: one entry here and, unless it is a rod's, a builder in build_system.cpp make a
+// new one known.
 using ElementBlocks = std::tuple<ElementBlock<RigidBody>,
                                  ElementBlock<ObjectiveElement<2>>,
                                  ElementBlock<ObjectiveElement<3>>,

@@ -27,10 +27,6 @@ bool holds(const Support& support, int first) {
     return support.holds(first) || support.holds(first + 1) || support.holds(first + 2);
 }
 
-bool holds_all(const Support& support, int first) {
-    return support.holds(first) && support.holds(first + 1) && support.holds(first + 2);
-}
-
 struct Derivatives {
     Vec3 first = Vec3::Zero();
     Vec3 second = Vec3::Zero();
@@ -87,7 +83,9 @@ void Supports::place_rotation(const Support& support, double time, State& state)
     const NodeMotion& previous = state.previous[support.node];
     NodeMotion& trial = state.trial[support.node];
     const Vec3 phi = Q * motion_at(support, 3, time);
-    const Vec3 change = phi - Q * motion_at(support, 3, state.time);
+    // At t = 0 nothing is turned yet, also where a static move begins with a jump.
+    const Vec3 last = state.time != 0.0 ? Vec3(Q * motion_at(support, 3, state.time)) : Vec3::Zero();
+    const Vec3 change = phi - last;
     // A long φ that leans turns much less than it changes: ω = T(φ) φ̇.
     const Vec3 guess = tangent_map(phi - 0.5 * change) * change;
     trial.Lambda = exp_quaternion(phi);
@@ -114,7 +112,7 @@ void Supports::set_rates(double time, const TimeSpan& step, std::vector<NodeMoti
             const Vec3 phi = Q * motion_at(support, 3, time);
             motion.omega = angular_velocity(phi, Q * of_rotation.first);
             motion.alpha = angular_acceleration(phi, Q * of_rotation.first, Q * of_rotation.second);
-        } else if (holds_all(support, 3)) {
+        } else if (support.holds_all(3)) {
             motion.omega.setZero();
             motion.alpha.setZero();
         }

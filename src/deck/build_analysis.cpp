@@ -131,12 +131,6 @@ StaticSettings build_static(const CheckedTable& table, const BuildContext& conte
     return settings;
 }
 
-template <class Function>
-bool is_zero(const std::array<Function, 3>& functions) {
-    return std::all_of(functions.begin(), functions.end(), [](const Function& f) { return f.is_zero(); });
-}
-
-// Why the load makes the tangent unsymmetric, or "".
 template <class Load>
 std::string explain_asymmetry(const Load& load) {
     if (!is_zero(load.moment)) return load.key + " is a moment";

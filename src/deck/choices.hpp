@@ -62,9 +62,6 @@ inline constexpr std::array<Choice<Quantity>, 18> quantity_choices{
      {"reaction_force", Quantity::reaction_force},
      {"reaction_moment", Quantity::reaction_moment}}};
 
-// Components of a node, in the order of Support::fixed.
-inline constexpr std::array<std::string_view, 6> component_names{"x", "y", "z", "rx", "ry", "rz"};
-
 template <class Value, std::size_t count>
 std::vector<std::string> words_of(const std::array<Choice<Value>, count>& choices) {
     std::vector<std::string> words;

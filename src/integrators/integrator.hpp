@@ -46,7 +46,7 @@ class Integrator {
     // Whether there are no rates, and rotations of a step of any size.
     virtual bool is_static() const { return false; }
 
-    // Once, when the initial accelerations stand in `previous` and `trial`.
+    // Once, when the trial motions have the initial accelerations.
     virtual void start(State&) const {}
     // Places the trial motions: an implicit scheme predicts, an explicit one sets what the accelerations are
     // for.

@@ -88,11 +88,11 @@ void Sdirk4::linearize(const State& state,
 }
 
 void Sdirk4::end_stage(State& state, const Stage& stage) const {
-    const double h = diagonal * stage.time_step;
     for (std::size_t i = 0; i < state.trial.size(); ++i) {
         const NodeMotion& trial = state.trial[i];
         StageRates& rates = state.stages[stage.index][i];
-        rates.theta_dot = (trial.theta - compute_known(state, stage, i).theta) / h;
+        // Of ω, which a moving support prescribes beside θ.
+        rates.theta_dot = tangent_map_inverse(trial.theta) * trial.omega;
         rates.v = trial.v;
         rates.a = trial.a;
         rates.alpha = trial.alpha;

@@ -16,7 +16,7 @@ struct DeckRecord {
     std::string name;  // file name of the deck
     std::string text;  // the deck as run, after --set; itself a valid deck
     std::string title;
-    std::string units;  // a label only
+    std::string units;       // a label only
     bool is_static = false;  // t is a load factor
     std::vector<MeshRecord> meshes = {};
 };

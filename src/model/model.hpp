@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/time_function.hpp"
@@ -94,6 +95,9 @@ struct DistributedLoad {
     Frame frame = Frame::spatial;  // body: the section axes
 };
 
+// Components of a node, displacements and rotations, in the order in which all of gxrod counts them.
+inline constexpr std::array<std::string_view, 6> component_names{"x", "y", "z", "rx", "ry", "rz"};
+
 // Components x y z rx ry rz, in the support's own axes, that are fixed or move as prescribed; none is both.
 // Of the rotations none, two (a hinge about the third axis, both fixed) or all three are held. One support a
 // node.
@@ -107,6 +111,8 @@ struct Support {
     Quat axes = Quat::Identity();  // columns are the support's x, y, z
 
     bool holds(int component) const { return fixed[component] || moved[component]; }
+    // Of three components from `first` on: 0 for displacements, 3 for rotations.
+    bool holds_all(int first) const { return holds(first) && holds(first + 1) && holds(first + 2); }
 };
 
 struct Model {

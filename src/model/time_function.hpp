@@ -39,6 +39,12 @@ class LineFunction {
     std::function<double(double, double)> function_;
 };
 
+// Whether three functions, of time or of time and place, vanish.
+template <class Function>
+bool is_zero(const std::array<Function, 3>& functions) {
+    return functions[0].is_zero() && functions[1].is_zero() && functions[2].is_zero();
+}
+
 // A vector of three functions of time.
 class TimeVector {
   public:
@@ -51,9 +57,7 @@ class TimeVector {
     bool is_constant() const {
         return components_[0].is_constant() && components_[1].is_constant() && components_[2].is_constant();
     }
-    bool is_zero() const {
-        return components_[0].is_zero() && components_[1].is_zero() && components_[2].is_zero();
-    }
+    bool is_zero() const { return gxrod::is_zero(components_); }
 
   private:
     std::array<TimeFunction, 3> components_;

@@ -17,7 +17,6 @@ struct CholmodSolver::Handles {
     cholmod_factor* factor = nullptr;
     cholmod_dense* solution = nullptr;
     cholmod_dense* work[2] = {nullptr, nullptr};
-    Eigen::VectorXd remainder;
 
     explicit Handles(const SparsePattern& pattern) : part(pattern) {
         cholmod_l_start(&common);

@@ -57,15 +57,14 @@ std::optional<Weakness> describe_weakness(const System& system,
     const std::optional<WeakestDirection> weakest = find_weakest_direction(tangent);
     if (!weakest) return std::nullopt;
     Describer describer{system, state, find_parts(system.model())};
-    // Where nothing holds a part, inverse iteration finds any mixture of what it may do; say all of it.
-    for (const ModelPart& part : describer.parts) {
-        const std::string words = describe_free_motions(part, tangent, system, state);
-        if (!words.empty()) return Weakness{describer.name(part) + " " + words, weakest->stiffness};
-    }
     std::vector<Vec6> direction(state.trial.size());
     for (std::size_t i = 0; i < direction.size(); ++i) {
         direction[i] = system.equations().increment_of(static_cast<int>(i), weakest->scaled);
     }
+    // Where nothing holds a part, inverse iteration finds any mixture of what it may do; say all of it.
+    const ModelPart& part = find_moving_part(describer.parts, direction);
+    const std::string words = describe_free_motions(part, tangent, system, state);
+    if (!words.empty()) return Weakness{describer.name(part) + " " + words, weakest->stiffness};
     return Weakness{describe_direction(describer, direction), weakest->stiffness};
 }
 

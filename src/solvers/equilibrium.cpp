@@ -1,5 +1,8 @@
 #include "solvers/equilibrium.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "solvers/newton_steps.hpp"
 
 namespace gxrod {
@@ -47,6 +50,32 @@ EquilibriumReport solve_accelerations(
 
 namespace {
 
+// Whether the rates of an explicit step turn a node by less than half a turn, and no element's nodes against
+// each other by more.
+bool check_rotations(const System& system,
+                     const Stage& stage,
+                     const State& state,
+                     EquilibriumReport& report) {
+    constexpr double half_turn = std::numbers::pi;
+    std::vector<Vec3> spins(state.trial.size());
+    for (std::size_t node = 0; node < spins.size(); ++node) {
+        const NodeMotion& trial = state.trial[node];
+        const double rate = std::max(trial.omega.norm(), state.previous[node].omega.norm());
+        spins[node] = trial.theta;
+        if (stage.time_step * rate < half_turn) continue;
+        report.outcome = std::isfinite(rate) ? Outcome::rotation_too_large : Outcome::not_finite;
+        report.worst_node = static_cast<int>(node);
+        report.worst_component = -1;
+        return false;
+    }
+    const RelativeRotation bound = system.bound_relative_rotation(state.previous, spins);
+    if (bound.angle < half_turn) return true;
+    report.outcome = Outcome::element_too_turned;
+    report.worst_node = bound.node;
+    report.worst_component = -1;
+    return false;
+}
+
 EquilibriumReport solve_stage_explicitly(const System& system,
                                          const Integrator& integrator,
                                          const Stage& stage,
@@ -55,6 +84,9 @@ EquilibriumReport solve_stage_explicitly(const System& system,
     const double time = integrator.stage_time(stage);
     integrator.begin_stage(state, stage);
     system.supports().place(time, state);
+    EquilibriumReport report;
+    const bool is_last = stage.index + 1 == integrator.stage_count();
+    if (is_last && !check_rotations(system, stage, state, report)) return report;
     return solve_accelerations(system, time, {stage.step_time, stage.time_step}, workspace, state);
 }
 

@@ -1,3 +1,4 @@
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -103,6 +104,7 @@ class Newton {
                 system_.compute_tangent(state_, time_, workspace_.linearizations, workspace_.values);
                 break;
             case TangentKind::paper:
+                assert(integrator_.has_paper_tangent());
                 integrator_.linearize_as_paper(state_, stage_, workspace_.linearizations);
                 system_.compute_tangent(state_, time_, workspace_.linearizations, workspace_.values);
                 break;
@@ -155,19 +157,37 @@ class Newton {
         for (int node = 0; node < static_cast<int>(state_.trial.size()); ++node) {
             spins[node] = system_.equations().increment_of(node, increment).tail<3>();
         }
+        const bool places_supports = moves_supports_ && report_.iterations == 1;
+        if (places_supports) add_support_spins(spins);
         if (!check_rotations(state_.trial, spins)) return false;
         for (int node = 0; node < static_cast<int>(state_.trial.size()); ++node) {
             const Vec3 delta_r = system_.equations().increment_of(node, increment).head<3>();
             NodeMotion& trial = state_.trial[node];
+            const Vec3 delta_phi = system_.equations().increment_of(node, increment).tail<3>();
             if (settings_.tangent == TangentKind::paper) {
-                place(state_.previous[node], trial.r + delta_r, trial.theta + spins[node], trial);
+                place(state_.previous[node], trial.r + delta_r, trial.theta + delta_phi, trial);
             } else {
-                apply_spin(state_.previous[node], delta_r, spins[node], trial);
+                apply_spin(state_.previous[node], delta_r, delta_phi, trial);
             }
         }
-        if (moves_supports_ && report_.iterations == 1) system_.supports().place(time_, state_);
+        if (places_supports) system_.supports().place(time_, state_);
         update_trial_rates(system_, integrator_, stage_, state_);
         return check_step_rotations();
+    }
+
+    // By how much moving supports will turn their nodes, from the last equilibrium.
+    void add_support_spins(std::vector<Vec3>& spins) {
+        std::vector<NodeMotion> before;
+        for (const Support* support : system_.supports().moving()) {
+            before.push_back(state_.trial[support->node]);
+        }
+        system_.supports().place(time_, state_);
+        auto kept = before.begin();
+        for (const Support* support : system_.supports().moving()) {
+            NodeMotion& trial = state_.trial[support->node];
+            spins[support->node] += trial.theta - kept->theta;
+            trial = *kept++;
+        }
     }
 
     // False, and so reported, if these spins could turn nodes of one element against each other by half a

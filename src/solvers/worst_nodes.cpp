@@ -1,5 +1,7 @@
 #include "solvers/worst_nodes.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,9 +30,8 @@ std::vector<WorstNode> find_worst_nodes(const System& system, const Residual& re
 }
 
 std::string name_place(const Model& model, int node, int component) {
-    static constexpr const char* components[6] = {"x", "y", "z", "rx", "ry", "rz"};
     const std::string& name = model.nodes[node].name;
-    return component < 0 ? name : name + " (" + components[component] + ")";
+    return component < 0 ? name : fmt::format("{} ({})", name, component_names[component]);
 }
 
 }  // namespace gxrod

@@ -167,3 +167,22 @@ TEST_CASE("a wave runs from a moving support into a bar", "[analyses][supports]"
         CHECK(std::log2(coarse.energy / fine.energy) > scheme.order - 0.4);
     }
 }
+
+TEST_CASE("steps by their error see how well a moving support is followed", "[analyses][supports]") {
+    // An estimate of order 4: a tolerance ten thousand times smaller takes ten times the steps.
+    const Model model = make_carried_body();
+    const auto count_steps = [&](double tolerance) {
+        DynamicSettings settings = make_settings(Scheme::sdirk_4, 2.0, 20);
+        settings.adaptive = AdaptiveSettings{};
+        settings.adaptive->tolerance = tolerance;
+        DynamicAnalysis analysis(model, settings);
+        REQUIRE(analysis.start().converged());
+        while (!analysis.finished()) REQUIRE(analysis.advance().converged());
+        return static_cast<double>(analysis.steps().steps_done());
+    };
+    const double coarse = count_steps(1e-5);
+    const double fine = count_steps(1e-9);
+    CHECK(coarse < 60.0);
+    CHECK(fine / coarse > 5.0);
+    CHECK(fine / coarse < 15.0);
+}

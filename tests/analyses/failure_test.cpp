@@ -1,5 +1,6 @@
 // What a reader is told of a step that fails.
 #include <catch2/catch.hpp>
+#include <numbers>
 
 #include "analyses/dynamic.hpp"
 #include "tools/rod_models.hpp"
@@ -80,6 +81,19 @@ TEST_CASE("an explicit step that breaks speaks of its stability", "[analyses]") 
     add_ramp(model, last_node(model), Vec3(0.0, 1.0, 0.0), Vec3::Zero());
     const std::string failure = find_failure(model, make_settings(Scheme::runge_kutta_4, 10.0, 100));
     INFO(failure);
-    CHECK_THAT(failure, Catch::Contains("a force or increment is not a finite number at rod node "));
+    CHECK_THAT(failure, Catch::Contains("the rotation within one step reaches half a turn at rod node "));
     CHECK_THAT(failure, Catch::Contains("Try a smaller time_step: runge-kutta-4 is stable only while"));
+}
+
+TEST_CASE("an explicit step does not wind an element beyond half a turn", "[analyses]") {
+    // Two heavy disks on a soft element, which turn against each other by 8 rad/s.
+    Model model =
+        make_rod_model(along_x, 1.0, {1}, make_section({1.0, 1.0, 1.0, 0.01, 1.0, 1.0}, {1, 1, 1, 1, 1, 1}));
+    model.nodes[0].angular_velocity = Vec3(4.0, 0.0, 0.0);
+    model.nodes[1].angular_velocity = Vec3(-4.0, 0.0, 0.0);
+    DynamicAnalysis analysis(model, make_settings(Scheme::runge_kutta_4, 1.0, 100));
+    EquilibriumReport report = analysis.start();
+    while (report.converged() && !analysis.finished()) report = analysis.advance();
+    CHECK(report.outcome == Outcome::element_too_turned);
+    CHECK(analysis.state().time == Approx(std::numbers::pi / 8.0).margin(0.011));
 }

@@ -1,5 +1,6 @@
 #include "analyses/mesh_frequencies.hpp"
 
+#include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
 #include <numbers>
@@ -73,7 +74,17 @@ TEST_CASE("loads and initial velocities do not change a mesh's frequencies", "[a
     Model model = make_rod_model(along_x, 1.0, {4, 1}, make_steel());
     clamp(model, 0);
     const auto bare = find_mesh_frequencies(model);
-    add_ramp(model, last_node(model), Vec3(1e9, 0.0, 0.0), Vec3(0.0, 1e9, 0.0), Frame::body);
+    NodalLoad load;
+    load.node = last_node(model);
+    load.frame = Frame::body;
+    load.force = {1e9, 1e8, 0.0};
+    load.moment = {0.0, 1e9, 0.0};
+    model.loads.push_back(load);
+    DistributedLoad distributed;
+    distributed.frame = Frame::follower;
+    distributed.force[1] = LineFunction(1e9);
+    model.distributed_loads.push_back(distributed);
+    model.gravity = TimeVector(Vec3(0.0, 0.0, -1e6));
     model.nodes[2].angular_velocity = Vec3(1e5, 0.0, 0.0);
     const auto loaded = find_mesh_frequencies(model);
     REQUIRE((bare && loaded));
@@ -107,6 +118,14 @@ TEST_CASE("damping ratios and the longest explicit step are told", "[analyses]")
     CHECK_THAT(text, Catch::Contains("damping of section bar: 0.5 of critical at the lowest"));
     CHECK_THAT(text, Catch::Contains("stable up to time steps of "));
     CHECK_THAT(text, Catch::Contains("this deck's, 0.01, will fail"));
+    // Of real rates, 2.785 over the largest: beside ζ = ½ω/ω₁ at the highest, ω(ζ + √(ζ² − 1)).
+    const double zeta = 0.5 * found->highest / found->lowest;
+    const double rate = found->highest * (zeta + std::sqrt(zeta * zeta - 1.0));
+    CHECK_THAT(text, Catch::Contains(fmt::format("up to time steps of {:.3g}:", 2.785293563 / rate)));
+    model.sections[0].kelvin_voigt = 0.0;
+    CHECK_THAT(describe_frequencies(model, settings),
+               Catch::Contains(
+                   fmt::format("up to time steps of {:.3g}:", 2.0 * std::numbers::sqrt2 / found->highest)));
     settings.steps = 100'000'000;
     CHECK_THAT(describe_frequencies(model, settings), !Catch::Contains("will fail"));
 }

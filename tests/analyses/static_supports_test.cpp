@@ -141,3 +141,43 @@ TEST_CASE("frames of loads and supports that turn rigidly leave strains as they 
     CHECK(bent[0].curvature.norm() > 0.1);
     CHECK((analysis.state().trial.back().r - exp_quaternion(angle * axis) * tip).norm() < 1e-8);
 }
+
+TEST_CASE("supports may not wind an element beyond half a turn", "[analyses][static]") {
+    Model model = make_rod_model(along_x, length, {1, 1}, section);
+    clamp(model, 0);
+    Support turning{.node = 1, .fixed = {true, true, true, false, true, true}};
+    turning.moved[3] = true;
+    turning.motion[3] = ramp(1.5 * std::numbers::pi);
+    model.supports.push_back(turning);
+    const StaticRun refused = try_static(model, make_static_settings(10));
+    CHECK(refused.report.outcome == Outcome::element_too_turned);
+    CHECK(refused.state.time > 0.6);
+    CHECK(refused.state.time < 2.0 / 3.0);
+}
+
+TEST_CASE("a rod follows its clamp through a fifth of a turn a step", "[analyses][static]") {
+    for (const ElementKind kind : {ElementKind::objective, ElementKind::simo}) {
+        Model model = make_rod_model(along_x, length, {4, 2, kind}, section);
+        Support turning{.node = 0, .fixed = {true, true, true, true, true, false}};
+        turning.moved[5] = true;
+        turning.motion[5] = ramp(15.0);
+        model.supports.push_back(turning);
+        const StaticRun run = run_static(model, make_static_settings(12));
+        CHECK(run.rejected_steps == 0);
+        CHECK((run.tip().r - length * Vec3(std::cos(15.0), std::sin(15.0), 0.0)).norm() < 1e-9);
+    }
+}
+
+TEST_CASE("a static move may begin with any rotation", "[analyses][static]") {
+    // Of a rod in 8 elements, the first step of ten twists it by more than half a turn.
+    for (const double sense : {1.0, -1.0}) {
+        Model model = make_rod_model(along_x, length, {8, 1}, section);
+        clamp(model, 0);
+        Support turning{.node = last_node(model), .fixed = {false, true, true, false, true, true}};
+        turning.moved[3] = true;
+        turning.motion[3] = TimeFunction([sense](double t) { return sense * (4.0 + 0.1 * t); });
+        model.supports.push_back(turning);
+        const StaticRun run = run_static(model, make_static_settings(10));
+        CHECK(run.reactions.back()[3] == Approx(sense * section.stiffness(3, 3) * 4.1 / length));
+    }
+}

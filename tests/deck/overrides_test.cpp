@@ -22,6 +22,9 @@ TEST_CASE("Keys of --set that lead nowhere are errors", "[deck]") {
           "--set rod.q.elements=3: rod.q: the deck has none; known here: r");
     CHECK(faults_of(rod_deck, {"rod.r.line.to[3]=1"}) ==
           "--set rod.r.line.to[3]=1: no such element; valid are 0 to 2");
+    CHECK(faults_of(replaced(rod_deck, "to = [10, 0, 0]", "to = []"), {"rod.r.line.to[0]=1"}) ==
+          "x.toml:6:33: rod.r.line.to: expected an array of 3 numbers or expressions, found an empty array\n"
+          "--set rod.r.line.to[0]=1: no such element; it is empty");
     CHECK(faults_of(rod_deck, {"rod.r.section.x=5"}) ==
           "--set rod.r.section.x=5: rod.r.section: not a table, so that it has no key x");
     CHECK(faults_of(rod_deck, {"title[0]=5"}) == "--set title[0]=5: title: the deck has none");

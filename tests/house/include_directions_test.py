@@ -24,9 +24,7 @@ DIRECT = {
     "deck": ["model", "state"],
     "results": ["model", "state"],
     "analyses": ["solvers", "results"],
-    "batch": ["analyses", "deck"],
-    "report": ["analyses", "deck"],
-    "verification": ["analyses", "deck", "batch", "report"],
+    "verification": ["analyses", "deck"],
     "apps": ["verification"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([a-z_0-9]+)/[^"]*"')

@@ -248,3 +248,29 @@ TEST_CASE("tangents of distributed loads are derivatives of their forces", "[loa
         }
     }
 }
+
+TEST_CASE("a load that turns is turned by each node and interpolated", "[loads]") {
+    // Nodes turned differently: ∫ N_I Σ_J N_J Λ_J q ds, constant q, with ∫ N_I N_J ds = size/6 (1 + δ_IJ).
+    RandomValues random(171);
+    const Vec3 q = random.vector();
+    Model model = make_rod_model(along_x, length, {1, 1}, make_section({1, 1, 1, 1, 1, 1}));
+    model.distributed_loads.push_back(make_load(
+        [q](double, double) {
+            Vec6 value = Vec6::Zero();
+            value.head<3>() = q;
+            return value;
+        },
+        Frame::body));
+    State state = System(model).initial_state();
+    std::array<Vec3, 2> turned;
+    for (int i = 0; i < 2; ++i) {
+        state.trial[i].Lambda = random.rotation();
+        turned[i] = state.trial[i].Lambda * q;
+    }
+    const auto nodal = compute_loads(model, state, 0.0);
+    for (int i = 0; i < 2; ++i) {
+        const Vec3 expected = length / 6.0 * (2.0 * turned[i] + turned[1 - i]);
+        CHECK((nodal[i].head<3>() - expected).norm() < 1e-14);
+        CHECK(nodal[i].tail<3>().norm() < 1e-15);
+    }
+}

@@ -1,4 +1,4 @@
-#include "analyses/free_motions.hpp"
+#include "analyses/unsupported_motions.hpp"
 
 #include <fmt/format.h>
 
@@ -110,11 +110,11 @@ Vec3 clean(const Vec3& direction) {
 }
 
 // The turn of the motion (ω; v about the centre), which holds none of the free translations.
-FreeMotion make_turn(const Eigen::Matrix<double, 6, 1>& motion,
-                     const Vectors& translations,
-                     const Extent& extent,
-                     const Vec3& near) {
-    FreeMotion turn;
+UnsupportedMotion make_turn(const Eigen::Matrix<double, 6, 1>& motion,
+                            const Vectors& translations,
+                            const Extent& extent,
+                            const Vec3& near) {
+    UnsupportedMotion turn;
     turn.rotation = clean(motion.head<3>());
     const Vec3 velocity = motion.tail<3>();
     const double slide = velocity.dot(turn.rotation);
@@ -141,7 +141,7 @@ std::string describe_point(const Vec3& point, double size) {
 }
 
 // Whether the part is one rod that lies on the axis of the turn.
-bool is_twist(const Model& model, const ModelPart& part, const FreeMotion& turn, double size) {
+bool is_twist(const Model& model, const ModelPart& part, const UnsupportedMotion& turn, double size) {
     if (part.rods.size() != 1 || !turn.has_place) return false;
     return std::all_of(part.nodes.begin(), part.nodes.end(), [&](int node) {
         return turn.rotation.cross(model.nodes[node].position - turn.point).norm() <= on_axis * size;
@@ -150,12 +150,12 @@ bool is_twist(const Model& model, const ModelPart& part, const FreeMotion& turn,
 
 }  // namespace
 
-std::vector<FreeMotion> find_free_motions(const Model& model, const ModelPart& part) {
+std::vector<UnsupportedMotion> find_unsupported_motions(const Model& model, const ModelPart& part) {
     const Extent extent = measure(model, part);
     const std::vector<const Support*> supports = find_supports(model, part);
     const Eigen::MatrixXd constraints = build_constraints(model, supports, extent);
     const Vectors translations = align(find_null_space(constraints.leftCols<3>()));
-    std::vector<FreeMotion> motions;
+    std::vector<UnsupportedMotion> motions;
     for (Eigen::Index i = 0; i < translations.cols(); ++i) {
         motions.push_back({.velocity = clean(translations.col(i))});
     }
@@ -176,7 +176,9 @@ std::vector<FreeMotion> find_free_motions(const Model& model, const ModelPart& p
     return motions;
 }
 
-std::string describe_free_motion(const Model& model, const ModelPart& part, const FreeMotion& motion) {
+std::string describe_unsupported_motion(const Model& model,
+                                        const ModelPart& part,
+                                        const UnsupportedMotion& motion) {
     if (motion.rotation.isZero(0.0)) return "move along " + describe_direction(motion.velocity);
     const double size = measure(model, part).size;
     const bool slides = !motion.velocity.isZero(0.0);

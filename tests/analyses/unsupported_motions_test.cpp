@@ -1,4 +1,4 @@
-#include "analyses/free_motions.hpp"
+#include "analyses/unsupported_motions.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -38,8 +38,8 @@ std::vector<std::string> motions_of(const Model& model) {
     const std::vector<ModelPart> parts = find_parts(model);
     REQUIRE(parts.size() == 1);
     std::vector<std::string> texts;
-    for (const FreeMotion& motion : find_free_motions(model, parts[0])) {
-        texts.push_back(describe_free_motion(model, parts[0], motion));
+    for (const UnsupportedMotion& motion : find_unsupported_motions(model, parts[0])) {
+        texts.push_back(describe_unsupported_motion(model, parts[0], motion));
     }
     return texts;
 }
@@ -155,10 +155,10 @@ TEST_CASE("Free motions do not move what is held, and are as many as there can b
                 if (i >= 3) rows.bottomRows<1>().tail<3>() = axis.transpose();
             }
         }
-        const auto motions = find_free_motions(model, find_parts(model)[0]);
+        const auto motions = find_unsupported_motions(model, find_parts(model)[0]);
         const Eigen::Index rank = rows.rows() == 0 ? 0 : rows.jacobiSvd().rank();
         CHECK(static_cast<Eigen::Index>(motions.size()) == 6 - rank);
-        for (const FreeMotion& motion : motions) {
+        for (const UnsupportedMotion& motion : motions) {
             Eigen::Matrix<double, 6, 1> about_origin;
             about_origin << motion.velocity - motion.rotation.cross(motion.point), motion.rotation;
             if (rows.rows() > 0)

@@ -8,7 +8,7 @@
 namespace gxrod {
 
 // A small motion of a part as a rigid body: point x moves by velocity + rotation × (x − point).
-struct FreeMotion {
+struct UnsupportedMotion {
     Vec3 velocity = Vec3::Zero();  // of a turn: along its axis, or zero
     Vec3 rotation = Vec3::Zero();  // of length 1, or zero for a translation
     Vec3 point = Vec3::Zero();     // on the axis of a turn, the nearest to the part's first support
@@ -17,9 +17,11 @@ struct FreeMotion {
 
 // The rigid motions of a part that its supports leave free at t = 0: translations along directions of length
 // 1, then turns; along the global axes where that is possible. Moved components are not free.
-std::vector<FreeMotion> find_free_motions(const Model& model, const ModelPart& part);
+std::vector<UnsupportedMotion> find_unsupported_motions(const Model& model, const ModelPart& part);
 
 // "move along x", "turn about an axis along (0, 0.6, 0.8) through (1, 2, 3)", "twist about its axis".
-std::string describe_free_motion(const Model& model, const ModelPart& part, const FreeMotion& motion);
+std::string describe_unsupported_motion(const Model& model,
+                                        const ModelPart& part,
+                                        const UnsupportedMotion& motion);
 
 }  // namespace gxrod
