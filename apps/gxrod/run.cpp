@@ -62,6 +62,19 @@ void tell(const RunArguments& arguments, const RunSummary& summary, const std::s
     }
 }
 
+// Energy out of balance by so much of the largest one says that results are not to be trusted.
+void warn_of_energy(const RunSummary& summary) {
+    constexpr double tolerable = 0.1;
+    if (summary.largest_energy_error <= tolerable * summary.largest_energy) return;
+    fmt::print(
+        stderr,
+        "warning: the energy does not balance: an error of {:.3g} beside an energy of {:.3g} "
+        "(ledger/energy_error). Steps may be too long, a vibration too fast for them, or, in statics, the "
+        "structure has jumped\n",
+        summary.largest_energy_error,
+        summary.largest_energy);
+}
+
 int exit_code_of(const RunSummary& summary, bool deck_fault) {
     if (summary.status == RunStatus::interrupted) return exit_interrupted;
     if (summary.status == RunStatus::failed) return deck_fault ? exit_bad_input : exit_not_converged;
@@ -96,6 +109,7 @@ int run(const RunArguments& arguments) {
     const RunSummary summary = run_analysis(request);
     line.finish();
     tell(arguments, summary, results.string());
+    warn_of_energy(summary);
     if (!arguments.summary.empty()) {
         write_summary(arguments.summary, summary, arguments.deck, results.string());
     }

@@ -45,7 +45,9 @@ std::vector<const Study*> choose_studies(const VerifyArguments& arguments) {
 
 int verify(const VerifyArguments& arguments) {
     if (arguments.list) {
-        for (const Study& study : studies()) fmt::print("{:<14}{}\n", study.name, study.sentence);
+        std::size_t width = 0;
+        for (const Study& study : studies()) width = std::max(width, study.name.size());
+        for (const Study& study : studies()) fmt::print("{:<{}}  {}\n", study.name, width, study.sentence);
         return exit_done;
     }
     bool matches = true;

@@ -21,6 +21,9 @@ namespace {
 // More unknowns are not examined: it would take longer than a user waits for a check.
 constexpr std::int64_t most_unknowns = 100'000;
 
+// A step's part of a vibration, in rad, that a scheme of order 4 follows.
+constexpr double resolved = 2.0;
+
 // Beyond so many the search for the lowest frequency, which passes them all, takes too long.
 constexpr int most_rigid_motions = 60;
 
@@ -178,9 +181,10 @@ std::optional<MeshFrequencies> find_mesh_frequencies(const Model& model) {
     Operation K(system.pattern(), values);
     const std::optional<double> largest = find_largest(K, M);
     if (!largest || !(*largest > 0.0)) return std::nullopt;
-    const std::optional<double> smallest = find_smallest(K, M, count_rigid_motions(bare), *largest);
+    const int rigid = count_rigid_motions(bare);
+    const std::optional<double> smallest = find_smallest(K, M, rigid, *largest);
     if (!smallest || !(*smallest > 0.0)) return std::nullopt;
-    return MeshFrequencies{std::sqrt(*smallest), std::sqrt(*largest)};
+    return MeshFrequencies{std::sqrt(*smallest), std::sqrt(*largest), rigid};
 }
 
 std::string describe_frequencies(const Model& model, const DynamicSettings& settings) {
@@ -188,10 +192,18 @@ std::string describe_frequencies(const Model& model, const DynamicSettings& sett
     if (model.rods.empty() || 6 * model.nodes.size() > most_unknowns) return "";
     const std::optional<MeshFrequencies> found = find_mesh_frequencies(model);
     if (!found) return "";
-    std::string text =
-        fmt::format("frequencies of the undeformed model, cycles per time: lowest {:.4g}, highest {:.4g}\n",
-                    found->lowest / cycle,
-                    found->highest / cycle);
+    std::string text = fmt::format(
+        "frequencies of the undeformed model, cycles per time: lowest {:.4g}{}, highest {:.4g}\n",
+        found->lowest / cycle,
+        found->rigid_motions == 0 ? "" : fmt::format(" (beside {} of rigid motions)", found->rigid_motions),
+        found->highest / cycle);
+    const double step = settings.end_time / static_cast<double>(settings.steps);
+    if (settings.scheme == Scheme::sdirk_4 && step * found->highest > resolved) {
+        text +=
+            "  sdirk-4 with these steps does not resolve the highest ones: if they are excited, reactions "
+            "and "
+            "accelerations lose their order and energy may grow\n";
+    }
     double largest_ratio = 0.0;
     for (const Section& section : model.sections) {
         largest_ratio = std::max(largest_ratio, compute_damping_ratio(section, found->highest));
@@ -204,7 +216,6 @@ std::string describe_frequencies(const Model& model, const DynamicSettings& sett
     }
     if (settings.scheme != Scheme::runge_kutta_4) return text;
     const double longest = find_explicit_limit(largest_ratio) / found->highest;
-    const double step = settings.end_time / static_cast<double>(settings.steps);
     text += fmt::format("  runge-kutta-4 is stable up to time steps of {:.3g}{}\n",
                         longest,
                         step > longest ? fmt::format(": this deck's, {:.3g}, will fail", step) : "");

@@ -12,6 +12,7 @@ namespace gxrod {
 struct MeshFrequencies {
     double lowest = 0.0;  // rigid motions left out
     double highest = 0.0;
+    int rigid_motions = 0;  // that nothing holds, of frequency 0
 };
 
 // By Lanczos' method, to some 1e-4. nullopt if a motion has no inertia, nothing can vibrate, or

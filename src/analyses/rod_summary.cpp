@@ -12,6 +12,8 @@ namespace {
 constexpr double round_off = 1e-12;
 // A turn of the tangent in one element above which a mesh is called coarse.
 constexpr double coarse_turn = M_PI / 4.0;
+// Of a solid round rod as long as thick it is 4.
+constexpr double least_slenderness = 4.0;
 // Less is the error of compute_twist on a coarse mesh.
 constexpr double least_twist = 0.01;
 
@@ -68,10 +70,17 @@ std::string describe_axes(const Quat& triad) {
         "x {}, y {}, z {}", describe(axes.col(0)), describe(axes.col(1)), describe(axes.col(2)));
 }
 
+// Its ends, or of a net the box that it fills.
 std::string describe_extent(const Model& model, const Rod& rod) {
+    if (is_line(rod)) {
+        const auto end = [&](int node) {
+            return describe(model.nodes[static_cast<std::size_t>(node)].position);
+        };
+        return fmt::format("  from {} to {}\n", end(rod.nodes.front()), end(rod.nodes.back()));
+    }
     Eigen::AlignedBox3d box;
     for (const int node : rod.nodes) box.extend(model.nodes[static_cast<std::size_t>(node)].position);
-    return fmt::format("  from {} to {}\n", describe(box.min()), describe(box.max()));
+    return fmt::format("  within {} and {}\n", describe(box.min()), describe(box.max()));
 }
 
 double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
@@ -147,7 +156,11 @@ std::string describe_rod(const Model& model, const Rod& rod) {
     if (std::abs(twist) >= least_twist) text += fmt::format("  twist: {:.4g} rad\n", twist);
     // L √(EA/EI) compares stretching with bending: for a solid section, length over radius of gyration.
     const double bending = std::min(C(4, 4), C(5, 5));
-    text += fmt::format("  slenderness L √(EA/EI): {:.4g}\n", rod.length * std::sqrt(C(0, 0) / bending));
+    const double slenderness = rod.length * std::sqrt(C(0, 0) / bending);
+    text += fmt::format("  slenderness L √(EA/EI): {:.4g}\n", slenderness);
+    if (slenderness < least_slenderness) {
+        text += "  warning: thicker than long; are all lengths in one unit?\n";
+    }
     const double turn = compute_largest_turn(rod);
     if (turn < 1e-9) return text;
     text += fmt::format("  largest turn of the tangent in an element: {:.3g}°\n", turn * 180.0 / M_PI);

@@ -1,5 +1,8 @@
 #include "analyses/run.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "model/evaluation_error.hpp"
 #include "model/file_error.hpp"
 
@@ -77,12 +80,21 @@ class Run {
     void record() {
         const PhaseTimer timer(output_seconds_);
         const Snapshot snapshot = analysis_->snapshot();
-        file_.record_step(snapshot, analysis_->ledger_row(), analysis_->solver_row());
+        const LedgerRow ledger = analysis_->ledger_row();
+        watch_energy(ledger);
+        file_.record_step(snapshot, ledger, analysis_->solver_row());
         last_framed_ = false;
         if (analysis_->steps().is_frame_due(request_.output.every)) {
             file_.write_frame(snapshot);
             last_framed_ = true;
         }
+    }
+
+    void watch_energy(const LedgerRow& ledger) {
+        const double energy = ledger.kinetic_energy + ledger.strain_energy;
+        summary_.largest_energy = std::max({summary_.largest_energy, energy, std::abs(ledger.external_work)});
+        summary_.largest_energy_error =
+            std::max(summary_.largest_energy_error, std::abs(ledger.energy_error));
     }
 
     bool interrupted() {

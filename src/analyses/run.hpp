@@ -40,7 +40,9 @@ struct RunSummary {
     long steps = 0;  // accepted
     long rejected_steps = 0;
     long newton_iterations = 0;
-    double time = 0.0;  // reached
+    double time = 0.0;                  // reached
+    double largest_energy = 0.0;        // kinetic and strain, or external work
+    double largest_energy_error = 0.0;  // of the ledger
     double wall_seconds = 0.0;
     PhaseSeconds phases;
 };

@@ -6,12 +6,20 @@
 
 namespace gxrod {
 
+namespace {
+
+// A slack cable carries the first of its load by stretching hardly at all: its first step may have to be
+// a billionth of the others.
+constexpr int halvings = 30;
+
+}  // namespace
+
 StaticAnalysis::StaticAnalysis(const Model& model, const StaticSettings& settings)
     : SteppedAnalysis(model,
                       std::make_unique<LoadStepping>(),
                       settings.newton,
                       settings.linear_solver,
-                      std::make_unique<StepControl>(1.0, settings.steps)) {}
+                      std::make_unique<StepControl>(1.0, settings.steps, halvings)) {}
 
 EquilibriumReport StaticAnalysis::start() {
     for (NodeMotion& motion : state_.trial) {

@@ -25,6 +25,6 @@ std::optional<Weakness> describe_weakness(const System& system,
                                           const std::vector<double>& values);
 
 // Whether a tangent this weak in one direction has an inverse in name only.
-inline constexpr double singular_stiffness = 1e-13;
+inline constexpr double singular_stiffness = 1e-15;
 
 }  // namespace gxrod

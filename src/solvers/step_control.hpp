@@ -11,39 +11,41 @@ namespace gxrod {
 // met exactly.
 class StepControl : public StepSequence {
   public:
-    StepControl(double end_time, long nominal_steps);
+    // The shortest step is the nominal one halved so many times.
+    StepControl(double end_time, long nominal_steps, int halvings = 10);
 
     double time() const override { return at(position_); }
     double next_time() const override { return at(position_ + span_); }
-    double time_step() const override { return nominal_step_ * static_cast<double>(span_) / ticks_per_step; }
+    double time_step() const override {
+        return nominal_step_ * static_cast<double>(span_) / static_cast<double>(ticks_per_step_);
+    }
     bool finished() const override { return position_ >= end_; }
 
     void accept() override;
     bool reject() override;
 
     // Nominal steps; parts of one do not count, and frames stand where nominal steps end.
-    long steps_done() const override { return static_cast<long>(position_ / ticks_per_step); }
-    long steps_in_all() const override { return static_cast<long>(end_ / ticks_per_step); }
+    long steps_done() const override { return static_cast<long>(position_ / ticks_per_step_); }
+    long steps_in_all() const override { return static_cast<long>(end_ / ticks_per_step_); }
     double part_done() const override {
         return static_cast<double>(steps_done()) / static_cast<double>(steps_in_all());
     }
     bool is_frame_due(long every) const override { return at_nominal_step() && steps_done() % every == 0; }
 
     // Whether the accepted time lies on the nominal grid.
-    bool at_nominal_step() const { return position_ % ticks_per_step == 0; }
+    bool at_nominal_step() const { return position_ % ticks_per_step_ == 0; }
 
   private:
-    static constexpr std::int64_t ticks_per_step = 1024;  // the shortest step is a 1024th of the nominal one
-
     double at(std::int64_t tick) const {
         return tick == end_ ? end_time_ : end_time_ * (static_cast<double>(tick) / static_cast<double>(end_));
     }
 
     double end_time_;
     double nominal_step_;
+    std::int64_t ticks_per_step_;
     std::int64_t end_;
     std::int64_t position_ = 0;
-    std::int64_t span_ = ticks_per_step;
+    std::int64_t span_;
 };
 
 }  // namespace gxrod

@@ -67,6 +67,9 @@ TEST_CASE("the frequencies of a mesh are its lowest and highest eigenvalues", "[
         REQUIRE(found);
         CHECK(found->lowest == Approx(std::sqrt(all[clamped ? 0 : 6])).epsilon(1e-5));
         CHECK(found->highest == Approx(std::sqrt(all[all.size() - 1])).epsilon(1e-5));
+        CHECK(found->rigid_motions == (clamped ? 0 : 6));
+        const std::string text = describe_frequencies(model, {});
+        CHECK((text.find("(beside 6 of rigid motions)") != std::string::npos) == !clamped);
     }
 }
 
@@ -110,6 +113,12 @@ TEST_CASE("damping ratios and the longest explicit step are told", "[analyses]")
     const auto found = find_mesh_frequencies(model);
     REQUIRE(found);
     CHECK_THAT(describe_frequencies(model, settings), !Catch::Contains("damping"));
+    settings.scheme = Scheme::sdirk_4;
+    CHECK_THAT(describe_frequencies(model, settings),
+               Catch::Contains("sdirk-4 with these steps does not resolve"));
+    settings.steps = 1'000'000;
+    CHECK_THAT(describe_frequencies(model, settings), !Catch::Contains("sdirk-4"));
+    settings.steps = 100;
     // Half of critical at the lowest.
     model.sections[0].kelvin_voigt = 1.0 / found->lowest;
     settings.scheme = Scheme::runge_kutta_4;

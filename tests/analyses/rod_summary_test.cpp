@@ -91,7 +91,7 @@ TEST_CASE("A coarse mesh of a curve is warned of", "[analyses]") {
     const std::string text = describe_rod(fine, fine.rods[0]);
     CHECK(has(text,
               "rod spring: length 13.1876, mass 26.3753, 24 objective elements of order 1, section tube\n"));
-    CHECK(has(text, "  from (-1, -1, 0) to (1, 1, 4)\n"));
+    CHECK(has(text, "  from (1, 0, 0) to (1, 0, 4)\n"));
     CHECK(has(text,
               "  axes at the start: x (0, 0.952891, 0.303314), y (-1, 0, 0), z (0, -0.303314, 0.952891)\n"));
     CHECK(has(text, "  axes at the end: "));
@@ -125,4 +125,12 @@ TEST_CASE("A section is described by its constants, or in full where they couple
           "               0            0            0            0            0          100\n"
           "  inertia per length: none\n"
           "  damping: kelvin_voigt 0.001, mass_proportional 0\n");
+}
+
+TEST_CASE("A rod thicker than long is warned of", "[analyses]") {
+    Model model = make_helix(24, 2.0, 0.0);
+    CHECK_FALSE(has(describe_rod(model, model.rods[0]), "thicker than long"));
+    model.sections[0].stiffness.diagonal().tail<3>().setConstant(model.sections[0].stiffness(0, 0) * 100.0);
+    CHECK(has(describe_rod(model, model.rods[0]),
+              "  warning: thicker than long; are all lengths in one unit?\n"));
 }

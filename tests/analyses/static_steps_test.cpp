@@ -157,3 +157,20 @@ TEST_CASE("moments do all their work in steps of whole turns too", "[analyses][s
         }
     }
 }
+
+TEST_CASE("a cable finds its shape from a straight line", "[analyses][static]") {
+    // Hardly any stiffness against its first load: EI/(EA L²) = 1e-11. Of elastic cables, to (sag/L)²,
+    // H = (EA w² L²/24)^⅓ and sag = w L²/(8H).
+    Model model = make_rod_model(
+        along_x, 100.0, {60, 1}, make_section({1e8, 1e7, 1e7, 10.0, 10.0, 10.0}, {10, 10, 10, 0, 0, 0}));
+    model.supports.push_back({.node = 0, .fixed = {true, true, true, true, false, true}});
+    model.supports.push_back({.node = last_node(model), .fixed = {true, true, true, false, false, false}});
+    model.gravity = TimeVector(std::array<TimeFunction, 3>{0.0, 0.0, ramp(-9.81)});
+    const double weight = 98.1;
+    const double H = std::cbrt(1e8 * weight * weight * 1e4 / 24.0);
+    const StaticRun run = run_static(model, make_static_settings(1, 1e-8));
+    CHECK(run.steps < 60);
+    CHECK(-run.node(30).r.z() == Approx(weight * 1e4 / (8.0 * H)).epsilon(2e-3));
+    CHECK(-run.reactions[0][0] == Approx(H).epsilon(2e-3));
+    CHECK(run.reactions[0][2] + run.reactions.back()[2] == Approx(100.0 * weight).epsilon(1e-7));
+}

@@ -134,6 +134,34 @@ class Run(ProgramTest):
             self.assertAlmostEqual(file["histories/time"][-1], summary["time"])
             self.assertGreaterEqual(summary["time"], 0.49)
 
+    def test_energy_out_of_balance_is_warned_of(self):
+        # Pushed down by a load of 300 at its crown, a shallow arch snaps through.
+        arch = (self.folder / "arch.toml")
+        arch.write_text("""
+[section.s]
+stiffness = { EA = 1e5, GAy = 1e5, GAz = 1e5, GJ = 10, EIy = 10, EIz = 10 }
+[rod.arch]
+section = "s"
+arc = { from = [0, 0, 0], through = [5, 0, 0.5], to = [10, 0, 0] }
+elements = 20
+[[support]]
+at = "arch.start"
+fix = ["position", "rx", "rz"]
+[[support]]
+at = "arch.end"
+fix = ["position", "rx", "rz"]
+[[load]]
+at = "arch@0.5"
+force = [0, 0, -300]
+[analysis]
+kind = "static"
+steps = 10
+""")
+        done = self.gxrod("run", "arch.toml", "--quiet")
+        self.assertIn("warning: the energy does not balance: an error of ", done.stderr)
+        done = self.gxrod("run", "arch.toml", "--quiet", "--force", "--set", "load[0].force=[0, 0, -0.1]")
+        self.assertEqual(done.stderr, "")
+
     def test_a_load_that_is_no_number_ends_the_run_and_keeps_its_results(self):
         # Finite on the whole step grid; sdirk-4 asks for it at t = 0.6025, within a step.
         self.write("poles.toml", SPINNING_BODY.replace('"torque*sin(t)"', '"abs(t - 0.6025) < 1e-9 ? 1/0 : 1"'))
