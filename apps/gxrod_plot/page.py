@@ -1,5 +1,7 @@
 """Puts shapes, histories and the ledger together into one figure."""
 
+import textwrap
+
 from .errors import FileFault
 from .histories import draw_histories, history_panels, row_count
 from .ledger import draw_ledger, panel_count
@@ -12,6 +14,7 @@ NARROW_WIDTH = 8.4  # of a figure of shapes or the ledger only
 SHAPES_HEIGHT = 7.6
 PANEL_HEIGHT = 2.3
 HEADING_HEIGHT = 0.62
+LONGEST_REASON = 90  # characters; the whole one is in the file
 
 
 def draw_page(results, request):
@@ -67,7 +70,7 @@ def draw_heading(figure, results):
 def facts(results):
     status = results.status
     if results.reason and status != "complete":
-        status += f" ({results.reason})"
+        status += f" ({textwrap.shorten(results.reason, LONGEST_REASON, placeholder=' …')})"
     steps = max(len(results.times) - 1, 0)
     clock = "load factor" if results.is_static else "t"
     found = [results.deck, f"{steps} steps to {clock} = {results.times[-1]:g}", status]
