@@ -16,7 +16,6 @@
 // What is left of a results file whose writer is killed, or whose disk is full.
 
 using namespace gxrod;
-using sample::Hdf5Reader;
 
 namespace {
 
@@ -69,16 +68,14 @@ Survey survey(const std::filesystem::path& path) {
         found.steps = file.size("/histories/time")[0];
         found.frames = static_cast<std::size_t>(file.integer_attribute("/VTKHDF/Steps", "NSteps"));
         if (!is_multiple_of_time(file.numbers("/histories/time"), 1, 1, time_step)) found.fault = "times";
-        if (!is_multiple_of_time(
-                file.first_rows("/histories/middle/position", found.steps), 3, 1, time_step)) {
+        if (!is_multiple_of_time(file.rows("/histories/middle/position", 0, found.steps), 3, 1, time_step)) {
             found.fault = "positions";
         }
         if (!is_multiple_of_time(
-                file.first_rows("/VTKHDF/Points", found.frames * points), 3, points, 8 * time_step)) {
+                file.rows("/VTKHDF/Points", 0, found.frames * points), 3, points, 8 * time_step)) {
             found.fault = "points";
         }
-        if (!is_multiple_of_time(
-                file.first_rows("/VTKHDF/Steps/Values", found.frames), 1, 1, 8 * time_step)) {
+        if (!is_multiple_of_time(file.rows("/VTKHDF/Steps/Values", 0, found.frames), 1, 1, 8 * time_step)) {
             found.fault = "frame times";
         }
         const std::string status = file.text_attribute("/", "status");
@@ -104,7 +101,7 @@ bool is_complete(const std::filesystem::path& path) {
                                  : is_point_row ? frames * points
                                  : is_frame_row ? frames
                                                 : 0;
-        if (rows > 0) file.first_rows(dataset, rows);
+        if (rows > 0) file.rows(dataset, 0, rows);
     }
     return true;
 }

@@ -8,7 +8,6 @@
 #include "rotation/rotation_map.hpp"
 
 using namespace gxrod;
-using sample::Hdf5Reader;
 using sample::Motion;
 
 namespace {

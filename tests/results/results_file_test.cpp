@@ -11,7 +11,6 @@
 #include "results/sample.hpp"
 
 using namespace gxrod;
-using sample::Hdf5Reader;
 using sample::Motion;
 
 namespace {

@@ -6,9 +6,10 @@
 
 #include "results/hdf5_handle.hpp"
 
-namespace gxrod::sample {
+namespace gxrod {
 
-// Reads an HDF5 file through the library's own file driver, as any other program would. Throws Hdf5Error.
+// Reads an HDF5 file through the library's own file driver, as any other program would, also while another
+// program writes it. Throws Hdf5Error.
 class Hdf5Reader {
   public:
     explicit Hdf5Reader(const std::filesystem::path& path);
@@ -17,8 +18,8 @@ class Hdf5Reader {
     std::vector<hsize_t> size(const std::string& dataset) const;
     // All numbers, the last direction fastest.
     std::vector<double> numbers(const std::string& dataset) const;
-    // The first `count` rows only.
-    std::vector<double> first_rows(const std::string& dataset, hsize_t count) const;
+    // `count` rows from `first` on; all of them must be there.
+    std::vector<double> rows(const std::string& dataset, hsize_t first, hsize_t count) const;
     std::string text(const std::string& dataset) const;
     // Attributes of the object at `path`.
     std::string text_attribute(const std::string& path, const std::string& name) const;
@@ -26,6 +27,9 @@ class Hdf5Reader {
     bool has_attribute(const std::string& path, const std::string& name) const;
     // Every dataset of the file, by all of its names.
     std::vector<std::string> datasets() const;
+    // What a group has, groups and datasets, by name.
+    std::vector<std::string> members(const std::string& group) const;
+    bool has(const std::string& path) const;
     hid_t id() const { return file_.id(); }
 
   private:
@@ -33,4 +37,4 @@ class Hdf5Reader {
     Hdf5Handle file_;
 };
 
-}  // namespace gxrod::sample
+}  // namespace gxrod

@@ -1,9 +1,10 @@
 #include "results/hdf5_reader.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <numeric>
 
-namespace gxrod::sample {
+namespace gxrod {
 namespace {
 
 std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t, void*)>& read) {
@@ -19,18 +20,30 @@ std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t
     return text;
 }
 
-void add_datasets(hid_t group, const std::string& path, std::vector<std::string>& names) {
+std::vector<std::string> list_members(hid_t group) {
     H5G_info_t information;
     check_hdf5(H5Gget_info(group, &information), "listing a group");
+    std::vector<std::string> names;
     for (hsize_t i = 0; i < information.nlinks; ++i) {
-        char name[256];
-        H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, name, sizeof name, H5P_DEFAULT);
-        const std::string child_path = path + "/" + name;
-        const Hdf5Handle child(H5Oopen(group, name, H5P_DEFAULT), H5Oclose, "opening an object");
+        const auto get = [&](char* name, std::size_t size) {
+            return H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, name, size, H5P_DEFAULT);
+        };
+        const auto length = static_cast<std::size_t>(std::max<ssize_t>(get(nullptr, 0), 0));
+        std::string name(length + 1, '\0');
+        get(name.data(), name.size());
+        name.resize(length);
+        names.push_back(name);
+    }
+    return names;
+}
+
+void add_datasets(hid_t group, const std::string& path, std::vector<std::string>& names) {
+    for (const std::string& name : list_members(group)) {
+        const Hdf5Handle child(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose, "opening an object");
         if (H5Iget_type(child.id()) == H5I_DATASET)
-            names.push_back(child_path);
+            names.push_back(path + "/" + name);
         else
-            add_datasets(child.id(), child_path, names);
+            add_datasets(child.id(), path + "/" + name, names);
     }
 }
 
@@ -38,7 +51,9 @@ void add_datasets(hid_t group, const std::string& path, std::vector<std::string>
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) {
     silence_hdf5();
-    file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "opening a file");
+    const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file properties");
+    check_hdf5(H5Pset_file_locking(access.id(), false, true), "file properties");
+    file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, "opening a file");
 }
 
 Hdf5Handle Hdf5Reader::open_dataset(const std::string& name) const {
@@ -55,13 +70,13 @@ std::vector<hsize_t> Hdf5Reader::size(const std::string& name) const {
 
 std::vector<double> Hdf5Reader::numbers(const std::string& name) const {
     const std::vector<hsize_t> extent = size(name);
-    return first_rows(name, extent.empty() ? 1 : extent[0]);
+    return rows(name, 0, extent.empty() ? 1 : extent[0]);
 }
 
-std::vector<double> Hdf5Reader::first_rows(const std::string& name, hsize_t count) const {
+std::vector<double> Hdf5Reader::rows(const std::string& name, hsize_t first, hsize_t count) const {
     std::vector<hsize_t> extent = size(name);
     if (extent.empty()) extent = {1};
-    if (extent[0] < count) throw std::runtime_error(name + " is too short");
+    if (extent[0] < first + count) throw std::runtime_error(name + " is too short");
     extent[0] = count;
     std::vector<double> values(
         std::accumulate(extent.begin(), extent.end(), std::size_t{1}, std::multiplies<>()));
@@ -69,7 +84,8 @@ std::vector<double> Hdf5Reader::first_rows(const std::string& name, hsize_t coun
 
     const Hdf5Handle dataset = open_dataset(name);
     const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose, "dataspace");
-    const std::vector<hsize_t> start(extent.size(), 0);
+    std::vector<hsize_t> start(extent.size(), 0);
+    start[0] = first;
     check_hdf5(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, extent.data(), nullptr),
                "selecting rows");
     const Hdf5Handle memory(
@@ -111,10 +127,24 @@ bool Hdf5Reader::has_attribute(const std::string& path, const std::string& name)
     return H5Aexists_by_name(file_.id(), path.c_str(), name.c_str(), H5P_DEFAULT) > 0;
 }
 
+std::vector<std::string> Hdf5Reader::members(const std::string& name) const {
+    const Hdf5Handle group(H5Gopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Gclose, "opening a group");
+    return list_members(group.id());
+}
+
+bool Hdf5Reader::has(const std::string& path) const {
+    // Each link on the way has to exist before the next may be asked for.
+    for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
+        const std::string part = path.substr(0, end);
+        if (H5Lexists(file_.id(), part.c_str(), H5P_DEFAULT) <= 0) return false;
+        if (end == std::string::npos) return true;
+    }
+}
+
 std::vector<std::string> Hdf5Reader::datasets() const {
     std::vector<std::string> names;
     add_datasets(file_.id(), "", names);
     return names;
 }
 
-}  // namespace gxrod::sample
+}  // namespace gxrod

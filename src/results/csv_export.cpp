@@ -1,0 +1,136 @@
+#include "results/csv_export.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+#include "model/file_error.hpp"
+#include "results/hdf5_reader.hpp"
+
+namespace gxrod {
+
+namespace {
+
+constexpr hsize_t most_rows_at_once = 4096;
+
+// One dataset of a group, which makes one or more columns.
+struct Column {
+    std::string path;
+    std::string name;
+    hsize_t width = 1;
+
+    std::string heading() const {
+        if (width == 1) return name;
+        const std::string letters = width == 4 ? "wxyz" : "xyz";
+        std::string text;
+        for (std::size_t i = 0; i < width; ++i) {
+            if (i > 0) text += ',';
+            text +=
+                i < letters.size() ? fmt::format("{}_{}", name, letters[i]) : fmt::format("{}_{}", name, i);
+        }
+        return text;
+    }
+};
+
+// The datasets of a group, time first.
+std::vector<Column> find_columns(const Hdf5Reader& file, const std::string& group) {
+    std::vector<Column> columns{{"/histories/time", "time"}};
+    if (file.text_attribute("/histories/time", "dimension") == "1") columns[0].name = "load_factor";
+    for (const std::string& name : file.members(group)) {
+        if (name == "time") continue;
+        const std::string path = group + "/" + name;
+        const std::vector<hsize_t> size = file.size(path);
+        columns.push_back({path, name, size.size() > 1 ? size[1] : 1});
+    }
+    return columns;
+}
+
+void append_rows(const Hdf5Reader& file,
+                 const std::vector<Column>& columns,
+                 hsize_t first,
+                 hsize_t count,
+                 fmt::memory_buffer& text) {
+    std::vector<std::vector<double>> values;
+    for (const Column& column : columns) values.push_back(file.rows(column.path, first, count));
+    for (hsize_t row = 0; row < count; ++row) {
+        const char* separator = "";
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            for (hsize_t j = 0; j < columns[i].width; ++j) {
+                fmt::format_to(
+                    std::back_inserter(text), "{}{}", separator, values[i][row * columns[i].width + j]);
+                separator = ",";
+            }
+        }
+        text.push_back('\n');
+    }
+}
+
+void write_table(const Hdf5Reader& file,
+                 const std::string& group,
+                 const std::filesystem::path& path,
+                 Existing existing) {
+    if (existing == Existing::refuse && std::filesystem::exists(path)) {
+        throw FileError(path, "exists already", "--force overwrites it");
+    }
+    std::ofstream out(path, std::ios::binary);
+    const std::vector<Column> columns = find_columns(file, group);
+    // The times are written last: their number is that of complete steps.
+    const hsize_t rows = file.size("/histories/time").at(0);
+    std::string headings;
+    for (const Column& column : columns) headings += (headings.empty() ? "" : ",") + column.heading();
+    out << headings << '\n';
+    for (hsize_t first = 0; first < rows && out; first += most_rows_at_once) {
+        fmt::memory_buffer text;
+        append_rows(file, columns, first, std::min(most_rows_at_once, rows - first), text);
+        out.write(text.data(), static_cast<std::streamsize>(text.size()));
+    }
+    out.close();
+    if (!out) throw FileError(path, "cannot be written", std::generic_category().message(errno));
+}
+
+Hdf5Reader open_results(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) throw FileError(path, "there is no such file");
+    if (std::filesystem::is_directory(path, ignored))
+        throw FileError(path, "is a folder, not a results file");
+    try {
+        Hdf5Reader file(path);
+        if (!file.has_attribute("/", "gxrod_version") || !file.has("/histories/time") ||
+            !file.has("/ledger")) {
+            throw FileError(path, "is not a results file of gxrod");
+        }
+        return file;
+    } catch (const Hdf5Error& error) {
+        throw FileError(path, "cannot be read as results of gxrod", error.what());
+    }
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> export_csv(const std::filesystem::path& results,
+                                              const std::filesystem::path& folder,
+                                              Existing existing) {
+    const Hdf5Reader file = open_results(results);
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw FileError(folder, "cannot be made", error.message());
+    std::vector<std::pair<std::string, std::string>> tables{{"/ledger", "ledger"}, {"/solver", "solver"}};
+    std::vector<std::filesystem::path> written;
+    try {
+        for (const std::string& name : file.members("/histories")) {
+            if (name != "time") tables.emplace_back("/histories/" + name, "history_" + name);
+        }
+        for (const auto& [group, name] : tables) {
+            written.push_back(folder / (name + ".csv"));
+            write_table(file, group, written.back(), existing);
+        }
+    } catch (const Hdf5Error& fault) {
+        throw FileError(results, "cannot be read as results of gxrod", fault.what());
+    }
+    return written;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,89 @@
+"""gxrod export: tables that equal the results file."""
+
+import csv
+import unittest
+
+import h5py
+import numpy as np
+from program import SPINNING_BODY, ProgramTest
+
+
+def read_table(path):
+    with open(path, newline="") as file:
+        rows = list(csv.reader(file))
+    return rows[0], np.array([[float(number) for number in row] for row in rows[1:]])
+
+
+class Export(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("body.toml", SPINNING_BODY.replace('"position"]', '"position", "quaternion"]'))
+        self.gxrod("run", "body.toml", "--quiet")
+
+    def test_tables_hold_every_number_to_its_last_bit(self):
+        done = self.gxrod("export", "body.vtkhdf", "--csv", "tables")
+        self.assertEqual(done.stdout.split(), ["tables/ledger.csv", "tables/solver.csv", "tables/history_spin.csv"])
+        with h5py.File(self.folder / "body.vtkhdf") as file:
+            for name, group in (("ledger", file["ledger"]), ("solver", file["solver"]),
+                                ("history_spin", file["histories/spin"])):
+                headings, values = read_table(self.folder / "tables" / f"{name}.csv")
+                self.assertEqual(headings[0], "time")
+                np.testing.assert_array_equal(values[:, 0], file["histories/time"][:])
+                column = 1
+                for key in group:
+                    if key == "time":
+                        continue
+                    expected = group[key][:].reshape(len(values), -1)
+                    width = expected.shape[1]
+                    letters = {1: [""], 3: ["_x", "_y", "_z"], 4: ["_w", "_x", "_y", "_z"]}[width]
+                    self.assertEqual(headings[column:column + width], [key + letter for letter in letters])
+                    np.testing.assert_array_equal(values[:, column:column + width], expected)
+                    column += width
+                self.assertEqual(column, len(headings))
+
+    def test_a_static_run_has_load_factors(self):
+        self.write("bar.toml", """
+[section.s]
+stiffness = { EA = 100, GAy = 50, GAz = 50, GJ = 1, EIy = 1, EIz = 1 }
+[rod.bar]
+section = "s"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 2
+[[support]]
+at = "bar.start"
+fix = "all"
+[[load]]
+at = "bar.end"
+force = [1, 0, 0]
+[analysis]
+kind = "static"
+steps = 2
+""")
+        self.gxrod("run", "bar.toml", "--quiet")
+        self.gxrod("export", "bar.vtkhdf", "--csv", ".")
+        headings, values = read_table(self.folder / "ledger.csv")
+        self.assertEqual(headings[0], "load_factor")
+        np.testing.assert_array_equal(values[:, 0], [0.0, 0.5, 1.0])
+
+    def test_files_are_kept_unless_told_otherwise(self):
+        self.gxrod("export", "body.vtkhdf", "--csv", "tables")
+        done = self.gxrod("export", "body.vtkhdf", "--csv", "tables", code=4)
+        self.assertIn("tables/ledger.csv: exists already (--force overwrites it)", done.stderr)
+        self.gxrod("export", "body.vtkhdf", "--csv", "tables", "--force")
+
+    def test_what_cannot_be_exported(self):
+        for name, said in (("none.vtkhdf", "there is no such file"), (".", "is a folder, not a results file"),
+                           ("body.toml", "cannot be read as results of gxrod")):
+            done = self.gxrod("export", name, "--csv", "tables", code=4)
+            self.assertIn(said, done.stderr)
+        with h5py.File(self.folder / "other.h5", "w") as file:
+            file["x"] = 1.0
+        done = self.gxrod("export", "other.h5", "--csv", "tables", code=4)
+        self.assertIn("other.h5: is not a results file of gxrod", done.stderr)
+        done = self.gxrod("export", "body.vtkhdf", "--csv", "body.toml", code=4)
+        self.assertIn("body.toml: cannot be made", done.stderr)
+        self.assertIn("--csv", self.gxrod("export", "body.vtkhdf", code=2).stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
