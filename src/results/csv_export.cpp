@@ -41,7 +41,7 @@ std::vector<Column> find_columns(const Hdf5Reader& file, const std::string& grou
     if (file.text_attribute("/histories/time", "dimension") == "1") columns[0].name = "load_factor";
     for (const std::string& name : file.members(group)) {
         if (name == "time") continue;
-        const std::string path = group + "/" + name;
+        const std::string path = fmt::format("{}/{}", group, name);
         const std::vector<hsize_t> size = file.size(path);
         columns.push_back({path, name, size.size() > 1 ? size[1] : 1});
     }

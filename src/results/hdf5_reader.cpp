@@ -1,5 +1,7 @@
 #include "results/hdf5_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <numeric>
@@ -40,10 +42,11 @@ std::vector<std::string> list_members(hid_t group) {
 void add_datasets(hid_t group, const std::string& path, std::vector<std::string>& names) {
     for (const std::string& name : list_members(group)) {
         const Hdf5Handle child(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose, "opening an object");
+        const std::string child_path = fmt::format("{}/{}", path, name);
         if (H5Iget_type(child.id()) == H5I_DATASET)
-            names.push_back(path + "/" + name);
+            names.push_back(child_path);
         else
-            add_datasets(child.id(), path + "/" + name, names);
+            add_datasets(child.id(), child_path, names);
     }
 }
 

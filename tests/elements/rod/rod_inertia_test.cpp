@@ -167,14 +167,13 @@ TEST_CASE("the kinetic energy of any motion is positive, however large the offse
     for (const double factor : {0.1, 1.0, 10.0}) {
         for_each_piece(factor * radius * random.direction(), [&]<int Nodes>(const Piece<Nodes>& piece) {
             INFO(Nodes << " nodes, offset of " << factor << " radii");
-            const NodalMatrix<Nodes> matrix =
-                piece.compute_mass_matrix(piece.make_motions(random.rotation()));
-            CHECK(relative_difference(matrix, matrix.transpose()) < 1e-15);
-            const Eigen::SelfAdjointEigenSolver<NodalMatrix<Nodes>> eigen(matrix, Eigen::EigenvaluesOnly);
+            const Eigen::MatrixXd matrix = piece.compute_mass_matrix(piece.make_motions(random.rotation()));
+            CHECK(relative_difference(matrix, Eigen::MatrixXd(matrix.transpose())) < 1e-15);
+            const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(matrix, Eigen::EigenvaluesOnly);
             CHECK(eigen.eigenvalues().minCoeff() > 0.0);
             const Piece<Nodes> central(Vec3::Zero());
-            CHECK(matrix.determinant() ==
-                  Approx(central.compute_mass_matrix(central.make_motions()).determinant()).epsilon(1e-9));
+            const Eigen::MatrixXd central_matrix = central.compute_mass_matrix(central.make_motions());
+            CHECK(matrix.determinant() == Approx(central_matrix.determinant()).epsilon(1e-9));
         });
     }
 }
