@@ -94,9 +94,9 @@ int subspace(Eigen::Index size, int wanted) {
 }
 
 // The largest λ of K x = λ M x, M factorized.
-std::optional<double> find_largest(const Operation& K, const Operation& M) {
+std::optional<double> find_largest(Operation& K, Operation& M) {
     using Solver = Spectra::SymGEigsSolver<Operation, Operation, Spectra::GEigsMode::RegularInverse>;
-    Solver solver(const_cast<Operation&>(K), const_cast<Operation&>(M), 1, subspace(K.rows(), 1));
+    Solver solver(K, M, 1, subspace(K.rows(), 1));
     solver.init();
     if (solver.compute(Spectra::SortRule::LargestAlge, most_restarts, tolerance) < 1) return std::nullopt;
     return solver.eigenvalues()[0];
@@ -137,7 +137,7 @@ Model make_bare(Model model) {
     return model;
 }
 
-// The largest |λ|Δt at which runge-kutta-4 damps a vibration with damping ratio zeta, |λ| = ω: where its
+// The largest ωΔt at which runge-kutta-4 damps a vibration of frequency ω and damping ratio zeta: where its
 // |1 + z + z²/2 + z³/6 + z⁴/24| reaches 1 on the ray z = λΔt.
 double find_explicit_limit(double zeta) {
     using Complex = std::complex<double>;

@@ -131,6 +131,7 @@ StaticSettings build_static(const CheckedTable& table, const BuildContext& conte
     return settings;
 }
 
+// Why the load makes the tangent unsymmetric, or "".
 template <class Load>
 std::string explain_asymmetry(const Load& load) {
     if (!is_zero(load.moment)) return load.key + " is a moment";

@@ -15,6 +15,7 @@ namespace gxrod {
 namespace {
 
 constexpr hsize_t most_rows_at_once = 4096;
+constexpr int most_attempts = 20;
 
 // One dataset of a group, which makes one or more columns.
 struct Column {
@@ -68,13 +69,7 @@ void append_rows(const Hdf5Reader& file,
     }
 }
 
-void write_table(const Hdf5Reader& file,
-                 const std::string& group,
-                 const std::filesystem::path& path,
-                 Existing existing) {
-    if (existing == Existing::refuse && std::filesystem::exists(path)) {
-        throw FileError(path, "exists already", "--force overwrites it");
-    }
+void write_table(const Hdf5Reader& file, const std::string& group, const std::filesystem::path& path) {
     std::ofstream out(path, std::ios::binary);
     const std::vector<Column> columns = find_columns(file, group);
     // The times are written last: their number is that of complete steps.
@@ -96,15 +91,30 @@ Hdf5Reader open_results(const std::filesystem::path& path) {
     if (!std::filesystem::exists(path, ignored)) throw FileError(path, "there is no such file");
     if (std::filesystem::is_directory(path, ignored))
         throw FileError(path, "is a folder, not a results file");
-    try {
-        Hdf5Reader file(path);
-        if (!file.has_attribute("/", "gxrod_version") || !file.has("/histories/time") ||
-            !file.has("/ledger")) {
-            throw FileError(path, "is not a results file of gxrod");
-        }
-        return file;
-    } catch (const Hdf5Error& error) {
-        throw FileError(path, "cannot be read as results of gxrod", error.what());
+    Hdf5Reader file(path);
+    if (!file.has_attribute("/", "gxrod_version") || !file.has("/histories/time") || !file.has("/ledger")) {
+        throw FileError(path, "is not a results file of gxrod");
+    }
+    return file;
+}
+
+struct Table {
+    std::string group;
+    std::filesystem::path path;
+};
+
+std::vector<Table> list_tables(const Hdf5Reader& file, const std::filesystem::path& folder) {
+    std::vector<Table> tables{{"/ledger", folder / "ledger.csv"}, {"/solver", folder / "solver.csv"}};
+    for (const std::string& name : file.members("/histories")) {
+        if (name != "time") tables.push_back({"/histories/" + name, folder / ("history_" + name + ".csv")});
+    }
+    return tables;
+}
+
+void check_absent(const std::vector<Table>& tables) {
+    for (const Table& table : tables) {
+        if (!std::filesystem::exists(table.path)) continue;
+        throw FileError(table.path, "exists already", "--force overwrites it");
     }
 }
 
@@ -113,24 +123,29 @@ Hdf5Reader open_results(const std::filesystem::path& path) {
 std::vector<std::filesystem::path> export_csv(const std::filesystem::path& results,
                                               const std::filesystem::path& folder,
                                               Existing existing) {
-    const Hdf5Reader file = open_results(results);
     std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error) throw FileError(folder, "cannot be made", error.message());
-    std::vector<std::pair<std::string, std::string>> tables{{"/ledger", "ledger"}, {"/solver", "solver"}};
-    std::vector<std::filesystem::path> written;
-    try {
-        for (const std::string& name : file.members("/histories")) {
-            if (name != "time") tables.emplace_back("/histories/" + name, "history_" + name);
+    // A job that writes the file meanwhile moves what the library remembers of it: then it is opened anew.
+    for (int attempt = 1;; ++attempt) {
+        try {
+            const Hdf5Reader file = open_results(results);
+            std::filesystem::create_directories(folder, error);
+            if (error) throw FileError(folder, "cannot be made", error.message());
+            const std::vector<Table> tables = list_tables(file, folder);
+            if (existing == Existing::refuse) check_absent(tables);
+            existing = Existing::replace;  // what a further attempt finds is ours
+            std::vector<std::filesystem::path> written;
+            for (const Table& table : tables) {
+                write_table(file, table.group, table.path);
+                written.push_back(table.path);
+            }
+            return written;
+        } catch (const FileError&) {
+            throw;
+        } catch (const std::runtime_error& fault) {
+            if (attempt < most_attempts) continue;
+            throw FileError(results, "cannot be read as results of gxrod", fault.what());
         }
-        for (const auto& [group, name] : tables) {
-            written.push_back(folder / (name + ".csv"));
-            write_table(file, group, written.back(), existing);
-        }
-    } catch (const Hdf5Error& fault) {
-        throw FileError(results, "cannot be read as results of gxrod", fault.what());
     }
-    return written;
 }
 
 }  // namespace gxrod

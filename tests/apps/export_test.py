@@ -1,11 +1,13 @@
 """gxrod export: tables that equal the results file."""
 
 import csv
+import subprocess
+import time
 import unittest
 
 import h5py
 import numpy as np
-from program import SPINNING_BODY, ProgramTest
+from program import GXROD, SOURCE, SPINNING_BODY, ProgramTest
 
 
 def read_table(path):
@@ -70,6 +72,23 @@ steps = 2
         done = self.gxrod("export", "body.vtkhdf", "--csv", "tables", code=4)
         self.assertIn("tables/ledger.csv: exists already (--force overwrites it)", done.stderr)
         self.gxrod("export", "body.vtkhdf", "--csv", "tables", "--force")
+
+    def test_a_running_job_has_the_steps_so_far(self):
+        deck = SOURCE / "docs/examples/free_flight/free_flight.toml"
+        run = subprocess.Popen([GXROD, "run", deck, "--quiet", "--set", "analysis.end_time=3000"], cwd=self.folder)
+        try:
+            time.sleep(2.0)
+            counts = []
+            for _ in range(6):
+                self.gxrod("export", "free_flight.vtkhdf", "--csv", "tables", "--force")
+                lengths = {len(read_table(path)[1]) for path in (self.folder / "tables").glob("history_*.csv")}
+                counts.append(max(lengths))
+            self.assertIsNone(run.poll())
+            self.assertGreater(counts[0], 1)
+            self.assertGreater(counts[-1], counts[0])
+        finally:
+            run.kill()
+            run.wait()
 
     def test_what_cannot_be_exported(self):
         for name, said in (("none.vtkhdf", "there is no such file"), (".", "is a folder, not a results file"),
