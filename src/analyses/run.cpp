@@ -7,6 +7,7 @@
 
 #include "model/evaluation_error.hpp"
 #include "model/file_error.hpp"
+#include "results/history_point.hpp"
 
 namespace gxrod {
 
@@ -15,6 +16,7 @@ namespace {
 class Run {
   public:
     explicit Run(const RunRequest& request) : request_(request), analysis_(build(request, setup_seconds_)) {
+        analysis_->watch(list_rod_places(request.output.histories));
         if (request.resumed) {
             resume();
         } else {
@@ -110,15 +112,12 @@ class Run {
 
     void record() {
         const PhaseTimer timer(output_seconds_);
-        const Snapshot snapshot = analysis_->snapshot();
+        last_framed_ = analysis_->steps().is_frame_due(request_.output.every);
+        const Snapshot snapshot = analysis_->snapshot(last_framed_);
         const LedgerRow ledger = analysis_->ledger_row();
         watch_energy(ledger);
         file_->record_step(snapshot, ledger, analysis_->solver_row());
-        last_framed_ = false;
-        if (analysis_->steps().is_frame_due(request_.output.every)) {
-            file_->write_frame(snapshot);
-            last_framed_ = true;
-        }
+        if (last_framed_) file_->write_frame(snapshot);
         if (!file_->is_flush_due()) return;
         file_->set_restart(restart_record());
         file_->flush();

@@ -46,6 +46,7 @@ SteppedAnalysis::SteppedAnalysis(const Model& model,
 
 void SteppedAnalysis::accept_start() {
     integrator_->start(state_);
+    point_values_ = system_.compute_point_values(state_, 0.0, watched_);
     system_.commit(state_, 0.0);
     reactions_ = system_.compute_reactions(workspace_.residual);
     ledger_ = std::make_unique<Ledger>(system_, *integrator_, state_, workspace_.residual);
@@ -119,6 +120,8 @@ EquilibriumReport SteppedAnalysis::advance() {
     solver_row_.time_step = steps_->time_step();
     solver_row_.newton_iterations = report.iterations;
     solver_row_.residual = report.residual;
+    // Before the step is the last one: what `simo` elements ask of their nodes depends on it.
+    point_values_ = system_.compute_point_values(state_, steps_->next_time(), watched_);
     system_.commit(state_, steps_->next_time());
     steps_->accept();
     return report;
@@ -161,9 +164,10 @@ Failure SteppedAnalysis::explain(const EquilibriumReport& report) {
     return failure;
 }
 
-Snapshot SteppedAnalysis::snapshot() {
-    section_values_ = system_.compute_section_values(state_);
-    return {state_.time, state_.trial, section_values_, reactions_};
+Snapshot SteppedAnalysis::snapshot(bool with_elements) {
+    section_values_.clear();
+    if (with_elements) section_values_ = system_.compute_section_values(state_);
+    return {state_.time, state_.trial, section_values_, reactions_, point_values_};
 }
 
 }  // namespace gxrod

@@ -40,8 +40,11 @@ class SteppedAnalysis {
 
     LedgerRow ledger_row() const { return ledger_->row(state_); }
     const SolverRow& solver_row() const { return solver_row_; }
-    // Of the last accepted state; valid until the next step.
-    Snapshot snapshot();
+    // Points of rods that snapshots tell of; before the start.
+    void watch(std::vector<RodPlace> places) { watched_ = std::move(places); }
+    // Of the last accepted state; valid until the next step. With the sections of all elements only if asked
+    // for.
+    Snapshot snapshot(bool with_elements = true);
 
   protected:
     // The model must outlive the analysis.
@@ -73,6 +76,8 @@ class SteppedAnalysis {
 
     std::unique_ptr<Ledger> ledger_;  // none before the start
     SolverRow solver_row_;
+    std::vector<RodPlace> watched_;
+    std::vector<PointValues> point_values_;
     std::vector<SectionValues> section_values_;
     std::vector<Vec6> reactions_;
 };

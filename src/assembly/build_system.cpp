@@ -109,6 +109,7 @@ void System::build_blocks() {
 void System::build_loads() {
     for (const DistributedLoad& load : model_->distributed_loads) {
         const Rod& rod = model_->rods[load.rod];
+        first_loaded_element_.push_back(loaded_elements_.size());
         for (int e = 0; e < rod.element_count(); ++e) {
             visit_node_count(rod.order, [&](auto node_count) {
                 loaded_elements_.push_back(make_loaded_element<node_count>(*model_, load, e));

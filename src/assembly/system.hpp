@@ -9,6 +9,7 @@
 #include "constraints/supports.hpp"
 #include "loads/distributed_load.hpp"
 #include "model/model.hpp"
+#include "state/point_values.hpp"
 #include "state/section_values.hpp"
 #include "state/state.hpp"
 
@@ -86,6 +87,10 @@ class System {
     std::vector<Vec6> compute_reactions(const Residual& residual) const;
     // Of all rod elements, rods in the order of the model, from start to end; of the trial motions.
     std::vector<SectionValues> compute_section_values(const State& state) const;
+    // Of points of rods, of the trial motions; section forces are those of an equilibrium at `time`.
+    std::vector<PointValues> compute_point_values(const State& state,
+                                                  double time,
+                                                  const std::vector<RodPlace>& places) const;
     // Of elements that interpolate relative rotations: the largest one in `motions`, plus what `spins` of the
     // nodes can add to it at most (exp does not lengthen distances). Below π no relative rotation is mistaken
     // for its complement.
@@ -102,11 +107,13 @@ class System {
                            double time,
                            const std::vector<NodeLinearization>& linearizations,
                            std::vector<double>& values) const;
+    PointValues compute_point_value(const State& state, double time, const RodPlace& place) const;
 
     const Model* model_;
     Supports supports_;
     ElementBlocks blocks_;
     std::vector<LoadedElement> loaded_elements_;
+    std::vector<std::size_t> first_loaded_element_;  // of each distributed load
     EquationNumbers equations_;
     SparsePattern pattern_;
     std::vector<ElementSlots<1>> load_slots_;  // of each load's node

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "deck/rod_mesh.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -13,14 +15,17 @@ PlacedPoint make_point(const Rod& rod, int rod_index, const std::vector<int>& no
     point.position_in_rod = static_cast<int>(position - rod.nodes.begin());
     if (std::count(nodes.begin(), nodes.end(), point.node) < 2) return point;
     if (index == 0) point.end_element = 0;
-    if (index + 1 == nodes.size()) point.end_element = rod.element_count() - 1;
+    if (index + 1 == nodes.size()) {
+        point.end_element = rod.element_count() - 1;
+        point.is_end_of_rod = true;
+    }
     return point;
 }
 
 }  // namespace
 
 std::optional<PlacedPoint> BuildContext::place(const std::string& point) const {
-    const auto found = names.find(point);
+    const auto found = names.find(point, PointNeeds::place);
     const Point* named = std::get_if<Point>(&found);
     if (named == nullptr) return std::nullopt;
     if (const auto* of_body = std::get_if<BodyPoint>(named)) {
@@ -46,7 +51,9 @@ std::optional<PlacedPoint> BuildContext::place(const std::string& point) const {
             return std::abs(a - at) < std::abs(b - at);
         });
     const auto index = static_cast<std::size_t>(nearest - fractions.begin());
-    return make_point(model.rods[rod], rod, nodes, index);
+    PlacedPoint placed = make_point(model.rods[rod], rod, nodes, index);
+    if (std::abs(*nearest - fraction) > same_fraction) placed.between = RodPoint{rod, fraction};
+    return placed;
 }
 
 Quat BuildContext::axes_at(const PlacedPoint& point) const {

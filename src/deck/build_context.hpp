@@ -22,6 +22,9 @@ struct PlacedPoint {
     int body = -1;            // index in Model::bodies, or -1
     // Of an end of a rod that comes back to its node: its first or last element; -1 elsewhere.
     int end_element = -1;
+    bool is_end_of_rod = false;  // the end, not the start
+    // Of a fraction at which there is no node: `node` is the nearest one then.
+    std::optional<RodPoint> between = {};
 };
 
 // Where a deck sets an initial velocity of a node; no table where it does not.

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "deck/choices.hpp"
+#include "deck/rod_mesh.hpp"
 
 namespace gxrod {
 namespace {
@@ -49,9 +50,52 @@ bool is_reaction(Quantity quantity) {
     return quantity == Quantity::reaction_force || quantity == Quantity::reaction_moment;
 }
 
+// Where a history looks.
+struct HistoryPlace {
+    int node;  // -1: between nodes
+    int body;  // -1: of a rod
+    std::optional<RodPlace> place;
+};
+
+// A node's place in the rod; where elements meet, in the first of them.
+RodPlace place_in_rod(const PlacedPoint& point, const Rod& rod) {
+    const auto per_element = static_cast<std::size_t>(rod.order) + 1;
+    if (point.end_element >= 0) {
+        return {point.rod, point.end_element, point.is_end_of_rod ? 1.0 : -1.0};
+    }
+    const auto found = std::find(rod.element_nodes.begin(), rod.element_nodes.end(), point.node);
+    const auto entry = static_cast<std::size_t>(found - rod.element_nodes.begin());
+    const double fraction = compute_element_nodes(rod.order)[entry % per_element];
+    return {point.rod, static_cast<int>(entry / per_element), 2.0 * fraction - 1.0};
+}
+
+// At a fraction of the length where there is no node.
+RodPlace place_between_nodes(const RodPoint& point, const Rod& rod) {
+    const double at = point.fraction * rod.length;
+    const int per_element = rod.order + 1;
+    int element = 0;
+    const auto start_of = [&](int e) { return rod.arc_length[static_cast<std::size_t>(e * per_element)]; };
+    const auto end_of = [&](int e) {
+        return rod.arc_length[static_cast<std::size_t>(e * per_element + rod.order)];
+    };
+    while (element + 1 < rod.element_count() && !(start_of(element) <= at && at <= end_of(element)))
+        ++element;
+    const double part = (at - start_of(element)) / (end_of(element) - start_of(element));
+    return {point.rod, element, 2.0 * part - 1.0};
+}
+
+std::optional<HistoryPlace> find_place(const std::string& text, const BuildContext& context) {
+    const std::optional<PlacedPoint> placed = context.place(text);
+    if (!placed) return std::nullopt;
+    if (placed->body >= 0) return HistoryPlace{placed->node, placed->body, std::nullopt};
+    const Rod& rod = context.model.rods[static_cast<std::size_t>(placed->rod)];
+    if (!placed->between) return HistoryPlace{placed->node, -1, place_in_rod(*placed, rod)};
+    return HistoryPlace{-1, -1, place_between_nodes(*placed->between, rod)};
+}
+
 // Why the point has no such quantity, or "".
-std::string explain_missing(Quantity quantity, const PlacedPoint& point, const Model& model) {
-    if (is_of_rods(quantity) && point.rod < 0) return "only points of rods have it; this one is a body";
+std::string explain_missing(Quantity quantity, const HistoryPlace& point, const Model& model) {
+    if (is_of_rods(quantity) && !point.place) return "only points of rods have it; this one is a body";
     if (quantity == Quantity::centre_of_mass && point.body < 0) {
         return "only bodies have it; this is a point of a rod";
     }
@@ -90,16 +134,13 @@ void set_reference(const CheckedTable& table, HistoryRequest& request, const Bui
 }
 
 HistoryRequest build_history(const CheckedTable& table,
-                             const PlacedPoint& point,
+                             const HistoryPlace& point,
                              const BuildContext& context) {
     HistoryRequest request{.name = table.get<std::string>("name"),
                            .at = table.get<std::string>("at"),
                            .node = point.node,
                            .body = point.body,
-                           .rod = point.rod,
-                           .position_in_rod = point.position_in_rod,
-                           .quantities = {},
-                           .end_element = point.end_element};
+                           .place = point.place};
     set_reference(table, request, context);
     for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("quantities")) {
         const Quantity quantity = value_of(quantity_choices, word.word);
@@ -129,7 +170,7 @@ OutputSettings build_output(const BuildContext& context) {
     std::set<std::string> taken;
     for (const CheckedTable& table : context.deck.tables("history")) {
         check_name(table, taken, context);
-        const std::optional<PlacedPoint> point = context.place(table.get<std::string>("at"));
+        const std::optional<HistoryPlace> point = find_place(table.get<std::string>("at"), context);
         if (point) output.histories.push_back(build_history(table, *point, context));
     }
     return output;

@@ -25,6 +25,15 @@ class PointCheck {
         if (table.gives(key)) check(table.get<std::string>(key), table.place_of(key), table.path_of(key));
     }
 
+    // A point that needs no node.
+    void check_place(const CheckedTable& table, const char* key) {
+        const std::variant<Point, std::string> found =
+            context_.names.find(table.get<std::string>(key), PointNeeds::place);
+        if (const auto* message = std::get_if<std::string>(&found)) {
+            context_.faults.add(table.place_of(key), table.path_of(key), *message);
+        }
+    }
+
     // A point that is to be a rod's; `hint` says what to write for a body.
     void check_of_rod(const std::string& text,
                       const Place& place,
@@ -56,10 +65,13 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
             points.check_of_rod(word.word, word.place, word.path, "; a body's `at` puts it on one");
         }
     }
-    for (const char* key : {"load", "support", "history"}) {
+    for (const char* key : {"load", "support"}) {
         for (const CheckedTable& table : context.deck.tables(key)) points.check_key(table, "at");
     }
-    for (const CheckedTable& table : context.deck.tables("history")) points.check_key(table, "relative_to");
+    for (const CheckedTable& table : context.deck.tables("history")) {
+        points.check_place(table, "at");
+        points.check_key(table, "relative_to");
+    }
     return points.take_points_of_rods();
 }
 

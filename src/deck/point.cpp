@@ -57,7 +57,7 @@ PointNames::PointNames(const CheckedTable& deck, std::map<int, NetPoints> nets)
     for (const CheckedTable& rod : deck.tables("rod")) is_meshed_.push_back(rod.gives("mesh"));
 }
 
-std::variant<Point, std::string> PointNames::find(const std::string& text) const {
+std::variant<Point, std::string> PointNames::find(const std::string& text, PointNeeds needs) const {
     const std::size_t separator = text.find_first_of(".@");
     const std::string name = text.substr(0, separator);
     const int body = index_of(bodies_, name);
@@ -69,7 +69,8 @@ std::variant<Point, std::string> PointNames::find(const std::string& text) const
                 "\"{}\" is a rod; expected a point of it: {}", name, alternatives(points_of(rod)));
         }
     }
-    if (rod >= 0 && is_meshed_[static_cast<std::size_t>(rod)]) return find_net_point(rod, text, separator);
+    if (rod >= 0 && is_meshed_[static_cast<std::size_t>(rod)])
+        return find_net_point(rod, text, separator, needs);
     if (rod >= 0) return find_rod_point(rod, text, separator);
     if (body >= 0) return fmt::format("\"{0}\" is a body; its point is \"{0}\"", name);
     std::string hint = did_you_mean(text, all_points());
@@ -103,7 +104,8 @@ std::variant<Point, std::string> PointNames::find_rod_point(int rod,
 
 std::variant<Point, std::string> PointNames::find_net_point(int rod,
                                                             const std::string& text,
-                                                            std::size_t separator) const {
+                                                            std::size_t separator,
+                                                            PointNeeds needs) const {
     const auto net = nets_.find(rod);
     // The mesh is at fault, and its points are unknown.
     if (net == nets_.end()) return Point(RodPoint{rod, 0.0});
@@ -124,6 +126,7 @@ std::variant<Point, std::string> PointNames::find_net_point(int rod,
         if (!fraction) return fmt::format("expected a fraction from 0 to 1 after \"@\", found \"{}\"", part);
         const std::size_t nearest = nearest_index(fractions, *fraction);
         if (std::abs(fractions[nearest] - *fraction) <= mesh_fraction) return point(nearest);
+        if (needs == PointNeeds::place) return Point(RodPoint{rod, *fraction});
         return fmt::format(
             "the mesh has no node at {}; the nearest is at {:.9g}", *fraction, fractions[nearest]);
     }

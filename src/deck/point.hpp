@@ -35,6 +35,9 @@ struct BodyPoint {
 
 using Point = std::variant<RodPoint, BodyPoint>;
 
+// Whether a node has to be at a fraction of a rod from a mesh; others get one.
+enum class PointNeeds { node, place };
+
 // The rods and bodies of a deck by name.
 class PointNames {
   public:
@@ -42,7 +45,7 @@ class PointNames {
     explicit PointNames(const CheckedTable& deck, std::map<int, NetPoints> nets = {});
 
     // The point of a text, or what is wrong with the text.
-    std::variant<Point, std::string> find(const std::string& text) const;
+    std::variant<Point, std::string> find(const std::string& text, PointNeeds needs = PointNeeds::node) const;
 
   private:
     std::variant<Point, std::string> find_rod_point(int rod,
@@ -50,7 +53,8 @@ class PointNames {
                                                     std::size_t separator) const;
     std::variant<Point, std::string> find_net_point(int rod,
                                                     const std::string& text,
-                                                    std::size_t separator) const;
+                                                    std::size_t separator,
+                                                    PointNeeds needs) const;
     std::vector<std::string> points_of(int rod) const;
     std::vector<std::string> all_points() const;
 

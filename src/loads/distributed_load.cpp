@@ -30,10 +30,10 @@ Vec6 turn(const LoadedElement& element,
 
 }  // namespace
 
-void add_distributed_load(const LoadedElement& element,
-                          const std::vector<NodeMotion>& motions,
-                          double time,
-                          std::vector<Vec6>& nodal) {
+LoadVector compute_distributed_load(const LoadedElement& element,
+                                    const std::vector<NodeMotion>& motions,
+                                    double time) {
+    LoadVector force = LoadVector::Zero(static_cast<Eigen::Index>(6 * element.nodes.size()));
     for (const LoadedElement::Point& point : element.points) {
         const Vec6 q = value_at(*element.load, time, point.arc_length);
         Vec6 turned = Vec6::Zero();
@@ -41,8 +41,19 @@ void add_distributed_load(const LoadedElement& element,
             turned += point.shape[j] * turn(element, j, motions, q);
         }
         for (std::size_t i = 0; i < element.nodes.size(); ++i) {
-            nodal[element.nodes[i]] += (point.weight * point.shape[i]) * turned;
+            force.segment<6>(static_cast<Eigen::Index>(6 * i)) += (point.weight * point.shape[i]) * turned;
         }
+    }
+    return force;
+}
+
+void add_distributed_load(const LoadedElement& element,
+                          const std::vector<NodeMotion>& motions,
+                          double time,
+                          std::vector<Vec6>& nodal) {
+    const LoadVector force = compute_distributed_load(element, motions, time);
+    for (std::size_t i = 0; i < element.nodes.size(); ++i) {
+        nodal[element.nodes[i]] += force.segment<6>(static_cast<Eigen::Index>(6 * i));
     }
 }
 

@@ -34,8 +34,13 @@ using LoadMatrix = Eigen::Matrix<double,
                                  6 * most_element_nodes,
                                  6 * most_element_nodes>;
 
-// Adds the forces and moments that the load puts on the element's nodes at `time`: spatial, per node of the
-// model.
+using LoadVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6 * most_element_nodes, 1>;
+
+// The forces and moments that the load puts on the element's nodes at `time`: spatial, six a node.
+LoadVector compute_distributed_load(const LoadedElement& element,
+                                    const std::vector<NodeMotion>& motions,
+                                    double time);
+// Adds them per node of the model.
 void add_distributed_load(const LoadedElement& element,
                           const std::vector<NodeMotion>& motions,
                           double time,

@@ -60,6 +60,13 @@ void set_line_elements(Rod& rod,
                        const std::vector<double>& arc_length_of_nodes,
                        const std::vector<Quat>& triads_of_nodes);
 
+// A point of a rod: of its element, −1 to 1 from the element's start to its end, in proportion to length.
+struct RodPlace {
+    int rod = 0;      // index in Model::rods
+    int element = 0;  // of the rod
+    double xi = 0.0;
+};
+
 // A rigid body fixed to a node.
 struct Body {
     std::string name;

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "model/model.hpp"
 #include "rotation/types.hpp"
 
 // What is asked of the model: how to integrate and what to record. The defaults here are the deck's defaults.
@@ -89,12 +90,11 @@ enum class Quantity {
 struct HistoryRequest {
     std::string name;
     std::string at;  // as the deck has it
-    int node = 0;
-    int body = -1;            // index in Model::bodies if the point is a body's
-    int rod = -1;             // index in Model::rods if the point is a rod's
-    int position_in_rod = 0;  // index in Rod::nodes
-    std::vector<Quantity> quantities;
-    int end_element = -1;  // of an end of a rod that comes back to its node: the rod's element there
+    int node = 0;    // -1: between nodes
+    int body = -1;   // index in Model::bodies if the point is a body's
+    // If the point is a rod's; where elements meet, in the first of them.
+    std::optional<RodPlace> place = {};
+    std::vector<Quantity> quantities = {};
     // Where the deck says relative_to: components are in the axes of this node, positions from its place.
     std::string relative_to = {};  // as the deck has it
     int relative_node = -1;

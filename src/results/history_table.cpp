@@ -29,22 +29,23 @@ HistoryTable::HistoryTable(const Hdf5Handle& histories,
                            hsize_t rows) {
     std::vector<std::string> ended = list_members(histories.id());
     std::erase(ended, "time");
-    for (const HistoryRequest& request : requests) {
-        std::erase(ended, request.name);
-        add_history(require_group(histories, request.name), model, request, rows);
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+        std::erase(ended, requests[i].name);
+        add_history(
+            require_group(histories, requests[i].name), HistoryPoint(model, requests, i), requests[i], rows);
     }
     for (const std::string& name : ended) add_ended(require_group(histories, name), {}, rows);
 }
 
 void HistoryTable::add_history(const Hdf5Handle& group,
-                               const Model& model,
+                               const HistoryPoint& point,
                                const HistoryRequest& request,
                                hsize_t rows) {
     if (H5Aexists(group.id(), "at") <= 0) {
         write_attribute(group.id(), "at", request.at);
         if (!request.relative_to.empty()) write_attribute(group.id(), "relative_to", request.relative_to);
     }
-    History history{HistoryPoint(model, request), {}};
+    History history{point, {}};
     std::vector<std::string> recorded;
     for (const Quantity quantity : request.quantities) {
         const QuantityForm form = form_of(quantity, history.point.kind(), request);

@@ -41,7 +41,7 @@ class HistoryTable {
     };
 
     void add_history(const Hdf5Handle& group,
-                     const Model& model,
+                     const HistoryPoint& point,
                      const HistoryRequest& request,
                      hsize_t rows);
     void add_ended(const Hdf5Handle& group, const std::vector<std::string>& recorded, hsize_t rows);

@@ -40,7 +40,6 @@ bool is_rotation(Quantity quantity) {
 QuantityForm quantity_form(Quantity quantity, PointKind kind) {
     const std::string component_order = " (axial, shear y, shear z)";
     const std::string couple_order = " (about x, y, z)";
-    const std::string where = ", mean of the elements that meet there";
     switch (quantity) {
         case Quantity::position:
             return {{"position", "position", "spatial", "length"}, vector_row};
@@ -65,18 +64,17 @@ QuantityForm quantity_form(Quantity quantity, PointKind kind) {
         case Quantity::centre_of_mass:
             return {{"centre_of_mass", "position of the centre of mass", "spatial", "length"}, vector_row};
         case Quantity::force:
-            return {{"force", "section force" + component_order + where, "material", "force"}, vector_row};
+            return {{"force", "section force" + component_order, "material", "force"}, vector_row};
         case Quantity::moment:
-            return {{"moment", "section moment" + couple_order + where, "material", "force·length"},
-                    vector_row};
+            return {{"moment", "section moment" + couple_order, "material", "force·length"}, vector_row};
         case Quantity::force_spatial:
-            return {{"force_spatial", "section force" + where, "spatial", "force"}, vector_row};
+            return {{"force_spatial", "section force", "spatial", "force"}, vector_row};
         case Quantity::moment_spatial:
-            return {{"moment_spatial", "section moment" + where, "spatial", "force·length"}, vector_row};
+            return {{"moment_spatial", "section moment", "spatial", "force·length"}, vector_row};
         case Quantity::strain:
-            return {{"strain", "strain" + component_order + where, "material", "1"}, vector_row};
+            return {{"strain", "strain" + component_order, "material", "1"}, vector_row};
         case Quantity::curvature:
-            return {{"curvature", "change of curvature" + couple_order + where, "material", "angle/length"},
+            return {{"curvature", "change of curvature" + couple_order, "material", "angle/length"},
                     vector_row};
         case Quantity::reaction_force:
             return {{"reaction_force", "force that the support exerts", "spatial", "force"}, vector_row};

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "state/point_values.hpp"
 #include "state/section_values.hpp"
 #include "state/state.hpp"
 
@@ -29,8 +30,10 @@ struct SolverRow {
 struct Snapshot {
     double time;
     std::span<const NodeMotion> nodes;
-    std::span<const SectionValues> elements;  // of all rods, in the order of Model::rods, from start to end
+    // Of all rods, in the order of Model::rods, from start to end; for frames, empty without one.
+    std::span<const SectionValues> elements;
     std::span<const Vec6> reactions;  // per node: force and moment that its support exerts; zero if free
+    std::span<const PointValues> points = {};  // as list_rod_places orders them
 };
 
 }  // namespace gxrod

@@ -12,7 +12,9 @@ namespace gxrod {
 DeckRun::DeckRun(const std::string& name, const std::string& text, const std::vector<std::string>& overrides)
     : name_(name),
       problem_(read_problem_text(text, name + ".toml", overrides)),
-      analysis_(make_analysis(problem_.model, problem_.analysis)) {}
+      analysis_(make_analysis(problem_.model, problem_.analysis)) {
+    analysis_->watch(list_rod_places(problem_.output.histories));
+}
 
 double DeckRun::end_time() const {
     const auto* dynamic = std::get_if<DynamicSettings>(&problem_.analysis);
@@ -39,11 +41,13 @@ void DeckRun::run(const std::function<void()>& visit) {
 }
 
 HistoryPoint::Row DeckRun::value(const std::string& history, const std::string& quantity) {
-    for (const HistoryRequest& request : problem_.output.histories) {
-        if (request.name != history) continue;
+    const std::vector<HistoryRequest>& requests = problem_.output.histories;
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+        if (requests[i].name != history) continue;
         for (const Choice<Quantity>& choice : quantity_choices) {
             if (choice.word != quantity) continue;
-            return HistoryPoint(problem_.model, request).compute(choice.value, analysis_->snapshot());
+            return HistoryPoint(problem_.model, requests, i)
+                .compute(choice.value, analysis_->snapshot(false));
         }
     }
     throw std::runtime_error(fmt::format("{}: no {} of a history {}", name_, quantity, history));

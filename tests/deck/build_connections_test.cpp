@@ -45,8 +45,9 @@ TEST_CASE("Connected points are one node", "[deck]") {
     CHECK(model.nodes[14].position == Vec3(10, 0, 5));
     CHECK(model.bodies[0].node == 10);
     CHECK(problem.output.histories[0].node == 14);
-    CHECK(problem.output.histories[0].position_in_rod == 2);
-    CHECK((problem.output.histories[1].node == 10 && problem.output.histories[1].position_in_rod == 0));
+    CHECK((problem.output.histories[0].place->element == 1 && problem.output.histories[0].place->xi == 1.0));
+    CHECK(problem.output.histories[1].node == 10);
+    CHECK((problem.output.histories[1].place->element == 0 && problem.output.histories[1].place->xi == -1.0));
     CHECK((model.loads[0].axes * Vec3::UnitX()).isApprox(Vec3::UnitY(), 1e-14));
 }
 

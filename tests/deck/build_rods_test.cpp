@@ -35,12 +35,10 @@ y_axis = [1, 1e-7, 0])")) ==
 }
 
 TEST_CASE("A rod needs an element for each piece between its points", "[deck]") {
-    CHECK(
-        faults_of(
-            replaced(rod_deck, "elements = 10", "elements = 2"),
-            {R"(history=[{name = "a", at = "r@0.5", quantities = "position"}, {name = "b", at = "r@0.75", quantities = "position"}])"}) ==
-        "x.toml:7:12: rod.r.elements: expected at least 3, one for each piece between the points that the "
-        "deck names, found 2");
+    CHECK(faults_of(replaced(rod_deck, "elements = 10", "elements = 2"),
+                    {R"(load=[{at = "r@0.5", force = [1, 0, 0]}, {at = "r@0.75", force = [1, 0, 0]}])"}) ==
+          "x.toml:7:12: rod.r.elements: expected at least 3, one for each piece between the points that the "
+          "deck names, found 2");
 }
 
 TEST_CASE("Section axes are right-handed, x along the rod, y as given", "[deck]") {
@@ -97,8 +95,9 @@ TEST_CASE("Points that loads, supports, histories and bodies name get a node", "
     const auto position = [&](int node) { return model.nodes[node].position[0]; };
     CHECK(position(model.loads[0].node) == Approx(2.5).epsilon(1e-15));
     CHECK(position(model.supports[0].node) == Approx(3.1).epsilon(1e-15));
-    CHECK(position(problem.output.histories[0].node) == Approx(7.7).epsilon(1e-15));
-    CHECK(problem.output.histories[0].position_in_rod == problem.output.histories[0].node);
+    // A history needs no node.
+    CHECK(problem.output.histories[0].node == -1);
+    CHECK(problem.output.histories[0].place->element == 7);
     CHECK(problem.output.histories[1].node == 10);
     CHECK(position(model.bodies[0].node) == Approx(9.0).epsilon(1e-15));
     CHECK(model.nodes[model.loads[0].node].name == "r@0.25");
@@ -154,7 +153,8 @@ TEST_CASE("A corner of a polyline has one node and two triads", "[deck]") {
     CHECK(corner == rod.element_nodes[9]);
     CHECK(problem.model.nodes[static_cast<std::size_t>(corner)].position == Vec3(0, 0, 3));
     CHECK(problem.output.histories[0].node == corner);
-    CHECK(problem.output.histories[0].position_in_rod == 6);
+    CHECK(problem.output.histories[0].place->element == 2);
+    CHECK(problem.output.histories[0].place->xi == 1.0);
     CHECK((rod.triads[8] * Vec3::UnitX() - Vec3(0, 0, 1)).norm() < 1e-15);
     CHECK((rod.triads[9] * Vec3::UnitX() - Vec3(1, 0, 0)).norm() < 1e-15);
     // Section y, along global y, is across both legs and does not turn.

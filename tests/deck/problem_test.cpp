@@ -212,9 +212,9 @@ TEST_CASE("The free-flight deck becomes its analysis and output", "[deck]") {
     CHECK(problem.output.every == 10);
     const HistoryRequest& tip = problem.output.histories[0];
     CHECK(tip.at == "flyer.end");
-    CHECK((tip.node == 10 && tip.rod == 0 && tip.position_in_rod == 10 && tip.body == -1));
+    CHECK((tip.node == 10 && tip.place->rod == 0 && tip.place->element == 9 && tip.body == -1));
     const HistoryRequest& gyroscope = problem.output.histories[1];
-    CHECK((gyroscope.node == 10 && gyroscope.rod == -1 && gyroscope.body == 0));
+    CHECK((gyroscope.node == 10 && !gyroscope.place && gyroscope.body == 0));
 }
 
 TEST_CASE("The heavy top becomes a body with a pivot", "[deck]") {

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t middle = 0, root = 1, tip = 2, gyro = 3;  // in sample::make_output()
 
 HistoryPoint make_point(const Model& model, std::size_t request) {
-    return {model, sample::make_output().histories[request]};
+    return {model, sample::make_output().histories, request};
 }
 
 Vec3 vector_of(HistoryPoint point, Quantity quantity, const Motion& motion) {
@@ -23,11 +23,12 @@ Vec3 vector_of(HistoryPoint point, Quantity quantity, const Motion& motion) {
 
 // The point of a request of the sample, relative to the tip of the beam, a body's axes or a section's.
 HistoryPoint make_relative_point(const Model& model, std::size_t request, const Quat& axes) {
-    HistoryRequest relative = sample::make_output().histories[request];
+    std::vector<HistoryRequest> requests = sample::make_output().histories;
+    HistoryRequest& relative = requests[request];
     relative.relative_to = "tip";
     relative.relative_node = 2;
     relative.relative_axes = axes;
-    return {model, relative};
+    return {model, requests, request};
 }
 
 // The rotation matrix of a recorded quaternion, w x y z.
@@ -85,49 +86,49 @@ TEST_CASE("The centre of mass turns with its body", "[results]") {
     CHECK((vector_of(make_point(model, gyro), Quantity::centre_of_mass, motion) - expected).norm() < 1e-14);
 }
 
-TEST_CASE("Section values are those of the end element, or the mean of two neighbours", "[results]") {
+TEST_CASE("Section values are those of the point", "[results]") {
     const Model model = sample::make_model();
     const Motion motion(0.7);
-    const SectionValues& first = motion.elements[0];
-    const SectionValues& second = motion.elements[1];
-
-    const HistoryPoint start = make_point(model, root);
-    CHECK(vector_of(start, Quantity::force, motion) == first.force);
-    CHECK(vector_of(start, Quantity::moment, motion) == first.moment);
-    CHECK(vector_of(start, Quantity::strain, motion) == first.strain);
-    CHECK(vector_of(start, Quantity::curvature, motion) == first.curvature);
-    CHECK(vector_of(start, Quantity::force_spatial, motion) == first.axes * first.force);
-    CHECK(vector_of(start, Quantity::moment_spatial, motion) == first.axes * first.moment);
-
-    const HistoryPoint inside = make_point(model, middle);
-    CHECK(vector_of(inside, Quantity::force, motion) == 0.5 * (first.force + second.force));
-    CHECK(vector_of(inside, Quantity::curvature, motion) == 0.5 * (first.curvature + second.curvature));
-    const Vec3 spatial = 0.5 * (first.axes * first.moment + second.axes * second.moment);
-    CHECK((vector_of(inside, Quantity::moment_spatial, motion) - spatial).norm() < 1e-13);
-
-    HistoryRequest end = sample::make_output().histories[middle];
-    end.node = 2;
-    end.position_in_rod = 2;
-    CHECK(vector_of(HistoryPoint(model, end), Quantity::strain, motion) == second.strain);
+    for (const std::size_t request : {middle, root}) {
+        const PointValues& values = motion.points[request];
+        const HistoryPoint point = make_point(model, request);
+        CHECK(vector_of(point, Quantity::force, motion) == values.force);
+        CHECK(vector_of(point, Quantity::moment, motion) == values.moment);
+        CHECK(vector_of(point, Quantity::strain, motion) == values.strain);
+        CHECK(vector_of(point, Quantity::curvature, motion) == values.curvature);
+        const Mat3 axes = matrix_of(point, Quantity::orientation, motion);
+        CHECK((vector_of(point, Quantity::force_spatial, motion) - axes * values.force).norm() < 1e-12);
+        CHECK((vector_of(point, Quantity::moment_spatial, motion) - axes * values.moment).norm() < 1e-12);
+    }
 }
 
-TEST_CASE("Section values of a later rod, and inside an element of higher order, are its own", "[results]") {
-    Model model = sample::make_model();
-    Rod curve;
-    curve.name = "curve";
-    curve.order = 2;
-    curve.nodes = {0, 1, 2};
-    set_line_elements(curve, {0.0, 1.0, 2.0}, std::vector<Quat>(3, Quat::Identity()));
-    model.rods.push_back(curve);
-    Motion motion(0.7);
-    motion.elements.push_back({Vec3(1, 2, 3), Vec3(4, 5, 6), Vec3(7, 8, 9), Vec3(1, 1, 1), Quat::Identity()});
-    HistoryRequest request = sample::make_output().histories[middle];
-    request.rod = 1;
-    for (const int position : {0, 1, 2}) {
-        request.node = position;
-        request.position_in_rod = position;
-        CHECK(vector_of(HistoryPoint(model, request), Quantity::moment, motion) == Vec3(4, 5, 6));
-    }
+TEST_CASE("A point between nodes moves by itself", "[results]") {
+    const Model model = sample::make_model();
+    const Motion motion(0.7);
+    std::vector<HistoryRequest> requests = sample::make_output().histories;
+    requests[root].node = -1;
+    const HistoryPoint point(model, requests, root);
+    const PointValues& values = motion.points[1];
+    CHECK(vector_of(point, Quantity::position, motion) == values.motion.r);
+    CHECK(vector_of(point, Quantity::displacement, motion) == values.motion.r - values.start);
+    CHECK(vector_of(point, Quantity::velocity, motion) == values.motion.v);
+    CHECK(vector_of(point, Quantity::acceleration, motion) == values.motion.a);
+    CHECK(vector_of(point, Quantity::angular_velocity, motion) == values.motion.omega);
+    const Mat3 axes = (values.motion.Lambda * values.triad).toRotationMatrix();
+    CHECK((matrix_of(point, Quantity::quaternion, motion) - values.motion.Lambda.toRotationMatrix()).norm() <
+          1e-14);
+    CHECK((matrix_of(point, Quantity::orientation, motion) - axes).norm() < 1e-14);
+    // Relative to the point itself as a node would be.
+    requests[root].relative_node = 2;
+    requests[root].relative_axes = exp_quaternion({0.1, 0.2, 0.3});
+    const Quat to_axes = (motion.nodes[2].Lambda * requests[root].relative_axes).conjugate();
+    const HistoryPoint relative(model, requests, root);
+    CHECK((vector_of(relative, Quantity::position, motion) - to_axes * (values.motion.r - motion.nodes[2].r))
+              .norm() < 1e-12);
+    const Vec3 start = requests[root].relative_axes.conjugate() * (values.start - model.nodes[2].position);
+    CHECK((vector_of(relative, Quantity::displacement, motion) -
+           vector_of(relative, Quantity::position, motion) + start)
+              .norm() < 1e-12);
 }
 
 TEST_CASE("Reactions are those of the point's node", "[results]") {
@@ -261,20 +262,22 @@ TEST_CASE("Relative to a point at rest with the global axes, vectors are differe
     CHECK(vector_of(point, Quantity::angular_velocity, motion) == node.omega);
 }
 
-TEST_CASE("An end of a rod that comes back to its node has its own element and axes", "[results]") {
+TEST_CASE("An end of a rod that comes back to its node has its own axes", "[results]") {
     Model model = sample::make_model();
     // The beam's end becomes its start: two elements, back and forth.
     Rod& beam = model.rods[0];
     beam.nodes = {0, 1};
     beam.element_nodes = {0, 1, 1, 0};
     const Motion motion(0.7);
-    HistoryRequest request = sample::make_output().histories[root];
-    CHECK(vector_of(HistoryPoint(model, request), Quantity::force, motion) ==
-          0.5 * (motion.elements[0].force + motion.elements[1].force));
-    request.end_element = 0;
-    CHECK(vector_of(HistoryPoint(model, request), Quantity::force, motion) == motion.elements[0].force);
-    request.end_element = 1;
-    CHECK(vector_of(HistoryPoint(model, request), Quantity::force, motion) == motion.elements[1].force);
-    const Mat3 axes = motion.nodes[0].Lambda.toRotationMatrix() * exp_matrix({0.3, 0.2, 0.3});
-    CHECK((matrix_of(HistoryPoint(model, request), Quantity::orientation, motion) - axes).norm() < 1e-14);
+    std::vector<HistoryRequest> requests = sample::make_output().histories;
+    requests[root].place = RodPlace{0, 1, 1.0};
+    const Mat3 end_axes = motion.nodes[0].Lambda.toRotationMatrix() * exp_matrix({0.3, 0.2, 0.3});
+    CHECK((matrix_of(HistoryPoint(model, requests, root), Quantity::orientation, motion) - end_axes).norm() <
+          1e-14);
+    requests[root].place = RodPlace{0, 0, -1.0};
+    const Mat3 start_axes =
+        motion.nodes[0].Lambda.toRotationMatrix() * model.rods[0].triads[0].toRotationMatrix();
+    CHECK(
+        (matrix_of(HistoryPoint(model, requests, root), Quantity::orientation, motion) - start_axes).norm() <
+        1e-14);
 }

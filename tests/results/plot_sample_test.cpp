@@ -73,9 +73,10 @@ Model make_model() {
 
 OutputSettings make_output() {
     using enum Quantity;
-    HistoryRequest tip{"tip", "spring.end", elements, -1, 0, elements, {displacement, velocity, moment}};
+    HistoryRequest tip{
+        "tip", "spring.end", elements, -1, RodPlace{0, elements - 1, 1.0}, {displacement, velocity, moment}};
     HistoryRequest top{
-        "top", "top", elements + 1, 0, -1, 0, {centre_of_mass, angular_velocity_material, quaternion}};
+        "top", "top", elements + 1, 0, std::nullopt, {centre_of_mass, angular_velocity_material, quaternion}};
     OutputSettings output;
     output.histories = {tip, top};
     return output;

@@ -63,10 +63,10 @@ OutputSettings make_output() {
     std::vector<Quantity> of_body = of_node;
     of_body.push_back(centre_of_mass);
 
-    HistoryRequest middle{"middle", "beam@0.5", 1, -1, 0, 1, of_rod};
-    HistoryRequest root{"root", "beam.start", 0, -1, 0, 0, of_rod};
-    HistoryRequest tip{"tip", "tip", 2, 0, -1, 0, of_body};
-    HistoryRequest gyro{"gyro", "gyro", 3, 1, -1, 0, of_body};
+    HistoryRequest middle{"middle", "beam@0.5", 1, -1, RodPlace{0, 0, 1.0}, of_rod};
+    HistoryRequest root{"root", "beam.start", 0, -1, RodPlace{0, 0, -1.0}, of_rod};
+    HistoryRequest tip{"tip", "tip", 2, 0, std::nullopt, of_body};
+    HistoryRequest gyro{"gyro", "gyro", 3, 1, std::nullopt, of_body};
     OutputSettings output;
     output.histories = {middle, root, tip, gyro};
     return output;
@@ -97,6 +97,22 @@ Motion::Motion(double t) : time(t) {
                             Vec3(0.1 * k, 0.2 * k, 0.3 * k + t),
                             Vec3(0.4 * k, 0.5 * k + t, 0.6 * k),
                             exp_quaternion(Vec3(0.1 * k, t, 0.2))});
+    }
+    for (int p = 0; p < 2; ++p) {
+        const double k = 100.0 * (1 + p);
+        PointValues point;
+        point.motion.r = Vec3(k + t, 2.0, 3.0);
+        point.motion.v = Vec3(4.0, k + t, 5.0);
+        point.motion.a = Vec3(6.0, 7.0, k + t);
+        point.motion.omega = Vec3(k - t, 8.0, 9.0);
+        point.motion.Lambda = exp_quaternion(Vec3(0.001 * k, t, 0.1));
+        point.start = Vec3(k, 1.0, 1.0);
+        point.triad = exp_quaternion(Vec3(0.2, 0.001 * k, 0.3));
+        point.force = Vec3(k + 1, t, 2);
+        point.moment = Vec3(k + 2, t, 3);
+        point.strain = Vec3(k + 3, t, 4);
+        point.curvature = Vec3(k + 4, t, 5);
+        points.push_back(point);
     }
 }
 

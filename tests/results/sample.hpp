@@ -23,12 +23,13 @@ DeckRecord make_deck();
 // The motion at a time, as an analysis would hand it over.
 struct Motion {
     explicit Motion(double time);
-    Snapshot snapshot() const { return {time, nodes, elements, reactions}; }
+    Snapshot snapshot() const { return {time, nodes, elements, reactions, points}; }
 
     double time;
     std::vector<NodeMotion> nodes;
     std::vector<SectionValues> elements;
     std::vector<Vec6> reactions;
+    std::vector<PointValues> points;  // "middle" and "root"
 };
 LedgerRow make_ledger(double time);
 SolverRow make_solver(double time);

@@ -162,22 +162,63 @@ void InterpolatedRod<Nodes>::advance(const LocalMotion<Nodes>& motion,
 }
 
 template <int Nodes>
-auto InterpolatedRod<Nodes>::compute_middle_values(const LocalMotion<Nodes>& motion,
+auto InterpolatedRod<Nodes>::compute_section_state(int p,
+                                                   const LocalMotion<Nodes>& motion,
                                                    const LocalMotion<Nodes>& rates,
-                                                   Histories histories) const -> MiddleValues {
+                                                   Histories histories) const -> SectionState {
+    const ForcePoint& point = points_[p];
+    SectionState state;
+    state.strain = compute_strain(interpolate(point, motion), histories[p], point.reference);
+    state.resultants = stiffness_ * state.strain;
+    if (is_damped()) {
+        const Vec6 strain_rates = compute_strain_rates(point, motion, rates, histories[p]);
+        state.resultants += kelvin_voigt_ * (stiffness_ * strain_rates);
+    }
+    return state;
+}
+
+template <int Nodes>
+auto InterpolatedRod<Nodes>::compute_middle_state(const LocalMotion<Nodes>& motion,
+                                                  const LocalMotion<Nodes>& rates,
+                                                  Histories histories) const -> SectionState {
     constexpr int first = (point_count - 1) / 2;
     constexpr int last = point_count / 2;
-    MiddleValues values{Vec6::Zero(), Vec6::Zero()};
-    for (int p = first; p <= last; ++p) {
-        const ForcePoint& point = points_[p];
-        const Vec6 strain = compute_strain(interpolate(point, motion), histories[p], point.reference);
-        values.strain += strain / (last - first + 1);
-        values.resultants += stiffness_ * strain / (last - first + 1);
-        if (!is_damped()) continue;
-        const Vec6 strain_rates = compute_strain_rates(point, motion, rates, histories[p]);
-        values.resultants += kelvin_voigt_ * (stiffness_ * strain_rates) / (last - first + 1);
+    SectionState middle = compute_section_state(first, motion, rates, histories);
+    if constexpr (first != last) {
+        const SectionState other = compute_section_state(last, motion, rates, histories);
+        middle.strain = 0.5 * (middle.strain + other.strain);
+        middle.resultants = 0.5 * (middle.resultants + other.resultants);
     }
-    return values;
+    return middle;
+}
+
+// The strains follow from the resultants but for those of damping, which are known at the points alone.
+template <int Nodes>
+auto InterpolatedRod<Nodes>::interpolate_state(const LocalMotion<Nodes>& motion,
+                                               const LocalMotion<Nodes>& rates,
+                                               Histories histories,
+                                               const std::array<Vec6, 2>& end_resultants,
+                                               double xi) const -> SectionState {
+    const auto rule = compute_gauss_rule<point_count>();
+    NodeValues<point_count> inside;
+    NodeValues<point_count + 2> all;
+    for (int p = 0; p < point_count; ++p) inside[p] = all[p] = rule[p].xi;
+    all[point_count] = -1.0;
+    all[point_count + 1] = 1.0;
+    const NodeValues<point_count> of_damping = compute_lagrange<point_count>(inside, xi);
+    const NodeValues<point_count + 2> of_resultants = compute_lagrange<point_count + 2>(all, xi);
+
+    SectionState state;
+    state.resultants =
+        of_resultants[point_count] * end_resultants[0] + of_resultants[point_count + 1] * end_resultants[1];
+    Vec6 damping = Vec6::Zero();
+    for (int p = 0; p < point_count; ++p) {
+        const SectionState point = compute_section_state(p, motion, rates, histories);
+        state.resultants += of_resultants[p] * point.resultants;
+        if (is_damped()) damping += of_damping[p] * (point.resultants - stiffness_ * point.strain);
+    }
+    state.strain = stiffness_.ldlt().solve(state.resultants - damping);
+    return state;
 }
 
 template class InterpolatedRod<2>;

@@ -51,13 +51,21 @@ class InterpolatedRod {
     // Λ and the total curvature of each point, for the next step.
     void advance(const LocalMotion<Nodes>& motion, std::span<SectionHistory> histories) const;
 
-    // Strains and resultants τ C Ė + C E in the middle: of the point there, or the mean of the two beside it.
-    struct MiddleValues {
+    // Strains and resultants τ C Ė + C E.
+    struct SectionState {
         Vec6 strain, resultants;
     };
-    MiddleValues compute_middle_values(const LocalMotion<Nodes>& motion,
-                                       const LocalMotion<Nodes>& rates,
-                                       Histories histories) const;
+    // In the middle: of the point there, or the mean of the two beside it.
+    SectionState compute_middle_state(const LocalMotion<Nodes>& motion,
+                                      const LocalMotion<Nodes>& rates,
+                                      Histories histories) const;
+    // At ξ, by the polynomial through the points and what is known of both ends: resultants, first the
+    // start's.
+    SectionState interpolate_state(const LocalMotion<Nodes>& motion,
+                                   const LocalMotion<Nodes>& rates,
+                                   Histories histories,
+                                   const std::array<Vec6, 2>& end_resultants,
+                                   double xi) const;
 
     static SectionFields interpolate_middle(const LocalMotion<Nodes>& motion);
 
@@ -70,6 +78,10 @@ class InterpolatedRod {
     };
 
     static SectionFields interpolate(const ForcePoint& point, const LocalMotion<Nodes>& motion);
+    SectionState compute_section_state(int point,
+                                       const LocalMotion<Nodes>& motion,
+                                       const LocalMotion<Nodes>& rates,
+                                       Histories histories) const;
     static void add_force(const ForcePoint& point, const Vec9& density, NodalVector<Nodes>& force);
     static void add_matrix(const ForcePoint& point, const Mat9& density, NodalMatrix<Nodes>& matrix);
     Vec6 compute_strain_rates(const ForcePoint& point,

@@ -71,6 +71,20 @@ LocalMotion<Nodes> ObjectiveMap<Nodes>::compute_rates(const Motions<Nodes>& moti
 }
 
 template <int Nodes>
+Quat ObjectiveMap<Nodes>::interpolate_axes(const NodeValues<Nodes>& shape) const {
+    return frame_ * exp_quaternion(local_.theta * shape);
+}
+
+// ω = R (T(ψ) ψ̇ + ω_R), ψ = Σ N_I ψ_I.
+template <int Nodes>
+Vec3 ObjectiveMap<Nodes>::interpolate_spin(const Motions<Nodes>& motions,
+                                           const NodeValues<Nodes>& shape) const {
+    const Vec3 psi = local_.theta * shape;
+    const Vec3 psi_rate = compute_rates(motions).theta * shape;
+    return frame_matrix_ * (tangent_map(psi) * psi_rate + compute_frame_rates(motions).omega_R);
+}
+
+template <int Nodes>
 auto ObjectiveMap<Nodes>::compute_frame_forces(const NodalVector<Nodes>& local_force) const -> FrameForces {
     FrameForces forces;
     forces.M.setZero();

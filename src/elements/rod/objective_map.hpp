@@ -21,6 +21,9 @@ class ObjectiveMap {
     const LocalMotion<Nodes>& local() const { return local_; }
     LocalMotion<Nodes> compute_rates(const Motions<Nodes>& motions) const;
     Quat turn_out(const Quat& axes) const { return frame_ * axes; }
+    // Section axes between the nodes, and their angular velocity; `shape` are the shape functions there.
+    Quat interpolate_axes(const NodeValues<Nodes>& shape) const;
+    Vec3 interpolate_spin(const Motions<Nodes>& motions, const NodeValues<Nodes>& shape) const;
     // Of two nodes, or a node and R: a rotation that the logarithm measures, at most π.
     double largest_relative_rotation() const { return largest_relative_rotation_; }
 

@@ -170,8 +170,8 @@ SectionValues RodElement<Nodes, Map>::section_values(const Motions<Nodes>& motio
                                                      Histories histories) const {
     const Map map(motions, triads_);
     const Histories known = histories_of_points(histories);
-    const typename Rod::MiddleValues middle =
-        rod_.compute_middle_values(map.local(), map.compute_rates(motions), known);
+    const typename Rod::SectionState middle =
+        rod_.compute_middle_state(map.local(), map.compute_rates(motions), known);
     const Vec6& strain = middle.strain;
     const Vec6& resultants = middle.resultants;
     Quat axes;
@@ -183,6 +183,43 @@ SectionValues RodElement<Nodes, Map>::section_values(const Motions<Nodes>& motio
         axes = motions[Nodes / 2]->Lambda * triads_[Nodes / 2];
     }
     return {resultants.head<3>(), resultants.tail<3>(), strain.head<3>(), strain.tail<3>(), axes};
+}
+
+template <int Nodes, class Map>
+PointValues RodElement<Nodes, Map>::point_values(const Motions<Nodes>& motions,
+                                                 Histories histories,
+                                                 const NodalVector<Nodes>& force,
+                                                 double xi) const {
+    const NodeValues<Nodes> shape = compute_shape_functions<Nodes>(xi);
+    PointValues values;
+    NodeMotion& motion = values.motion;
+    std::array<NodeMotion, Nodes> unturned;
+    for (int i = 0; i < Nodes; ++i) {
+        motion.r += shape[i] * motions[i]->r;
+        motion.v += shape[i] * motions[i]->v;
+        motion.a += shape[i] * motions[i]->a;
+    }
+    const ObjectiveMap<Nodes> objective(motions, triads_);
+    values.triad = ObjectiveMap<Nodes>(point_at(unturned), triads_).interpolate_axes(shape);
+    motion.Lambda = objective.interpolate_axes(shape) * values.triad.conjugate();
+    motion.omega = objective.interpolate_spin(motions, shape);
+
+    const auto in_axes = [](const Quat& axes, const Vec6& spatial) {
+        Vec6 material;
+        material << axes.conjugate() * spatial.head<3>(), axes.conjugate() * spatial.tail<3>();
+        return material;
+    };
+    const std::array<Vec6, 2> end_resultants{
+        in_axes(motions.front()->Lambda * triads_.front(), -force.template head<6>()),
+        in_axes(motions.back()->Lambda * triads_.back(), force.template tail<6>())};
+    const Map map(motions, triads_);
+    const typename Rod::SectionState state = rod_.interpolate_state(
+        map.local(), map.compute_rates(motions), histories_of_points(histories), end_resultants, xi);
+    values.force = state.resultants.template head<3>();
+    values.moment = state.resultants.template tail<3>();
+    values.strain = state.strain.template head<3>();
+    values.curvature = state.strain.template tail<3>();
+    return values;
 }
 
 template class RodElement<2, SimoMap<2>>;

@@ -6,6 +6,7 @@
 #include "elements/rod/rod_geometry.hpp"
 #include "elements/rod/rod_inertia.hpp"
 #include "elements/rod/simo_map.hpp"
+#include "state/point_values.hpp"
 #include "state/section_values.hpp"
 
 namespace gxrod {
@@ -61,6 +62,12 @@ class RodElement {
 
     // Strains and resultants in the middle.
     SectionValues section_values(const Motions<Nodes>& motions, Histories histories) const;
+    // At ξ, −1 to 1; but for `start`, which needs positions at t = 0. `force` is what the element and the
+    // loads along it ask of its nodes: of an equilibrium, the end nodes' are the resultants there.
+    PointValues point_values(const Motions<Nodes>& motions,
+                             Histories histories,
+                             const NodalVector<Nodes>& force,
+                             double xi) const;
 
   private:
     using Rod = InterpolatedRod<Nodes>;

@@ -70,17 +70,22 @@ NodeValues<Nodes> compute_node_positions() {
     return at;
 }
 
-// N_I(ξ): one at node I, zero at the others.
-template <int Nodes>
-NodeValues<Nodes> compute_shape_functions(double xi) {
-    const NodeValues<Nodes> at = compute_node_positions<Nodes>();
-    NodeValues<Nodes> shape = NodeValues<Nodes>::Ones();
-    for (int i = 0; i < Nodes; ++i) {
-        for (int j = 0; j < Nodes; ++j) {
-            if (j != i) shape[i] *= (xi - at[j]) / (at[i] - at[j]);
+// The Lagrange polynomials of any points: one at its own, zero at the others.
+template <int Points>
+NodeValues<Points> compute_lagrange(const NodeValues<Points>& at, double xi) {
+    NodeValues<Points> values = NodeValues<Points>::Ones();
+    for (int i = 0; i < Points; ++i) {
+        for (int j = 0; j < Points; ++j) {
+            if (j != i) values[i] *= (xi - at[j]) / (at[i] - at[j]);
         }
     }
-    return shape;
+    return values;
+}
+
+// N_I(ξ).
+template <int Nodes>
+NodeValues<Nodes> compute_shape_functions(double xi) {
+    return compute_lagrange<Nodes>(compute_node_positions<Nodes>(), xi);
 }
 
 // dN_I/dξ.
