@@ -25,11 +25,14 @@ const std::array<DatasetLabel, 4> cell_labels{{
     {"curvature", "change of curvature (about x, y, z) at the element's middle", "material", "angle/length"},
 }};
 
-const DatasetLabel radius_label{"radius",
-                                "for drawing: 2 sqrt(EI/EA), the radius of a solid circle of the section's "
-                                "bending and axial stiffness; 0 if not finite, and for bodies",
-                                "none",
-                                "length"};
+const DatasetLabel cell_radius_label{
+    "radius",
+    "for drawing: 2 sqrt(EI/EA), the radius of a solid circle of the section's "
+    "bending and axial stiffness; 0 if not finite, and for bodies",
+    "none",
+    "length"};
+const DatasetLabel point_radius_label{
+    "radius", "for drawing: radius of the first rod there; 0 where no rod is", "none", "length"};
 
 constexpr RowShape number_in_row{1, true};  // [S,1]
 
@@ -92,7 +95,7 @@ void FrameTable::write_topology() {
     write_dataset(group_, {"Offsets", "where each cell begins in Connectivity", "none", "1"}, mesh_.offsets);
     write_dataset(
         group_,
-        {"Types", "VTK cell types: 3, 21, 35, 68 rod elements of order 1 to 4, 1 bodies", "none", "1"},
+        {"Types", "VTK cell types: 3, 21, 68, 68 rod elements of order 1 to 4, 1 bodies", "none", "1"},
         mesh_.types);
 }
 
@@ -108,6 +111,8 @@ void FrameTable::create_fields() {
         points_.emplace_back(point_data, label, vector_row, point_bytes);
         link(point_offsets_.id(), point_data_offsets, label.name);
     }
+    points_.emplace_back(point_data, point_radius_label, scalar_row, point_bytes);
+    link(point_offsets_.id(), point_data_offsets, point_radius_label.name);
 
     const Hdf5Handle cell_data = create_group(group_, "CellData");
     const Hdf5Handle cell_data_offsets(
@@ -116,8 +121,8 @@ void FrameTable::create_fields() {
         cells_.emplace_back(cell_data, label, vector_row, cell_bytes);
         if (label.name != cell_labels[0].name) link(cell_offsets_.id(), cell_data_offsets, label.name);
     }
-    cells_.emplace_back(cell_data, radius_label, scalar_row, cell_bytes);
-    link(cell_offsets_.id(), cell_data_offsets, radius_label.name);
+    cells_.emplace_back(cell_data, cell_radius_label, scalar_row, cell_bytes);
+    link(cell_offsets_.id(), cell_data_offsets, cell_radius_label.name);
 }
 
 void FrameTable::append(const Snapshot& snapshot) {
@@ -145,6 +150,7 @@ void FrameTable::append_points(const Snapshot& snapshot) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             points_[5 + axis].append({axes.col(static_cast<int>(axis)).data(), 3});
         }
+        points_[8].append(mesh_.point_radius[i]);
     }
 }
 
@@ -156,7 +162,7 @@ void FrameTable::append_cells(const Snapshot& snapshot) {
         cells_[1].append(numbers(section.moment));
         cells_[2].append(numbers(section.strain));
         cells_[3].append(numbers(section.curvature));
-        cells_[4].append(mesh_.radius[i]);
+        cells_[4].append(mesh_.cell_radius[i]);
     }
 }
 
