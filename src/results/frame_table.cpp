@@ -167,7 +167,6 @@ void FrameTable::append_cells(const Snapshot& snapshot) {
 }
 
 void FrameTable::flush_frames() {
-    times_.flush();
     for (AppendDataset<std::int64_t>* offsets :
          {&part_offsets_, &part_counts_, &point_offsets_, &cell_offsets_, &topology_offsets_}) {
         offsets->flush();
@@ -179,6 +178,8 @@ void FrameTable::flush_frames() {
 void FrameTable::flush_count() {
     check_hdf5(H5Awrite(frame_count_.id(), H5T_NATIVE_INT64, &frames_), "counting the frames");
 }
+
+void FrameTable::flush_times() { times_.flush(); }
 
 std::size_t FrameTable::buffered_bytes() const {
     return points_[0].buffered_bytes() * points_.size() + cells_[0].buffered_bytes() * cells_.size();

@@ -15,9 +15,12 @@ class FrameTable {
     FrameTable(const Hdf5Handle& root, const Model& model);
 
     void append(const Snapshot& snapshot);
-    // Writes the frames; readers do not count them before flush_count().
+    // Writes the frames; readers do not count them before flush_count() and, when that is on disk,
+    // flush_times(). In this order, as VTK reads all times into room for as many as are counted: more would
+    // overrun it.
     void flush_frames();
     void flush_count();
+    void flush_times();
     std::size_t buffered_bytes() const;
 
   private:

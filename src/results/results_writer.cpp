@@ -100,9 +100,11 @@ void ResultsTables::flush_rows() {
     frames_.flush_frames();
 }
 
-void ResultsTables::flush_counts() {
+void ResultsTables::flush_frame_count() { frames_.flush_count(); }
+
+void ResultsTables::flush_times() {
     times_.flush();
-    frames_.flush_count();
+    frames_.flush_times();
 }
 
 std::size_t ResultsTables::buffered_bytes() const {
@@ -152,7 +154,9 @@ void ResultsWriter::flush() {
     const auto start = Clock::now();
     tables_->flush_rows();
     commit();
-    tables_->flush_counts();
+    tables_->flush_frame_count();
+    commit();
+    tables_->flush_times();
     commit();
     // A slow disk takes at most a tenth of the time.
     const auto end = Clock::now();

@@ -25,10 +25,12 @@ class ResultsTables {
 
     void append_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
     void append_frame(const Snapshot& snapshot);
-    // All rows but those that say how many there are: the times of the steps and the number of frames …
+    // All rows but those that say how many there are …
     void flush_rows();
-    // … which follow when the rest is on disk.
-    void flush_counts();
+    // … the number of frames, when these are on disk …
+    void flush_frame_count();
+    // … and last the times of steps and frames.
+    void flush_times();
     std::size_t buffered_bytes() const;
 
   private:

@@ -18,8 +18,7 @@ namespace {
 std::vector<double> read_times(const std::filesystem::path& results) {
     std::vector<double> times;
     read_results(results, [&](const Hdf5Reader& file) {
-        const long long frames = file.integer_attribute("/VTKHDF/Steps", "NSteps");
-        times = file.rows("/VTKHDF/Steps/Values", 0, static_cast<hsize_t>(frames));
+        times = file.numbers("/VTKHDF/Steps/Values");
     });
     if (times.empty()) throw FileError(results, "has no frame yet");
     return times;
