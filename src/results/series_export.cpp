@@ -17,9 +17,7 @@ namespace {
 
 std::vector<double> read_times(const std::filesystem::path& results) {
     std::vector<double> times;
-    read_results(results, [&](const Hdf5Reader& file) {
-        times = file.numbers("/VTKHDF/Steps/Values");
-    });
+    read_results(results, [&](const Hdf5Reader& file) { times = file.numbers("/VTKHDF/Steps/Values"); });
     if (times.empty()) throw FileError(results, "has no frame yet");
     return times;
 }
@@ -48,7 +46,7 @@ std::filesystem::path export_series(const std::filesystem::path& results,
     for (std::size_t i = 0; i < times.size(); ++i) {
         files.push_back(folder / fmt::format("{}_{:04}.hdf", name, i));
     }
-    const std::filesystem::path series = folder / (name + ".hdf.series");
+    std::filesystem::path series = folder / (name + ".hdf.series");
     files.push_back(series);
     prepare_export(folder, files, existing);
     files.pop_back();
