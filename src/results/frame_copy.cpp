@@ -1,9 +1,13 @@
 #include "results/frame_copy.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdint>
+#include <fstream>
 #include <functional>
 #include <numeric>
+#include <system_error>
 
 #include "model/file_error.hpp"
 
@@ -72,10 +76,22 @@ void write_copy(hid_t file, const DatasetCopy& copy) {
                "writing a dataset");
 }
 
-Hdf5Handle create_file(const std::filesystem::path& path) {
+// A file in memory: where the library itself cannot write, it breaks down when the program ends.
+Hdf5Handle create_image() {
+    constexpr std::size_t growth = 65536;
     const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file properties");
-    check_hdf5(H5Pset_file_locking(access.id(), false, true), "file properties");
-    return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "creating a file"};
+    check_hdf5(H5Pset_fapl_core(access.id(), growth, false), "file properties");
+    return {H5Fcreate("frame", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "creating a file"};
+}
+
+std::vector<char> image_of(const Hdf5Handle& file) {
+    check_hdf5(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "flushing");
+    const ssize_t size = H5Fget_file_image(file.id(), nullptr, 0);
+    std::vector<char> bytes(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+    if (size < 0 || H5Fget_file_image(file.id(), bytes.data(), bytes.size()) < 0) {
+        throw Hdf5Error("making the file");
+    }
+    return bytes;
 }
 
 }  // namespace
@@ -100,18 +116,17 @@ FrameCopy read_frame(const Hdf5Reader& results, hsize_t frame) {
 }
 
 void write_frame(const FrameCopy& frame, const std::filesystem::path& path) {
-    try {
-        Hdf5Handle file = create_file(path);
-        for (const DatasetCopy& dataset : frame) write_copy(file.id(), dataset);
-        {
-            const Hdf5Handle group(H5Gopen2(file.id(), "/VTKHDF", H5P_DEFAULT), H5Gclose, "opening a group");
-            write_attribute(group.id(), "Version", std::array<std::int64_t, 2>{1, 0});
-            write_fixed_attribute(group.id(), "Type", "UnstructuredGrid");
-        }
-        check_hdf5(file.reset(), "closing a file");
-    } catch (const Hdf5Error& error) {
-        throw FileError(path, "cannot be written", error.what());
-    }
+    const Hdf5Handle file = create_image();
+    for (const DatasetCopy& dataset : frame) write_copy(file.id(), dataset);
+    const Hdf5Handle group(H5Gopen2(file.id(), "/VTKHDF", H5P_DEFAULT), H5Gclose, "opening a group");
+    write_attribute(group.id(), "Version", std::array<std::int64_t, 2>{1, 0});
+    write_fixed_attribute(group.id(), "Type", "UnstructuredGrid");
+    const std::vector<char> bytes = image_of(file);
+
+    std::ofstream out(path, std::ios::binary);
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    if (!out) throw FileError(path, "cannot be written", std::generic_category().message(errno));
 }
 
 }  // namespace gxrod

@@ -2,6 +2,8 @@
 
 import csv
 import json
+import resource
+import signal
 import subprocess
 import time
 import unittest
@@ -115,6 +117,15 @@ steps = 2
         finally:
             run.kill()
             run.wait()
+
+    def test_a_full_disk_is_told(self):
+        def limit_file_sizes():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (5000, 5000))
+
+        for form, file in (("--csv", "ledger.csv"), ("--series", "body_0000.hdf")):
+            done = self.gxrod("export", "body.vtkhdf", form, "full", code=4, preexec_fn=limit_file_sizes)
+            self.assertIn(f"full/{file}: cannot be written (File too large)", done.stderr)
 
     def test_what_cannot_be_exported(self):
         for name, said in (("none.vtkhdf", "there is no such file"), (".", "is a folder, not a results file"),
