@@ -95,8 +95,8 @@ steps = 2
             self.assertEqual([entry["time"] for entry in series["files"]], list(file["VTKHDF/Steps/Values"][()]))
             for number, entry in enumerate(series["files"]):
                 with h5py.File(self.folder / "series" / entry["name"]) as frame:
-                    np.testing.assert_array_equal(frame["VTKHDF/Points"][()],
-                                                  file["VTKHDF/Points"][number:number + 1])
+                    turned = file["VTKHDF/PointData/rotation_vector"][number:number + 1]
+                    np.testing.assert_array_equal(frame["VTKHDF/PointData/rotation_vector"][()], turned)
 
     def test_a_running_job_has_the_steps_so_far(self):
         deck = SOURCE / "docs/examples/free_flight/free_flight.toml"

@@ -2,6 +2,7 @@
 
 import os
 import re
+import runpy
 import subprocess
 import sys
 import unittest
@@ -44,6 +45,15 @@ class Scripts(ProgramTest):
         for time in (0.0, 0.5, 0.9):
             colour = np.array(colormaps["viridis"](time)[:3])
             self.assertGreater((np.abs(picture - colour).max(axis=-1) < 0.03).sum(), 200, f"nothing at {time}")
+
+    def test_deflected_shapes_go_through_the_nodes_in_their_order(self):
+        path = self.run_deck("planar_flight", "rod.flyer.order=4", "rod.flyer.elements=3", "analysis.end_time=0.1")
+        script = runpy.run_path(str(GUIDE / "scripts" / "deflected_shapes.py"))
+        _, shapes, elements, _ = script["read_shapes"](path)
+        self.assertEqual([len(element) for element in elements], [5, 5, 5])
+        height = np.concatenate([shapes[0, element, 1] for element in elements])
+        np.testing.assert_allclose(height[[0, 5, 10, 14]], np.array([0, 1, 2, 3]) * 8 / 3, atol=1e-12)
+        self.assertGreaterEqual(np.diff(height).min(), 0.0)
 
     def test_histories(self):
         self.run_deck("right_angle")
