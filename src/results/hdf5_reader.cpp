@@ -6,6 +6,8 @@
 #include <functional>
 #include <numeric>
 
+#include "results/hdf5_objects.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -20,23 +22,6 @@ std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t
     std::string text(H5Tget_size(type.id()), '\0');
     check_hdf5(read(type.id(), text.data()), "reading a string");
     return text;
-}
-
-std::vector<std::string> list_members(hid_t group) {
-    H5G_info_t information;
-    check_hdf5(H5Gget_info(group, &information), "listing a group");
-    std::vector<std::string> names;
-    for (hsize_t i = 0; i < information.nlinks; ++i) {
-        const auto get = [&](char* name, std::size_t size) {
-            return H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, name, size, H5P_DEFAULT);
-        };
-        const auto length = static_cast<std::size_t>(std::max<ssize_t>(get(nullptr, 0), 0));
-        std::string name(length + 1, '\0');
-        get(name.data(), name.size());
-        name.resize(length);
-        names.push_back(name);
-    }
-    return names;
 }
 
 void add_datasets(hid_t group, const std::string& path, std::vector<std::string>& names) {
@@ -104,6 +89,15 @@ std::string Hdf5Reader::text(const std::string& name) const {
     return read_string(type, [&](hid_t memory_type, void* buffer) {
         return H5Dread(dataset.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
     });
+}
+
+std::string Hdf5Reader::bytes(const std::string& name) const {
+    const std::vector<hsize_t> extent = size(name);
+    std::string bytes(extent.empty() ? 1 : extent[0], '\0');
+    const Hdf5Handle dataset = open_dataset(name);
+    check_hdf5(H5Dread(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()),
+               "reading bytes");
+    return bytes;
 }
 
 std::string Hdf5Reader::text_attribute(const std::string& path, const std::string& name) const {
