@@ -74,23 +74,31 @@ class RunningJob(ProgramTest):
                 np.testing.assert_array_equal(times, grid["Steps/Values"][:last + 1])
                 np.testing.assert_array_equal(points, grid["Points"][last * count:(last + 1) * count])
 
-    def test_what_a_killed_job_leaves(self):
+    def test_what_a_killed_job_leaves_and_resumes(self):
         for _ in range(5):
             job = self.start_job()
             time.sleep(0.1)
             job.kill()
             job.wait(60)
-            with h5py.File(self.results) as file:
-                grid = file["VTKHDF"]
-                self.assertEqual(file.attrs["status"], "running")
-                times, count = grid["Steps/Values"][()], grid["NumberOfPoints"][0]
-                self.assertLessEqual(len(times), grid["Steps"].attrs["NSteps"])
-                reader = open_file(self.results)
-                np.testing.assert_array_equal(times_of(reader)[:len(times)], times)
-                for number, time_of_frame in enumerate(times):
-                    np.testing.assert_array_equal(points_of(frame_at(reader, time_of_frame)),
-                                                  grid["Points"][number * count:(number + 1) * count])
+            times = self.assert_every_frame_is_shown("running")
             self.gxrod("export", "free_flight.vtkhdf", "--series", "series", "--force")
+        self.gxrod("resume", "free_flight.vtkhdf", "--quiet", "--set", f"analysis.end_time={times[-1] + 5}")
+        resumed = self.assert_every_frame_is_shown("complete")
+        self.assertGreater(len(resumed), len(times))
+
+    def assert_every_frame_is_shown(self, status):
+        """Gives their times."""
+        with h5py.File(self.results) as file:
+            grid = file["VTKHDF"]
+            self.assertEqual(file.attrs["status"], status)
+            times, count = grid["Steps/Values"][()], grid["NumberOfPoints"][0]
+            self.assertLessEqual(len(times), grid["Steps"].attrs["NSteps"])
+            reader = open_file(self.results)
+            np.testing.assert_array_equal(times_of(reader)[:len(times)], times)
+            for number, time_of_frame in enumerate(times):
+                np.testing.assert_array_equal(points_of(frame_at(reader, time_of_frame)),
+                                              grid["Points"][number * count:(number + 1) * count])
+            return times
 
 
 if __name__ == "__main__":
