@@ -48,7 +48,7 @@ class Results:
         self.time_label = "load factor" if self.is_static else "time"
         # The times are written last: their number is the number of complete steps.
         self.times = file["histories/time"][()]
-        self.frame_times = self._grid["Steps/Values"][: self._grid["Steps"].attrs["NSteps"]]
+        self.frame_times = self._grid["Steps/Values"][()]
         self._points = int(self._grid["NumberOfPoints"][0])
         self.rods, self.bodies = self._read_cells()
 

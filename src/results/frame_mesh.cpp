@@ -9,13 +9,14 @@ namespace gxrod {
 namespace {
 
 constexpr std::uint8_t vtk_vertex = 1;
-// Line, quadratic edge, cubic line, Lagrange curve; by order.
-constexpr std::array<std::uint8_t, 5> vtk_curve{0, 3, 21, 35, 68};
+// Line, quadratic edge, Lagrange curve; by order. Not the cubic line (35): when VTK subdivides it, it folds
+// back, since its parameter runs from −1 to 1 where VTK takes 0 to 1.
+constexpr std::array<std::uint8_t, 5> vtk_curve{0, 3, 21, 68, 68};
 
 void add_cell(FrameMesh& mesh, std::uint8_t type, double radius) {
     mesh.offsets.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
     mesh.types.push_back(type);
-    mesh.radius.push_back(radius);
+    mesh.cell_radius.push_back(radius);
 }
 
 // VTK wants the two ends first, then the nodes between them.
@@ -28,6 +29,20 @@ void add_rod(FrameMesh& mesh, const Rod& rod, double radius) {
         for (std::size_t i = 1; i < order; ++i) mesh.connectivity.push_back(rod.element_nodes[first + i]);
         add_cell(mesh, vtk_curve[order], radius);
     }
+}
+
+double rod_radius(const Model& model, const Rod& rod) {
+    return equivalent_radius(model.sections[static_cast<std::size_t>(rod.section)]);
+}
+
+std::vector<double> node_radii(const Model& model) {
+    std::vector<double> radii(model.nodes.size(), 0.0);
+    // Later ones win: the first rod over the next.
+    for (auto rod = model.rods.rbegin(); rod != model.rods.rend(); ++rod) {
+        for (const int node : rod->element_nodes)
+            radii[static_cast<std::size_t>(node)] = rod_radius(model, *rod);
+    }
+    return radii;
 }
 
 std::vector<Quat> node_triads(const Model& model) {
@@ -48,15 +63,14 @@ std::vector<Quat> node_triads(const Model& model) {
 
 FrameMesh make_frame_mesh(const Model& model) {
     FrameMesh mesh;
-    for (const Rod& rod : model.rods) {
-        add_rod(mesh, rod, equivalent_radius(model.sections[static_cast<std::size_t>(rod.section)]));
-    }
+    for (const Rod& rod : model.rods) add_rod(mesh, rod, rod_radius(model, rod));
     for (const Body& body : model.bodies) {
         mesh.connectivity.push_back(body.node);
         add_cell(mesh, vtk_vertex, 0.0);
     }
     // add_cell notes where a cell ends; the first begins at 0.
     mesh.offsets.insert(mesh.offsets.begin(), 0);
+    mesh.point_radius = node_radii(model);
     mesh.triads = node_triads(model);
     return mesh;
 }

@@ -13,7 +13,8 @@ struct FrameMesh {
     std::vector<std::int64_t> connectivity;  // point numbers of the cells, one cell after the other
     std::vector<std::int64_t> offsets;       // of each cell in connectivity, and the end
     std::vector<std::uint8_t> types;         // VTK cell types
-    std::vector<double> radius;              // of each cell, for drawing
+    std::vector<double> cell_radius;         // for drawing; 0 for bodies
+    std::vector<double> point_radius;        // of each node: that of its first rod; 0 where no rod is
     std::vector<Quat> triads;  // of each node: section axes at t = 0, or a body's where no rod is
 
     std::size_t cell_count() const { return types.size(); }

@@ -25,11 +25,14 @@ const std::array<DatasetLabel, 4> cell_labels{{
     {"curvature", "change of curvature (about x, y, z) at the element's middle", "material", "angle/length"},
 }};
 
-const DatasetLabel radius_label{"radius",
-                                "for drawing: 2 sqrt(EI/EA), the radius of a solid circle of the section's "
-                                "bending and axial stiffness; 0 if not finite, and for bodies",
-                                "none",
-                                "length"};
+const DatasetLabel cell_radius_label{
+    "radius",
+    "for drawing: 2 sqrt(EI/EA), the radius of a solid circle of the section's "
+    "bending and axial stiffness; 0 if not finite, and for bodies",
+    "none",
+    "length"};
+const DatasetLabel point_radius_label{
+    "radius", "for drawing: radius of the first rod there; 0 where no rod is", "none", "length"};
 
 constexpr RowShape number_in_row{1, true};  // [S,1]
 
@@ -79,9 +82,12 @@ FrameTable::FrameTable(const Hdf5Handle& root, const Model& model, hsize_t frame
           steps_, {"CellOffsets", "one topology serves all frames: 0", "none", "1"}, number_in_row, frames),
       frame_count_(require_frame_count(steps_)) {
     link(topology_offsets_.id(), steps_, "ConnectivityIdOffsets");
-    if (!has_link(group_, "Types")) write_topology();
+    times_.trim();
+    if (!has_link(group_, "Types")) {
+        write_topology();
+        flush_count();
+    }
     create_fields();
-    flush_count();
 }
 
 void FrameTable::write_topology() {
@@ -99,7 +105,7 @@ void FrameTable::write_topology() {
     write_dataset(group_, {"Offsets", "where each cell begins in Connectivity", "none", "1"}, mesh_.offsets);
     write_dataset(
         group_,
-        {"Types", "VTK cell types: 3, 21, 35, 68 rod elements of order 1 to 4, 1 bodies", "none", "1"},
+        {"Types", "VTK cell types: 3, 21, 68, 68 rod elements of order 1 to 4, 1 bodies", "none", "1"},
         mesh_.types);
 }
 
@@ -120,6 +126,8 @@ void FrameTable::create_fields() {
         points_.emplace_back(point_data, label, vector_row, point_rows, point_bytes);
         link(point_offsets_.id(), point_data_offsets, label.name);
     }
+    points_.emplace_back(point_data, point_radius_label, scalar_row, point_rows, point_bytes);
+    link(point_offsets_.id(), point_data_offsets, point_radius_label.name);
 
     const Hdf5Handle cell_data = require_group(group_, "CellData");
     const Hdf5Handle cell_data_offsets(
@@ -128,8 +136,8 @@ void FrameTable::create_fields() {
         cells_.emplace_back(cell_data, label, vector_row, cell_rows, cell_bytes);
         if (label.name != cell_labels[0].name) link(cell_offsets_.id(), cell_data_offsets, label.name);
     }
-    cells_.emplace_back(cell_data, radius_label, scalar_row, cell_rows, cell_bytes);
-    link(cell_offsets_.id(), cell_data_offsets, radius_label.name);
+    cells_.emplace_back(cell_data, cell_radius_label, scalar_row, cell_rows, cell_bytes);
+    link(cell_offsets_.id(), cell_data_offsets, cell_radius_label.name);
 }
 
 void FrameTable::append(const Snapshot& snapshot) {
@@ -157,6 +165,7 @@ void FrameTable::append_points(const Snapshot& snapshot) {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             points_[5 + axis].append({axes.col(static_cast<int>(axis)).data(), 3});
         }
+        points_[8].append(mesh_.point_radius[i]);
     }
 }
 
@@ -168,13 +177,12 @@ void FrameTable::append_cells(const Snapshot& snapshot) {
         cells_[1].append(numbers(section.moment));
         cells_[2].append(numbers(section.strain));
         cells_[3].append(numbers(section.curvature));
-        cells_[4].append(mesh_.radius[i]);
+        cells_[4].append(mesh_.cell_radius[i]);
     }
 }
 
 template <class Action>
-void FrameTable::for_each_dataset(Action&& action) {
-    action(times_);
+void FrameTable::for_each_of_rows(Action&& action) {
     for (AppendDataset<std::int64_t>* offsets :
          {&part_offsets_, &part_counts_, &point_offsets_, &cell_offsets_, &topology_offsets_}) {
         action(*offsets);
@@ -184,16 +192,19 @@ void FrameTable::for_each_dataset(Action&& action) {
 }
 
 void FrameTable::flush_frames() {
-    for_each_dataset([](auto& dataset) { dataset.flush(); });
+    for_each_of_rows([](auto& dataset) { dataset.flush(); });
 }
 
 void FrameTable::trim() {
-    for_each_dataset([](auto& dataset) { dataset.trim(); });
+    times_.trim();
+    for_each_of_rows([](auto& dataset) { dataset.trim(); });
 }
 
 void FrameTable::flush_count() {
     check_hdf5(H5Awrite(frame_count_.id(), H5T_NATIVE_INT64, &frames_), "counting the frames");
 }
+
+void FrameTable::flush_times() { times_.flush(); }
 
 std::size_t FrameTable::buffered_bytes() const {
     return points_[0].buffered_bytes() * points_.size() + cells_[0].buffered_bytes() * cells_.size();

@@ -11,14 +11,18 @@ namespace gxrod {
 // N points and E cells are appended a frame. Throws Hdf5Error.
 class FrameTable {
   public:
-    // Appends after the first `frames` frames. `model` must outlive the table. Throws std::runtime_error if
-    // frames are there, but of another number of points.
+    // Appends after the first `frames` frames; the count of those there follows with flush_count(), once the
+    // times are shortened on disk. `model` must outlive the table. Throws std::runtime_error if frames are
+    // there, but of another number of points.
     FrameTable(const Hdf5Handle& root, const Model& model, hsize_t frames);
 
     void append(const Snapshot& snapshot);
-    // Writes the frames; readers do not count them before flush_count().
+    // Writes the frames; readers do not count them before flush_count() and, when that is on disk,
+    // flush_times(). In this order, as VTK reads all times into room for as many as are counted: more would
+    // overrun it.
     void flush_frames();
     void flush_count();
+    void flush_times();
     // Ends each dataset with its last frame.
     void trim();
     std::size_t buffered_bytes() const;
@@ -29,7 +33,7 @@ class FrameTable {
     void append_points(const Snapshot& snapshot);
     void append_cells(const Snapshot& snapshot);
     template <class Action>
-    void for_each_dataset(Action&& action);
+    void for_each_of_rows(Action&& action);
 
     const Model* model_;
     FrameMesh mesh_;
@@ -38,8 +42,8 @@ class FrameTable {
     Hdf5Handle group_, steps_;
     AppendDataset<double> times_;
     AppendDataset<std::int64_t> part_offsets_, part_counts_, point_offsets_, cell_offsets_, topology_offsets_;
-    std::vector<AppendDataset<double>> points_;  // Points, then PointData in the order of point_labels()
-    std::vector<AppendDataset<double>> cells_;   // CellData in the order of cell_labels()
+    std::vector<AppendDataset<double>> points_;  // Points, PointData in the order of point_labels, radius
+    std::vector<AppendDataset<double>> cells_;   // CellData in the order of cell_labels, radius
     Hdf5Handle frame_count_;                     // Steps@NSteps
 };
 

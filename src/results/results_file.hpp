@@ -30,7 +30,7 @@ struct ResultsFileOptions {
 //
 // Steps and frames are gathered in memory; the caller writes them together with flush() when that is due.
 // Wherever the writer is killed, the file holds every step and frame of the last time it was written:
-// /histories/time and /VTKHDF/Steps@NSteps are raised after all else is there.
+// /VTKHDF/Steps@NSteps is raised after all else is there, then /histories/time and /VTKHDF/Steps/Values.
 //
 // Every member but the destructor throws FileError if the file cannot be created or written. After that the
 // file still holds what was written before.

@@ -149,11 +149,14 @@ void ResultsTables::flush_rows() {
     restart_place_.reset();
 }
 
-void ResultsTables::flush_counts() {
+void ResultsTables::flush_frame_count() { frames_.flush_count(); }
+
+void ResultsTables::flush_times() {
     times_.flush();
-    frames_.flush_count();
-    restart_.switch_slot();
+    frames_.flush_times();
 }
+
+void ResultsTables::switch_restart() { restart_.switch_slot(); }
 
 void ResultsTables::trim() {
     times_.trim();
@@ -186,6 +189,8 @@ ResultsWriter::ResultsWriter(ResumableFile file,
     : file_(file.release()), hdf5_(open_hdf5(file_)), root_(open_root(hdf5_)) {
     write_resumption(root_, file.deck(), deck);
     tables_.emplace(root_, deck, model, output, file.place().steps, file.place().frames);
+    commit();
+    tables_->flush_frame_count();
     commit();
     next_flush_ = Clock::now() + flush_interval;
 }
@@ -224,7 +229,11 @@ void ResultsWriter::flush() {
     const auto start = Clock::now();
     tables_->flush_rows();
     commit();
-    tables_->flush_counts();
+    tables_->flush_frame_count();
+    commit();
+    tables_->flush_times();
+    commit();
+    tables_->switch_restart();
     commit();
     // A slow disk takes at most a tenth of the time.
     const auto end = Clock::now();

@@ -31,10 +31,14 @@ class ResultsTables {
     void append_frame(const Snapshot& snapshot);
     // The run can go on from the steps and frames that were appended so far.
     void set_restart(RestartRecord record);
-    // All rows but those that say how many there are: the times of the steps and the number of frames …
+    // All rows but those that say how many there are …
     void flush_rows();
-    // … which follow when the rest is on disk.
-    void flush_counts();
+    // … the number of frames, when these are on disk …
+    void flush_frame_count();
+    // … then the times of steps and frames …
+    void flush_times();
+    // … and last which state to go on from.
+    void switch_restart();
     // Takes away what an earlier run wrote beyond the last row.
     void trim();
     std::size_t buffered_bytes() const;

@@ -1,6 +1,9 @@
-"""gxrod export: tables that equal the results file."""
+"""gxrod export: tables that equal the results file, and a series of its frames."""
 
 import csv
+import json
+import resource
+import signal
 import subprocess
 import time
 import unittest
@@ -73,11 +76,36 @@ steps = 2
         self.assertIn("tables/ledger.csv: exists already (--force overwrites it)", done.stderr)
         self.gxrod("export", "body.vtkhdf", "--csv", "tables", "--force")
 
+    def test_a_series_is_kept_unless_told_otherwise(self):
+        done = self.gxrod("export", "body.vtkhdf", "--series", "a/series", "--csv", "tables")
+        self.assertEqual(done.stdout.split()[-1], "a/series/body.hdf.series")
+        names = [f"body_{i:04}.hdf" for i in range(11)]
+        self.assertEqual(sorted(path.name for path in (self.folder / "a/series").iterdir()),
+                         ["body.hdf.series", *names])
+        (self.folder / "a/series/body_0000.hdf").unlink()
+        done = self.gxrod("export", "body.vtkhdf", "--series", "a/series", code=4)
+        self.assertIn("a/series/body_0001.hdf: exists already (--force overwrites it)", done.stderr)
+        self.assertFalse((self.folder / "a/series/body_0000.hdf").exists())
+        self.gxrod("export", "body.vtkhdf", "--series", "a/series", "--force")
+
+    def test_a_series_lists_each_frame_with_its_time(self):
+        self.gxrod("export", "body.vtkhdf", "--series", "series")
+        series = json.loads((self.folder / "series/body.hdf.series").read_text())
+        with h5py.File(self.folder / "body.vtkhdf") as file:
+            self.assertEqual([entry["time"] for entry in series["files"]], list(file["VTKHDF/Steps/Values"][()]))
+            for number, entry in enumerate(series["files"]):
+                with h5py.File(self.folder / "series" / entry["name"]) as frame:
+                    turned = file["VTKHDF/PointData/rotation_vector"][number:number + 1]
+                    np.testing.assert_array_equal(frame["VTKHDF/PointData/rotation_vector"][()], turned)
+
     def test_a_running_job_has_the_steps_so_far(self):
         deck = SOURCE / "docs/examples/free_flight/free_flight.toml"
         run = subprocess.Popen([GXROD, "run", deck, "--quiet", "--set", "analysis.end_time=3000"], cwd=self.folder)
         try:
             time.sleep(2.0)
+            self.gxrod("export", "free_flight.vtkhdf", "--series", "series")
+            series = json.loads((self.folder / "series/free_flight.hdf.series").read_text())
+            self.assertGreater(len(series["files"]), 1)
             counts = []
             for _ in range(6):
                 self.gxrod("export", "free_flight.vtkhdf", "--csv", "tables", "--force")
@@ -90,6 +118,15 @@ steps = 2
             run.kill()
             run.wait()
 
+    def test_a_full_disk_is_told(self):
+        def limit_file_sizes():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (5000, 5000))
+
+        for form, file in (("--csv", "ledger.csv"), ("--series", "body_0000.hdf")):
+            done = self.gxrod("export", "body.vtkhdf", form, "full", code=4, preexec_fn=limit_file_sizes)
+            self.assertIn(f"full/{file}: cannot be written (File too large)", done.stderr)
+
     def test_what_cannot_be_exported(self):
         for name, said in (("none.vtkhdf", "there is no such file"), (".", "is a folder, not a results file"),
                            ("body.toml", "cannot be read as results of gxrod")):
@@ -101,7 +138,13 @@ steps = 2
         self.assertIn("other.h5: is not a results file of gxrod", done.stderr)
         done = self.gxrod("export", "body.vtkhdf", "--csv", "body.toml", code=4)
         self.assertIn("body.toml: cannot be made", done.stderr)
-        self.assertIn("--csv", self.gxrod("export", "body.vtkhdf", code=2).stderr)
+        done = self.gxrod("export", "body.vtkhdf", "--series", "body.toml", code=4)
+        self.assertIn("body.toml: cannot be made", done.stderr)
+        (self.folder / "series/body_0000.hdf").mkdir(parents=True)
+        done = self.gxrod("export", "body.vtkhdf", "--series", "series", "--force", code=4)
+        self.assertIn("series/body_0000.hdf: cannot be written", done.stderr)
+        done = self.gxrod("export", "body.vtkhdf", code=2)
+        self.assertIn("give --csv DIR, --series DIR, or both", done.stderr)
 
 
 if __name__ == "__main__":

@@ -55,6 +55,13 @@ bool is_multiple_of_time(const std::vector<double>& values,
     return true;
 }
 
+std::size_t counted_frames(const Hdf5Reader& file) {
+    return static_cast<std::size_t>(file.integer_attribute("/VTKHDF/Steps", "NSteps"));
+}
+
+// Frames that have their time.
+std::size_t timed_frames(const Hdf5Reader& file) { return file.size("/VTKHDF/Steps/Values")[0]; }
+
 struct Survey {
     std::size_t steps = 0;
     std::size_t frames = 0;
@@ -81,7 +88,8 @@ Survey survey(const std::filesystem::path& path) {
     try {
         const Hdf5Reader file(path);
         found.steps = file.size("/histories/time")[0];
-        found.frames = static_cast<std::size_t>(file.integer_attribute("/VTKHDF/Steps", "NSteps"));
+        found.frames = timed_frames(file);
+        if (found.frames > counted_frames(file)) found.fault = "more times of frames than VTK has room for";
         if (!is_multiple_of_time(file.numbers("/histories/time"), 1, 1, time_step)) found.fault = "times";
         if (!is_multiple_of_time(file.rows("/histories/middle/position", 0, found.steps), 3, 1, time_step)) {
             found.fault = "positions";
@@ -106,17 +114,18 @@ Survey survey(const std::filesystem::path& path) {
 bool is_complete(const std::filesystem::path& path) {
     const Hdf5Reader file(path);
     const std::size_t steps = file.size("/histories/time")[0];
-    const auto frames = static_cast<std::size_t>(file.integer_attribute("/VTKHDF/Steps", "NSteps"));
+    const std::size_t frames = counted_frames(file);
     for (const std::string& dataset : file.datasets()) {
         const bool is_step_row = dataset.starts_with("/histories") || dataset.starts_with("/ledger") ||
                                  dataset.starts_with("/solver");
         const bool is_point_row = dataset.starts_with("/VTKHDF/PointData") ||
                                   dataset.starts_with("/VTKHDF/CellData") || dataset == "/VTKHDF/Points";
         const bool is_frame_row = dataset.starts_with("/VTKHDF/Steps");
-        const std::size_t rows = is_step_row    ? steps
-                                 : is_point_row ? frames * points
-                                 : is_frame_row ? frames
-                                                : 0;
+        const std::size_t rows = is_step_row                         ? steps
+                                 : dataset == "/VTKHDF/Steps/Values" ? 0
+                                 : is_point_row                      ? frames * points
+                                 : is_frame_row                      ? frames
+                                                                     : 0;
         if (rows > 0) file.rows(dataset, 0, rows);
     }
     return true;

@@ -64,6 +64,8 @@ TEST_CASE("Frames have the form that VTK asks for", "[results]") {
         CHECK(file.numbers(std::string("/VTKHDF/Steps/PointDataOffsets/") + name) == Numbers{0, 4, 8});
         CHECK(file.size(std::string("/VTKHDF/PointData/") + name) == std::vector<hsize_t>{12, 3});
     }
+    CHECK(file.numbers("/VTKHDF/Steps/PointDataOffsets/radius") == Numbers{0, 4, 8});
+    CHECK(file.size("/VTKHDF/PointData/radius") == std::vector<hsize_t>{12});
     for (const char* name : {"force", "moment", "strain", "curvature", "radius"}) {
         CHECK(file.numbers(std::string("/VTKHDF/Steps/CellDataOffsets/") + name) == Numbers{0, 4, 8});
         CHECK(file.size(std::string("/VTKHDF/CellData/") + name)[0] == 12);
@@ -90,6 +92,8 @@ TEST_CASE("The points of a frame carry their motion and axes", "[results]") {
             CHECK((vector_at(file, "PointData/axis_x", index) - axes.col(0)).norm() < 1e-14);
             CHECK((vector_at(file, "PointData/axis_y", index) - axes.col(1)).norm() < 1e-14);
             CHECK((vector_at(file, "PointData/axis_z", index) - axes.col(2)).norm() < 1e-14);
+            const double radius = i < 3 ? 2.0 * std::sqrt(500.0 / 1e4) : 0.0;
+            CHECK(file.numbers("/VTKHDF/PointData/radius")[index] == Approx(radius));
         }
     }
 }

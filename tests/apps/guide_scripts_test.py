@@ -1,0 +1,93 @@
+"""The guide's Python scripts, run with the guide's own commands: pictures, and the numbers that they print."""
+
+import os
+import re
+import runpy
+import subprocess
+import sys
+import unittest
+
+import h5py
+import numpy as np
+from matplotlib import colormaps, image
+from program import SOURCE, ProgramTest
+
+GUIDE = SOURCE / "docs" / "guide"
+DECKS = {"cantilever": GUIDE / "scripts" / "cantilever.toml",
+         **{name: SOURCE / "docs/examples" / name / f"{name}.toml"
+            for name in ("planar_flight", "right_angle", "free_flight")}}
+SHORTER = {"cantilever": ("rod.rule.elements=4", "analysis.end_time=1.5"), "planar_flight": (),
+           "right_angle": ("analysis.end_time=3",), "free_flight": ("rod.flyer.elements=5", "analysis.time_step=0.05")}
+
+
+class Scripts(ProgramTest):
+    def run_deck(self, name, *settings):
+        sets = [part for setting in (*SHORTER[name], *settings) for part in ("--set", setting)]
+        self.gxrod("run", DECKS[name], "--quiet", "--force", *sets)
+        return self.folder / f"{name}.vtkhdf"
+
+    def draw(self, script, *changes):
+        """Runs the guide's command for a script; gives what it prints and its picture."""
+        guide = (GUIDE / "results.md").read_text(encoding="utf-8")
+        command = re.search(rf"^python3 docs/guide/scripts/({script}\.py .*)$", guide, re.MULTILINE).group(1).split()
+        done = subprocess.run([sys.executable, GUIDE / "scripts" / command[0], *command[1:], *changes], check=False,
+                              cwd=self.folder, env=dict(os.environ, PYTHONDONTWRITEBYTECODE="1"),
+                              capture_output=True, text=True, timeout=120)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        picture = image.imread(self.folder / command[command.index("-o") + 1])[..., :3]
+        self.assertGreater(picture.var(), 1e-3, "the picture is blank")
+        return done.stdout, picture
+
+    def test_deflected_shapes(self):
+        self.run_deck("planar_flight")
+        printed, picture = self.draw("deflected_shapes")
+        self.assertEqual(printed, "10 shapes, at time 0, 0.5, 1.125, 1.625, 2.25, 2.75, 3.375, 3.875, 4.5, 5\n")
+        for time in (0.0, 0.5, 0.9):
+            colour = np.array(colormaps["viridis"](time)[:3])
+            self.assertGreater((np.abs(picture - colour).max(axis=-1) < 0.03).sum(), 200, f"nothing at {time}")
+
+    def test_deflected_shapes_go_through_the_nodes_in_their_order(self):
+        path = self.run_deck("planar_flight", "rod.flyer.order=4", "rod.flyer.elements=3", "analysis.end_time=0.1")
+        script = runpy.run_path(str(GUIDE / "scripts" / "deflected_shapes.py"))
+        _, shapes, elements, _ = script["read_shapes"](path)
+        self.assertEqual([len(element) for element in elements], [5, 5, 5])
+        height = np.concatenate([shapes[0, element, 1] for element in elements])
+        np.testing.assert_allclose(height[[0, 5, 10, 14]], np.array([0, 1, 2, 3]) * 8 / 3, atol=1e-12)
+        self.assertGreaterEqual(np.diff(height).min(), 0.0)
+
+    def test_histories(self):
+        self.run_deck("right_angle")
+        printed, some = self.draw("histories")
+        self.assertEqual(printed, "drawn: tip/displacement tip/orientation clamp/reaction_moment\n")
+        self.assertEqual(some.shape[0], 3 * 288 - 1)
+        self.assertEqual(self.draw("histories", "--history", "tip/position")[1].shape[0], 288)
+
+    def test_energy(self):
+        results = self.run_deck("free_flight")
+        printed, _ = self.draw("energy")
+        with h5py.File(results) as file:
+            ledger = file["ledger"]
+            largest = np.max(ledger["kinetic_energy"][()] + ledger["strain_energy"][()])
+            error = np.max(abs(ledger["energy_error"][()])) / largest
+        self.assertEqual(printed, f"largest energy {largest:.6g}, largest error {error:.2g} of it\n")
+        self.assertLess(error, 0.01)
+
+    def test_spectrum_finds_the_frequency_of_a_cantilever(self):
+        # Euler and Bernoulli: the first root of cos(x) cosh(x) = -1.
+        height, length, E, density = 0.002, 0.5, 210e9, 7850.0
+        exact = 1.8751040687**2 / (2 * np.pi) * np.sqrt(E * height**2 / 12 / density) / length**2
+        adaptive = ("analysis.integrator=sdirk-4",
+                    "analysis.adaptive={ tolerance = 1e-4, min_step = 1e-5, max_step = 0.01 }")
+        for settings in ((), adaptive):
+            with self.subTest(settings):
+                results = self.run_deck("cantilever", *settings)
+                with h5py.File(results) as file:
+                    steps = np.diff(file["histories/time"][()])
+                self.assertEqual(np.ptp(steps) > 1e-4, bool(settings))
+                printed, _ = self.draw("spectrum")
+                found = float(re.match(r"dominant frequency (\S+), angular", printed).group(1))
+                self.assertAlmostEqual(found / exact, 1.0, delta=1e-3)
+
+
+if __name__ == "__main__":
+    unittest.main()
