@@ -49,7 +49,7 @@ class Run {
     bool start() {
         const EquilibriumReport report = analysis_->start();
         if (!report.converged()) {
-            fail(describe_failure(analysis_->explain(report)));
+            fail(analysis_->explain(report));
             return false;
         }
         record();
@@ -61,7 +61,7 @@ class Run {
         const SolverRow& row = analysis_->solver_row();
         summary_.rejected_steps += row.rejected_steps;
         if (!report.converged()) {
-            fail(describe_failure(analysis_->explain(report)));
+            fail(analysis_->explain(report));
             return false;
         }
         ++summary_.steps;
@@ -108,12 +108,17 @@ class Run {
         summary_.reason = reason;
     }
 
+    void fail(const Failure& failure) {
+        fail(describe_failure(failure));
+        summary_.reason_nodes = failure.nodes;
+    }
+
     void close() {
         {
             const PhaseTimer timer(output_seconds_);
             if (!last_framed_) file_.write_frame(analysis_->snapshot());
             if (summary_.status == RunStatus::running) summary_.status = RunStatus::complete;
-            file_.close(summary_.status, summary_.reason);
+            file_.close(summary_.status, summary_.reason, summary_.reason_nodes);
         }
         summary_.time = analysis_->state().time;
         summary_.phases = analysis_->seconds();

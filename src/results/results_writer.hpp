@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "model/deck_record.hpp"
@@ -52,7 +53,9 @@ class ResultsWriter {
     void record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
     void write_frame(const Snapshot& snapshot);
     void flush();
-    void close(const std::string& status, const std::string& reason);
+    void close(const std::string& status,
+               const std::string& reason,
+               std::span<const std::int64_t> reason_nodes);
 
   private:
     using Clock = std::chrono::steady_clock;

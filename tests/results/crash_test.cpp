@@ -180,7 +180,7 @@ TEST_CASE("Between any two system calls of its writer the file is whole", "[resu
             file.flush();
             step += count;
         }
-        file.close(RunStatus::complete, "end_time reached");
+        file.close(RunStatus::complete, "end_time reached", std::vector<std::int64_t>{2, 0, 1});
         return 0;
     });
 
