@@ -36,9 +36,9 @@ void check_names(const CheckedTable& deck, FaultList& faults) {
     }
 }
 
-Problem build_problem(const CheckedTable& deck, const std::filesystem::path& folder, FaultList& faults) {
+Problem build_problem(const CheckedTable& deck, const MeshFiles& files, FaultList& faults) {
     Problem problem;
-    const RodNets nets = read_rod_nets(deck, folder, faults, problem.record.meshes);
+    const RodNets nets = read_rod_nets(deck, files, faults, problem.record.meshes);
     const PointNames names(deck, points_of(nets));
     BuildContext context{deck, names, faults, problem.notes, problem.model};
     check_names(deck, faults);
@@ -73,6 +73,23 @@ std::string read_file(const std::filesystem::path& path) {
     return text.str();
 }
 
+Problem read_problem_with(const MeshFiles& files,
+                          std::string_view text,
+                          const std::string& file,
+                          const std::vector<std::string>& overrides) {
+    DeckNode tree = read_toml(text, file);
+    FaultList faults(file, overrides);
+    apply_overrides(overrides, tree, faults);
+    const CheckedTable deck = check_deck(tree, faults);
+    faults.throw_if_any();
+    Problem problem = build_problem(deck, files, faults);
+    faults.throw_if_any();
+    problem.record.name = std::filesystem::path(file).filename().string();
+    problem.record.text =
+        overrides.empty() ? std::string(text) : write_overridden_deck(problem.record.name, overrides, tree);
+    return problem;
+}
+
 }  // namespace
 
 Problem read_problem(const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
@@ -82,17 +99,11 @@ Problem read_problem(const std::filesystem::path& deck, const std::vector<std::s
 Problem read_problem_text(std::string_view text,
                           const std::string& file,
                           const std::vector<std::string>& overrides) {
-    DeckNode tree = read_toml(text, file);
-    FaultList faults(file, overrides);
-    apply_overrides(overrides, tree, faults);
-    const CheckedTable deck = check_deck(tree, faults);
-    faults.throw_if_any();
-    Problem problem = build_problem(deck, std::filesystem::path(file).parent_path(), faults);
-    faults.throw_if_any();
-    problem.record.name = std::filesystem::path(file).filename().string();
-    problem.record.text =
-        overrides.empty() ? std::string(text) : write_overridden_deck(problem.record.name, overrides, tree);
-    return problem;
+    return read_problem_with(MeshFiles(std::filesystem::path(file).parent_path()), text, file, overrides);
+}
+
+Problem rebuild_problem(const DeckRecord& record, const std::vector<std::string>& overrides) {
+    return read_problem_with(MeshFiles(record.meshes), record.text, record.name, overrides);
 }
 
 }  // namespace gxrod

@@ -25,9 +25,13 @@ struct Problem {
 // deck is wrong and FileError if it cannot be read.
 Problem read_problem(const std::filesystem::path& deck, const std::vector<std::string>& overrides = {});
 
-// The same for a text; `file` is what faults name.
+// The same for a text; `file` is what faults name, and meshes are relative to its folder.
 Problem read_problem_text(std::string_view text,
                           const std::string& file,
                           const std::vector<std::string>& overrides = {});
+
+// The problem that results came from, with the meshes that are kept with them. Throws DeckError if the deck
+// is not valid with this version or these overrides.
+Problem rebuild_problem(const DeckRecord& record, const std::vector<std::string>& overrides = {});
 
 }  // namespace gxrod

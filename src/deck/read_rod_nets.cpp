@@ -107,8 +107,8 @@ NetPoints find_points(const LineMesh& mesh, const RodNet& net) {
 
 class NetReader {
   public:
-    NetReader(const std::filesystem::path& folder, FaultList& faults, std::vector<MeshRecord>& records)
-        : folder_(folder), faults_(faults), records_(records) {}
+    NetReader(const MeshFiles& files, FaultList& faults, std::vector<MeshRecord>& records)
+        : files_(files), faults_(faults), records_(records) {}
 
     std::optional<NamedNet> read(const CheckedTable& table) {
         const LineMesh* mesh = find_mesh(table);
@@ -138,7 +138,7 @@ class NetReader {
     // Several rods may be groups of one file. nullptr if it cannot be read.
     const LineMesh* find_mesh(const CheckedTable& table) {
         const std::string& file = table.get<std::string>("file");
-        const std::filesystem::path path = folder_ / file;
+        const std::filesystem::path path = files_.find(file);
         auto found = meshes_.find(path);
         if (found == meshes_.end()) {
             std::optional<LineMesh> mesh;
@@ -153,7 +153,7 @@ class NetReader {
         return found->second ? &*found->second : nullptr;
     }
 
-    const std::filesystem::path& folder_;
+    const MeshFiles& files_;
     FaultList& faults_;
     std::vector<MeshRecord>& records_;
     std::map<std::filesystem::path, std::optional<LineMesh>> meshes_;
@@ -162,10 +162,10 @@ class NetReader {
 }  // namespace
 
 RodNets read_rod_nets(const CheckedTable& deck,
-                      const std::filesystem::path& folder,
+                      const MeshFiles& files,
                       FaultList& faults,
                       std::vector<MeshRecord>& records) {
-    NetReader reader(folder, faults, records);
+    NetReader reader(files, faults, records);
     RodNets nets;
     const std::vector<CheckedTable>& rods = deck.tables("rod");
     for (std::size_t i = 0; i < rods.size(); ++i) {

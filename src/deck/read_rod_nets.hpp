@@ -1,11 +1,11 @@
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
 
 #include "deck/checked_deck.hpp"
 #include "deck/fault_list.hpp"
+#include "deck/mesh/mesh_files.hpp"
 #include "deck/mesh/rod_net.hpp"
 #include "deck/point.hpp"
 #include "model/deck_record.hpp"
@@ -20,10 +20,10 @@ struct NamedNet {
 
 using RodNets = std::map<int, NamedNet>;  // by index in Model::rods
 
-// Reads the meshes of a deck, each once; their files are relative to `folder`. What is wrong goes to the
-// faults, and the rod has no entry. `records` gets the files' bytes.
+// Reads the meshes of a deck, each once, from where `files` has them. What is wrong goes to the faults, and
+// the rod has no entry. `records` gets the files' bytes.
 RodNets read_rod_nets(const CheckedTable& deck,
-                      const std::filesystem::path& folder,
+                      const MeshFiles& files,
                       FaultList& faults,
                       std::vector<MeshRecord>& records);
 

@@ -106,6 +106,15 @@ std::string Hdf5Reader::text(const std::string& name) const {
     });
 }
 
+std::string Hdf5Reader::bytes(const std::string& name) const {
+    const std::vector<hsize_t> extent = size(name);
+    std::string bytes(extent.empty() ? 1 : extent[0], '\0');
+    const Hdf5Handle dataset = open_dataset(name);
+    check_hdf5(H5Dread(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()),
+               "reading bytes");
+    return bytes;
+}
+
 std::string Hdf5Reader::text_attribute(const std::string& path, const std::string& name) const {
     const Hdf5Handle attribute(
         H5Aopen_by_name(file_.id(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),

@@ -22,6 +22,8 @@ class Hdf5Reader {
     // `count` rows from `first` on; all of them must be there.
     std::vector<double> rows(const std::string& dataset, hsize_t first, hsize_t count) const;
     std::string text(const std::string& dataset) const;
+    // Of a dataset of bytes.
+    std::string bytes(const std::string& dataset) const;
     // Attributes of the object at `path`.
     std::string text_attribute(const std::string& path, const std::string& name) const;
     long long integer_attribute(const std::string& path, const std::string& name) const;

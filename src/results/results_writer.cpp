@@ -36,8 +36,8 @@ AppendDataset<double> create_times(const Hdf5Handle& histories, const DeckRecord
 }
 
 // Each under its file's name; where two folders have files of one name, the later with a number before it.
-void write_meshes(const Hdf5Handle& root, const std::vector<MeshRecord>& meshes) {
-    const Hdf5Handle group = create_group(root, "meshes");
+void write_meshes(const Hdf5Handle& parent, const std::vector<MeshRecord>& meshes) {
+    const Hdf5Handle group = create_group(parent, "meshes");
     std::set<std::string> names;
     for (const MeshRecord& mesh : meshes) {
         const std::string file = std::filesystem::path(mesh.file).filename().string();
@@ -63,7 +63,7 @@ void write_provenance(const Hdf5Handle& root, const DeckRecord& deck) {
     write_attribute(root.id(), "reason_nodes", std::span<const std::int64_t>{});
     const Hdf5Handle group = create_group(root, "deck");
     write_dataset(group, {"text", "the deck as run", "none", ""}, deck.text);
-    if (!deck.meshes.empty()) write_meshes(root, deck.meshes);
+    if (!deck.meshes.empty()) write_meshes(group, deck.meshes);
 }
 
 }  // namespace

@@ -48,6 +48,24 @@ TEST_CASE("A group goes by its name or its number", "[deck][mesh]") {
     CHECK(read(mesh_deck("truss.geo", "\"22\"")).model.rods[0].element_count() == 2);
 }
 
+TEST_CASE("A problem is rebuilt from its record when the mesh is gone", "[deck][mesh]") {
+    std::optional<Problem> problem;
+    {
+        const ScratchFile file("net.geo", read_bytes(meshes + "truss.geo"));
+        problem = read(deck_of(file.path().string(), "\"truss\""));
+    }
+    REQUIRE(!std::filesystem::exists(problem->record.meshes.at(0).file));
+    const Problem rebuilt = rebuild_problem(problem->record);
+    CHECK(rebuilt.record.text == problem->record.text);
+    CHECK(rebuilt.record.meshes.at(0).file == problem->record.meshes[0].file);
+    CHECK(rebuilt.record.meshes[0].bytes == problem->record.meshes[0].bytes);
+    REQUIRE(rebuilt.model.nodes.size() == problem->model.nodes.size());
+    for (std::size_t i = 0; i < rebuilt.model.nodes.size(); ++i) {
+        CHECK(rebuilt.model.nodes[i].position == problem->model.nodes[i].position);
+    }
+    CHECK(rebuild_problem(problem->record, {"analysis.steps=7"}).record.text != problem->record.text);
+}
+
 TEST_CASE("Rods may be groups of one mesh, whose bytes are kept once", "[deck][mesh]") {
     const Problem problem =
         read(mesh_deck("truss.geo", "\"truss\"") + "[rod.q]\nsection = \"s\"\nmesh = { file = \"" + meshes +

@@ -7,6 +7,7 @@
 
 #include "model/file_error.hpp"
 #include "model/version.hpp"
+#include "results/deck_reading.hpp"
 #include "results/hdf5_reader.hpp"
 #include "results/sample.hpp"
 
@@ -81,6 +82,27 @@ TEST_CASE("The time of a static run is a load factor", "[results]") {
           "load factor at the end of each accepted step");
 }
 
+TEST_CASE("The deck and its meshes come back from a results file", "[results]") {
+    const sample::ScratchFolder folder;
+    DeckRecord deck = sample::make_deck();
+    deck.is_static = true;
+    deck.meshes = {{"meshes/a.geo", "Point(1) = {0, 0, 0};\n"}, {"other/a.geo", std::string("\0\xff", 2)}};
+    const Model model = sample::make_model();
+    ResultsFile({folder / "mesh"}, deck, model, sample::make_output()).close(RunStatus::complete, "");
+    const DeckRecord read = read_deck_record(Hdf5Reader(folder / "mesh"));
+    CHECK(read.name == deck.name);
+    CHECK(read.text == deck.text);
+    CHECK(read.title == deck.title);
+    CHECK(read.units == deck.units);
+    CHECK(read.is_static);
+    REQUIRE(read.meshes.size() == 2);
+    // By the names under which they are kept.
+    CHECK(read.meshes[0].file == "other/a.geo");
+    CHECK(read.meshes[0].bytes == deck.meshes[1].bytes);
+    CHECK(read.meshes[1].file == "meshes/a.geo");
+    CHECK(read.meshes[1].bytes == deck.meshes[0].bytes);
+}
+
 TEST_CASE("A results file has the meshes that its deck read", "[results]") {
     const sample::ScratchFolder folder;
     const Model model = sample::make_model();
@@ -94,13 +116,13 @@ TEST_CASE("A results file has the meshes that its deck read", "[results]") {
             text += static_cast<char>(static_cast<unsigned char>(value));
         return text;
     };
-    CHECK(bytes("/meshes/a.geo") == deck.meshes[0].bytes);
-    CHECK(bytes("/meshes/2_a.geo") == deck.meshes[1].bytes);
-    CHECK(file.text_attribute("/meshes/a.geo", "file") == "meshes/a.geo");
-    CHECK(file.text_attribute("/meshes/2_a.geo", "file") == "other/a.geo");
-    CHECK(file.text_attribute("/meshes/a.geo", "sha256") ==
+    CHECK(bytes("/deck/meshes/a.geo") == deck.meshes[0].bytes);
+    CHECK(bytes("/deck/meshes/2_a.geo") == deck.meshes[1].bytes);
+    CHECK(file.text_attribute("/deck/meshes/a.geo", "file") == "meshes/a.geo");
+    CHECK(file.text_attribute("/deck/meshes/2_a.geo", "file") == "other/a.geo");
+    CHECK(file.text_attribute("/deck/meshes/a.geo", "sha256") ==
           "b80970af57d56e58d800d0547d318c3300f82216d6360ae6a3e55d51bbc816ad");
-    CHECK(!file.text_attribute("/meshes/a.geo", "description").empty());
+    CHECK(!file.text_attribute("/deck/meshes/a.geo", "description").empty());
 }
 
 TEST_CASE("Every dataset of a results file is described", "[results]") {

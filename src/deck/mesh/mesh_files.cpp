@@ -1,0 +1,64 @@
+#include "deck/mesh/mesh_files.hpp"
+
+#include <stdlib.h>
+
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+#include "model/file_error.hpp"
+
+namespace gxrod {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path make_temporary_folder() {
+    std::string name = (fs::temp_directory_path() / "gxrod-mesh-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {
+        throw FileError(name, "cannot be made", std::generic_category().message(errno));
+    }
+    return name;
+}
+
+}  // namespace
+
+MeshFiles::MeshFiles(const std::vector<MeshRecord>& records) {
+    if (records.empty()) return;
+    folder_ = make_temporary_folder();
+    is_temporary_ = true;
+    try {
+        write(records);
+    } catch (...) {
+        remove();
+        throw;
+    }
+}
+
+MeshFiles::~MeshFiles() { remove(); }
+
+// Each in a folder of its own: two may have one name, and the name tells Gmsh the format.
+void MeshFiles::write(const std::vector<MeshRecord>& records) {
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        const fs::path path = folder_ / std::to_string(i) / fs::path(records[i].file).filename();
+        fs::create_directory(path.parent_path());
+        std::ofstream stream(path, std::ios::binary);
+        stream.write(records[i].bytes.data(), static_cast<std::streamsize>(records[i].bytes.size()));
+        stream.close();
+        if (!stream) throw FileError(path, "cannot be written", std::generic_category().message(errno));
+        kept_[records[i].file] = path;
+    }
+}
+
+void MeshFiles::remove() {
+    std::error_code ignored;
+    if (is_temporary_) fs::remove_all(folder_, ignored);
+}
+
+fs::path MeshFiles::find(const std::string& file) const {
+    const auto found = kept_.find(file);
+    return found == kept_.end() ? folder_ / file : found->second;
+}
+
+}  // namespace gxrod

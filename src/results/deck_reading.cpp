@@ -1,0 +1,20 @@
+#include "results/deck_reading.hpp"
+
+namespace gxrod {
+
+DeckRecord read_deck_record(const Hdf5Reader& file) {
+    DeckRecord record;
+    record.name = file.text_attribute("/", "deck_name");
+    record.text = file.text("/deck/text");
+    record.title = file.text_attribute("/", "title");
+    record.units = file.text_attribute("/", "units");
+    record.is_static = file.text_attribute("/", "analysis") == "static";
+    if (!file.has("/deck/meshes")) return record;
+    for (const std::string& name : file.members("/deck/meshes")) {
+        const std::string path = "/deck/meshes/" + name;
+        record.meshes.push_back({file.text_attribute(path, "file"), file.bytes(path)});
+    }
+    return record;
+}
+
+}  // namespace gxrod
