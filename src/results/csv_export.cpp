@@ -8,14 +8,13 @@
 #include <system_error>
 
 #include "model/file_error.hpp"
-#include "results/hdf5_reader.hpp"
+#include "results/read_results.hpp"
 
 namespace gxrod {
 
 namespace {
 
 constexpr hsize_t most_rows_at_once = 4096;
-constexpr int most_attempts = 20;
 
 // One dataset of a group, which makes one or more columns.
 struct Column {
@@ -86,18 +85,6 @@ void write_table(const Hdf5Reader& file, const std::string& group, const std::fi
     if (!out) throw FileError(path, "cannot be written", std::generic_category().message(errno));
 }
 
-Hdf5Reader open_results(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) throw FileError(path, "there is no such file");
-    if (std::filesystem::is_directory(path, ignored))
-        throw FileError(path, "is a folder, not a results file");
-    Hdf5Reader file(path);
-    if (!file.has_attribute("/", "gxrod_version") || !file.has("/histories/time") || !file.has("/ledger")) {
-        throw FileError(path, "is not a results file of gxrod");
-    }
-    return file;
-}
-
 struct Table {
     std::string group;
     std::filesystem::path path;
@@ -123,29 +110,20 @@ void check_absent(const std::vector<Table>& tables) {
 std::vector<std::filesystem::path> export_csv(const std::filesystem::path& results,
                                               const std::filesystem::path& folder,
                                               Existing existing) {
-    std::error_code error;
-    // A job that writes the file meanwhile moves what the library remembers of it: then it is opened anew.
-    for (int attempt = 1;; ++attempt) {
-        try {
-            const Hdf5Reader file = open_results(results);
-            std::filesystem::create_directories(folder, error);
-            if (error) throw FileError(folder, "cannot be made", error.message());
-            const std::vector<Table> tables = list_tables(file, folder);
-            if (existing == Existing::refuse) check_absent(tables);
-            existing = Existing::replace;  // what a further attempt finds is ours
-            std::vector<std::filesystem::path> written;
-            for (const Table& table : tables) {
-                write_table(file, table.group, table.path);
-                written.push_back(table.path);
-            }
-            return written;
-        } catch (const FileError&) {
-            throw;
-        } catch (const std::runtime_error& fault) {
-            if (attempt < most_attempts) continue;
-            throw FileError(results, "cannot be read as results of gxrod", fault.what());
+    return read_results(results, [&](const Hdf5Reader& file) {
+        std::error_code error;
+        std::filesystem::create_directories(folder, error);
+        if (error) throw FileError(folder, "cannot be made", error.message());
+        const std::vector<Table> tables = list_tables(file, folder);
+        if (existing == Existing::refuse) check_absent(tables);
+        existing = Existing::replace;  // what a further attempt finds is ours
+        std::vector<std::filesystem::path> written;
+        for (const Table& table : tables) {
+            write_table(file, table.group, table.path);
+            written.push_back(table.path);
         }
-    }
+        return written;
+    });
 }
 
 }  // namespace gxrod
