@@ -19,7 +19,8 @@ nlohmann::ordered_json describe_bodies(const Model& model, const NodeNumbers& nu
 // At most `most` supports: name of the node, node, axes (quaternion w x y z), fixed and moved components.
 nlohmann::ordered_json describe_supports(const Model& model, const NodeNumbers& number, std::size_t most);
 
-// Tables of the model and of the analysis for a reader: [{title, columns, rows}], cells are texts.
+// Tables of the model and of the analysis for a reader: [{title, columns, rows}], cells are texts and
+// numbers.
 nlohmann::ordered_json describe_tables(const Problem& problem);
 
 // Unknowns of the system of equations: six a node less those that supports hold.

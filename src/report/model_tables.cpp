@@ -12,8 +12,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-std::string number(double value) { return fmt::format("{:.6g}", value); }
-
 std::string vector(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]); }
 
 bool is_diagonal(const Mat6& matrix) { return matrix.isDiagonal(1e-12); }
@@ -25,9 +23,9 @@ Json describe_sections(const Model& model) {
         const bool is_coupled = !is_diagonal(section.stiffness) || !is_diagonal(section.mass);
         has_coupling = has_coupling || is_coupled;
         Json row{section.name + (is_coupled ? " *" : "")};
-        for (int i = 0; i < 6; ++i) row.push_back(number(section.stiffness(i, i)));
-        row.push_back(number(section.mass(0, 0)));
-        for (int i = 3; i < 6; ++i) row.push_back(number(section.mass(i, i)));
+        for (int i = 0; i < 6; ++i) row.push_back(section.stiffness(i, i));
+        row.push_back(section.mass(0, 0));
+        for (int i = 3; i < 6; ++i) row.push_back(section.mass(i, i));
         rows.push_back(row);
     }
     const char* note = has_coupling ? "* has couplings beside this diagonal: see the deck" : "";
@@ -43,9 +41,9 @@ Json describe_rods(const Model& model) {
         rows.push_back({rod.name,
                         model.sections[rod.section].name,
                         word_of(element_kind_choices, rod.kind),
-                        std::to_string(rod.element_count()),
-                        std::to_string(rod.order),
-                        number(rod.length)});
+                        rod.element_count(),
+                        rod.order,
+                        rod.length});
     }
     return {{"title", "Rods"},
             {"columns", {"", "section", "element", "elements", "order", "length"}},
@@ -58,7 +56,7 @@ Json describe_body_table(const Model& model) {
         const Eigen::SelfAdjointEigenSolver<Mat3> principal(body.inertia, Eigen::EigenvaluesOnly);
         rows.push_back({body.name,
                         model.nodes[body.node].name,
-                        number(body.mass),
+                        body.mass,
                         vector(principal.eigenvalues()),
                         vector(body.centre_of_mass)});
     }
@@ -93,21 +91,21 @@ Json describe_support_table(const Model& model) {
 Json describe_analysis(const AnalysisSettings& analysis) {
     Json rows = Json::array();
     const auto add_newton = [&](const NewtonSettings& newton) {
-        rows.push_back({"Newton's tolerance", number(newton.tolerance)});
-        rows.push_back({"most iterations", std::to_string(newton.max_iterations)});
+        rows.push_back({"Newton's tolerance", newton.tolerance});
+        rows.push_back({"most iterations", newton.max_iterations});
     };
     if (const auto* dynamic = std::get_if<DynamicSettings>(&analysis)) {
         rows.push_back({"integrator", word_of(scheme_choices, dynamic->scheme)});
-        rows.push_back({"end time", number(dynamic->end_time)});
+        rows.push_back({"end time", dynamic->end_time});
         if (dynamic->steps > 0) {
             const double step = dynamic->end_time / static_cast<double>(dynamic->steps);
-            rows.push_back({dynamic->adaptive ? "first step" : "time step", number(step)});
+            rows.push_back({dynamic->adaptive ? "first step" : "time step", step});
         }
-        if (dynamic->adaptive) rows.push_back({"tolerance of a step", number(dynamic->adaptive->tolerance)});
+        if (dynamic->adaptive) rows.push_back({"tolerance of a step", dynamic->adaptive->tolerance});
         add_newton(dynamic->newton);
     } else {
         const auto& settings = std::get<StaticSettings>(analysis);
-        rows.push_back({"load steps", std::to_string(settings.steps)});
+        rows.push_back({"load steps", settings.steps});
         add_newton(settings.newton);
     }
     return {{"title", "Analysis"}, {"columns", Json::array()}, {"rows", rows}};

@@ -19,7 +19,7 @@ struct StepChart {
     std::string frame;
     struct Source {
         std::string dataset;
-        std::vector<std::string> labels;  // of its columns; of a vector also "size", its length
+        std::vector<std::string> labels;  // of its columns; of a vector also its magnitude
         std::size_t width = 1;            // columns in the file
     };
     std::vector<Source> sources;

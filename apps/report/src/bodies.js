@@ -5,6 +5,7 @@ import {
 import { makeArrow } from "./arrows.js";
 import { axisColours } from "./theme.js";
 
+const mostPaths = 100;
 const axes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
 const toQuaternion = ([w, x, y, z]) => new Quaternion(x, y, z, w);
 
@@ -16,7 +17,7 @@ export class Bodies {
     this.group = new Group();
     this.paths = new Group();
     this.bodies = data.info.bodies.map((body) => this.makeBody(body, size));
-    this.trace(data.times.length);
+    this.lines = this.bodies.slice(0, mostPaths).map(() => this.makePath(data.times.length));
   }
 
   makeBody(body, size) {
@@ -36,7 +37,7 @@ export class Bodies {
       group.add(part);
     }
     axes.forEach((axis, i) => {
-      const arrow = makeArrow(axisColours[i], 1.8 * Math.max(...sides) * 0.5 + 0.02 * size, 0.0022 * size);
+      const arrow = makeArrow(axisColours[i], 0.9 * Math.max(...sides) + 0.02 * size, 0.0018 * size + 0.006 * Math.max(...sides));
       arrow.position.copy(centre);
       arrow.quaternion.setFromUnitVectors(axes[2], axis);
       group.add(arrow);
@@ -50,7 +51,7 @@ export class Bodies {
   }
 
   surface() {
-    this.material = this.material ?? new MeshStandardMaterial({ roughness: 0.6, transparent: true, opacity: 0.85 });
+    this.material = this.material ?? new MeshStandardMaterial({ roughness: 0.6, polygonOffset: true, polygonOffsetFactor: 1 });
     return this.material;
   }
 
@@ -66,11 +67,22 @@ export class Bodies {
     quaternion.set(x, y, z, w).multiply(body.attitude);
   }
 
+  makePath(frames) {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(new Float32Array(3 * frames), 3));
+    const line = new Line(geometry, new LineBasicMaterial({ transparent: true, opacity: 0.9 }));
+    line.frustumCulled = false;
+    this.paths.add(line);
+    return line;
+  }
+
   // The path of each centre of mass over all frames; of a body that turns on the spot, that of its z axis.
-  trace(frames) {
+  trace() {
+    const { frames } = this.motion;
     const quaternion = new Quaternion();
     const node = new Vector3();
-    this.lines = this.bodies.slice(0, 100).map((body) => {
+    this.lines.forEach((line, i) => {
+      const body = this.bodies[i];
       const centres = new Float32Array(3 * frames);
       const tips = new Float32Array(3 * frames);
       const tip = new Vector3(0, 0, 0.9 * body.reach).add(body.centre);
@@ -80,17 +92,30 @@ export class Bodies {
         body.centre.clone().applyQuaternion(quaternion).add(node).toArray(centres, 3 * frame);
         tip.clone().applyQuaternion(quaternion).add(node).toArray(tips, 3 * frame);
       }
-      const geometry = new BufferGeometry();
-      geometry.setAttribute("position", new BufferAttribute(extent(centres) > 0.02 * body.reach ? centres : tips, 3));
-      const line = new Line(geometry, new LineBasicMaterial({ transparent: true, opacity: 0.9 }));
-      line.frustumCulled = false;
-      this.paths.add(line);
-      return line;
+      line.geometry.attributes.position.copyArray(extent(centres) > 0.02 * body.reach ? centres : tips);
+      line.geometry.attributes.position.needsUpdate = true;
     });
   }
 
   showPathsUpTo(frame) {
     for (const line of this.lines) line.geometry.setDrawRange(0, frame + 1);
+  }
+
+  // Corners of a box around all paths and the bodies along them.
+  bounds() {
+    const least = [Infinity, Infinity, Infinity];
+    const largest = [-Infinity, -Infinity, -Infinity];
+    this.lines.forEach((line, body) => {
+      const { array } = line.geometry.attributes.position;
+      const room = 0.75 * this.bodies[body].reach;
+      const include = (x, i) => {
+        least[i % 3] = Math.min(least[i % 3], x - room);
+        largest[i % 3] = Math.max(largest[i % 3], x + room);
+      };
+      array.forEach(include);
+      this.bodies[body].group.position.toArray().forEach(include);
+    });
+    return [least, largest];
   }
 
   setColours(theme) {

@@ -35,7 +35,7 @@ export class Chart {
   makeKey(label, i) {
     const key = make("button", { className: "key", type: "button" }, make("i"), inWords(label), this.values[i]);
     key.style.setProperty("--series", `var(--series-${(i % 4) + 1})`);
-    const isHidden = label === "size" && hidesSize(this.chart.title);
+    const isHidden = (label === "magnitude" && hidesMagnitude(this.chart.title)) || this.isNothing(i);
     key.setAttribute("aria-pressed", String(!isHidden));
     key.addEventListener("click", () => {
       const isShown = key.getAttribute("aria-pressed") !== "true";
@@ -43,6 +43,12 @@ export class Chart {
       this.plot?.setSeries(i + 1, { show: isShown });
     });
     return key;
+  }
+
+  // Whether a column beside others is zero throughout.
+  isNothing(i) {
+    const { columns, group } = this.chart;
+    return columns.length > 1 && group !== "history" && columns[i].every((value) => value === 0);
   }
 
   // Made when it is first seen.
@@ -73,6 +79,7 @@ export class Chart {
       height,
       legend: { show: false },
       cursor: { show: false },
+      pxAlign: 0,
       padding: [10, 10, 0, 0],
       scales: { x: { time: false, range: (plot, least, largest) => widen(least, largest) }, y: { range: rangeOf } },
       axes: [
@@ -85,8 +92,8 @@ export class Chart {
           label,
           show: this.keys[i].getAttribute("aria-pressed") === "true",
           stroke: () => theme().series[i % 4],
-          width: label === "size" ? 1 : 1.5,
-          dash: label === "size" ? [5, 4] : undefined,
+          width: label === "magnitude" ? 1 : 1.5,
+          dash: label === "magnitude" ? [5, 4] : undefined,
           points: { show: this.times.length < 40, size: 5 },
         })),
       ],
@@ -123,7 +130,7 @@ export class Chart {
   }
 }
 
-const hidesSize = (title) => /position|orientation|quaternion|centre_of_mass/.test(title);
+const hidesMagnitude = (title) => /position|orientation|quaternion|centre_of_mass/.test(title);
 
 function widen(least, largest) {
   return least < largest ? [least, largest] : [least - 0.5, largest + 0.5];

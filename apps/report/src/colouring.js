@@ -32,7 +32,7 @@ export function bindColouring(data, picture) {
   const listComponents = () => {
     const names = componentNames[quantity.value] ?? ["x", "y", "z"];
     component.replaceChildren(
-      make("option", { value: "3" }, "size"),
+      make("option", { value: "3" }, "magnitude"),
       ...names.map((name, i) => make("option", { value: String(i) }, name)),
     );
     component.hidden = quantity.value === "";

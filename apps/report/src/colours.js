@@ -22,11 +22,11 @@ function makeMap(colourAt) {
 }
 
 // From dark violet over blue and green to light yellow.
-const sequential = makeMap((x) => [0.34 + 0.56 * x, 0.13 + 0.05 * Math.sin(Math.PI * x) - 0.01 * x, 300 - 195 * x]);
+const sequential = makeMap((x) => [0.34 + 0.56 * x, 0.14 - 0.04 * Math.sin(Math.PI * x), 300 - 195 * x]);
 // Blue below zero, grey at zero, orange above.
 const diverging = makeMap((x) => {
   const side = Math.abs(2 * x - 1);
-  return [0.86 - 0.36 * side, 0.16 * side, x < 0.5 ? 255 : 45];
+  return [0.88 - 0.36 * side, 0.14 * side, x < 0.5 ? 255 : 45];
 });
 
 // How numbers from least to largest become colours; those of both signs get zero in the middle.

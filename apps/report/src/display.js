@@ -11,6 +11,7 @@ export function bindDisplay(data, picture, clock) {
     ["show-loads", [parts.loads.group], parts.loads.arrows.length > 0],
     ["show-bodies", [parts.bodies.group, parts.bodies.paths], parts.bodies.bodies.length > 0],
     ["show-reference", [reference], data.offsets.length > 1],
+    ["show-shapes", [picture.shapes], data.offsets.length > 1 && data.times.length > 1],
     ["show-grid", [grid], true],
   ];
   for (const [id, groups, isThere] of toggles) {

@@ -5,7 +5,7 @@ export function formatNumber(value, digits = 4) {
   if (!Number.isFinite(value)) return "–";
   if (value === 0) return "0";
   const size = Math.abs(value);
-  if (size >= 1e-3 && size < 1e6) return withMinus(String(Number(value.toPrecision(digits))));
+  if (size >= 1e-3 && size < 1e7) return withMinus(String(Number(value.toPrecision(digits))));
   const [mantissa, exponent] = value.toExponential(digits - 1).split("e");
   const power = String(Number(exponent)).replace(/[-0-9]/g, (c) => superscripts[c]);
   return withMinus(`${Number(mantissa)}·10${power}`);

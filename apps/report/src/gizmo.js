@@ -1,4 +1,4 @@
-import { AmbientLight, CanvasTexture, PerspectiveCamera, Scene, Sprite, SpriteMaterial, Vector3 } from "three";
+import { AmbientLight, CanvasTexture, PerspectiveCamera, Scene, SRGBColorSpace, Sprite, SpriteMaterial, Vector3 } from "three";
 import { makeArrow } from "./arrows.js";
 import { axisColours } from "./theme.js";
 
@@ -14,7 +14,7 @@ export class Gizmo {
     axes.forEach((axis, i) => {
       const arrow = makeArrow(axisColours[i], 1, 0.045);
       arrow.quaternion.setFromUnitVectors(axes[2], axis);
-      const label = new Sprite(new SpriteMaterial({ map: new CanvasTexture(drawLetter("xyz"[i], axisColours[i])) }));
+      const label = new Sprite(new SpriteMaterial({ map: drawLetter("xyz"[i], axisColours[i]) }));
       label.position.copy(axis).multiplyScalar(1.28);
       label.scale.setScalar(0.5);
       this.scene.add(arrow, label);
@@ -41,5 +41,7 @@ function drawLetter(letter, colour) {
   pen.textBaseline = "middle";
   pen.fillStyle = colour;
   pen.fillText(letter, 32, 32);
-  return canvas;
+  const texture = new CanvasTexture(canvas);
+  texture.colorSpace = SRGBColorSpace;
+  return texture;
 }

@@ -33,7 +33,7 @@ export class Motion {
     }
   }
 
-  // Component (0, 1, 2) or size (3) of a quantity, for each node or cell, into `out`.
+  // Component (0, 1, 2) or magnitude (3) of a quantity, for each node or cell, into `out`.
   sample(quantity, component, out) {
     const count = out.length;
     const following = Math.min(this.frame + 1, this.frames - 1);
@@ -69,7 +69,7 @@ export function componentOf(values, at, component) {
   return Math.hypot(values[at], values[at + 1], values[at + 2]);
 }
 
-// [least, largest] of a component or of the size over all frames.
+// [least, largest] of a component or of the magnitude over all frames.
 export function rangeOf(quantity, component) {
   let least = Infinity;
   let largest = -Infinity;

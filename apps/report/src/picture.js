@@ -1,6 +1,8 @@
-import { BufferGeometry, Float32BufferAttribute, GridHelper, Group, LineBasicMaterial, LineSegments } from "three";
+import { Group } from "three";
 import { Bodies } from "./bodies.js";
+import { makeReference, makeShapes } from "./centrelines.js";
 import { ColourScale } from "./colours.js";
+import { makeGrid } from "./grid.js";
 import { rangeOf } from "./motion.js";
 import { FailMarks, Loads, Supports } from "./symbols.js";
 import { Stage } from "./stage.js";
@@ -22,13 +24,14 @@ export class Picture {
     };
     const { rods, bodies, ...marks } = this.parts;
     this.reference = makeReference(data);
+    this.shapes = new Group();
     this.grid = new Group();
-    this.stage.scene.add(rods.mesh, bodies.group, bodies.paths, this.reference, this.grid);
+    this.stage.scene.add(rods.mesh, bodies.group, bodies.paths, this.reference, this.shapes, this.grid);
     this.stage.scene.add(...Object.values(marks).map((mark) => mark.group));
     this.updateBox();
   }
 
-  // Colours the rods by a component (3: the size) of a quantity, or plainly. Returns the scale, if any.
+  // Colours the rods by a component (3: the magnitude) of a quantity, or plainly. Returns the scale, if any.
   colourBy(name, component) {
     this.quantity = this.data.quantities[name];
     this.component = component;
@@ -52,19 +55,27 @@ export class Picture {
     this.paint();
   }
 
+  // What depends on all frames; then the picture is that of the first.
   updateBox() {
+    this.parts.bodies.trace();
+    replaceIn(this.shapes, makeShapes(this.data, this.motion));
+    this.move(0);
     this.stage.setBox(this.boxOfAll());
-    this.placeGrid();
+    const { lines, step } = makeGrid(this.stage.box);
+    this.gridStep = step;
+    replaceIn(this.grid, lines);
+    if (this.theme) this.colourLines();
   }
 
   // Of all frames, bodies and thickness included.
   boxOfAll() {
     const [least, largest] = this.motion.bounds();
     const margin = 0.03 * this.size;
-    const bodies = this.parts.bodies.bodies;
-    const reach = Math.max(0, ...bodies.map((body) => body.centre.length() + 0.8 * body.reach));
-    const room = Math.max(margin, reach);
-    return [least.map((x) => x - room), largest.map((x) => x + room)];
+    const paths = this.parts.bodies.bounds();
+    return [
+      least.map((x, i) => Math.min(x - margin, paths[0][i])),
+      largest.map((x, i) => Math.max(x + margin, paths[1][i])),
+    ];
   }
 
   // Along the shortest side of what is flat, else from above and beside.
@@ -76,36 +87,31 @@ export class Picture {
     if (!isBodyAlone && flat[2]) this.stage.look([0, 0, -1], [0, 1, 0]);
     else if (!isBodyAlone && flat[1]) this.stage.look([0, 1, 0], [0, 0, 1]);
     else if (!isBodyAlone && flat[0]) this.stage.look([-1, 0, 0], [0, 0, 1]);
-    else this.stage.look([-0.62, 1, -0.55], [0, 0, 1]);
-  }
-
-  // Below all that moves, in a step of 1, 2 or 5.
-  placeGrid() {
-    const [least, largest] = [this.stage.box[0], this.stage.box[1]];
-    const span = Math.max(largest.x - least.x, largest.y - least.y, 1e-30);
-    const power = 10 ** Math.floor(Math.log10(span / 4));
-    this.gridStep = power * [1, 2, 5, 10].find((step) => step * power >= span / 8);
-    const count = 2 * Math.ceil((0.6 * span) / this.gridStep);
-    const grid = new GridHelper(count * this.gridStep, count);
-    grid.material.transparent = true;
-    grid.material.opacity = 0.55;
-    grid.material.vertexColors = false;
-    grid.rotation.x = Math.PI / 2;
-    const snap = (x) => Math.round(x / this.gridStep) * this.gridStep;
-    grid.position.set(snap(this.stage.centre.x), snap(this.stage.centre.y), least.z);
-    this.grid.clear();
-    this.grid.add(grid);
-    if (this.theme) grid.material.color.set(this.theme.line);
+    else this.stage.look(sides[0] >= sides[1] ? [-0.38, 1, -0.42] : [-1, -0.38, -0.42], [0, 0, 1]);
   }
 
   setColours(theme) {
     this.theme = theme;
     this.parts.rods.plain.set(theme.rod);
     this.parts.bodies.setColours(theme);
-    this.reference.material.color.set(theme.muted);
-    for (const grid of this.grid.children) grid.material.color.set(theme.line);
+    this.colourLines();
     this.paint();
   }
+
+  colourLines() {
+    this.reference.material.color.set(this.theme.ink);
+    for (const lines of this.shapes.children) lines.material.color.set(this.theme.muted);
+    for (const grid of this.grid.children) grid.material.color.set(this.theme.line);
+  }
+}
+
+function replaceIn(group, lines) {
+  for (const child of group.children) {
+    child.geometry.dispose();
+    child.material.dispose();
+  }
+  group.clear();
+  group.add(lines);
 }
 
 // The largest side of what the nodes pass through and, of bodies that turn on the spot, of themselves.
@@ -114,19 +120,4 @@ function measure(data, motion) {
   const path = Math.hypot(...least.map((x, i) => largest[i] - x));
   const bodies = data.info.bodies.map((body) => 2.5 * (Math.max(...body.half_sizes) + Math.hypot(...body.centre)));
   return Math.max(path, ...bodies) || 1;
-}
-
-// The centreline at t = 0.
-function makeReference(data) {
-  const { connectivity, offsets, reference } = data;
-  const points = [];
-  for (let cell = 0; cell + 1 < offsets.length; cell++) {
-    const [start, end, ...between] = connectivity.subarray(offsets[cell], offsets[cell + 1]);
-    const line = [start, ...between, end];
-    for (let i = 0; i + 1 < line.length; i++) {
-      for (const node of [line[i], line[i + 1]]) points.push(...reference.subarray(3 * node, 3 * node + 3));
-    }
-  }
-  const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(points, 3));
-  return new LineSegments(geometry, new LineBasicMaterial({ transparent: true, opacity: 0.7 }));
 }

@@ -13,6 +13,7 @@ export class Stage {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableDamping = false;
     this.controls.addEventListener("change", () => this.draw());
+    this.controls.addEventListener("start", () => (this.isOwnView = true));
     this.gizmo = new Gizmo();
     this.addLights();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
@@ -35,7 +36,7 @@ export class Stage {
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
-    if (!this.hasBeenMoved && this.box) this.fit();
+    if (!this.isOwnView && this.box) this.fit();
     this.draw();
   }
 
@@ -47,6 +48,7 @@ export class Stage {
 
   // Looks along a direction, with another pointing up, so that the whole box is seen.
   look(direction, up) {
+    this.isOwnView = false;
     this.camera.up.set(...up);
     this.direction = new Vector3(...direction).normalize();
     this.fit();

@@ -15,13 +15,15 @@ export function showHeader(info) {
   find("warnings").append(...info.warnings.map((warning) => make("p", { className: "warning" }, warning)));
 }
 
+const inTable = (cell) => (typeof cell === "number" ? formatNumber(cell, 6) : cell);
+
 function makeTable({ title, columns, rows, note }) {
   const table = make("table", {});
   if (columns.length > 0) {
     table.append(make("thead", {}, make("tr", {}, ...columns.map((name) => make("th", { scope: "col" }, name)))));
   }
   const body = rows.map(([first, ...others]) =>
-    make("tr", {}, make("th", { scope: "row" }, first), ...others.map((text) => make("td", {}, text))),
+    make("tr", {}, make("th", { scope: "row" }, first), ...others.map((cell) => make("td", {}, inTable(cell)))),
   );
   table.append(make("tbody", {}, ...body));
   return make(
@@ -62,7 +64,8 @@ export function showAbout(data, picture) {
   const drawing = [
     "Rods are ellipses with semi-axes 2√(EIz/EA) along section y and 2√(EIy/EA) along z, within limits so that thin rods are seen and thick ones stay slender. The dark stripe is on the side of section y.",
     "Bodies are cuboids of the same mass and inertia; the line behind one is the path of its centre of mass or, if that rests, of its z axis. Axes x, y, z are red, green, blue.",
-    "Grey blocks hold a node altogether; grey cones hold a displacement, rings a rotation; violet ones move it as prescribed.",
+    "Supports: a block holds a node altogether, a ball lets it turn, a cylinder is a hinge about its axis; else each cone holds a displacement and each ring a rotation. Violet ones move as prescribed.",
+    "Thin lines are the shape at t = 0 and, fainter, shapes at other times.",
     "Orange arrows are forces, magenta ones with two heads moments, as long as their present value beside the largest.",
     ...(picture ? [`A square of the grid is ${formatNumber(picture.gridStep)} wide.`] : []),
   ];

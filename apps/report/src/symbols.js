@@ -1,12 +1,16 @@
-import { BoxGeometry, CanvasTexture, ConeGeometry, Group, Mesh, Sprite, SpriteMaterial, TorusGeometry, Vector3 } from "three";
+import {
+  BoxGeometry, CanvasTexture, ConeGeometry, CylinderGeometry, Group, Mesh, SphereGeometry, Sprite, SpriteMaterial,
+  SRGBColorSpace, TorusGeometry, Vector3,
+} from "three";
 import { makeArrow, materialOf, setLength } from "./arrows.js";
 import { symbolColours } from "./theme.js";
 
 const z = new Vector3(0, 0, 1);
 const axes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), z];
 
-// What holds a node: a block where nothing can move, else a cone for each displacement and a ring for each rotation held,
-// in the support's own axes; those that move as prescribed in another colour.
+// What holds a node: a block where nothing can move, a ball where it can turn, a cylinder along the axis of a hinge; else a
+// cone for each displacement and a ring for each rotation held, in the support's own axes. What moves as prescribed has
+// another colour.
 export class Supports {
   constructor(data, motion, size) {
     this.motion = motion;
@@ -28,8 +32,9 @@ function makeSupport(support, size) {
   const mark = new Group();
   const [w, x, y, zz] = support.axes;
   mark.quaternion.set(x, y, zz, w);
-  if (support.fixed.every(Boolean)) {
-    mark.add(new Mesh(new BoxGeometry(2 * size, 2 * size, 2 * size), materialOf(symbolColours.support)));
+  const whole = wholeSymbol(support, size);
+  if (whole) {
+    mark.add(whole);
     return mark;
   }
   const cone = new ConeGeometry(0.6 * size, 1.6 * size, 20).rotateX(Math.PI / 2).translate(0, 0, -0.8 * size);
@@ -42,6 +47,19 @@ function makeSupport(support, size) {
     mark.add(part);
   }
   return mark;
+}
+
+// Of a support that fixes the position: block, ball or hinge; null of others.
+function wholeSymbol({ fixed, moved }, size) {
+  if (moved.some(Boolean) || !fixed.slice(0, 3).every(Boolean)) return null;
+  const turns = [3, 4, 5].filter((i) => !fixed[i]);
+  const material = materialOf(symbolColours.support);
+  if (turns.length === 0) return new Mesh(new BoxGeometry(2 * size, 2 * size, 2 * size), material);
+  if (turns.length === 3) return new Mesh(new SphereGeometry(0.9 * size, 32, 24), material);
+  if (turns.length !== 1) return null;
+  const hinge = new Mesh(new CylinderGeometry(0.7 * size, 0.7 * size, 2.6 * size, 32).rotateX(Math.PI / 2), material);
+  hinge.quaternion.setFromUnitVectors(z, axes[turns[0] - 3]);
+  return hinge;
 }
 
 // Forces as arrows, moments as arrows with two heads, each as long as its present value beside the largest of its kind
@@ -99,7 +117,7 @@ export class FailMarks {
   constructor(data, motion, size) {
     this.motion = motion;
     this.group = new Group();
-    const material = new SpriteMaterial({ map: new CanvasTexture(drawRing()), depthTest: false, transparent: true });
+    const material = new SpriteMaterial({ map: drawRing(), depthTest: false, transparent: true });
     this.marks = data.info.fail_nodes.map((node, i) => {
       const mark = new Sprite(material);
       mark.scale.setScalar((i === 0 ? 0.1 : 0.07) * size);
@@ -124,6 +142,8 @@ function drawRing() {
   pen.beginPath();
   pen.arc(64, 64, 54, 0, 2 * Math.PI);
   pen.stroke();
-  return canvas;
+  const texture = new CanvasTexture(canvas);
+  texture.colorSpace = SRGBColorSpace;
+  return texture;
 }
 
