@@ -1,28 +1,23 @@
 #include "report/report_plan.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <stdexcept>
 
 #include "report/base64.hpp"
+#include "report/left_out.hpp"
 
 namespace gxrod {
 
 namespace {
 
 constexpr std::size_t most_cells = 30000;     // more do not turn smoothly
-constexpr std::size_t enough_cells = 2000;    // fewer show what was left out
+constexpr std::size_t enough_cells = 1500;    // fewer show what was left out
 constexpr std::size_t enough_frames = 50;     // fewer are no film
 constexpr double least_share_of_steps = 0.3;  // of the bytes, if there are so many steps
 constexpr std::size_t block_bytes = 3;        // of padding, at most, a block of data
 constexpr std::size_t vector_bytes = 3 * sizeof(float);
 
-// All, and which of them are left where there is no room for all.
-struct Quantities {
-    std::vector<std::string> node_data, cell_data;
-};
-
+// All, or which of them are left where there is no room for all.
 Quantities quantities_at(int level, bool is_static) {
     Quantities quantities{{"displacement", "rotation_vector"}, {}};
     if (level == 0 && !is_static) {
@@ -31,10 +26,6 @@ Quantities quantities_at(int level, bool is_static) {
     if (level <= 1) quantities.cell_data = {"force", "moment"};
     if (level == 0) quantities.cell_data.insert(quantities.cell_data.end(), {"strain", "curvature"});
     return quantities;
-}
-
-std::size_t frames_kept(std::size_t frames, std::size_t stride) {
-    return frames < 2 ? frames : (frames - 2) / stride + 2;
 }
 
 // The smallest stride that keeps at most `most` frames, two at least.
@@ -87,7 +78,7 @@ class Planner {
     ReportPlan plan() {
         choose_steps();
         choose_cells_and_frames();
-        describe();
+        plan_.left_out = list_left_out(plan_, quantities_at(0, content_.is_static), content_, is_sampled_);
         return plan_;
     }
 
@@ -153,55 +144,6 @@ class Planner {
         throw std::length_error("not even two frames fit");
     }
 
-    void describe() {
-        const std::size_t frames = frames_kept(content_.frames, plan_.frame_stride);
-        if (plan_.frame_stride > 1) {
-            say(fmt::format("Of {} frames, every {}th is kept, and the last: {} in all.",
-                            content_.frames,
-                            plan_.frame_stride,
-                            frames));
-        }
-        if (!plan_.steps.keeps_all()) {
-            say(fmt::format(
-                "Of each {} of {} steps, charts have the least and the largest value, in their order; "
-                "the first and the last step are kept as they are.",
-                plan_.steps.group(),
-                content_.steps));
-        }
-        describe_cells();
-        const Quantities all = quantities_at(0, content_.is_static);
-        std::vector<std::string> names;
-        const auto add_missing = [&](const std::vector<std::string>& of,
-                                     const std::vector<std::string>& kept) {
-            for (const std::string& name : of) {
-                if (std::find(kept.begin(), kept.end(), name) == kept.end()) names.push_back(name);
-            }
-        };
-        add_missing(all.node_data, plan_.node_data);
-        if (!plan_.cells.empty()) add_missing(all.cell_data, plan_.cell_data);
-        if (!names.empty()) say(fmt::format("Left out altogether: {}.", fmt::join(names, ", ")));
-    }
-
-    void describe_cells() {
-        const std::size_t all = all_cells().size();
-        if (plan_.cells.size() == all) return;
-        if (is_sampled_) {
-            say(fmt::format(
-                "Of {} elements, {} pieces, evenly chosen, are drawn; gaps between them are not in "
-                "the model.",
-                all,
-                plan_.cells.size()));
-        } else {
-            say(
-                fmt::format("{} elements are drawn as {} straight pieces, with the section quantities of the "
-                            "element at the middle of each.",
-                            all,
-                            plan_.cells.size()));
-        }
-    }
-
-    void say(std::string sentence) { plan_.left_out.push_back(std::move(sentence)); }
-
     const ReportContent& content_;
     double bytes_;
     std::vector<bool> marked_;
@@ -219,7 +161,7 @@ std::vector<std::size_t> ReportPlan::frames(std::size_t of) const {
 }
 
 std::size_t count_bytes(const ReportPlan& plan, const ReportContent& content) {
-    const std::size_t frames = frames_kept(content.frames, plan.frame_stride);
+    const std::size_t frames = plan.frames(content.frames).size();
     std::size_t bytes = still_bytes(plan) + step_bytes(plan, content) +
                         base64_length(frames * sizeof(double)) +
                         base64_length(frames * 2 * content.arrows * vector_bytes);

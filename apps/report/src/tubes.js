@@ -2,7 +2,7 @@ import { BufferAttribute, BufferGeometry, Color, DataTexture, Mesh, MeshStandard
 import { limitRadii, listRings } from "./rings.js";
 import { multiply } from "./rotation.js";
 
-const mostVertices = 260000;
+const mostVertices = 120000;
 
 // Rods as tubes: ellipses that follow the section axes, with a stripe on the side of section y.
 export class Tubes {
