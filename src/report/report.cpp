@@ -51,8 +51,6 @@ class Page {
     ReportSummary write(std::ostream& out) {
         const std::string shell = read_template();
         const std::size_t mark = shell.find(page_data_mark);
-        if (content_.frames == 0)
-            throw FileError(options_.results, "has no frame yet, so there is nothing to show");
         plan(shell.size());
         const std::string description = write_script_json(describe());
         out << std::string_view(shell).substr(0, mark);
@@ -130,6 +128,9 @@ void check_page(const ReportOptions& options) {
 }
 
 ReportSummary write_part(const Hdf5Reader& file, const ReportOptions& options, const fs::path& part) {
+    if (file.integer_attribute("/VTKHDF/Steps", "NSteps") == 0) {
+        throw FileError(options.results, "has no frame yet, so there is nothing to show");
+    }
     std::ofstream out(part, std::ios::binary | std::ios::trunc);
     if (!out) throw FileError(options.page, "cannot be written", std::generic_category().message(errno));
     const ReportSummary summary = Page(file, options).write(out);

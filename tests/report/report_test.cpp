@@ -96,3 +96,11 @@ TEST_CASE("A report does not overwrite what it should not", "[report]") {
     CHECK_THROWS_AS(write_report({folder / "none.vtkhdf", folder / "b.html"}), FileError);
     CHECK_THROWS_AS(write_report({folder / "a.vtkhdf", folder.path()}), FileError);
 }
+
+TEST_CASE("Results without a frame cannot be shown yet", "[report]") {
+    const sample::ScratchFolder folder;
+    const Model model = sample::make_model();
+    { ResultsFile file({folder / "a.vtkhdf"}, sample::make_deck(), model, OutputSettings{}); }
+    CHECK_THROWS_WITH(write_report({folder / "a.vtkhdf", folder / "a.html"}),
+                      Catch::Contains("has no frame yet"));
+}

@@ -12,6 +12,8 @@ export function showHeader(info) {
   find("status").dataset.status = info.status;
   const words = [info.file, info.is_static ? "static" : "dynamic", info.units && `units ${info.units}`];
   find("subtitle").textContent = words.filter(Boolean).join(" · ");
+  find("thinned").hidden = info.left_out.length === 0;
+  find("thinned").addEventListener("click", () => document.querySelector("[aria-controls=about]").click());
   find("warnings").append(...info.warnings.map((warning) => make("p", { className: "warning" }, warning)));
 }
 
