@@ -37,6 +37,7 @@ int run_program(int argc, char** argv) {
         "4 a file could not be read or written, 5 a verification missed its reference, 130 interrupted.");
     int exit_code = gxrod::exit_done;
     gxrod::add_run_verb(program, exit_code);
+    gxrod::add_resume_verb(program, exit_code);
     gxrod::add_check_verb(program, exit_code);
     gxrod::add_export_verb(program, exit_code);
     gxrod::add_report_verb(program, exit_code);

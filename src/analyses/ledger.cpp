@@ -23,10 +23,9 @@ Ledger::Ledger(const System& system,
                const Integrator& integrator,
                const State& state,
                const Residual& residual)
-    : system_(&system),
-      power_weights_(integrator.power_weights()),
-      forces_(system.compute_working_forces(state, state.time, residual)),
-      power_(compute_power(forces_, state.trial)) {
+    : Ledger(system, integrator) {
+    forces_ = system.compute_working_forces(state, state.time, residual);
+    power_ = compute_power(forces_, state.trial);
     const Balance balance = system.compute_balance(state, state.time);
     initial_energy_ = balance.kinetic_energy + balance.strain_energy;
     initial_potential_ = balance.gravity_potential;
@@ -47,6 +46,28 @@ void Ledger::add_step(const State& state, const Step& step) {
         power_ = step.stage_powers.back();
     }
     forces_ = std::move(forces);
+}
+
+LedgerMemory Ledger::memory() const {
+    LedgerMemory memory;
+    memory.initial_energy = initial_energy_;
+    memory.initial_potential = initial_potential_;
+    memory.driving_work = driving_work_;
+    memory.dissipated = dissipated_;
+    memory.driving_power = power_.driving;
+    memory.damping_power = power_.damping;
+    memory.driving = forces_.driving;
+    memory.damping = forces_.damping;
+    return memory;
+}
+
+void Ledger::resume(const LedgerMemory& memory) {
+    initial_energy_ = memory.initial_energy;
+    initial_potential_ = memory.initial_potential;
+    driving_work_ = memory.driving_work;
+    dissipated_ = memory.dissipated;
+    power_ = {memory.driving_power, memory.damping_power};
+    forces_ = {memory.driving, memory.damping};
 }
 
 LedgerRow Ledger::row(const State& state) const {

@@ -1,5 +1,7 @@
 #include "analyses/run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -12,10 +14,13 @@ namespace {
 
 class Run {
   public:
-    explicit Run(const RunRequest& request)
-        : request_(request),
-          analysis_(build(request, setup_seconds_)),
-          file_(request.results, request.deck, request.model, request.output) {
+    explicit Run(const RunRequest& request) : request_(request), analysis_(build(request, setup_seconds_)) {
+        if (request.resumed) {
+            resume();
+        } else {
+            file_ =
+                std::make_unique<ResultsFile>(request.results, request.deck, request.model, request.output);
+        }
         summary_.nodes = static_cast<long>(request.model.nodes.size());
         summary_.elements = static_cast<long>(analysis_->system().element_count());
         summary_.unknowns = analysis_->system().equations().count();
@@ -46,12 +51,38 @@ class Run {
         return make_analysis(request.model, request.analysis);
     }
 
+    void resume() {
+        const RestartRecord& record = request_.resumed->place().record;
+        const std::filesystem::path& path = request_.resumed->path();
+        bool has_step = false;
+        try {
+            has_step = analysis_->resume(record);
+        } catch (const std::invalid_argument& error) {
+            throw FileError(path, std::string("cannot be resumed: ") + error.what());
+        }
+        if (!has_step) {
+            throw FileError(
+                path,
+                fmt::format(
+                    "cannot be resumed: no step of this analysis begins at t = {:.10g}, where it stopped",
+                    record.steps.time),
+                "choose another time step, or a later end");
+        }
+        summary_.totals = record.totals;
+        has_started_ = true;
+        last_framed_ = analysis_->steps().is_frame_due(request_.output.every);
+        file_ = std::make_unique<ResultsFile>(
+            request_.deck, request_.model, request_.output, std::move(*request_.resumed));
+    }
+
     bool start() {
+        if (request_.resumed) return true;
         const EquilibriumReport report = analysis_->start();
         if (!report.converged()) {
             fail(analysis_->explain(report));
             return false;
         }
+        has_started_ = true;
         record();
         return true;
     }
@@ -59,13 +90,13 @@ class Run {
     bool step() {
         const EquilibriumReport report = analysis_->advance();
         const SolverRow& row = analysis_->solver_row();
-        summary_.rejected_steps += row.rejected_steps;
+        summary_.totals.rejected_steps += row.rejected_steps;
         if (!report.converged()) {
             fail(analysis_->explain(report));
             return false;
         }
-        ++summary_.steps;
-        summary_.newton_iterations += row.newton_iterations;
+        ++summary_.totals.steps;
+        summary_.totals.newton_iterations += row.newton_iterations;
         record();
         const StepSequence& steps = analysis_->steps();
         request_.report_progress({steps.steps_done(),
@@ -82,19 +113,28 @@ class Run {
         const Snapshot snapshot = analysis_->snapshot();
         const LedgerRow ledger = analysis_->ledger_row();
         watch_energy(ledger);
-        file_.record_step(snapshot, ledger, analysis_->solver_row());
+        file_->record_step(snapshot, ledger, analysis_->solver_row());
         last_framed_ = false;
         if (analysis_->steps().is_frame_due(request_.output.every)) {
-            file_.write_frame(snapshot);
+            file_->write_frame(snapshot);
             last_framed_ = true;
         }
+        if (!file_->is_flush_due()) return;
+        file_->set_restart(restart_record());
+        file_->flush();
+    }
+
+    RestartRecord restart_record() const {
+        RestartRecord record = analysis_->restart_record();
+        record.totals = summary_.totals;
+        return record;
     }
 
     void watch_energy(const LedgerRow& ledger) {
         const double energy = ledger.kinetic_energy + ledger.strain_energy;
-        summary_.largest_energy = std::max({summary_.largest_energy, energy, std::abs(ledger.external_work)});
-        summary_.largest_energy_error =
-            std::max(summary_.largest_energy_error, std::abs(ledger.energy_error));
+        RunTotals& totals = summary_.totals;
+        totals.largest_energy = std::max({totals.largest_energy, energy, std::abs(ledger.external_work)});
+        totals.largest_energy_error = std::max(totals.largest_energy_error, std::abs(ledger.energy_error));
     }
 
     bool interrupted() {
@@ -116,9 +156,11 @@ class Run {
     void close() {
         {
             const PhaseTimer timer(output_seconds_);
-            if (!last_framed_) file_.write_frame(analysis_->snapshot());
+            // The last frame, where none was due, is no part of what a resumed run goes on from.
+            if (has_started_) file_->set_restart(restart_record());
+            if (!last_framed_) file_->write_frame(analysis_->snapshot());
             if (summary_.status == RunStatus::running) summary_.status = RunStatus::complete;
-            file_.close(summary_.status, summary_.reason, summary_.reason_nodes);
+            file_->close(summary_.status, summary_.reason, summary_.reason_nodes);
         }
         summary_.time = analysis_->state().time;
         summary_.phases = analysis_->seconds();
@@ -131,7 +173,8 @@ class Run {
     double setup_seconds_ = 0.0;
     double output_seconds_ = 0.0;
     std::unique_ptr<SteppedAnalysis> analysis_;
-    ResultsFile file_;
+    std::unique_ptr<ResultsFile> file_;
+    bool has_started_ = false;  // has an accepted state
     bool last_framed_ = false;
 };
 

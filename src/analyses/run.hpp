@@ -28,6 +28,7 @@ struct RunRequest {
     const OutputSettings& output;
     const DeckRecord& deck;
     ResultsFileOptions results;
+    ResumableFile* resumed = nullptr;  // taken over, to go on with it instead of writing a new file
     std::function<void(const Progress&)> report_progress = [](const Progress&) {};
     std::function<bool()> is_interrupted = [] { return false; };  // asked after each step
 };
@@ -40,18 +41,15 @@ struct RunSummary {
     long nodes = 0;
     long elements = 0;
     long unknowns = 0;
-    long steps = 0;  // accepted
-    long rejected_steps = 0;
-    long newton_iterations = 0;
-    double time = 0.0;                  // reached
-    double largest_energy = 0.0;        // kinetic and strain, or external work
-    double largest_energy_error = 0.0;  // of the ledger
+    RunTotals totals;   // since t = 0, also of a resumed run
+    double time = 0.0;  // reached
     double wall_seconds = 0.0;
     PhaseSeconds phases;
 };
 
 // Runs and leaves a closed results file, whatever happens. Not converging, or a load that is no number, is a
-// failed summary. Throws FileError if the file cannot be written; what was written stays.
+// failed summary. Throws FileError if the file cannot be written, or cannot be resumed with this analysis;
+// what was written stays.
 RunSummary run_analysis(const RunRequest& request);
 
 }  // namespace gxrod

@@ -1,5 +1,7 @@
 #include "analyses/stepped_analysis.hpp"
 
+#include <stdexcept>
+
 #include "solvers/direction_words.hpp"
 #include "solvers/worst_nodes.hpp"
 
@@ -41,6 +43,37 @@ void SteppedAnalysis::accept_start() {
     system_.commit(state_, 0.0);
     reactions_ = system_.compute_reactions(workspace_.residual);
     ledger_ = std::make_unique<Ledger>(system_, *integrator_, state_, workspace_.residual);
+}
+
+RestartRecord SteppedAnalysis::restart_record() const {
+    RestartRecord record;
+    record.nodes = state_.previous;
+    record.sections = state_.sections;
+    record.algorithmic = state_.algorithmic_previous;
+    record.ledger = ledger_->memory();
+    record.steps = steps_->memory();
+    return record;
+}
+
+bool SteppedAnalysis::resume(const RestartRecord& record) {
+    const std::size_t nodes = state_.previous.size();
+    const bool has_forces = record.ledger.driving.size() == nodes &&
+                            record.ledger.damping.size() == (system_.is_damped() ? nodes : 0);
+    const bool has_algorithmic =
+        record.algorithmic.size() == (integrator_->has_algorithmic_accelerations() ? nodes : 0);
+    if (record.nodes.size() != nodes || record.sections.size() != state_.sections.size() || !has_forces ||
+        !has_algorithmic) {
+        throw std::invalid_argument("the state to go on from belongs to another model");
+    }
+    if (!steps_->resume(record.steps)) return false;
+    state_.previous = state_.trial = record.nodes;
+    state_.sections = record.sections;
+    state_.algorithmic_previous = state_.algorithmic_trial = record.algorithmic;
+    state_.time = steps_->time();
+    reactions_.assign(nodes, Vec6::Zero());
+    ledger_ = std::make_unique<Ledger>(system_, *integrator_);
+    ledger_->resume(record.ledger);
+    return true;
 }
 
 bool SteppedAnalysis::take_step(EquilibriumReport& report) {

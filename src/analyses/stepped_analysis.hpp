@@ -23,6 +23,13 @@ class SteppedAnalysis {
     // says why and the state is the last accepted one.
     EquilibriumReport advance();
     bool finished() const { return steps_->finished(); }
+
+    // The last accepted step, to go on from later; totals are left to the caller.
+    RestartRecord restart_record() const;
+    // Instead of start(): goes on from there. False if no step of this analysis can begin at that time.
+    // Throws std::invalid_argument if the record is of another model.
+    bool resume(const RestartRecord& record);
+
     // Why the start or the last step failed, where, and what to try. Its report must be the last one.
     Failure explain(const EquilibriumReport& report);
 

@@ -1,5 +1,6 @@
 #include "deck/problem.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <sstream>
@@ -19,6 +20,7 @@
 #include "deck/check_velocities.hpp"
 #include "deck/overrides.hpp"
 #include "deck/read_rod_nets.hpp"
+#include "deck/resumption.hpp"
 #include "deck/validation.hpp"
 #include "model/file_error.hpp"
 
@@ -73,21 +75,40 @@ std::string read_file(const std::filesystem::path& path) {
     return text.str();
 }
 
-Problem read_problem_with(const MeshFiles& files,
-                          std::string_view text,
-                          const std::string& file,
-                          const std::vector<std::string>& overrides) {
-    DeckNode tree = read_toml(text, file);
-    FaultList faults(file, overrides);
+// A text, where its meshes are, and how faults name it.
+struct DeckSource {
+    std::string text;
+    std::string file;
+    const MeshFiles& meshes;
+};
+
+// With a deck to go on from, if there is one: what may not differ from it is a fault.
+Problem read_source(const DeckSource& source,
+                    const std::vector<std::string>& overrides,
+                    const DeckRecord* before = nullptr) {
+    DeckNode tree = read_toml(source.text, source.file);
+    FaultList faults(source.file, overrides);
     apply_overrides(overrides, tree, faults);
     const CheckedTable deck = check_deck(tree, faults);
     faults.throw_if_any();
-    Problem problem = build_problem(deck, files, faults);
+    if (before != nullptr) check_resumption(read_toml(before->text, before->name), tree, faults);
     faults.throw_if_any();
-    problem.record.name = std::filesystem::path(file).filename().string();
+    Problem problem = build_problem(deck, source.meshes, faults);
+    faults.throw_if_any();
+    problem.record.name = std::filesystem::path(source.file).filename().string();
     problem.record.text =
-        overrides.empty() ? std::string(text) : write_overridden_deck(problem.record.name, overrides, tree);
+        overrides.empty() ? source.text : write_overridden_deck(problem.record.name, overrides, tree);
     return problem;
+}
+
+void check_meshes(const DeckRecord& before, const DeckRecord& now, const std::string& file) {
+    for (const MeshRecord& mesh : now.meshes) {
+        const auto same = std::find_if(before.meshes.begin(),
+                                       before.meshes.end(),
+                                       [&](const MeshRecord& other) { return other.file == mesh.file; });
+        if (same != before.meshes.end() && same->bytes == mesh.bytes) continue;
+        throw FileError(file, "the mesh " + mesh.file + " is another one than the run's");
+    }
 }
 
 }  // namespace
@@ -99,11 +120,24 @@ Problem read_problem(const std::filesystem::path& deck, const std::vector<std::s
 Problem read_problem_text(std::string_view text,
                           const std::string& file,
                           const std::vector<std::string>& overrides) {
-    return read_problem_with(MeshFiles(std::filesystem::path(file).parent_path()), text, file, overrides);
+    const MeshFiles meshes(std::filesystem::path(file).parent_path());
+    return read_source({std::string(text), file, meshes}, overrides);
 }
 
 Problem rebuild_problem(const DeckRecord& record, const std::vector<std::string>& overrides) {
-    return read_problem_with(MeshFiles(record.meshes), record.text, record.name, overrides);
+    return read_source({record.text, record.name, MeshFiles(record.meshes)}, overrides);
+}
+
+Problem read_resumption(const DeckRecord& before,
+                        const std::filesystem::path& deck,
+                        const std::vector<std::string>& overrides) {
+    if (deck.empty()) {
+        return read_source({before.text, before.name, MeshFiles(before.meshes)}, overrides, &before);
+    }
+    const MeshFiles meshes(deck.parent_path());
+    Problem problem = read_source({read_file(deck), deck.string(), meshes}, overrides, &before);
+    check_meshes(before, problem.record, deck.string());
+    return problem;
 }
 
 }  // namespace gxrod

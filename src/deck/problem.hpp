@@ -30,6 +30,12 @@ Problem read_problem_text(std::string_view text,
                           const std::string& file,
                           const std::vector<std::string>& overrides = {});
 
+// The problem that goes on where a run of `before` stopped: its own deck, or the one in the file `deck`, with
+// overrides. Throws DeckError that names each key which differs and may not (deck/resumption.hpp).
+Problem read_resumption(const DeckRecord& before,
+                        const std::filesystem::path& deck,
+                        const std::vector<std::string>& overrides);
+
 // The problem that results came from, with the meshes that are kept with them. Throws DeckError if the deck
 // is not valid with this version or these overrides.
 Problem rebuild_problem(const DeckRecord& record, const std::vector<std::string>& overrides = {});

@@ -125,4 +125,6 @@ std::string write_toml(const DeckNode& deck) {
     return values + tables;
 }
 
+std::string write_toml_value(const DeckNode& node) { return write_value(node); }
+
 }  // namespace gxrod

@@ -13,6 +13,7 @@ class GeneralizedAlpha : public Integrator {
   public:
     explicit GeneralizedAlpha(double spectral_radius);
 
+    bool has_algorithmic_accelerations() const override { return true; }
     void start(State& state) const override;
     void begin_stage(State& state, const Stage& stage) const override;
     void update_rates(State& state, const Stage& stage) const override;

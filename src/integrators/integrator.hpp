@@ -46,6 +46,8 @@ class Integrator {
     // Whether there are no rates, and rotations of a step of any size.
     virtual bool is_static() const { return false; }
 
+    // Whether State::algorithmic_previous is its own from step to step.
+    virtual bool has_algorithmic_accelerations() const { return false; }
     // Once, when the trial motions have the initial accelerations.
     virtual void start(State&) const {}
     // Places the trial motions: an implicit scheme predicts, an explicit one sets what the accelerations are

@@ -23,8 +23,10 @@ std::string text_of(const Hdf5Reader& file, const std::string& name) {
 }
 
 void rebuild(const Hdf5Reader& file, RunStory& story) {
+    const DeckRecord record = read_deck_record(file);
+    story.deck = record.text;
     try {
-        auto problem = std::make_unique<Problem>(rebuild_problem(read_deck_record(file)));
+        auto problem = std::make_unique<Problem>(rebuild_problem(record));
         if (refine_cells(problem->model, story.topology)) {
             story.problem = std::move(problem);
         } else {
@@ -121,7 +123,7 @@ Json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbe
          {"gxrod_version", "title", "deck_name", "deck_sha256", "units", "analysis", "status", "reason"}) {
         json[name] = text_of(file, name);
     }
-    json["deck"] = file.has("/deck/text") ? file.text("/deck/text") : "";
+    json["deck"] = story.deck;
     json["is_static"] = story.is_static;
     json["nodes"] = story.topology.nodes;
     json["elements"] = story.topology.rod_cells.size();

@@ -16,6 +16,7 @@ namespace gxrod {
 // What a results file tells of a run, beside its numbers.
 struct RunStory {
     bool is_static = false;
+    std::string deck;  // its text, as last run
     FrameTopology topology;
     std::unique_ptr<Problem> problem;  // none if the deck cannot be rebuilt, or is not that of the frames
     std::string why_no_problem;

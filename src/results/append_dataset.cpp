@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <stdexcept>
 #include <type_traits>
 
 namespace gxrod {
@@ -23,16 +25,52 @@ hid_t memory_type() {
         return H5T_NATIVE_INT64;
 }
 
+// Rows of a dataset on disk, and as many in memory.
+struct RowSelection {
+    Hdf5Handle on_disk, in_memory;
+
+    RowSelection(const Hdf5Handle& dataset, RowShape shape, hsize_t first, hsize_t rows)
+        : on_disk(H5Dget_space(dataset.id()), H5Sclose, "dataspace") {
+        const std::array<hsize_t, 2> start{first, 0};
+        const std::array<hsize_t, 2> count{rows, static_cast<hsize_t>(shape.columns)};
+        check_hdf5(
+            H5Sselect_hyperslab(on_disk.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+            "selecting rows");
+        in_memory = Hdf5Handle(
+            H5Screate_simple(shape.is_vector ? 2 : 1, count.data(), nullptr), H5Sclose, "dataspace");
+    }
+};
+
 }  // namespace
 
 template <class Number>
-AppendDataset<Number>::AppendDataset(const Hdf5Handle& group,
-                                     const DatasetLabel& label,
-                                     RowShape shape,
-                                     std::size_t chunk_bytes)
-    : shape_(shape) {
-    const auto columns = static_cast<hsize_t>(shape.columns);
-    const int rank = shape.is_vector ? 2 : 1;
+AppendDataset<Number>::AppendDataset(
+    const Hdf5Handle& group, const DatasetLabel& label, RowShape shape, hsize_t rows, std::size_t chunk_bytes)
+    : shape_(shape), rows_(rows) {
+    if (!has_link(group, label.name)) {
+        create(group, label, chunk_bytes);
+        if (rows > 0) set_extent(rows);
+        return;
+    }
+    dataset_ = Hdf5Handle(
+        H5Dopen2(group.id(), label.name.c_str(), H5P_DEFAULT), H5Dclose, "opening a dataset to go on with");
+    const Hdf5Handle space(H5Dget_space(dataset_.id()), H5Sclose, "dataspace");
+    std::array<hsize_t, 2> size{0, 1};
+    const int rank = H5Sget_simple_extent_ndims(space.id());
+    if (rank != (shape.is_vector ? 2 : 1)) throw std::runtime_error(label.name + " has another shape");
+    H5Sget_simple_extent_dims(space.id(), size.data(), nullptr);
+    if (size[1] != static_cast<hsize_t>(shape.columns) || size[0] < rows) {
+        throw std::runtime_error(label.name + " has another shape, or lacks rows");
+    }
+    extent_ = size[0];
+}
+
+template <class Number>
+void AppendDataset<Number>::create(const Hdf5Handle& group,
+                                   const DatasetLabel& label,
+                                   std::size_t chunk_bytes) {
+    const auto columns = static_cast<hsize_t>(shape_.columns);
+    const int rank = shape_.is_vector ? 2 : 1;
     const std::array<hsize_t, 2> size{0, columns};
     const std::array<hsize_t, 2> limit{H5S_UNLIMITED, columns};
     const std::array<hsize_t, 2> chunk{std::max<hsize_t>(1, chunk_bytes / (columns * sizeof(Number))),
@@ -42,6 +80,9 @@ AppendDataset<Number>::AppendDataset(const Hdf5Handle& group,
     const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "dataset properties");
     check_hdf5(H5Pset_chunk(properties.id(), rank, chunk.data()), "chunks");
     check_hdf5(H5Pset_obj_track_times(properties.id(), false), "dataset properties");
+    const Number missing =
+        std::numeric_limits<Number>::has_quiet_NaN ? std::numeric_limits<Number>::quiet_NaN() : 0;
+    check_hdf5(H5Pset_fill_value(properties.id(), memory_type<Number>(), &missing), "dataset properties");
     dataset_ = Hdf5Handle(H5Dcreate2(group.id(),
                                      label.name.c_str(),
                                      disk_type<Number>(),
@@ -55,25 +96,45 @@ AppendDataset<Number>::AppendDataset(const Hdf5Handle& group,
 }
 
 template <class Number>
-void AppendDataset<Number>::flush() {
-    const auto columns = static_cast<hsize_t>(shape_.columns);
-    const hsize_t new_rows = buffer_.size() / columns;
-    if (new_rows == 0) return;
-
-    const int rank = shape_.is_vector ? 2 : 1;
-    const std::array<hsize_t, 2> size{rows_ + new_rows, columns};
-    const std::array<hsize_t, 2> start{rows_, 0};
-    const std::array<hsize_t, 2> count{new_rows, columns};
+void AppendDataset<Number>::set_extent(hsize_t rows) {
+    const std::array<hsize_t, 2> size{rows, static_cast<hsize_t>(shape_.columns)};
     check_hdf5(H5Dset_extent(dataset_.id(), size.data()), "extending a dataset");
-    const Hdf5Handle on_disk(H5Dget_space(dataset_.id()), H5Sclose, "dataspace");
-    check_hdf5(
-        H5Sselect_hyperslab(on_disk.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
-        "selecting rows");
-    const Hdf5Handle in_memory(H5Screate_simple(rank, count.data(), nullptr), H5Sclose, "dataspace");
-    check_hdf5(
-        H5Dwrite(
-            dataset_.id(), memory_type<Number>(), in_memory.id(), on_disk.id(), H5P_DEFAULT, buffer_.data()),
-        "writing rows");
+    extent_ = rows;
+}
+
+template <class Number>
+void AppendDataset<Number>::trim() {
+    if (extent_ > rows_) set_extent(rows_);
+}
+
+template <class Number>
+std::vector<Number> AppendDataset<Number>::last_row() const {
+    std::vector<Number> row(rows_ > 0 ? static_cast<std::size_t>(shape_.columns) : 0);
+    if (row.empty()) return row;
+    const RowSelection selection(dataset_, shape_, rows_ - 1, 1);
+    check_hdf5(H5Dread(dataset_.id(),
+                       memory_type<Number>(),
+                       selection.in_memory.id(),
+                       selection.on_disk.id(),
+                       H5P_DEFAULT,
+                       row.data()),
+               "reading a row");
+    return row;
+}
+
+template <class Number>
+void AppendDataset<Number>::flush() {
+    const hsize_t new_rows = buffer_.size() / static_cast<hsize_t>(shape_.columns);
+    if (new_rows == 0) return;
+    if (rows_ + new_rows > extent_) set_extent(rows_ + new_rows);
+    const RowSelection selection(dataset_, shape_, rows_, new_rows);
+    check_hdf5(H5Dwrite(dataset_.id(),
+                        memory_type<Number>(),
+                        selection.in_memory.id(),
+                        selection.on_disk.id(),
+                        H5P_DEFAULT,
+                        buffer_.data()),
+               "writing rows");
     rows_ += new_rows;
     buffer_.clear();
 }

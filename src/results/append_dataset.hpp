@@ -21,9 +21,12 @@ inline constexpr RowShape vector_row{3, true};
 template <class Number>
 class AppendDataset {
   public:
+    // Appends after the first `rows` rows of the dataset that the group has by that name; what follows them
+    // is replaced. If it has none, a new one, whose first `rows` rows are NaN (0 of whole numbers).
     AppendDataset(const Hdf5Handle& group,
                   const DatasetLabel& label,
                   RowShape shape,
+                  hsize_t rows,
                   std::size_t chunk_bytes = 4096);
 
     // One row or several: a multiple of the number of columns.
@@ -32,14 +35,22 @@ class AppendDataset {
     }
     void append(Number value) { buffer_.push_back(value); }
     void flush();
+    // Ends the dataset on disk with its last row.
+    void trim();
+    // The last row that was there already, empty if there was none.
+    std::vector<Number> last_row() const;
 
     std::size_t buffered_bytes() const { return buffer_.size() * sizeof(Number); }
     hid_t id() const { return dataset_.id(); }
 
   private:
+    void create(const Hdf5Handle& group, const DatasetLabel& label, std::size_t chunk_bytes);
+    void set_extent(hsize_t rows);
+
     Hdf5Handle dataset_;
     RowShape shape_;
-    hsize_t rows_ = 0;  // in the file
+    hsize_t rows_;        // written
+    hsize_t extent_ = 0;  // rows on disk, those to be replaced too
     std::vector<Number> buffer_;
 };
 

@@ -2,10 +2,16 @@
 
 namespace gxrod {
 
+std::string deck_text_name(std::size_t count) {
+    return count == 1 ? "text" : "text_" + std::to_string(count);
+}
+
 DeckRecord read_deck_record(const Hdf5Reader& file) {
     DeckRecord record;
     record.name = file.text_attribute("/", "deck_name");
-    record.text = file.text("/deck/text");
+    std::size_t count = 1;
+    while (file.has("/deck/" + deck_text_name(count + 1))) ++count;
+    record.text = file.text("/deck/" + deck_text_name(count));
     record.title = file.text_attribute("/", "title");
     record.units = file.text_attribute("/", "units");
     record.is_static = file.text_attribute("/", "analysis") == "static";

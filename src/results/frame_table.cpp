@@ -40,12 +40,16 @@ std::size_t chunk_bytes(std::size_t frame_bytes) {
     return std::min(std::max(frame_bytes, least), most);
 }
 
-// Another name for a dataset.
+// Another name for a dataset, unless it has it already.
 void link(hid_t dataset, const Hdf5Handle& group, const std::string& name) {
+    if (has_link(group, name)) return;
     check_hdf5(H5Olink(dataset, group.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "linking a dataset");
 }
 
-Hdf5Handle create_frame_count(const Hdf5Handle& steps) {
+Hdf5Handle require_frame_count(const Hdf5Handle& steps) {
+    if (H5Aexists(steps.id(), "NSteps") > 0) {
+        return {H5Aopen(steps.id(), "NSteps", H5P_DEFAULT), H5Aclose, "opening an attribute"};
+    }
     const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "scalar dataspace");
     return {H5Acreate2(steps.id(), "NSteps", H5T_STD_I64LE, space.id(), H5P_DEFAULT, H5P_DEFAULT),
             H5Aclose,
@@ -56,23 +60,26 @@ std::span<const double> numbers(const Vec3& vector) { return {vector.data(), 3};
 
 }  // namespace
 
-FrameTable::FrameTable(const Hdf5Handle& root, const Model& model)
+FrameTable::FrameTable(const Hdf5Handle& root, const Model& model, hsize_t frames)
     : model_(&model),
       mesh_(make_frame_mesh(model)),
-      group_(create_group(root, "VTKHDF")),
-      steps_(create_group(group_, "Steps")),
-      times_(steps_, {"Values", "time of each frame", "none", "time"}, scalar_row),
-      part_offsets_(steps_, {"PartOffsets", "first part of each frame: 0", "none", "1"}, scalar_row),
-      part_counts_(steps_, {"NumberOfParts", "parts of each frame: 1", "none", "1"}, scalar_row),
-      point_offsets_(steps_, {"PointOffsets", "first point row of each frame", "none", "1"}, scalar_row),
-      cell_offsets_(create_group(steps_, "CellDataOffsets"),
+      frames_(static_cast<std::int64_t>(frames)),
+      group_(require_group(root, "VTKHDF")),
+      steps_(require_group(group_, "Steps")),
+      times_(steps_, {"Values", "time of each frame", "none", "time"}, scalar_row, frames),
+      part_offsets_(steps_, {"PartOffsets", "first part of each frame: 0", "none", "1"}, scalar_row, frames),
+      part_counts_(steps_, {"NumberOfParts", "parts of each frame: 1", "none", "1"}, scalar_row, frames),
+      point_offsets_(
+          steps_, {"PointOffsets", "first point row of each frame", "none", "1"}, scalar_row, frames),
+      cell_offsets_(require_group(steps_, "CellDataOffsets"),
                     {cell_labels[0].name, "first cell row of each frame", "none", "1"},
-                    scalar_row),
+                    scalar_row,
+                    frames),
       topology_offsets_(
-          steps_, {"CellOffsets", "one topology serves all frames: 0", "none", "1"}, number_in_row),
-      frame_count_(create_frame_count(steps_)) {
+          steps_, {"CellOffsets", "one topology serves all frames: 0", "none", "1"}, number_in_row, frames),
+      frame_count_(require_frame_count(steps_)) {
     link(topology_offsets_.id(), steps_, "ConnectivityIdOffsets");
-    write_topology();
+    if (!has_link(group_, "Types")) write_topology();
     create_fields();
     flush_count();
 }
@@ -97,26 +104,31 @@ void FrameTable::write_topology() {
 }
 
 void FrameTable::create_fields() {
+    const hsize_t point_rows = static_cast<hsize_t>(frames_) * model_->nodes.size();
+    const hsize_t cell_rows = static_cast<hsize_t>(frames_) * mesh_.cell_count();
     const std::size_t point_bytes = chunk_bytes(model_->nodes.size() * sizeof(Vec3));
     const std::size_t cell_bytes = chunk_bytes(mesh_.cell_count() * sizeof(Vec3));
-    points_.emplace_back(
-        group_, DatasetLabel{"Points", "positions", "spatial", "length"}, vector_row, point_bytes);
+    points_.emplace_back(group_,
+                         DatasetLabel{"Points", "positions", "spatial", "length"},
+                         vector_row,
+                         point_rows,
+                         point_bytes);
 
-    const Hdf5Handle point_data = create_group(group_, "PointData");
-    const Hdf5Handle point_data_offsets = create_group(steps_, "PointDataOffsets");
+    const Hdf5Handle point_data = require_group(group_, "PointData");
+    const Hdf5Handle point_data_offsets = require_group(steps_, "PointDataOffsets");
     for (const DatasetLabel& label : point_labels) {
-        points_.emplace_back(point_data, label, vector_row, point_bytes);
+        points_.emplace_back(point_data, label, vector_row, point_rows, point_bytes);
         link(point_offsets_.id(), point_data_offsets, label.name);
     }
 
-    const Hdf5Handle cell_data = create_group(group_, "CellData");
+    const Hdf5Handle cell_data = require_group(group_, "CellData");
     const Hdf5Handle cell_data_offsets(
         H5Gopen2(steps_.id(), "CellDataOffsets", H5P_DEFAULT), H5Gclose, "opening a group");
     for (const DatasetLabel& label : cell_labels) {
-        cells_.emplace_back(cell_data, label, vector_row, cell_bytes);
+        cells_.emplace_back(cell_data, label, vector_row, cell_rows, cell_bytes);
         if (label.name != cell_labels[0].name) link(cell_offsets_.id(), cell_data_offsets, label.name);
     }
-    cells_.emplace_back(cell_data, radius_label, scalar_row, cell_bytes);
+    cells_.emplace_back(cell_data, radius_label, scalar_row, cell_rows, cell_bytes);
     link(cell_offsets_.id(), cell_data_offsets, radius_label.name);
 }
 
@@ -160,14 +172,23 @@ void FrameTable::append_cells(const Snapshot& snapshot) {
     }
 }
 
-void FrameTable::flush_frames() {
-    times_.flush();
+template <class Action>
+void FrameTable::for_each_dataset(Action&& action) {
+    action(times_);
     for (AppendDataset<std::int64_t>* offsets :
          {&part_offsets_, &part_counts_, &point_offsets_, &cell_offsets_, &topology_offsets_}) {
-        offsets->flush();
+        action(*offsets);
     }
-    for (AppendDataset<double>& points : points_) points.flush();
-    for (AppendDataset<double>& cells : cells_) cells.flush();
+    for (AppendDataset<double>& points : points_) action(points);
+    for (AppendDataset<double>& cells : cells_) action(cells);
+}
+
+void FrameTable::flush_frames() {
+    for_each_dataset([](auto& dataset) { dataset.flush(); });
+}
+
+void FrameTable::trim() {
+    for_each_dataset([](auto& dataset) { dataset.trim(); });
 }
 
 void FrameTable::flush_count() {

@@ -11,13 +11,16 @@ namespace gxrod {
 // N points and E cells are appended a frame. Throws Hdf5Error.
 class FrameTable {
   public:
-    // `model` must outlive the table.
-    FrameTable(const Hdf5Handle& root, const Model& model);
+    // Appends after the first `frames` frames. `model` must outlive the table. Throws std::runtime_error if
+    // frames are there, but of another number of points.
+    FrameTable(const Hdf5Handle& root, const Model& model, hsize_t frames);
 
     void append(const Snapshot& snapshot);
     // Writes the frames; readers do not count them before flush_count().
     void flush_frames();
     void flush_count();
+    // Ends each dataset with its last frame.
+    void trim();
     std::size_t buffered_bytes() const;
 
   private:
@@ -25,10 +28,12 @@ class FrameTable {
     void create_fields();
     void append_points(const Snapshot& snapshot);
     void append_cells(const Snapshot& snapshot);
+    template <class Action>
+    void for_each_dataset(Action&& action);
 
     const Model* model_;
     FrameMesh mesh_;
-    std::int64_t frames_ = 0;  // appended
+    std::int64_t frames_;  // appended
 
     Hdf5Handle group_, steps_;
     AppendDataset<double> times_;

@@ -1,5 +1,8 @@
 #include "results/hdf5_objects.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace gxrod {
 namespace {
 
@@ -51,7 +54,14 @@ void write_dataset(const Hdf5Handle& group,
 
 }  // namespace
 
-Hdf5Handle create_group(const Hdf5Handle& parent, const std::string& name) {
+bool has_link(const Hdf5Handle& group, const std::string& name) {
+    return H5Lexists(group.id(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+Hdf5Handle require_group(const Hdf5Handle& parent, const std::string& name) {
+    if (has_link(parent, name)) {
+        return {H5Gopen2(parent.id(), name.c_str(), H5P_DEFAULT), H5Gclose, "opening a group"};
+    }
     return {H5Gcreate2(parent.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
             H5Gclose,
             "creating a group"};
@@ -69,7 +79,9 @@ void rewrite_attribute(hid_t object, const std::string& name, const std::string&
 }
 
 void rewrite_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values) {
-    check_hdf5(H5Adelete(object, name.c_str()), "removing an attribute");
+    if (H5Aexists(object, name.c_str()) > 0) {
+        check_hdf5(H5Adelete(object, name.c_str()), "removing an attribute");
+    }
     write_attribute(object, name, values);
 }
 
@@ -102,6 +114,32 @@ void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span
 
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::uint8_t> values) {
     write_dataset(group, label, H5T_STD_U8LE, list_space(values.size()), values.data());
+}
+
+void write_dataset(const Hdf5Handle& group,
+                   const DatasetLabel& label,
+                   hsize_t columns,
+                   std::span<const double> values) {
+    const std::array<hsize_t, 2> size{values.size() / columns, columns};
+    const Hdf5Handle space(H5Screate_simple(2, size.data(), nullptr), H5Sclose, "dataspace");
+    write_dataset(group, label, H5T_IEEE_F64LE, space, values.data());
+}
+
+std::vector<std::string> list_members(hid_t group) {
+    H5G_info_t information;
+    check_hdf5(H5Gget_info(group, &information), "listing a group");
+    std::vector<std::string> names;
+    for (hsize_t i = 0; i < information.nlinks; ++i) {
+        const auto get = [&](char* name, std::size_t size) {
+            return H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, name, size, H5P_DEFAULT);
+        };
+        const auto length = static_cast<std::size_t>(std::max<ssize_t>(get(nullptr, 0), 0));
+        std::string name(length + 1, '\0');
+        get(name.data(), name.size());
+        name.resize(length);
+        names.push_back(name);
+    }
+    return names;
 }
 
 }  // namespace gxrod

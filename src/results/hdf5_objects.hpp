@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "results/hdf5_handle.hpp"
 
@@ -17,7 +18,12 @@ struct DatasetLabel {
     std::string dimension;       // "force·length"; "1" for plain numbers
 };
 
-Hdf5Handle create_group(const Hdf5Handle& parent, const std::string& name);
+bool has_link(const Hdf5Handle& group, const std::string& name);
+// The group of that name, new if there is none.
+Hdf5Handle require_group(const Hdf5Handle& parent, const std::string& name);
+
+// What a group has, groups and datasets, by name.
+std::vector<std::string> list_members(hid_t group);
 
 // A variable-length UTF-8 string, which h5py reads as str.
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
@@ -26,7 +32,7 @@ void rewrite_attribute(hid_t object, const std::string& name, const std::string&
 // A string of exactly its own length, as VTK demands of /VTKHDF@Type.
 void write_fixed_attribute(hid_t object, const std::string& name, const std::string& text);
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values);
-// Replaces an attribute that exists; the number of values may change.
+// Replaces an attribute, if it exists; the number of values may change.
 void rewrite_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values);
 void write_label(hid_t dataset, const DatasetLabel& label);
 
@@ -34,5 +40,10 @@ void write_label(hid_t dataset, const DatasetLabel& label);
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, const std::string& text);
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::int64_t> values);
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::uint8_t> values);
+// Rows of so many columns, one after the other.
+void write_dataset(const Hdf5Handle& group,
+                   const DatasetLabel& label,
+                   hsize_t columns,
+                   std::span<const double> values);
 
 }  // namespace gxrod

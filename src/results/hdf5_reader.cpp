@@ -6,6 +6,8 @@
 #include <functional>
 #include <numeric>
 
+#include "results/hdf5_objects.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -20,23 +22,6 @@ std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t
     std::string text(H5Tget_size(type.id()), '\0');
     check_hdf5(read(type.id(), text.data()), "reading a string");
     return text;
-}
-
-std::vector<std::string> list_members(hid_t group) {
-    H5G_info_t information;
-    check_hdf5(H5Gget_info(group, &information), "listing a group");
-    std::vector<std::string> names;
-    for (hsize_t i = 0; i < information.nlinks; ++i) {
-        const auto get = [&](char* name, std::size_t size) {
-            return H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, name, size, H5P_DEFAULT);
-        };
-        const auto length = static_cast<std::size_t>(std::max<ssize_t>(get(nullptr, 0), 0));
-        std::string name(length + 1, '\0');
-        get(name.data(), name.size());
-        name.resize(length);
-        names.push_back(name);
-    }
-    return names;
 }
 
 void add_datasets(hid_t group, const std::string& path, std::vector<std::string>& names) {

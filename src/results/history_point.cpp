@@ -115,6 +115,11 @@ HistoryPoint::Row HistoryPoint::continuous_quaternion(const Quat& rotation, Quat
     return {last.w(), last.x(), last.y(), last.z()};
 }
 
+void HistoryPoint::go_on_from(Quantity quantity, std::span<const double> row) {
+    if (quantity == Quantity::quaternion) last_quaternion_ = Quat(row[0], row[1], row[2], row[3]);
+    if (quantity == Quantity::orientation) last_orientation_ = Quat(row[0], row[1], row[2], row[3]);
+}
+
 HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snapshot) {
     const NodeMotion node = seen_from_reference(snapshot);
     const Quat axes = node.Lambda * start_axes_;

@@ -22,6 +22,8 @@ class HistoryPoint {
     PointKind kind() const { return body_ ? PointKind::body : PointKind::rod; }
     // Chooses the sign of each quaternion that is nearest to the one of the call before.
     Row compute(Quantity quantity, const Snapshot& snapshot);
+    // Takes a row computed earlier for the one of the call before.
+    void go_on_from(Quantity quantity, std::span<const double> row);
 
   private:
     // The motion of the point as seen from the point that the request is relative to: places from there,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "results/append_dataset.hpp"
@@ -10,13 +12,16 @@ namespace gxrod {
 // /histories/<name>/<quantity>, one row a step. Throws Hdf5Error.
 class HistoryTable {
   public:
-    // `model` must outlive the table.
+    // Appends after the first `rows` rows. What is asked for but was not recorded in them is NaN there; what
+    // was but is no longer asked for is NaN from there on. `model` must outlive the table.
     HistoryTable(const Hdf5Handle& histories,
                  const Model& model,
-                 const std::vector<HistoryRequest>& requests);
+                 const std::vector<HistoryRequest>& requests,
+                 hsize_t rows);
 
     void append(const Snapshot& snapshot);
     void flush();
+    void trim();
     std::size_t buffered_bytes() const;
 
   private:
@@ -25,12 +30,26 @@ class HistoryTable {
         int width;
         AppendDataset<double> values;
     };
+    // No longer asked for.
+    struct Ended {
+        int width;
+        AppendDataset<double> values;
+    };
     struct History {
         HistoryPoint point;
         std::vector<Column> columns;
     };
 
+    void add_history(const Hdf5Handle& group,
+                     const Model& model,
+                     const HistoryRequest& request,
+                     hsize_t rows);
+    void add_ended(const Hdf5Handle& group, const std::vector<std::string>& recorded, hsize_t rows);
+    template <class Action>
+    void for_each_dataset(Action&& action);
+
     std::vector<History> histories_;
+    std::vector<Ended> ended_;
 };
 
 }  // namespace gxrod

@@ -19,6 +19,8 @@ OrderedFile::Part part_of(H5FD_mem_t type) {
     switch (type) {
         case H5FD_MEM_SUPER:
             return OrderedFile::Part::superblock;
+        case H5FD_MEM_LHEAP:
+            return OrderedFile::Part::heap;
         case H5FD_MEM_BTREE:
             return OrderedFile::Part::tree;
         case H5FD_MEM_DRAW:

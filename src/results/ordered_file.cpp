@@ -1,5 +1,6 @@
 #include "results/ordered_file.hpp"
 
+#include <sys/stat.h>
 #include <sys/types.h>
 #include <unistd.h>
 
@@ -33,7 +34,15 @@ int tree_level(std::span<const std::byte> node) {
 
 }  // namespace
 
-OrderedFile::OrderedFile(int descriptor) : descriptor_(descriptor) {}
+OrderedFile::OrderedFile(int descriptor) : descriptor_(descriptor) {
+    struct stat status {};
+    if (::fstat(descriptor, &status) != 0) {
+        const int code = errno;
+        ::close(descriptor);
+        throw std::system_error(code, std::generic_category());
+    }
+    size_ = disk_size_ = end_ = static_cast<std::uint64_t>(status.st_size);
+}
 
 OrderedFile::~OrderedFile() { ::close(descriptor_); }
 
@@ -73,7 +82,8 @@ void OrderedFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {
 
 bool OrderedFile::is_on_disk(const Write& write) const {
     return write.part == Part::superblock ||
-           (write.part != Part::data && metadata_on_disk_.contains(write.offset));
+           (write.part != Part::data &&
+            (write.offset < adopted_ || metadata_on_disk_.contains(write.offset)));
 }
 
 void OrderedFile::resize(std::uint64_t size) {
@@ -84,11 +94,12 @@ void OrderedFile::resize(std::uint64_t size) {
 void OrderedFile::commit() {
     if (size_ > disk_size_) resize(size_);
 
-    // Rank of each write: 0 new places, 1 superblock, then trees from the root down, then headers.
+    // Rank of each write: 0 new places, 1 superblock, 2 heaps, then trees from the root down, then headers.
     constexpr int header_rank = 1000;
     const auto rank = [&](const Write& write) {
         if (!is_on_disk(write)) return 0;
         if (write.part == Part::superblock) return 1;
+        if (write.part == Part::heap) return 2;
         if (write.part == Part::tree) return header_rank - 1 - tree_level(write.bytes);
         return header_rank;
     };

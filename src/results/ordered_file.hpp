@@ -15,15 +15,18 @@ namespace gxrod {
 //
 //   1. raw data, and metadata in places that nothing on disk refers to yet;
 //   2. the superblock, with the new end of the file;
-//   3. B-tree nodes already on disk, parents before children, so that no chunk is lost while a node is split;
-//   4. object headers already on disk, which hold the sizes of datasets and the values of attributes.
+//   3. names of links in heaps already on disk;
+//   4. B-tree nodes already on disk, parents before children, so that no chunk is lost while a node is split,
+//      nor a link, nor is there a link before its name;
+//   5. object headers already on disk, which hold the sizes of datasets and the values of attributes.
 //
 // Until a commit, writes are held in memory and seen by read(). A failed commit may be tried again.
 class OrderedFile {
   public:
-    enum class Part { data, superblock, tree, header };
+    enum class Part { data, superblock, heap, tree, header };
 
-    // Takes over the descriptor of an empty file that is open for reading and writing.
+    // Takes over the descriptor of a file that is open for reading and writing, empty or not. Throws
+    // std::system_error.
     explicit OrderedFile(int descriptor);
     ~OrderedFile();
     OrderedFile(const OrderedFile&) = delete;
@@ -32,6 +35,9 @@ class OrderedFile {
     void write(Part part, std::uint64_t offset, std::span<const std::byte> bytes);
     // Fills `bytes`; with zeros past the end of the file. Throws std::system_error.
     void read(std::uint64_t offset, std::span<std::byte> bytes) const;
+    // Takes all metadata below the size set last as being on disk: after HDF5 has opened a file that was not
+    // empty.
+    void adopt() { adopted_ = size_; }
     // The size that the next commit gives the file.
     void set_size(std::uint64_t size) { size_ = size; }
     // End of the last byte written, committed or not.
@@ -53,6 +59,7 @@ class OrderedFile {
     std::uint64_t size_ = 0;       // wanted
     std::uint64_t disk_size_ = 0;  // of the file as it is
     std::uint64_t end_ = 0;
+    std::uint64_t adopted_ = 0;                                        // end of what was there before
     std::vector<Write> pending_;                                       // in the order of writing
     std::unordered_map<std::uint64_t, std::size_t> pending_metadata_;  // offset → index of the last image
     std::unordered_set<std::uint64_t> metadata_on_disk_;               // offsets of tree nodes and headers

@@ -1,6 +1,7 @@
 #include "results/output_file.hpp"
 
 #include <fcntl.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
@@ -51,6 +52,16 @@ void make_way(const fs::path& path, Existing existing) {
     if (error) throw FileError(path, "cannot replace the results file: " + error.message());
 }
 
+// Of the open file, not of the process, and none that readers who lock whole files would see. False if
+// another process has it; true also where the file system knows no locks.
+bool lock(int descriptor) {
+    struct flock whole {};
+    whole.l_type = F_WRLCK;
+    whole.l_whence = SEEK_SET;
+    if (::fcntl(descriptor, F_OFD_SETLK, &whole) == 0) return true;
+    return errno != EAGAIN && errno != EACCES;
+}
+
 }  // namespace
 
 int create_output_file(const fs::path& path, Existing existing) {
@@ -62,6 +73,23 @@ int create_output_file(const fs::path& path, Existing existing) {
     if (descriptor < 0) {
         const int code = errno;
         throw FileError(path, failure + std::generic_category().message(code), hint_for(target, code));
+    }
+    lock(descriptor);
+    ignore_size_limit_signal();
+    return descriptor;
+}
+
+int open_output_file(const fs::path& path) {
+    std::error_code ignored;
+    if (!fs::exists(path, ignored)) throw FileError(path, "there is no such file");
+    if (fs::is_directory(path, ignored)) throw FileError(path, "is a folder, not a results file");
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+    if (descriptor < 0) {
+        throw FileError(path, "cannot be written: " + std::generic_category().message(errno));
+    }
+    if (!lock(descriptor)) {
+        ::close(descriptor);
+        throw FileError(path, "another process is writing it");
     }
     ignore_size_limit_signal();
     return descriptor;

@@ -31,7 +31,7 @@ void writing(const std::filesystem::path& path, Action&& action) {
         action();
     } catch (const std::system_error& error) {
         throw FileError(path, "cannot write: " + error.code().message());
-    } catch (const Hdf5Error& error) {
+    } catch (const std::runtime_error& error) {
         throw FileError(path, std::string("cannot write: ") + error.what());
     }
 }
@@ -63,6 +63,15 @@ ResultsFile::ResultsFile(const ResultsFileOptions& options,
     }
 }
 
+ResultsFile::ResultsFile(const DeckRecord& deck,
+                         const Model& model,
+                         const OutputSettings& output,
+                         ResumableFile file)
+    : path_(file.path()) {
+    assert(has_valid_names(output));
+    writing(path_, [&] { writer_ = std::make_unique<ResultsWriter>(std::move(file), deck, model, output); });
+}
+
 ResultsFile::~ResultsFile() = default;
 
 void ResultsFile::record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver) {
@@ -72,6 +81,10 @@ void ResultsFile::record_step(const Snapshot& snapshot, const LedgerRow& ledger,
 void ResultsFile::write_frame(const Snapshot& snapshot) {
     writing(path_, [&] { writer_->write_frame(snapshot); });
 }
+
+bool ResultsFile::is_flush_due() const { return writer_->is_flush_due(); }
+
+void ResultsFile::set_restart(RestartRecord record) { writer_->set_restart(std::move(record)); }
 
 void ResultsFile::flush() {
     writing(path_, [&] { writer_->flush(); });

@@ -10,6 +10,8 @@
 #include "model/model.hpp"
 #include "model/settings.hpp"
 #include "results/output_file.hpp"
+#include "results/restart_record.hpp"
+#include "results/resumable_file.hpp"
 #include "results/step_record.hpp"
 
 namespace gxrod {
@@ -28,7 +30,7 @@ struct ResultsFileOptions {
 // The HDF5 file of a run: histories, ledger and solver record of each step, and frames that ParaView reads.
 // docs/guide/results.md has its layout.
 //
-// Steps and frames are gathered in memory and written together about five times a second of wall time.
+// Steps and frames are gathered in memory; the caller writes them together with flush() when that is due.
 // Wherever the writer is killed, the file holds every step and frame of the last time it was written:
 // /histories/time and /VTKHDF/Steps@NSteps are raised after all else is there.
 //
@@ -41,6 +43,9 @@ class ResultsFile {
                 const DeckRecord& deck,
                 const Model& model,
                 const OutputSettings& output);
+    // Goes on with a results file after the step that it can be resumed from. What the file has beyond is
+    // replaced; histories may come and go, the rest of the model must be the same.
+    ResultsFile(const DeckRecord& deck, const Model& model, const OutputSettings& output, ResumableFile file);
     // Without close() the status stays "running". Never throws.
     ~ResultsFile();
     ResultsFile(const ResultsFile&) = delete;
@@ -50,6 +55,10 @@ class ResultsFile {
     void record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
     // Adds a frame to /VTKHDF.
     void write_frame(const Snapshot& snapshot);
+    // Whether it is time to write what is gathered: five times a second, or when it is much.
+    bool is_flush_due() const;
+    // What a resumed run goes on from, once it is written: after the steps and frames added so far.
+    void set_restart(RestartRecord record);
     // Writes now what is gathered.
     void flush();
     // Writes all, with the status, its reason and the nodes that the reason names. Nothing may be added after

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "model/version.hpp"
+#include "results/deck_reading.hpp"
 #include "results/digest.hpp"
 #include "results/ordered_driver.hpp"
 
@@ -28,16 +29,27 @@ Hdf5Handle open_root(const Hdf5Handle& file) {
     return {H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose, "opening the root"};
 }
 
-AppendDataset<double> create_times(const Hdf5Handle& histories, const DeckRecord& deck) {
+Hdf5Handle open_hdf5(OrderedFile& file) {
+    silence_hdf5();
+    const Hdf5Handle access = make_ordered_access(file);
+    Hdf5Handle hdf5(H5Fopen("results", H5F_ACC_RDWR, access.id()), H5Fclose, "opening the file");
+    file.adopt();
+    return hdf5;
+}
+
+AppendDataset<double> open_times(const Hdf5Handle& histories, const DeckRecord& deck, hsize_t rows) {
     if (deck.is_static) {
-        return {histories, {"time", "load factor at the end of each accepted step", "none", "1"}, scalar_row};
+        return {histories,
+                {"time", "load factor at the end of each accepted step", "none", "1"},
+                scalar_row,
+                rows};
     }
-    return {histories, {"time", "time at the end of each accepted step", "none", "time"}, scalar_row};
+    return {histories, {"time", "time at the end of each accepted step", "none", "time"}, scalar_row, rows};
 }
 
 // Each under its file's name; where two folders have files of one name, the later with a number before it.
 void write_meshes(const Hdf5Handle& parent, const std::vector<MeshRecord>& meshes) {
-    const Hdf5Handle group = create_group(parent, "meshes");
+    const Hdf5Handle group = require_group(parent, "meshes");
     std::set<std::string> names;
     for (const MeshRecord& mesh : meshes) {
         const std::string file = std::filesystem::path(mesh.file).filename().string();
@@ -61,9 +73,30 @@ void write_provenance(const Hdf5Handle& root, const DeckRecord& deck) {
     write_attribute(root.id(), "status", "running");
     write_attribute(root.id(), "reason", "");
     write_attribute(root.id(), "reason_nodes", std::span<const std::int64_t>{});
-    const Hdf5Handle group = create_group(root, "deck");
+    const Hdf5Handle group = require_group(root, "deck");
     write_dataset(group, {"text", "the deck as run", "none", ""}, deck.text);
     if (!deck.meshes.empty()) write_meshes(group, deck.meshes);
+}
+
+// Keeps the deck that the run goes on with beside those before, if it is another one.
+void write_resumption(const Hdf5Handle& root, const DeckRecord& before, const DeckRecord& deck) {
+    if (before.text != deck.text) {
+        const Hdf5Handle group = require_group(root, "deck");
+        std::size_t count = 2;
+        while (has_link(group, deck_text_name(count))) ++count;
+        write_dataset(
+            group,
+            {deck_text_name(count), "the deck as run after a resumption that changed it", "none", ""},
+            deck.text);
+        rewrite_attribute(root.id(), "deck_name", deck.name);
+        rewrite_attribute(root.id(), "deck_sha256", sha256_hex(deck.text));
+        rewrite_attribute(root.id(), "title", deck.title);
+        rewrite_attribute(root.id(), "units", deck.units);
+    }
+    rewrite_attribute(root.id(), "gxrod_version", version);
+    rewrite_attribute(root.id(), "status", "running");
+    rewrite_attribute(root.id(), "reason", "");
+    rewrite_attribute(root.id(), "reason_nodes", std::span<const std::int64_t>{});
 }
 
 }  // namespace
@@ -71,16 +104,23 @@ void write_provenance(const Hdf5Handle& root, const DeckRecord& deck) {
 ResultsTables::ResultsTables(const Hdf5Handle& root,
                              const DeckRecord& deck,
                              const Model& model,
-                             const OutputSettings& output)
-    : histories_group_(create_group(root, "histories")),
-      ledger_group_(create_group(root, "ledger")),
-      solver_group_(create_group(root, "solver")),
-      times_(create_times(histories_group_, deck)),
-      histories_(histories_group_, model, output.histories),
-      ledger_(ledger_group_),
-      solver_(solver_group_),
-      frames_(root, model) {
+                             const OutputSettings& output,
+                             hsize_t steps,
+                             hsize_t frames)
+    : histories_group_(require_group(root, "histories")),
+      ledger_group_(require_group(root, "ledger")),
+      solver_group_(require_group(root, "solver")),
+      times_(open_times(histories_group_, deck, steps)),
+      histories_(histories_group_, model, output.histories, steps),
+      ledger_(ledger_group_, steps),
+      solver_(solver_group_, steps),
+      frames_(root, model, frames),
+      restart_(root),
+      step_count_(steps),
+      frame_count_(frames) {
+    times_.trim();
     for (const Hdf5Handle* group : {&ledger_group_, &solver_group_}) {
+        if (has_link(*group, "time")) continue;
         check_hdf5(H5Olink(times_.id(), group->id(), "time", H5P_DEFAULT, H5P_DEFAULT), "linking the times");
     }
 }
@@ -90,20 +130,39 @@ void ResultsTables::append_step(const Snapshot& snapshot, const LedgerRow& ledge
     histories_.append(snapshot);
     ledger_.append(ledger);
     solver_.append(solver);
+    ++step_count_;
 }
 
-void ResultsTables::append_frame(const Snapshot& snapshot) { frames_.append(snapshot); }
+void ResultsTables::append_frame(const Snapshot& snapshot) {
+    frames_.append(snapshot);
+    ++frame_count_;
+}
+
+void ResultsTables::set_restart(RestartRecord record) {
+    restart_place_ = RestartPlace{std::move(record), step_count_, frame_count_};
+}
 
 void ResultsTables::flush_rows() {
     histories_.flush();
     ledger_.flush();
     solver_.flush();
     frames_.flush_frames();
+    if (restart_place_) restart_.write(*restart_place_);
+    restart_place_.reset();
 }
 
 void ResultsTables::flush_counts() {
     times_.flush();
     frames_.flush_count();
+    restart_.switch_slot();
+}
+
+void ResultsTables::trim() {
+    times_.trim();
+    histories_.trim();
+    ledger_.trim();
+    solver_.trim();
+    frames_.trim();
 }
 
 std::size_t ResultsTables::buffered_bytes() const {
@@ -117,7 +176,18 @@ ResultsWriter::ResultsWriter(int descriptor,
                              const OutputSettings& output)
     : file_(descriptor), hdf5_(create_hdf5(file_)), root_(open_root(hdf5_)) {
     write_provenance(root_, deck);
-    tables_.emplace(root_, deck, model, output);
+    tables_.emplace(root_, deck, model, output, 0, 0);
+    commit();
+    next_flush_ = Clock::now() + flush_interval;
+}
+
+ResultsWriter::ResultsWriter(ResumableFile file,
+                             const DeckRecord& deck,
+                             const Model& model,
+                             const OutputSettings& output)
+    : file_(file.release()), hdf5_(open_hdf5(file_)), root_(open_root(hdf5_)) {
+    write_resumption(root_, file.deck(), deck);
+    tables_.emplace(root_, deck, model, output, file.place().steps, file.place().frames);
     commit();
     next_flush_ = Clock::now() + flush_interval;
 }
@@ -135,17 +205,20 @@ ResultsWriter::~ResultsWriter() {
 void ResultsWriter::record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver) {
     assert(tables_);
     tables_->append_step(snapshot, ledger, solver);
-    flush_if_due();
 }
 
 void ResultsWriter::write_frame(const Snapshot& snapshot) {
     assert(tables_);
     tables_->append_frame(snapshot);
-    flush_if_due();
 }
 
-void ResultsWriter::flush_if_due() {
-    if (Clock::now() >= next_flush_ || tables_->buffered_bytes() > most_buffered_bytes) flush();
+bool ResultsWriter::is_flush_due() const {
+    return Clock::now() >= next_flush_ || tables_->buffered_bytes() > most_buffered_bytes;
+}
+
+void ResultsWriter::set_restart(RestartRecord record) {
+    assert(tables_);
+    tables_->set_restart(std::move(record));
 }
 
 void ResultsWriter::flush() {
@@ -176,6 +249,7 @@ void ResultsWriter::close(const std::string& status,
                           const std::string& reason,
                           std::span<const std::int64_t> reason_nodes) {
     flush();
+    tables_->trim();
     rewrite_attribute(root_.id(), "reason", reason);
     if (!reason_nodes.empty()) rewrite_attribute(root_.id(), "reason_nodes", reason_nodes);
     rewrite_attribute(root_.id(), "status", status);

@@ -11,6 +11,8 @@
 #include "results/frame_table.hpp"
 #include "results/history_table.hpp"
 #include "results/ordered_file.hpp"
+#include "results/restart_table.hpp"
+#include "results/resumable_file.hpp"
 #include "results/step_tables.hpp"
 
 namespace gxrod {
@@ -18,18 +20,24 @@ namespace gxrod {
 // The datasets of a results file while they are open for appending. Throws Hdf5Error and std::system_error.
 class ResultsTables {
   public:
-    // `model` must outlive the tables.
+    // Appends after so many steps and frames. `model` must outlive the tables.
     ResultsTables(const Hdf5Handle& root,
                   const DeckRecord& deck,
                   const Model& model,
-                  const OutputSettings& output);
+                  const OutputSettings& output,
+                  hsize_t steps,
+                  hsize_t frames);
 
     void append_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
     void append_frame(const Snapshot& snapshot);
+    // The run can go on from the steps and frames that were appended so far.
+    void set_restart(RestartRecord record);
     // All rows but those that say how many there are: the times of the steps and the number of frames …
     void flush_rows();
     // … which follow when the rest is on disk.
     void flush_counts();
+    // Takes away what an earlier run wrote beyond the last row.
+    void trim();
     std::size_t buffered_bytes() const;
 
   private:
@@ -39,6 +47,9 @@ class ResultsTables {
     LedgerTable ledger_;
     SolverTable solver_;
     FrameTable frames_;
+    RestartTable restart_;
+    hsize_t step_count_, frame_count_;
+    std::optional<RestartPlace> restart_place_;  // to be written
 };
 
 // Writes a results file: what ResultsFile does, with errors as they come.
@@ -46,12 +57,19 @@ class ResultsWriter {
   public:
     // Takes over the descriptor of an empty file. `model` must outlive the writer.
     ResultsWriter(int descriptor, const DeckRecord& deck, const Model& model, const OutputSettings& output);
+    // Goes on with a file.
+    ResultsWriter(ResumableFile file,
+                  const DeckRecord& deck,
+                  const Model& model,
+                  const OutputSettings& output);
     ~ResultsWriter();
     ResultsWriter(const ResultsWriter&) = delete;
     ResultsWriter& operator=(const ResultsWriter&) = delete;
 
     void record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
     void write_frame(const Snapshot& snapshot);
+    bool is_flush_due() const;
+    void set_restart(RestartRecord record);
     void flush();
     void close(const std::string& status,
                const std::string& reason,
@@ -60,7 +78,6 @@ class ResultsWriter {
   private:
     using Clock = std::chrono::steady_clock;
 
-    void flush_if_due();
     void commit();
     void close_hdf5();
 

@@ -3,30 +3,35 @@
 namespace gxrod {
 namespace {
 
-AppendDataset<double> energy(const Hdf5Handle& ledger, const char* name, const char* description) {
-    return {ledger, {name, description, "none", "force·length"}, scalar_row};
+AppendDataset<double> energy(const Hdf5Handle& ledger,
+                             hsize_t rows,
+                             const char* name,
+                             const char* description) {
+    return {ledger, {name, description, "none", "force·length"}, scalar_row, rows};
 }
 
 std::span<const double> numbers(const Vec3& vector) { return {vector.data(), 3}; }
 
 }  // namespace
 
-LedgerTable::LedgerTable(const Hdf5Handle& ledger)
-    : kinetic_energy_(energy(ledger, "kinetic_energy", "kinetic energy")),
-      strain_energy_(energy(ledger, "strain_energy", "strain energy")),
+LedgerTable::LedgerTable(const Hdf5Handle& ledger, hsize_t rows)
+    : kinetic_energy_(energy(ledger, rows, "kinetic_energy", "kinetic energy")),
+      strain_energy_(energy(ledger, rows, "strain_energy", "strain energy")),
       external_work_(
-          energy(ledger, "external_work", "work of loads, gravity and moved supports since t = 0")),
-      dissipated_energy_(energy(ledger, "dissipated_energy", "energy lost to damping since t = 0")),
+          energy(ledger, rows, "external_work", "work of loads, gravity and moved supports since t = 0")),
+      dissipated_energy_(energy(ledger, rows, "dissipated_energy", "energy lost to damping since t = 0")),
       energy_error_(
           energy(ledger,
+                 rows,
                  "energy_error",
                  "(kinetic + strain energy) - its value at t = 0 - external work + dissipated energy")),
       linear_momentum_(
-          ledger, {"linear_momentum", "linear momentum", "spatial", "mass·length/time"}, vector_row),
+          ledger, {"linear_momentum", "linear momentum", "spatial", "mass·length/time"}, vector_row, rows),
       angular_momentum_(
           ledger,
           {"angular_momentum", "angular momentum about the origin", "spatial", "mass·length²/time"},
-          vector_row) {}
+          vector_row,
+          rows) {}
 
 void LedgerTable::append(const LedgerRow& row) {
     kinetic_energy_.append(row.kinetic_energy);
@@ -38,28 +43,39 @@ void LedgerTable::append(const LedgerRow& row) {
     angular_momentum_.append(numbers(row.angular_momentum));
 }
 
-void LedgerTable::flush() {
-    for (AppendDataset<double>* column : {&kinetic_energy_,
-                                          &strain_energy_,
-                                          &external_work_,
-                                          &dissipated_energy_,
-                                          &energy_error_,
-                                          &linear_momentum_,
-                                          &angular_momentum_}) {
-        column->flush();
-    }
+std::array<AppendDataset<double>*, 7> LedgerTable::columns() {
+    return {&kinetic_energy_,
+            &strain_energy_,
+            &external_work_,
+            &dissipated_energy_,
+            &energy_error_,
+            &linear_momentum_,
+            &angular_momentum_};
 }
 
-SolverTable::SolverTable(const Hdf5Handle& solver)
-    : time_step_(solver, {"time_step", "length of the step that ended here", "none", "time"}, scalar_row),
-      residual_(
-          solver, {"residual", "scaled residual of the step's last equilibrium", "none", "1"}, scalar_row),
+void LedgerTable::flush() {
+    for (AppendDataset<double>* column : columns()) column->flush();
+}
+
+void LedgerTable::trim() {
+    for (AppendDataset<double>* column : columns()) column->trim();
+}
+
+SolverTable::SolverTable(const Hdf5Handle& solver, hsize_t rows)
+    : time_step_(
+          solver, {"time_step", "length of the step that ended here", "none", "time"}, scalar_row, rows),
+      residual_(solver,
+                {"residual", "scaled residual of the step's last equilibrium", "none", "1"},
+                scalar_row,
+                rows),
       newton_iterations_(solver,
                          {"newton_iterations", "Newton iterations over all stages of the step", "none", "1"},
-                         scalar_row),
+                         scalar_row,
+                         rows),
       rejected_steps_(solver,
                       {"rejected_steps", "trial steps cut before this one was accepted", "none", "1"},
-                      scalar_row) {}
+                      scalar_row,
+                      rows) {}
 
 void SolverTable::append(const SolverRow& row) {
     time_step_.append(row.time_step);
@@ -73,6 +89,13 @@ void SolverTable::flush() {
     residual_.flush();
     newton_iterations_.flush();
     rejected_steps_.flush();
+}
+
+void SolverTable::trim() {
+    time_step_.trim();
+    residual_.trim();
+    newton_iterations_.trim();
+    rejected_steps_.trim();
 }
 
 }  // namespace gxrod

@@ -1,28 +1,34 @@
 #pragma once
 
+#include <array>
+
 #include "results/append_dataset.hpp"
 #include "results/step_record.hpp"
 
 namespace gxrod {
 
-// /ledger: energies and momenta, one row a step. Throws Hdf5Error.
+// /ledger: energies and momenta, one row a step, after the `rows` that are there. Throws Hdf5Error.
 class LedgerTable {
   public:
-    explicit LedgerTable(const Hdf5Handle& ledger);
+    LedgerTable(const Hdf5Handle& ledger, hsize_t rows);
     void append(const LedgerRow& row);
     void flush();
+    void trim();
 
   private:
+    std::array<AppendDataset<double>*, 7> columns();
+
     AppendDataset<double> kinetic_energy_, strain_energy_, external_work_, dissipated_energy_, energy_error_;
     AppendDataset<double> linear_momentum_, angular_momentum_;
 };
 
-// /solver: what each step cost, one row a step. Throws Hdf5Error.
+// /solver: what each step cost, one row a step, after the `rows` that are there. Throws Hdf5Error.
 class SolverTable {
   public:
-    explicit SolverTable(const Hdf5Handle& solver);
+    SolverTable(const Hdf5Handle& solver, hsize_t rows);
     void append(const SolverRow& row);
     void flush();
+    void trim();
 
   private:
     AppendDataset<double> time_step_, residual_;

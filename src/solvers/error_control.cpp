@@ -27,7 +27,7 @@ ErrorControl::ErrorControl(double end_time, double first_step, int order, const 
 }
 
 void ErrorControl::plan(double step) {
-    step_ = std::clamp(step, shortest_, longest_);
+    wanted_ = step_ = std::clamp(step, shortest_, longest_);
     const double left = end_time_ - time_;
     // Never a sliver before the end: the last two steps share what is left.
     if (step_ >= left * (1.0 - 1e-10)) {
@@ -65,6 +65,16 @@ bool ErrorControl::reject() {
     error_ = error_before_ = -1.0;
     just_rejected_ = true;
     plan(std::max(step_ * factor, shortest_));
+    return true;
+}
+
+bool ErrorControl::resume(const StepMemory& memory) {
+    if (memory.time > end_time_) return false;
+    time_ = memory.time;
+    error_before_ = memory.error_before;
+    just_rejected_ = memory.just_rejected;
+    accepted_ = static_cast<long>(memory.accepted);
+    plan(memory.step);
     return true;
 }
 

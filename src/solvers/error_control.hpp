@@ -32,6 +32,9 @@ class ErrorControl : public StepSequence {
     double part_done() const override { return time_ / end_time_; }
     bool is_frame_due(long every) const override { return accepted_ % every == 0; }
 
+    StepMemory memory() const override { return {time_, wanted_, error_before_, just_rejected_, accepted_}; }
+    bool resume(const StepMemory& memory) override;
+
   private:
     // Sets the next step to this length, or to what fits before the end.
     void plan(double step);
@@ -42,6 +45,7 @@ class ErrorControl : public StepSequence {
     double shortest_, longest_;
     double time_ = 0.0;
     double step_ = 0.0;
+    double wanted_ = 0.0;  // step_ before it was fitted to what is left
     double next_time_ = 0.0;
     // Relative to the tolerance: of the step tried last, negative if not known, and of the step accepted
     // before.

@@ -1,14 +1,12 @@
 #pragma once
 
-#include <cstdint>
-
+#include "solvers/step_grid.hpp"
 #include "solvers/step_sequence.hpp"
 
 namespace gxrod {
 
 // Where the next step ends: equal nominal steps from 0 to end_time, halved while they fail and doubled again
-// as soon as they fit the grid. Times are fractions of end_time counted in whole ticks, so that the grid is
-// met exactly.
+// as soon as they fit the grid. Times are counted in whole ticks, so that the grid is met exactly.
 class StepControl : public StepSequence {
   public:
     // The shortest step is the nominal one halved so many times.
@@ -17,7 +15,7 @@ class StepControl : public StepSequence {
     double time() const override { return at(position_); }
     double next_time() const override { return at(position_ + span_); }
     double time_step() const override {
-        return nominal_step_ * static_cast<double>(span_) / static_cast<double>(ticks_per_step_);
+        return grid_.step() * static_cast<double>(span_) / static_cast<double>(grid_.ticks());
     }
     bool finished() const override { return position_ >= end_; }
 
@@ -25,24 +23,24 @@ class StepControl : public StepSequence {
     bool reject() override;
 
     // Nominal steps; parts of one do not count, and frames stand where nominal steps end.
-    long steps_done() const override { return static_cast<long>(position_ / ticks_per_step_); }
-    long steps_in_all() const override { return static_cast<long>(end_ / ticks_per_step_); }
+    long steps_done() const override { return static_cast<long>(position_ / grid_.ticks()); }
+    long steps_in_all() const override { return static_cast<long>(end_ / grid_.ticks()); }
     double part_done() const override {
         return static_cast<double>(steps_done()) / static_cast<double>(steps_in_all());
     }
     bool is_frame_due(long every) const override { return at_nominal_step() && steps_done() % every == 0; }
 
+    StepMemory memory() const override;
+    bool resume(const StepMemory& memory) override;
+
     // Whether the accepted time lies on the nominal grid.
-    bool at_nominal_step() const { return position_ % ticks_per_step_ == 0; }
+    bool at_nominal_step() const { return position_ % grid_.ticks() == 0; }
 
   private:
-    double at(std::int64_t tick) const {
-        return tick == end_ ? end_time_ : end_time_ * (static_cast<double>(tick) / static_cast<double>(end_));
-    }
+    double at(std::int64_t position) const { return position == end_ ? end_time_ : grid_.at(position); }
 
     double end_time_;
-    double nominal_step_;
-    std::int64_t ticks_per_step_;
+    StepGrid grid_;
     std::int64_t end_;
     std::int64_t position_ = 0;
     std::int64_t span_;

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "model/settings.hpp"
+#include "state/step_memory.hpp"
 
 namespace gxrod {
 
@@ -35,6 +36,11 @@ class StepSequence {
     virtual double part_done() const = 0;
     // Whether a frame is due at the accepted time when one is due every so many steps.
     virtual bool is_frame_due(long every) const = 0;
+
+    // To go on later from the accepted time, with a sequence of the same settings or of others. False if that
+    // time is none that these steps can meet, or is past the end.
+    virtual StepMemory memory() const = 0;
+    virtual bool resume(const StepMemory& memory) = 0;
 };
 
 // Equal steps, or steps by their error if the settings have `adaptive`.

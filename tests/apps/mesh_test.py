@@ -34,7 +34,7 @@ class Mesh(ProgramTest):
         done = self.gxrod("run", "decks/truss.toml")
         self.assertNotIn("Info", done.stdout + done.stderr)
         with h5py.File(self.folder / "truss.vtkhdf") as file:
-            self.assertEqual(bytes(file["meshes/truss.geo"][:]), (SOURCE / "meshes" / "truss.geo").read_bytes())
+            self.assertEqual(bytes(file["deck/meshes/truss.geo"][:]), (SOURCE / "meshes" / "truss.geo").read_bytes())
             self.assertEqual(file["VTKHDF/NumberOfPoints"][0], 11)
 
     def test_check_says_what_the_mesh_became(self):

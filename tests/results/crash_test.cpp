@@ -10,6 +10,7 @@
 
 #include "model/file_error.hpp"
 #include "results/hdf5_reader.hpp"
+#include "results/restart_table.hpp"
 #include "results/results_file.hpp"
 #include "results/sample.hpp"
 
@@ -60,6 +61,20 @@ struct Survey {
     std::string fault;  // empty if all is well
 };
 
+// What is wrong with the state to go on from, or "". Without one there were no more than first steps.
+std::string examine_restart(const Hdf5Reader& file, const Survey& found) {
+    const std::optional<RestartPlace> place = read_restart(file);
+    if (!place) return found.steps > 10000 ? "no restart" : "";
+    const double time = place->record.steps.time;
+    if (place->record.nodes.size() != points) return "restart nodes";
+    for (const NodeMotion& node : place->record.nodes) {
+        if (node.r != Vec3(time, 2.0 * time, 3.0 * time)) return "restart of several times";
+    }
+    file.rows("/histories/middle/position", 0, place->steps);
+    file.rows("/VTKHDF/Points", 0, place->frames * points);
+    return "";
+}
+
 // Reads as many steps and frames as the file says it has, and compares them with what was written.
 Survey survey(const std::filesystem::path& path) {
     Survey found;
@@ -78,6 +93,7 @@ Survey survey(const std::filesystem::path& path) {
         if (!is_multiple_of_time(file.rows("/VTKHDF/Steps/Values", 0, found.frames), 1, 1, 8 * time_step)) {
             found.fault = "frame times";
         }
+        if (const std::string fault = examine_restart(file, found); !fault.empty()) found.fault = fault;
         const std::string status = file.text_attribute("/", "status");
         if (status != "running" && status != "complete") found.fault = "status " + status;
     } catch (const std::exception& error) {
@@ -162,39 +178,29 @@ TEST_CASE("A killed writer leaves a file with all that it had flushed", "[result
     CHECK(most_steps > 1000);
 }
 
-TEST_CASE("Between any two system calls of its writer the file is whole", "[results]") {
-    const sample::ScratchFolder folder;
-    const Model model = sample::make_model();
-    const auto path = folder / "traced";
-    constexpr int not_allowed = 77;
-    constexpr std::size_t last_step = 21500;
-    const pid_t child = run_child([&] {
-        if (::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) != 0) return not_allowed;
-        ResultsFile file({path}, sample::make_deck(), model, make_output());
-        ::raise(SIGSTOP);
-        // The leaps come just before B-trees split: at the root after 64 chunks, below it after about 120.
-        sample::Motion motion(0.0);
-        for (std::size_t step = 0; step < last_step;) {
-            const std::size_t count = step == 1000 ? 9000 : step == 11500 ? 8500 : 500;
-            write_steps(file, motion, step, count);
-            file.flush();
-            step += count;
-        }
-        file.close(RunStatus::complete, "end_time reached", std::vector<std::int64_t>{2, 0, 1});
-        return 0;
-    });
+namespace {
 
-    // Stops before each system call and after it.
+constexpr int not_allowed = 77;  // exit status of a child that may not be traced
+
+// What a writer's file was like before each of its writes.
+struct Watch {
+    std::size_t checks = 0;
+    Survey last;
+    bool was_allowed = true;
+    bool ended_well = false;
+};
+
+// Stops a child, which has asked to be traced and raised SIGSTOP, before each system call that writes.
+Watch watch_writes(pid_t child, const std::filesystem::path& path) {
+    Watch watch;
     int status = wait_for(child);
     if (WIFEXITED(status) && WEXITSTATUS(status) == not_allowed) {
-        WARN("skipped: processes may not be traced here");
-        return;
+        watch.was_allowed = false;
+        return watch;
     }
     REQUIRE(WIFSTOPPED(status));
     ::ptrace(PTRACE_SETOPTIONS, child, nullptr, PTRACE_O_TRACESYSGOOD | PTRACE_O_EXITKILL);
-    std::size_t checks = 0, steps = 0, frames = 0;
-    std::string fault;
-    for (;;) {
+    while (watch.last.fault.empty()) {
         REQUIRE(::ptrace(PTRACE_SYSCALL, child, nullptr, nullptr) == 0);
         status = wait_for(child);
         if (!WIFSTOPPED(status)) break;
@@ -203,21 +209,101 @@ TEST_CASE("Between any two system calls of its writer the file is whole", "[resu
         const bool writes = call.op == PTRACE_SYSCALL_INFO_ENTRY &&
                             (call.entry.nr == SYS_pwrite64 || call.entry.nr == SYS_ftruncate);
         if (!writes) continue;
-        ++checks;
-        const Survey found = survey(path);
-        if (found.steps < steps || found.frames < frames) fault = "fewer steps than before";
-        if (!found.fault.empty()) fault = found.fault;
-        if (!fault.empty()) break;
-        if (checks % 50 == 0) CHECK(is_complete(path));
-        steps = found.steps;
-        frames = found.frames;
+        Survey found = survey(path);
+        if (found.steps < watch.last.steps || found.frames < watch.last.frames) {
+            found.fault = "fewer steps than before";
+        }
+        watch.last = found;
+        if (++watch.checks % 50 == 0) CHECK(is_complete(path));
     }
-    if (!fault.empty()) ::kill(child, SIGKILL);
-    INFO("after " << checks << " writes and " << steps << " steps");
-    CHECK(fault == "");
-    CHECK(WIFEXITED(status));
-    CHECK(steps == last_step);
-    CHECK(checks > 1000);
+    if (!watch.last.fault.empty()) ::kill(child, SIGKILL);
+    watch.ended_well = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    return watch;
+}
+
+bool may_be_traced() { return ::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) == 0; }
+
+}  // namespace
+
+TEST_CASE("Between any two system calls of its writer the file is whole", "[results]") {
+    const sample::ScratchFolder folder;
+    const Model model = sample::make_model();
+    const auto path = folder / "traced";
+    constexpr std::size_t last_step = 21500;
+    const pid_t child = run_child([&] {
+        if (!may_be_traced()) return not_allowed;
+        ResultsFile file({path}, sample::make_deck(), model, make_output());
+        ::raise(SIGSTOP);
+        // The leaps come just before B-trees split: at the root after 64 chunks, below it after about 120.
+        sample::Motion motion(0.0);
+        for (std::size_t step = 0; step < last_step;) {
+            const std::size_t count = step == 1000 ? 9000 : step == 11500 ? 8500 : 500;
+            write_steps(file, motion, step, count);
+            file.set_restart(sample::make_restart(time_of(step)));
+            file.flush();
+            step += count;
+        }
+        file.close(RunStatus::complete, "end_time reached", std::vector<std::int64_t>{2, 0, 1});
+        return 0;
+    });
+
+    const Watch watch = watch_writes(child, path);
+    if (!watch.was_allowed) {
+        WARN("skipped: processes may not be traced here");
+        return;
+    }
+    INFO("after " << watch.checks << " writes and " << watch.last.steps << " steps");
+    CHECK(watch.last.fault == "");
+    CHECK(watch.ended_well);
+    CHECK(watch.last.steps == last_step);
+    CHECK(watch.checks > 1000);
+    CHECK(is_complete(path));
+    CHECK(survey(path).fault == "");
+}
+
+TEST_CASE("Between any two system calls of a resumed writer the file is whole", "[results][resume]") {
+    const sample::ScratchFolder folder;
+    const Model model = sample::make_model();
+    const auto path = folder / "traced";
+    constexpr std::size_t first_steps = 4000;
+    constexpr std::size_t last_step = 6000;
+    {
+        ResultsFile file({path}, sample::make_deck(), model, make_output());
+        sample::Motion motion(0.0);
+        write_steps(file, motion, 0, first_steps);
+        file.set_restart(sample::make_restart(time_of(first_steps - 1)));
+        // As a killed writer leaves it: rows that nothing counts yet.
+        file.flush();
+    }
+    const pid_t child = run_child([&] {
+        if (!may_be_traced()) return not_allowed;
+        ResumableFile resumed(path);
+        DeckRecord deck = sample::make_deck();
+        deck.text += "# another one, long enough for a place of its own" + std::string(5000, '!') + "\n";
+        OutputSettings output = make_output();
+        // So many new groups that the trees and heaps of the group grow.
+        for (int i = 0; i < 30; ++i) {
+            output.histories.push_back(output.histories[0]);
+            output.histories.back().name = "later_history_" + std::to_string(i);
+        }
+        ::raise(SIGSTOP);
+        ResultsFile file(deck, model, output, std::move(resumed));
+        sample::Motion motion(0.0);
+        for (std::size_t step = first_steps; step < last_step; step += 500) {
+            write_steps(file, motion, step, 500);
+            file.set_restart(sample::make_restart(time_of(step)));
+            file.flush();
+        }
+        file.close(RunStatus::complete, "end_time reached", std::vector<std::int64_t>{2, 0, 1});
+        return 0;
+    });
+    const Watch watch = watch_writes(child, path);
+    if (!watch.was_allowed) return;
+    INFO("after " << watch.checks << " writes and " << watch.last.steps << " steps");
+    CHECK(watch.last.fault == "");
+    CHECK(watch.ended_well);
+    CHECK(watch.last.steps == last_step);
+    CHECK(watch.checks > 200);
     CHECK(is_complete(path));
     CHECK(survey(path).fault == "");
 }

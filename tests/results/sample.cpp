@@ -116,6 +116,29 @@ SolverRow make_solver(double t) {
     return {0.25 + t, 3 + static_cast<int>(t), 1e-9 * (1.0 + t), static_cast<int>(2 * t)};
 }
 
+RestartRecord make_restart(double t) {
+    RestartRecord record;
+    const Motion motion(t);
+    record.nodes = motion.nodes;
+    for (NodeMotion& node : record.nodes) {
+        node.r = Vec3(t, 2.0 * t, 3.0 * t);
+        const double k = node.v.x();
+        record.sections.push_back({node.Lambda, Vec3(k, t, 7.0)});
+        record.algorithmic.push_back({Vec3(k, 8.0, t), Vec3(t, 9.0, k)});
+        record.ledger.driving.push_back(Vec6::Constant(k + t));
+        record.ledger.damping.push_back(Vec6::Constant(k - t));
+    }
+    record.ledger.initial_energy = 1.5;
+    record.ledger.initial_potential = 2.5;
+    record.ledger.driving_work = 3.5 + t;
+    record.ledger.dissipated = 4.5;
+    record.ledger.driving_power = 5.5;
+    record.ledger.damping_power = 6.5;
+    record.steps = {t, 0.0625, 0.3, true, 17};
+    record.totals = {18, 19, 20, 7.5, 8.5};
+    return record;
+}
+
 ScratchFolder::ScratchFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "gxrod_results_XXXXXX").string();
     if (!::mkdtemp(name.data())) throw std::runtime_error("no scratch folder");

@@ -7,6 +7,7 @@
 #include "model/deck_record.hpp"
 #include "model/model.hpp"
 #include "model/settings.hpp"
+#include "results/restart_record.hpp"
 #include "results/step_record.hpp"
 
 // A made-up model and motion, known at every time, to write results of.
@@ -31,6 +32,8 @@ struct Motion {
 };
 LedgerRow make_ledger(double time);
 SolverRow make_solver(double time);
+// All nodes at (t, 2t, 3t).
+RestartRecord make_restart(double time);
 
 // A folder that is removed with all that is in it.
 class ScratchFolder {

@@ -102,3 +102,28 @@ TEST_CASE("parts of a step are not steps, and frames stand on the grid", "[solve
     control.accept();
     CHECK(control.is_frame_due(2));
 }
+
+TEST_CASE("steps go on from a time that they meet", "[solvers]") {
+    StepControl first(1.0, 10);
+    first.accept();
+    REQUIRE(first.reject());
+    first.accept();
+    StepControl same(1.0, 10);
+    REQUIRE(same.resume(first.memory()));
+    CHECK(same.time() == first.time());
+    CHECK(same.next_time() == first.next_time());
+    CHECK(same.time_step() == first.time_step());
+    StepControl longer(1.5, 15);
+    REQUIRE(longer.resume(first.memory()));
+    CHECK(longer.next_time() == first.next_time());
+    StepControl finer(1.0, 100);
+    REQUIRE(finer.resume(first.memory()));
+    CHECK(finer.time() == 0.15);
+    CHECK(finer.next_time() == 0.16);
+    StepControl coarser(1.0, 5);
+    REQUIRE(coarser.resume(first.memory()));
+    CHECK(coarser.time() == 0.15);
+    CHECK(coarser.next_time() == 0.2);
+    CHECK_FALSE(StepControl(1.0, 7).resume(first.memory()));
+    CHECK_FALSE(StepControl(0.1, 1).resume(first.memory()));
+}

@@ -1,0 +1,102 @@
+#include "job.hpp"
+
+#include <fmt/core.h>
+
+#include <atomic>
+#include <csignal>
+
+#include "analyses/model_examination.hpp"
+#include "exit_code.hpp"
+#include "progress_line.hpp"
+#include "summary.hpp"
+
+namespace gxrod {
+
+namespace {
+
+volatile std::sig_atomic_t interrupt_signal = 0;
+
+// The first signal asks the run to end after the step at hand; the second ends it at once.
+extern "C" void ask_to_end(int signal) {
+    interrupt_signal = signal;
+    std::signal(signal, SIG_DFL);
+}
+
+void tell(const JobOptions& options, const RunSummary& summary) {
+    if (summary.status == RunStatus::failed) {
+        fmt::print(stderr,
+                   "gxrod: {}\nResults up to t = {:.10g} are in {}\n",
+                   summary.reason,
+                   summary.time,
+                   options.results);
+    } else if (summary.status == RunStatus::interrupted) {
+        fmt::print(stderr,
+                   "gxrod: interrupted at t = {:.10g}; results up to there are in {}\n"
+                   "To go on: gxrod resume {}\n",
+                   summary.time,
+                   options.results,
+                   options.results);
+    } else if (!options.quiet && options.summary != "-") {
+        fmt::print("{} steps to t = {:.10g}, {} Newton iterations, {:.2f} s\nResults: {}\n",
+                   summary.totals.steps,
+                   summary.time,
+                   summary.totals.newton_iterations,
+                   summary.wall_seconds,
+                   options.results);
+    }
+}
+
+// Energy out of balance by so much of the largest one says that results are not to be trusted.
+void warn_of_energy(const RunSummary& summary) {
+    constexpr double tolerable = 0.1;
+    if (summary.totals.largest_energy_error <= tolerable * summary.totals.largest_energy) return;
+    fmt::print(
+        stderr,
+        "warning: the energy does not balance: an error of {:.3g} beside an energy of {:.3g} "
+        "(ledger/energy_error). Steps may be too long, a vibration too fast for them, or, in statics, the "
+        "structure has jumped\n",
+        summary.totals.largest_energy_error,
+        summary.totals.largest_energy);
+}
+
+int exit_code_of(const RunSummary& summary, bool deck_fault) {
+    if (summary.status == RunStatus::interrupted) return exit_interrupted;
+    if (summary.status == RunStatus::failed) return deck_fault ? exit_bad_input : exit_not_converged;
+    return exit_done;
+}
+
+// Tells of what is suspicious; whether the model can be run.
+bool examine(const JobOptions& options, const Problem& problem) {
+    const std::vector<Finding> findings = examine_model(problem.model, problem.analysis);
+    for (const Finding& finding : findings) {
+        const bool is_told =
+            finding.severity == Severity::error || (finding.severity == Severity::warning && !options.quiet);
+        if (is_told) fmt::print(stderr, "{}: {}\n", options.deck, describe(finding));
+    }
+    return !has_error(findings);
+}
+
+}  // namespace
+
+int run_job(const Problem& problem, const JobOptions& options, ResumableFile* resumed) {
+    if (!examine(options, problem)) return exit_bad_input;
+    std::signal(SIGINT, ask_to_end);
+    std::signal(SIGTERM, ask_to_end);
+    ProgressLine line;
+    RunRequest request{problem.model,
+                       problem.analysis,
+                       problem.output,
+                       problem.record,
+                       {options.results, options.existing},
+                       resumed};
+    if (!options.quiet) request.report_progress = [&](const Progress& progress) { line.show(progress); };
+    request.is_interrupted = [] { return interrupt_signal != 0; };
+    const RunSummary summary = run_analysis(request);
+    line.finish();
+    tell(options, summary);
+    warn_of_energy(summary);
+    if (!options.summary.empty()) write_summary(options.summary, summary, options.deck, options.results);
+    return exit_code_of(summary, summary.deck_fault);
+}
+
+}  // namespace gxrod

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "analyses/run.hpp"
+#include "deck/problem.hpp"
+
+namespace gxrod {
+
+// What a user asks of a run beside the deck.
+struct JobOptions {
+    std::string deck;     // as the user named it
+    std::string results;  // file
+    std::string summary;  // file for JSON, "-", or "" for none
+    bool quiet = false;
+    Existing existing = Existing::refuse;
+};
+
+// Runs a problem with a progress line, ends it tidily on Ctrl-C and tells how it went; `resumed` is taken
+// over, to go on with it. The exit code. Throws FileError.
+int run_job(const Problem& problem, const JobOptions& options, ResumableFile* resumed = nullptr);
+
+}  // namespace gxrod

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "state/state.hpp"
+#include "state/step_memory.hpp"
+
+namespace gxrod {
+
+// The books of a run at an accepted step.
+struct LedgerMemory {
+    double initial_energy = 0.0;     // kinetic and strain
+    double initial_potential = 0.0;  // of gravity
+    double driving_work = 0.0;
+    double dissipated = 0.0;
+    double driving_power = 0.0;  // at the end of the last step
+    double damping_power = 0.0;
+    std::vector<Vec6> driving, damping;  // forces and moments per node there; damping empty without any
+};
+
+// What a run has done so far.
+struct RunTotals {
+    std::int64_t steps = 0;  // accepted
+    std::int64_t rejected_steps = 0;
+    std::int64_t newton_iterations = 0;
+    double largest_energy = 0.0;        // kinetic and strain, or external work
+    double largest_energy_error = 0.0;  // of the ledger
+};
+
+// All that a run needs to go on from an accepted step as if it had never stopped.
+struct RestartRecord {
+    std::vector<NodeMotion> nodes;                     // there, theta zero
+    std::vector<SectionHistory> sections;              // State::sections
+    std::vector<AlgorithmicAcceleration> algorithmic;  // State::algorithmic_previous; may be empty
+    LedgerMemory ledger;
+    StepMemory steps;
+    RunTotals totals;
+};
+
+// Where in a results file a restart record belongs.
+struct RestartPlace {
+    RestartRecord record;
+    std::uint64_t steps = 0;   // rows of the histories up to it
+    std::uint64_t frames = 0;  // frames up to it
+};
+
+}  // namespace gxrod

@@ -1,0 +1,233 @@
+#include "results/restart_table.hpp"
+
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+namespace gxrod {
+namespace {
+
+constexpr std::int64_t no_slot = -1;
+constexpr hsize_t node_columns = 19;
+constexpr hsize_t section_columns = 7;
+constexpr hsize_t vector_columns = 6;
+
+std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
+
+// Rows of numbers with so many columns.
+struct Table {
+    hsize_t columns;
+    std::vector<double> values = {};
+
+    hsize_t rows() const { return values.size() / columns; }
+    template <class Vector>
+    void add(const Vector& vector) {
+        values.insert(values.end(), vector.data(), vector.data() + vector.size());
+    }
+};
+
+// Numbers of a table, one after the other.
+class TableReader {
+  public:
+    explicit TableReader(const std::vector<double>& values) : next_(values.data()) {}
+    template <class Vector>
+    void take(Vector& vector) {
+        for (int i = 0; i < vector.size(); ++i) vector.data()[i] = *next_++;
+    }
+
+  private:
+    const double* next_;
+};
+
+Table table_of(const std::vector<NodeMotion>& nodes) {
+    Table table{node_columns};
+    for (const NodeMotion& node : nodes) {
+        table.add(node.r);
+        table.add(node.Lambda.coeffs());
+        for (const Vec3* vector : {&node.v, &node.omega, &node.a, &node.alpha}) table.add(*vector);
+    }
+    return table;
+}
+
+std::vector<NodeMotion> nodes_of(const Table& table) {
+    std::vector<NodeMotion> nodes(table.rows());
+    TableReader reader(table.values);
+    for (NodeMotion& node : nodes) {
+        reader.take(node.r);
+        reader.take(node.Lambda.coeffs());
+        for (Vec3* vector : {&node.v, &node.omega, &node.a, &node.alpha}) reader.take(*vector);
+    }
+    return nodes;
+}
+
+Table table_of(const std::vector<SectionHistory>& sections) {
+    Table table{section_columns};
+    for (const SectionHistory& section : sections) {
+        table.add(section.Lambda.coeffs());
+        table.add(section.K);
+    }
+    return table;
+}
+
+std::vector<SectionHistory> sections_of(const Table& table) {
+    std::vector<SectionHistory> sections(table.rows());
+    TableReader reader(table.values);
+    for (SectionHistory& section : sections) {
+        reader.take(section.Lambda.coeffs());
+        reader.take(section.K);
+    }
+    return sections;
+}
+
+Table table_of(const std::vector<AlgorithmicAcceleration>& accelerations) {
+    Table table{vector_columns};
+    for (const AlgorithmicAcceleration& acceleration : accelerations) {
+        table.add(acceleration.a);
+        table.add(acceleration.alpha);
+    }
+    return table;
+}
+
+std::vector<AlgorithmicAcceleration> accelerations_of(const Table& table) {
+    std::vector<AlgorithmicAcceleration> accelerations(table.rows());
+    TableReader reader(table.values);
+    for (AlgorithmicAcceleration& acceleration : accelerations) {
+        reader.take(acceleration.a);
+        reader.take(acceleration.alpha);
+    }
+    return accelerations;
+}
+
+Table table_of(const std::vector<Vec6>& forces) {
+    Table table{vector_columns};
+    for (const Vec6& force : forces) table.add(force);
+    return table;
+}
+
+std::vector<Vec6> forces_of(const Table& table) {
+    std::vector<Vec6> forces(table.rows());
+    TableReader reader(table.values);
+    for (Vec6& force : forces) reader.take(force);
+    return forces;
+}
+
+// Calls visit(name, member) for each single number of a place.
+template <class Place, class Visitor>
+void visit_numbers(Place& place, Visitor&& visit) {
+    auto& [record, steps, frames] = place;
+    visit("steps", steps);
+    visit("frames", frames);
+    visit("time", record.steps.time);
+    visit("next_step", record.steps.step);
+    visit("error_before", record.steps.error_before);
+    visit("just_rejected", record.steps.just_rejected);
+    visit("steps_by_error", record.steps.accepted);
+    visit("initial_energy", record.ledger.initial_energy);
+    visit("initial_potential", record.ledger.initial_potential);
+    visit("driving_work", record.ledger.driving_work);
+    visit("dissipated", record.ledger.dissipated);
+    visit("driving_power", record.ledger.driving_power);
+    visit("damping_power", record.ledger.damping_power);
+    visit("accepted_steps", record.totals.steps);
+    visit("rejected_steps", record.totals.rejected_steps);
+    visit("newton_iterations", record.totals.newton_iterations);
+    visit("largest_energy", record.totals.largest_energy);
+    visit("largest_energy_error", record.totals.largest_energy_error);
+}
+
+DatasetLabel numbers_label() {
+    std::string names;
+    const RestartPlace none;
+    visit_numbers(none, [&](const char* name, const auto&) { names += std::string(" ") + name; });
+    return {"numbers", "single numbers, in order:" + names, "none", ""};
+}
+
+// Writes over the dataset of that name, or creates it.
+void put(const Hdf5Handle& group, const DatasetLabel& label, const Table& table) {
+    if (!has_link(group, label.name)) return write_dataset(group, label, table.columns, table.values);
+    const Hdf5Handle dataset(
+        H5Dopen2(group.id(), label.name.c_str(), H5P_DEFAULT), H5Dclose, "opening a dataset");
+    check_hdf5(H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()),
+               "writing a dataset");
+}
+
+const DatasetLabel nodes_label{"nodes",
+                               "of each node: position, rotation as quaternion x y z w, velocity, angular "
+                               "velocity, acceleration, angular acceleration",
+                               "spatial",
+                               ""};
+const DatasetLabel sections_label{"sections",
+                                  "of each force point that remembers: section axes as quaternion x y z w, "
+                                  "material curvature",
+                                  "none",
+                                  ""};
+const DatasetLabel algorithmic_label{
+    "algorithmic", "of each node: algorithmic acceleration and angular acceleration", "spatial", ""};
+const DatasetLabel driving_label{"driving", "force and moment that does work on each node", "spatial", ""};
+const DatasetLabel damping_label{"damping", "force and moment of damping on each node", "spatial", ""};
+
+}  // namespace
+
+RestartTable::RestartTable(const Hdf5Handle& root) : group_(require_group(root, "restart")) {
+    if (H5Aexists(group_.id(), "slot") > 0) {
+        slot_attribute_ =
+            Hdf5Handle(H5Aopen(group_.id(), "slot", H5P_DEFAULT), H5Aclose, "opening an attribute");
+        check_hdf5(H5Aread(slot_attribute_.id(), H5T_NATIVE_INT64, &slot_), "reading an attribute");
+        return;
+    }
+    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "scalar dataspace");
+    slot_attribute_ =
+        Hdf5Handle(H5Acreate2(group_.id(), "slot", H5T_STD_I64LE, space.id(), H5P_DEFAULT, H5P_DEFAULT),
+                   H5Aclose,
+                   "creating an attribute");
+    check_hdf5(H5Awrite(slot_attribute_.id(), H5T_NATIVE_INT64, &no_slot), "writing an attribute");
+}
+
+void RestartTable::write(const RestartPlace& place) {
+    const Hdf5Handle slot = require_group(group_, slot_name(slot_ == 0 ? 1 : 0));
+    const RestartRecord& record = place.record;
+    Table single{1};
+    visit_numbers(
+        place, [&](const char*, const auto& value) { single.values.push_back(static_cast<double>(value)); });
+    put(slot, numbers_label(), single);
+    put(slot, nodes_label, table_of(record.nodes));
+    put(slot, sections_label, table_of(record.sections));
+    put(slot, algorithmic_label, table_of(record.algorithmic));
+    put(slot, driving_label, table_of(record.ledger.driving));
+    put(slot, damping_label, table_of(record.ledger.damping));
+    is_written_ = true;
+}
+
+void RestartTable::switch_slot() {
+    if (!is_written_) return;
+    slot_ = slot_ == 0 ? 1 : 0;
+    is_written_ = false;
+    check_hdf5(H5Awrite(slot_attribute_.id(), H5T_NATIVE_INT64, &slot_), "writing an attribute");
+}
+
+std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
+    if (!file.has("/restart") || file.integer_attribute("/restart", "slot") == no_slot) return std::nullopt;
+    const std::string slot = "/restart/" + slot_name(file.integer_attribute("/restart", "slot")) + "/";
+    const auto read = [&](const DatasetLabel& label, hsize_t columns) {
+        const std::vector<hsize_t> size = file.size(slot + label.name);
+        if (size.size() != 2 || size[1] != columns)
+            throw std::runtime_error(slot + label.name + " is damaged");
+        return Table{columns, file.numbers(slot + label.name)};
+    };
+    RestartPlace place;
+    const Table single = read(numbers_label(), 1);
+    std::size_t count = 0;
+    visit_numbers(place, [&](const char*, auto& value) {
+        if (count >= single.values.size()) throw std::runtime_error(slot + "numbers is damaged");
+        value = static_cast<std::remove_reference_t<decltype(value)>>(single.values[count++]);
+    });
+    RestartRecord& record = place.record;
+    record.nodes = nodes_of(read(nodes_label, node_columns));
+    record.sections = sections_of(read(sections_label, section_columns));
+    record.algorithmic = accelerations_of(read(algorithmic_label, vector_columns));
+    record.ledger.driving = forces_of(read(driving_label, vector_columns));
+    record.ledger.damping = forces_of(read(damping_label, vector_columns));
+    return place;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,66 @@
+#include "results/resumable_file.hpp"
+
+#include <unistd.h>
+
+#include <utility>
+
+#include "model/file_error.hpp"
+#include "results/deck_reading.hpp"
+#include "results/output_file.hpp"
+#include "results/restart_table.hpp"
+
+namespace gxrod {
+
+namespace {
+
+constexpr const char* failure = "cannot be resumed: ";
+
+struct Contents {
+    RestartPlace place;
+    DeckRecord deck;
+};
+
+Contents read_contents(const std::filesystem::path& path) {
+    std::string reason;
+    try {
+        const Hdf5Reader file(path);
+        if (!file.has_attribute("/", "gxrod_version")) {
+            reason = "it is not a results file of gxrod";
+        } else if (std::optional<RestartPlace> place = read_restart(file)) {
+            return {*std::move(place), read_deck_record(file)};
+        } else {
+            reason = "it has no state to go on from";
+        }
+    } catch (const std::runtime_error& error) {
+        reason = error.what();
+    }
+    throw FileError(path, failure + reason);
+}
+
+}  // namespace
+
+ResumableFile::ResumableFile(const std::filesystem::path& path)
+    : path_(path), descriptor_(open_output_file(path)) {
+    try {
+        Contents contents = read_contents(path);
+        place_ = std::move(contents.place);
+        deck_ = std::move(contents.deck);
+    } catch (...) {
+        ::close(descriptor_);
+        throw;
+    }
+}
+
+ResumableFile::~ResumableFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+ResumableFile::ResumableFile(ResumableFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      place_(std::move(other.place_)),
+      deck_(std::move(other.deck_)) {}
+
+int ResumableFile::release() { return std::exchange(descriptor_, -1); }
+
+}  // namespace gxrod

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+
+#include "model/deck_record.hpp"
+#include "results/restart_record.hpp"
+
+namespace gxrod {
+
+// A results file that a run can go on with, open for writing and locked against a second writer.
+class ResumableFile {
+  public:
+    // Throws FileError if there is no such file, it cannot be written, another process writes it, or it has
+    // no state to go on from.
+    explicit ResumableFile(const std::filesystem::path& path);
+    ~ResumableFile();
+    ResumableFile(ResumableFile&& other) noexcept;
+    ResumableFile& operator=(ResumableFile&&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    const RestartPlace& place() const { return place_; }
+    // The deck and meshes that it was written with.
+    const DeckRecord& deck() const { return deck_; }
+    // The descriptor, which the caller closes.
+    int release();
+
+  private:
+    std::filesystem::path path_;
+    int descriptor_;
+    RestartPlace place_;
+    DeckRecord deck_;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+
+namespace gxrod {
+
+// Where a sequence of steps stands, enough to go on with it.
+struct StepMemory {
+    double time = 0.0;  // of the last accepted step's end
+    // Of steps chosen by their error:
+    double step = 0.0;           // to try next, before it is fitted to what is left
+    double error_before = -1.0;  // of the last accepted step relative to its tolerance; negative: not known
+    bool just_rejected = false;
+    std::int64_t accepted = 0;  // steps
+};
+
+}  // namespace gxrod
