@@ -35,7 +35,7 @@ void add_arrows_along_rod(const Model& model, const DistributedLoad& load, std::
                           rod.element_nodes[place],
                           true,
                           [&load, s, axes](const NodeMotion& motion, double time) {
-                              const Vec6 value = value_at(load, time, s);
+                              Vec6 value = value_at(load, time, s);
                               if (load.frame == Frame::spatial) return value;
                               const bool in_axes = load.frame == Frame::body;
                               return turned(in_axes ? motion.Lambda * axes : motion.Lambda, value);

@@ -30,6 +30,12 @@ std::string read_template() {
     return text;
 }
 
+// Frames that the file counts and has times of.
+std::size_t count_frames(const Hdf5Reader& file) {
+    const auto counted = static_cast<std::size_t>(file.integer_attribute("/VTKHDF/Steps", "NSteps"));
+    return std::min<std::size_t>(counted, file.size("/VTKHDF/Steps/Values").at(0));
+}
+
 // A page in the making, of results that are open.
 class Page {
   public:
@@ -40,7 +46,7 @@ class Page {
           charts_(list_charts(file, story_.is_static)) {
         content_.topology = &story_.topology;
         content_.marked_nodes = story_.marked_nodes;
-        content_.frames = static_cast<std::size_t>(file.integer_attribute("/VTKHDF/Steps", "NSteps"));
+        content_.frames = count_frames(file);
         content_.steps = file.size("/histories/time").at(0);
         for (const StepChart& chart : charts_) content_.columns += chart.columns();
         content_.arrows = story_.arrows.size();
@@ -128,12 +134,12 @@ void check_page(const ReportOptions& options) {
 }
 
 ReportSummary write_part(const Hdf5Reader& file, const ReportOptions& options, const fs::path& part) {
-    if (file.integer_attribute("/VTKHDF/Steps", "NSteps") == 0) {
+    if (count_frames(file) == 0) {
         throw FileError(options.results, "has no frame yet, so there is nothing to show");
     }
     std::ofstream out(part, std::ios::binary | std::ios::trunc);
     if (!out) throw FileError(options.page, "cannot be written", std::generic_category().message(errno));
-    const ReportSummary summary = Page(file, options).write(out);
+    ReportSummary summary = Page(file, options).write(out);
     out.close();
     if (!out) throw FileError(options.page, "cannot be written", std::generic_category().message(errno));
     return summary;
@@ -146,7 +152,7 @@ ReportSummary write_report(const ReportOptions& options) {
     const fs::path part = options.page.string() + ".part";
     std::error_code error;
     try {
-        const ReportSummary summary = read_results(options.results, [&](const Hdf5Reader& file) {
+        ReportSummary summary = read_results(options.results, [&](const Hdf5Reader& file) {
             check_page(options);
             return write_part(file, options, part);
         });
