@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace gxrod {
 
 namespace {
 
 constexpr int vtk_vertex = 1;
+constexpr std::size_t most_cell_nodes = 5;
 
 Quat read_axes(const std::array<std::vector<double>, 3>& axes, std::size_t node) {
     Mat3 matrix;
@@ -48,12 +50,19 @@ FrameTopology read_topology(const Hdf5Reader& file) {
              i < static_cast<std::size_t>(offsets.at(cell + 1));
              ++i) {
             const int node = static_cast<int>(connectivity.at(i));
+            if (node < 0 || node >= topology.nodes)
+                throw std::runtime_error("a cell has a point that is not there");
             drawn.nodes.push_back(node);
             drawn.axes.push_back(read_axes(axes, static_cast<std::size_t>(node)));
         }
-        drawn.radius_y = drawn.radius_z = radius[cell];
+        const bool is_body = types[cell] == vtk_vertex;
+        if (is_body ? drawn.nodes.size() != 1
+                    : drawn.nodes.size() < 2 || drawn.nodes.size() > most_cell_nodes) {
+            throw std::runtime_error("a cell is neither a rod's element nor a body");
+        }
+        drawn.radius_y = drawn.radius_z = radius.at(cell);
         drawn.source = static_cast<int>(cell);
-        if (types[cell] == vtk_vertex) {
+        if (is_body) {
             topology.body_nodes.push_back(drawn.nodes.at(0));
         } else {
             topology.rod_cells.push_back(std::move(drawn));

@@ -26,7 +26,8 @@ struct FrameTopology {
     std::vector<int> body_nodes;
 };
 
-// From the file alone: round rods, with the axes of the first frame's nodes. Throws Hdf5Error.
+// From the file alone: round rods, with the axes of the first frame's nodes. Throws Hdf5Error, or
+// std::runtime_error if the cells are not those of rods and bodies.
 FrameTopology read_topology(const Hdf5Reader& file);
 
 // Sets true axes and the proportions of the sections from the model; false, and nothing done, if it is not

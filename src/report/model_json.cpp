@@ -43,9 +43,12 @@ Json describe_body(const Body& body, const NodeNumbers& number) {
 
 }  // namespace
 
-Json describe_bodies(const Model& model, const NodeNumbers& number) {
+Json describe_bodies(const Model& model, const NodeNumbers& number, std::size_t most) {
     Json bodies = Json::array();
-    for (const Body& body : model.bodies) bodies.push_back(describe_body(body, number));
+    for (const Body& body : model.bodies) {
+        if (bodies.size() == most) break;
+        bodies.push_back(describe_body(body, number));
+    }
     return bodies;
 }
 

@@ -14,6 +14,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+constexpr std::size_t most_bodies = 300;
 constexpr std::size_t most_supports = 500;
 constexpr std::size_t most_arrows = 300;
 constexpr double tolerable_imbalance = 0.1;  // as gxrod run warns
@@ -60,6 +61,7 @@ void add_drawing(RunStory& story) {
 Json bare_bodies(const RunStory& story, const NodeNumbers& number) {
     Json bodies = Json::array();
     for (const int node : story.topology.body_nodes) {
+        if (bodies.size() == most_bodies) break;
         bodies.push_back({{"name", ""},
                           {"node", number(node)},
                           {"centre", {0.0, 0.0, 0.0}},
@@ -86,6 +88,10 @@ RunStory read_run_story(const Hdf5Reader& file) {
     story.is_static = text_of(file, "analysis") == "static";
     story.topology = read_topology(file);
     rebuild(file, story);
+    if (story.topology.body_nodes.size() > most_bodies) {
+        story.left_out.push_back(fmt::format(
+            "Of {} bodies, the first {} are drawn.", story.topology.body_nodes.size(), most_bodies));
+    }
     if (story.problem) add_drawing(story);
     if (file.has_attribute("/", "reason_nodes"))
         story.fail_nodes = file.integers_attribute("/", "reason_nodes");
@@ -140,7 +146,7 @@ Json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbe
     }
     const Model& model = story.problem->model;
     json["unknowns"] = count_unknowns(model);
-    json["bodies"] = describe_bodies(model, number);
+    json["bodies"] = describe_bodies(model, number, most_bodies);
     json["supports"] = describe_supports(model, number, most_supports);
     json["tables"] = describe_tables(*story.problem);
     return json;

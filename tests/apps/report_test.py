@@ -104,6 +104,11 @@ class Program(ProgramTest):
         for name, said in (("none.vtkhdf", "there is no such file"), (".", "is a folder"),
                            ("body.toml", "cannot be read as results of gxrod")):
             self.assertIn(said, self.gxrod("report", name, "-o", "x.html", code=4).stderr)
+        with h5py.File(self.folder / "body.vtkhdf", "r+") as file:
+            file["VTKHDF/Connectivity"][0] = 10 ** 6
+        self.assertIn("a point that is not there", self.gxrod("report", "body.vtkhdf", code=4).stderr)
+        with h5py.File(self.folder / "body.vtkhdf", "r+") as file:
+            file["VTKHDF/Connectivity"][0] = 0
         done = self.gxrod("report", "body.vtkhdf", "-o", "no/such/folder.html", code=4)
         self.assertIn("cannot be written", done.stderr)
         self.assertIn("--budget", self.gxrod("report", "body.vtkhdf", "--budget", "0.1", code=2).stderr)
