@@ -4,24 +4,19 @@
 
 #include "model/evaluation_error.hpp"
 #include "report/data_blocks.hpp"
+#include "report/frame_vectors.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
 
 namespace {
 
-// Rows of a frame that has `rows` of them, three numbers each; those in `chosen`.
-std::vector<float> read_vectors(const Hdf5Reader& file,
-                                const std::string& dataset,
-                                std::size_t frame,
-                                int rows,
-                                const std::vector<int>& chosen) {
-    const std::vector<double> all =
-        file.rows(dataset, frame * static_cast<hsize_t>(rows), static_cast<hsize_t>(rows));
+// Those rows of a frame that are chosen.
+std::vector<float> choose(std::span<const double> frame, const std::vector<int>& chosen) {
     std::vector<float> values;
     values.reserve(3 * chosen.size());
     for (const int row : chosen) {
-        for (int i = 0; i < 3; ++i) values.push_back(static_cast<float>(all[3 * row + i]));
+        for (int i = 0; i < 3; ++i) values.push_back(static_cast<float>(frame[3 * row + i]));
     }
     return values;
 }
@@ -78,11 +73,12 @@ void write_arrows(const Hdf5Reader& file,
                   const ReportContent& content,
                   const std::vector<LoadArrow>& arrows,
                   std::ostream& out) {
-    const auto rows = static_cast<hsize_t>(content.topology->nodes);
+    const auto rows = static_cast<std::size_t>(content.topology->nodes);
     write_block(out, "arrows", [&](Base64Writer& base64) {
+        if (arrows.empty()) return;
+        FrameVectors rotation_vectors(file, "/VTKHDF/PointData/rotation_vector", rows, content.frames);
         for (std::size_t i = 0; i < frames.size(); ++i) {
-            const std::vector<double> rotations =
-                file.rows("/VTKHDF/PointData/rotation_vector", frames[i] * rows, rows);
+            const std::span<const double> rotations = rotation_vectors.read(frames[i]);
             std::vector<float> values;
             for (const LoadArrow& arrow : arrows) {
                 const Vec6 value = value_of(arrow, Vec3(rotations.data() + 3 * arrow.node), times[i]);
@@ -111,8 +107,9 @@ void write_frame_blocks(const Hdf5Reader& file,
     const auto write_quantity =
         [&](const std::string& folder, const std::string& name, int rows, const std::vector<int>& chosen) {
             write_block(out, name, [&](Base64Writer& base64) {
+                FrameVectors vectors(file, folder + name, static_cast<std::size_t>(rows), content.frames);
                 for (const std::size_t frame : frames) {
-                    const std::vector<float> values = read_vectors(file, folder + name, frame, rows, chosen);
+                    const std::vector<float> values = choose(vectors.read(frame), chosen);
                     base64.write(std::span<const float>(values));
                 }
             });

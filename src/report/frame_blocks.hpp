@@ -10,8 +10,8 @@
 namespace gxrod {
 
 // Writes what the 3D view shows, as blocks of data: what does not move (reference, connectivity, offsets,
-// axes, radii), the times, and of each quantity all kept frames, read one by one. The arrows' values where a
-// function fails are not numbers. Throws Hdf5Error.
+// axes, radii), the times, and of each quantity all kept frames, read a few at a time. The arrows' values
+// where a function fails are not numbers. Throws Hdf5Error.
 void write_frame_blocks(const Hdf5Reader& file,
                         const ReportPlan& plan,
                         const ReportContent& content,

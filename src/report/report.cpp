@@ -9,13 +9,14 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "model/file_error.hpp"
 #include "report/data_blocks.hpp"
 #include "report/frame_blocks.hpp"
 #include "report/page_template.hpp"
 #include "report/run_story.hpp"
 #include "report/script_json.hpp"
 #include "report/step_blocks.hpp"
-#include "results/read_results.hpp"
+#include "results/results_access.hpp"
 
 namespace gxrod {
 
@@ -152,9 +153,10 @@ ReportSummary write_report(const ReportOptions& options) {
     const fs::path part = options.page.string() + ".part";
     std::error_code error;
     try {
-        ReportSummary summary = read_results(options.results, [&](const Hdf5Reader& file) {
+        ReportSummary summary;
+        read_results(options.results, [&](const Hdf5Reader& file) {
             check_page(options);
-            return write_part(file, options, part);
+            summary = write_part(file, options, part);
         });
         fs::rename(part, options.page, error);
         if (error) throw FileError(options.page, "cannot be written", error.message());

@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "model/file_error.hpp"
-#include "results/read_results.hpp"
+#include "results/results_access.hpp"
 
 namespace gxrod {
 
@@ -98,32 +98,21 @@ std::vector<Table> list_tables(const Hdf5Reader& file, const std::filesystem::pa
     return tables;
 }
 
-void check_absent(const std::vector<Table>& tables) {
-    for (const Table& table : tables) {
-        if (!std::filesystem::exists(table.path)) continue;
-        throw FileError(table.path, "exists already", "--force overwrites it");
-    }
-}
-
 }  // namespace
 
 std::vector<std::filesystem::path> export_csv(const std::filesystem::path& results,
                                               const std::filesystem::path& folder,
                                               Existing existing) {
-    return read_results(results, [&](const Hdf5Reader& file) {
-        std::error_code error;
-        std::filesystem::create_directories(folder, error);
-        if (error) throw FileError(folder, "cannot be made", error.message());
+    std::vector<std::filesystem::path> written;
+    read_results(results, [&](const Hdf5Reader& file) {
         const std::vector<Table> tables = list_tables(file, folder);
-        if (existing == Existing::refuse) check_absent(tables);
+        written.clear();
+        for (const Table& table : tables) written.push_back(table.path);
+        prepare_export(folder, written, existing);
         existing = Existing::replace;  // what a further attempt finds is ours
-        std::vector<std::filesystem::path> written;
-        for (const Table& table : tables) {
-            write_table(file, table.group, table.path);
-            written.push_back(table.path);
-        }
-        return written;
+        for (const Table& table : tables) write_table(file, table.group, table.path);
     });
+    return written;
 }
 
 }  // namespace gxrod

@@ -1,0 +1,55 @@
+#include "results/results_access.hpp"
+
+#include <system_error>
+
+#include "model/file_error.hpp"
+
+namespace gxrod {
+
+namespace {
+
+constexpr int most_attempts = 20;
+
+Hdf5Reader open_results(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) throw FileError(path, "there is no such file");
+    if (std::filesystem::is_directory(path, ignored))
+        throw FileError(path, "is a folder, not a results file");
+    Hdf5Reader file(path);
+    if (!file.has_attribute("/", "gxrod_version") || !file.has("/histories/time") || !file.has("/ledger")) {
+        throw FileError(path, "is not a results file of gxrod");
+    }
+    return file;
+}
+
+}  // namespace
+
+void read_results(const std::filesystem::path& path, const std::function<void(const Hdf5Reader&)>& read) {
+    for (int attempt = 1;; ++attempt) {
+        try {
+            read(open_results(path));
+            return;
+        } catch (const FileError&) {
+            throw;
+        } catch (const std::runtime_error& fault) {
+            if (attempt < most_attempts) continue;
+            throw FileError(path, "cannot be read as results of gxrod", fault.what());
+        }
+    }
+}
+
+void prepare_export(const std::filesystem::path& folder,
+                    const std::vector<std::filesystem::path>& files,
+                    Existing existing) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw FileError(folder, "cannot be made", error.message());
+    if (existing == Existing::replace) return;
+    for (const std::filesystem::path& file : files) {
+        if (std::filesystem::exists(file, error)) {
+            throw FileError(file, "exists already", "--force overwrites it");
+        }
+    }
+}
+
+}  // namespace gxrod
