@@ -11,5 +11,6 @@ void add_check_verb(CLI::App& program, int& exit_code);
 void add_verify_verb(CLI::App& program, int& exit_code);
 void add_schema_verb(CLI::App& program, int& exit_code);
 void add_export_verb(CLI::App& program, int& exit_code);
+void add_report_verb(CLI::App& program, int& exit_code);
 
 }  // namespace gxrod

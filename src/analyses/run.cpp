@@ -81,7 +81,7 @@ class Run {
         if (request_.resumed) return true;
         const EquilibriumReport report = analysis_->start();
         if (!report.converged()) {
-            fail(describe_failure(analysis_->explain(report)));
+            fail(analysis_->explain(report));
             return false;
         }
         has_started_ = true;
@@ -94,7 +94,7 @@ class Run {
         const SolverRow& row = analysis_->solver_row();
         summary_.totals.rejected_steps += row.rejected_steps;
         if (!report.converged()) {
-            fail(describe_failure(analysis_->explain(report)));
+            fail(analysis_->explain(report));
             return false;
         }
         ++summary_.totals.steps;
@@ -147,6 +147,11 @@ class Run {
         summary_.reason = reason;
     }
 
+    void fail(const Failure& failure) {
+        fail(describe_failure(failure));
+        summary_.reason_nodes = failure.nodes;
+    }
+
     void close() {
         {
             const PhaseTimer timer(output_seconds_);
@@ -154,7 +159,7 @@ class Run {
             if (has_started_) file_->set_restart(restart_record());
             if (!last_framed_) file_->write_frame(analysis_->snapshot());
             if (summary_.status == RunStatus::running) summary_.status = RunStatus::complete;
-            file_->close(summary_.status, summary_.reason);
+            file_->close(summary_.status, summary_.reason, summary_.reason_nodes);
         }
         summary_.time = analysis_->state().time;
         summary_.phases = analysis_->seconds();

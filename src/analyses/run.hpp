@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "analyses/static.hpp"
 #include "model/deck_record.hpp"
@@ -33,8 +35,9 @@ struct RunRequest {
 
 struct RunSummary {
     RunStatus status = RunStatus::running;
-    std::string reason;       // of a failure
-    bool deck_fault = false;  // whether the deck is to blame: a load without a finite value
+    std::string reason;                      // of a failure
+    std::vector<std::int64_t> reason_nodes;  // that it names
+    bool deck_fault = false;                 // whether the deck is to blame: a load without a finite value
     long nodes = 0;
     long elements = 0;
     long unknowns = 0;

@@ -9,19 +9,13 @@ namespace gxrod {
 
 namespace {
 
-std::vector<std::string> name_places(const System& system,
-                                     const EquilibriumReport& report,
-                                     const Residual& residual) {
+std::vector<WorstNode> find_places(const System& system,
+                                   const EquilibriumReport& report,
+                                   const Residual& residual) {
     constexpr std::size_t most = 3;
-    std::vector<std::string> places;
-    if (report.outcome == Outcome::out_of_iterations) {
-        for (const WorstNode& worst : find_worst_nodes(system, residual, most)) {
-            places.push_back(name_place(system.model(), worst.node, worst.component));
-        }
-    } else if (report.worst_node >= 0) {
-        places.push_back(name_place(system.model(), report.worst_node, report.worst_component));
-    }
-    return places;
+    if (report.outcome == Outcome::out_of_iterations) return find_worst_nodes(system, residual, most);
+    if (report.worst_node < 0) return {};
+    return {{report.worst_node, report.worst_component, 0.0}};
 }
 
 bool may_come_from_weakness(Outcome outcome) {
@@ -154,7 +148,10 @@ Failure SteppedAnalysis::explain(const EquilibriumReport& report) {
     failure.iterations = report.iterations;
     failure.residual = report.residual;
     failure.step_error = report.step_error;
-    failure.places = name_places(system_, report, workspace_.residual);
+    for (const WorstNode& place : find_places(system_, report, workspace_.residual)) {
+        failure.places.push_back(name_place(system_.model(), place.node, place.component));
+        failure.nodes.push_back(place.node);
+    }
     try {
         if (may_come_from_weakness(report.outcome)) failure.weakness = find_weakness();
     } catch (const std::exception&) {

@@ -26,6 +26,7 @@ void write_attribute(hid_t object,
         H5Acreate2(object, name.c_str(), type.id(), space.id(), H5P_DEFAULT, H5P_DEFAULT),
         H5Aclose,
         "creating an attribute");
+    if (H5Sget_simple_extent_npoints(space.id()) == 0) return;
     check_hdf5(H5Awrite(attribute.id(), type.id(), value), "writing an attribute");
 }
 
@@ -75,6 +76,13 @@ void rewrite_attribute(hid_t object, const std::string& name, const std::string&
     const Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "opening an attribute");
     const char* value = text.c_str();
     check_hdf5(H5Awrite(attribute.id(), text_type().id(), &value), "writing an attribute");
+}
+
+void rewrite_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values) {
+    if (H5Aexists(object, name.c_str()) > 0) {
+        check_hdf5(H5Adelete(object, name.c_str()), "removing an attribute");
+    }
+    write_attribute(object, name, values);
 }
 
 void write_fixed_attribute(hid_t object, const std::string& name, const std::string& text) {

@@ -32,6 +32,8 @@ void rewrite_attribute(hid_t object, const std::string& name, const std::string&
 // A string of exactly its own length, as VTK demands of /VTKHDF@Type.
 void write_fixed_attribute(hid_t object, const std::string& name, const std::string& text);
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values);
+// Replaces an attribute, if it exists; the number of values may change.
+void rewrite_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values);
 void write_label(hid_t dataset, const DatasetLabel& label);
 
 // Datasets that are written once.

@@ -120,6 +120,19 @@ long long Hdf5Reader::integer_attribute(const std::string& path, const std::stri
     return value;
 }
 
+std::vector<std::int64_t> Hdf5Reader::integers_attribute(const std::string& path,
+                                                         const std::string& name) const {
+    const Hdf5Handle attribute(
+        H5Aopen_by_name(file_.id(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+        H5Aclose,
+        "opening an attribute");
+    const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose, "dataspace");
+    std::vector<std::int64_t> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
+    if (values.empty()) return values;
+    check_hdf5(H5Aread(attribute.id(), H5T_NATIVE_INT64, values.data()), "reading an attribute");
+    return values;
+}
+
 bool Hdf5Reader::has_attribute(const std::string& path, const std::string& name) const {
     return H5Aexists_by_name(file_.id(), path.c_str(), name.c_str(), H5P_DEFAULT) > 0;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -26,6 +27,8 @@ class Hdf5Reader {
     // Attributes of the object at `path`.
     std::string text_attribute(const std::string& path, const std::string& name) const;
     long long integer_attribute(const std::string& path, const std::string& name) const;
+    // A list of any length.
+    std::vector<std::int64_t> integers_attribute(const std::string& path, const std::string& name) const;
     bool has_attribute(const std::string& path, const std::string& name) const;
     // Every dataset of the file, by all of its names.
     std::vector<std::string> datasets() const;

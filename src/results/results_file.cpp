@@ -90,8 +90,10 @@ void ResultsFile::flush() {
     writing(path_, [&] { writer_->flush(); });
 }
 
-void ResultsFile::close(RunStatus status, const std::string& reason) {
-    writing(path_, [&] { writer_->close(name_of(status), reason); });
+void ResultsFile::close(RunStatus status,
+                        const std::string& reason,
+                        std::span<const std::int64_t> reason_nodes) {
+    writing(path_, [&] { writer_->close(name_of(status), reason, reason_nodes); });
 }
 
 }  // namespace gxrod

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "model/deck_record.hpp"
@@ -59,8 +61,9 @@ class ResultsFile {
     void set_restart(RestartRecord record);
     // Writes now what is gathered.
     void flush();
-    // Writes all, with the status and its reason. Nothing may be added after it.
-    void close(RunStatus status, const std::string& reason);
+    // Writes all, with the status, its reason and the nodes that the reason names. Nothing may be added after
+    // it.
+    void close(RunStatus status, const std::string& reason, std::span<const std::int64_t> reason_nodes = {});
 
   private:
     std::filesystem::path path_;

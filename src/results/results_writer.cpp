@@ -72,6 +72,7 @@ void write_provenance(const Hdf5Handle& root, const DeckRecord& deck) {
     write_attribute(root.id(), "analysis", deck.is_static ? "static" : "dynamic");
     write_attribute(root.id(), "status", "running");
     write_attribute(root.id(), "reason", "");
+    write_attribute(root.id(), "reason_nodes", std::span<const std::int64_t>{});
     const Hdf5Handle group = require_group(root, "deck");
     write_dataset(group, {"text", "the deck as run", "none", ""}, deck.text);
     if (!deck.meshes.empty()) write_meshes(group, deck.meshes);
@@ -95,6 +96,7 @@ void write_resumption(const Hdf5Handle& root, const DeckRecord& before, const De
     rewrite_attribute(root.id(), "gxrod_version", version);
     rewrite_attribute(root.id(), "status", "running");
     rewrite_attribute(root.id(), "reason", "");
+    rewrite_attribute(root.id(), "reason_nodes", std::span<const std::int64_t>{});
 }
 
 }  // namespace
@@ -252,10 +254,13 @@ void ResultsWriter::close_hdf5() {
     file_.commit();
 }
 
-void ResultsWriter::close(const std::string& status, const std::string& reason) {
+void ResultsWriter::close(const std::string& status,
+                          const std::string& reason,
+                          std::span<const std::int64_t> reason_nodes) {
     flush();
     tables_->trim();
     rewrite_attribute(root_.id(), "reason", reason);
+    if (!reason_nodes.empty()) rewrite_attribute(root_.id(), "reason_nodes", reason_nodes);
     rewrite_attribute(root_.id(), "status", status);
     close_hdf5();
 }

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "model/deck_record.hpp"
@@ -74,7 +75,9 @@ class ResultsWriter {
     bool is_flush_due() const;
     void set_restart(RestartRecord record);
     void flush();
-    void close(const std::string& status, const std::string& reason);
+    void close(const std::string& status,
+               const std::string& reason,
+               std::span<const std::int64_t> reason_nodes);
 
   private:
     using Clock = std::chrono::steady_clock;

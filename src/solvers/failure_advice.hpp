@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct Failure {
     double residual = 0.0;            // relative to the largest force or moment
     double step_error = 0.0;          // the estimate, of error_too_large
     std::vector<std::string> places;  // "flyer.end (ry)", the worst first
+    std::vector<std::int64_t> nodes;  // of those places
     std::string weakness;             // in words; "" unless the tangent is singular or nearly so
     LinearSolverKind linear_solver = LinearSolverKind::klu;
 };

@@ -131,6 +131,7 @@ class Run(ProgramTest):
         with h5py.File(self.folder / "wild.vtkhdf") as file:
             status = file.attrs["status"]
             self.assertEqual(status.decode() if isinstance(status, bytes) else status, "failed")
+            np.testing.assert_array_equal(file.attrs["reason_nodes"], [0])
             self.assertAlmostEqual(file["histories/time"][-1], summary["time"])
             self.assertGreaterEqual(summary["time"], 0.49)
 

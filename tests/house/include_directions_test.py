@@ -24,8 +24,9 @@ DIRECT = {
     "deck": ["model", "state"],
     "results": ["model", "state"],
     "analyses": ["solvers", "results"],
+    "report": ["loads", "results", "deck"],
     "verification": ["analyses", "deck"],
-    "apps": ["verification"],
+    "apps": ["verification", "report"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([a-z_0-9]+)/[^"]*"')
 SOURCES = (".cpp", ".hpp", ".h", ".in")
@@ -110,6 +111,12 @@ class PlantedBreaches(unittest.TestCase):
         breaches = self.breaches_of(
             src__verification__study_cpp='#include "apps/gxrod/verbs.hpp"\n',
             src__results__file_cpp='#include "analyses/dynamic.hpp"\n')
+        self.assertEqual(len(breaches), 2)
+
+    def test_reports_see_results_but_no_analysis(self):
+        breaches = self.breaches_of(
+            src__report__page_cpp='#include "analyses/run.hpp"\n#include "results/file.hpp"\n',
+            src__analyses__run_cpp='#include "report/report.hpp"\n')
         self.assertEqual(len(breaches), 2)
 
     def test_an_unknown_room_is_named(self):

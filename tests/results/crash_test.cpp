@@ -252,7 +252,7 @@ TEST_CASE("Between any two system calls of its writer the file is whole", "[resu
             file.flush();
             step += count;
         }
-        file.close(RunStatus::complete, "end_time reached");
+        file.close(RunStatus::complete, "end_time reached", std::vector<std::int64_t>{2, 0, 1});
         return 0;
     });
 
@@ -303,7 +303,7 @@ TEST_CASE("Between any two system calls of a resumed writer the file is whole", 
             file.set_restart(sample::make_restart(time_of(step)));
             file.flush();
         }
-        file.close(RunStatus::complete, "end_time reached");
+        file.close(RunStatus::complete, "end_time reached", std::vector<std::int64_t>{2, 0, 1});
         return 0;
     });
     const Watch watch = watch_writes(child, path);

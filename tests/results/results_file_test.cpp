@@ -52,9 +52,21 @@ TEST_CASE("A results file says where it came from and how the run ended", "[resu
     CHECK(file.text_attribute("/histories/time", "dimension") == "time");
     CHECK(file.text_attribute("/", "status") == "complete");
     CHECK(file.text_attribute("/", "reason") == "end_time reached");
+    CHECK(file.integers_attribute("/", "reason_nodes").empty());
     CHECK(file.text("/deck/text") == sample::make_deck().text);
     CHECK(file.text_attribute("/", "deck_sha256") ==
           "c1c7f3d5767ceb9512dbc81f7791fb113e3075f03cad1b0c7141ffd86fbf0550");
+}
+
+TEST_CASE("A failed run's file numbers the nodes that its reason names", "[results]") {
+    const sample::ScratchFolder folder;
+    const Model model = sample::make_model();
+    {
+        ResultsFile file({folder / "a.vtkhdf"}, sample::make_deck(), model, OutputSettings{});
+        file.close(RunStatus::failed, "singular at rod.end (ry), body (x)", std::vector<std::int64_t>{2, 1});
+    }
+    const Hdf5Reader file(folder / "a.vtkhdf");
+    CHECK(file.integers_attribute("/", "reason_nodes") == std::vector<std::int64_t>{2, 1});
 }
 
 TEST_CASE("The time of a static run is a load factor", "[results]") {

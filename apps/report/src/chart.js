@@ -1,0 +1,180 @@
+import uPlot from "uplot";
+import { find, make } from "./elements.js";
+import { formatNumber, inWords } from "./format.js";
+import { readTheme } from "./theme.js";
+
+const height = 168;
+
+// One chart with its values at the clock's time; pressing or dragging in it moves the clock.
+export class Chart {
+  constructor(chart, times, clock, timeName) {
+    this.chart = chart;
+    this.times = times;
+    this.clock = clock;
+    this.timeName = timeName;
+    this.values = chart.labels.map(() => make("span", { className: "value" }));
+    this.keys = chart.labels.map((label, i) => this.makeKey(label, i));
+    this.body = make("div", { className: "chart-body" });
+    this.element = make(
+      "section",
+      { className: "chart" },
+      make("h3", { title: chart.description }, inWords(chart.title), this.makeUnit()),
+      make("div", { className: "keys" }, ...this.keys),
+      this.body,
+    );
+    this.line = make("div", { className: "now" });
+  }
+
+  makeUnit() {
+    const { dimension, frame } = this.chart;
+    const words = [dimension === "1" ? "" : dimension, frame === "none" ? "" : `${frame} axes`].filter(Boolean);
+    return make("small", {}, words.join(", ").replace("axes of", "axes of").replace(/^(axes of .*) axes$/, "$1"));
+  }
+
+  // A label with its value, that shows and hides its line.
+  makeKey(label, i) {
+    const key = make("button", { className: "key", type: "button" }, make("i"), inWords(label), this.values[i]);
+    key.style.setProperty("--series", `var(--series-${(i % 4) + 1})`);
+    const isHidden = (label === "magnitude" && hidesMagnitude(this.chart.title)) || this.isNothing(i);
+    key.setAttribute("aria-pressed", String(!isHidden));
+    key.addEventListener("click", () => {
+      const isShown = key.getAttribute("aria-pressed") !== "true";
+      key.setAttribute("aria-pressed", String(isShown));
+      this.plot?.setSeries(i + 1, { show: isShown });
+    });
+    return key;
+  }
+
+  // Whether a column beside others is zero throughout.
+  isNothing(i) {
+    const { columns, group } = this.chart;
+    return columns.length > 1 && group !== "history" && columns[i].every((value) => value === 0);
+  }
+
+  // Made when it is first seen.
+  draw() {
+    if (this.plot) return;
+    const width = Math.max(this.body.clientWidth, 200);
+    this.plot = new uPlot(this.options(width), [this.times, ...this.chart.columns], this.body);
+    this.plot.over.append(this.line);
+    this.bindPointer();
+    new ResizeObserver(() => {
+      if (this.body.clientWidth > 0) this.plot.setSize({ width: this.body.clientWidth, height });
+      this.moveLine();
+    }).observe(this.body);
+    this.moveLine();
+  }
+
+  options(width) {
+    const theme = () => readTheme();
+    const axis = {
+      stroke: () => theme().muted,
+      grid: { stroke: () => theme().line, width: 1 },
+      ticks: { show: false },
+      font: `11px ${getComputedStyle(document.body).fontFamily}`,
+      values: (plot, ticks) => ticks.map((tick) => (tick === null ? "" : formatNumber(tick, 6))),
+    };
+    return {
+      width,
+      height,
+      legend: { show: false },
+      cursor: { show: false },
+      pxAlign: 0,
+      padding: [10, 10, 0, 0],
+      scales: { x: { time: false, range: (plot, least, largest) => widen(least, largest) }, y: { range: rangeOf } },
+      axes: [
+        { ...axis, size: 26, gap: 4 },
+        { ...axis, size: (plot, ticks) => 16 + 6.2 * Math.max(3, ...(ticks ?? []).map((tick) => String(tick).length)), gap: 4 },
+      ],
+      series: [
+        { label: this.timeName },
+        ...this.chart.labels.map((label, i) => ({
+          label,
+          show: this.keys[i].getAttribute("aria-pressed") === "true",
+          stroke: () => theme().series[i % 4],
+          width: label === "magnitude" ? 1 : 1.5,
+          dash: label === "magnitude" ? [5, 4] : undefined,
+          points: { show: this.times.length < 40, size: 5 },
+        })),
+      ],
+      hooks: { draw: [() => this.moveLine()] },
+    };
+  }
+
+  bindPointer() {
+    const { over } = this.plot;
+    const follow = (event) => {
+      const left = event.clientX - over.getBoundingClientRect().left;
+      this.clock.playing = false;
+      this.clock.goToTime(this.plot.posToVal(left, "x"));
+    };
+    over.addEventListener("pointerdown", (event) => {
+      over.setPointerCapture(event.pointerId);
+      follow(event);
+    });
+    over.addEventListener("pointermove", (event) => {
+      if (over.hasPointerCapture(event.pointerId)) follow(event);
+    });
+  }
+
+  moveLine() {
+    if (!this.plot) return;
+    const left = this.plot.valToPos(this.clock.time, "x");
+    if (Number.isFinite(left)) this.line.style.transform = `translateX(${left}px)`;
+    const step = nearest(this.times, this.clock.time);
+    this.values.forEach((value, i) => (value.textContent = formatNumber(this.chart.columns[i][step], 4)));
+  }
+
+  recolour() {
+    this.plot?.redraw(false, true);
+  }
+}
+
+const hidesMagnitude = (title) => /position|orientation|quaternion|centre_of_mass/.test(title);
+
+function widen(least, largest) {
+  return least < largest ? [least, largest] : [least - 0.5, largest + 0.5];
+}
+
+// Around what there is, with room above and below; round-off about a constant stays a flat line.
+function rangeOf(plot, least, largest) {
+  if (least === null) return [0, 1];
+  const size = Math.max(Math.abs(least), Math.abs(largest));
+  const margin = Math.max(0.06 * (largest - least), 1e-6 * size);
+  return size === 0 ? [-1, 1] : [least - margin, largest + margin];
+}
+
+function nearest(times, time) {
+  let low = 0;
+  let high = times.length - 1;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (times[middle] <= time) low = middle;
+    else high = middle;
+  }
+  return time - times[low] <= times[high] - time ? low : high;
+}
+
+const headings = { energy: "Energy", history: "Histories", momentum: "Momentum", solver: "Solver" };
+
+// All charts under headings; each is drawn when it comes into sight.
+export function showCharts(data, clock, timeName) {
+  const charts = data.info.charts.map((chart) => new Chart(chart, data.stepTimes, clock, timeName));
+  const panel = find("charts");
+  if (data.stepTimes.length === 0) {
+    panel.append(make("p", { className: "note" }, "The run has no step, so there is nothing to draw over time."));
+    return charts;
+  }
+  const byElement = new Map(charts.map((chart) => [chart.element, chart]));
+  const observer = new IntersectionObserver((entries) => {
+    for (const entry of entries) if (entry.isIntersecting) byElement.get(entry.target).draw();
+  }, { rootMargin: "300px" });
+  for (const [group, heading] of Object.entries(headings)) {
+    const members = charts.filter((chart) => chart.chart.group === group);
+    if (members.length === 0) continue;
+    panel.append(make("h2", {}, heading), ...members.map((chart) => chart.element));
+  }
+  for (const chart of charts) observer.observe(chart.element);
+  clock.listen(() => charts.forEach((chart) => chart.moveLine()));
+  return charts;
+}

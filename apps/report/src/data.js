@@ -1,0 +1,45 @@
+// The data of the page: one JSON text and blocks of numbers in base64.
+
+function decode(name, Type) {
+  const element = document.getElementById(`data-${name}`);
+  if (!element) return new Type(0);
+  const text = atob(element.textContent);
+  element.remove();
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
+  return new Type(bytes.buffer);
+}
+
+function readSteps(charts) {
+  const times = decode("step-times", Float64Array);
+  const numbers = decode("steps", Float32Array);
+  let column = 0;
+  for (const chart of charts) {
+    chart.columns = chart.labels.map(() => {
+      const first = times.length * column++;
+      return numbers.subarray(first, first + times.length);
+    });
+  }
+  return times;
+}
+
+// { info, times, reference, connectivity, offsets, axes, radii, arrows, quantities: {name: {of, values}},
+//   stepTimes }: vectors are three numbers each, frame after frame; `of` is "node" or "cell".
+export function readData() {
+  const info = JSON.parse(document.getElementById("report").textContent);
+  const quantities = {};
+  for (const name of info.node_data) quantities[name] = { of: "node", values: decode(name, Float32Array) };
+  for (const name of info.cell_data) quantities[name] = { of: "cell", values: decode(name, Float32Array) };
+  return {
+    info,
+    quantities,
+    times: decode("frame-times", Float64Array),
+    reference: decode("reference", Float32Array),
+    connectivity: decode("connectivity", Int32Array),
+    offsets: decode("offsets", Int32Array),
+    axes: decode("axes", Float32Array),
+    radii: decode("radii", Float32Array),
+    arrows: decode("arrows", Float32Array),
+    stepTimes: readSteps(info.charts),
+  };
+}

@@ -1,0 +1,123 @@
+import { Group } from "three";
+import { Bodies } from "./bodies.js";
+import { makeReference, makeShapes } from "./centrelines.js";
+import { ColourScale } from "./colours.js";
+import { makeGrid } from "./grid.js";
+import { rangeOf } from "./motion.js";
+import { FailMarks, Loads, Supports } from "./symbols.js";
+import { Stage } from "./stage.js";
+import { Tubes } from "./tubes.js";
+
+// All that the 3D view shows.
+export class Picture {
+  constructor(canvas, data, motion) {
+    this.data = data;
+    this.motion = motion;
+    this.stage = new Stage(canvas);
+    this.size = measure(data, motion);
+    this.parts = {
+      rods: new Tubes(data, motion, this.size),
+      bodies: new Bodies(data, motion, this.size),
+      supports: new Supports(data, motion, this.size),
+      loads: new Loads(data, motion, this.size),
+      failure: new FailMarks(data, motion, this.size),
+    };
+    const { rods, bodies, ...marks } = this.parts;
+    this.reference = makeReference(data);
+    this.shapes = new Group();
+    this.grid = new Group();
+    this.stage.scene.add(rods.mesh, bodies.group, bodies.paths, this.reference, this.shapes, this.grid);
+    this.stage.scene.add(...Object.values(marks).map((mark) => mark.group));
+    this.updateBox();
+  }
+
+  // Colours the rods by a component (3: the magnitude) of a quantity, or plainly. Returns the scale, if any.
+  colourBy(name, component) {
+    this.quantity = this.data.quantities[name];
+    this.component = component;
+    this.scale = this.quantity ? new ColourScale(rangeOf(this.quantity, component)) : null;
+    const count = this.quantity?.of === "cell" ? this.data.offsets.length - 1 : this.motion.count;
+    this.values = new Float32Array(count);
+    this.paint();
+    return this.scale;
+  }
+
+  paint() {
+    if (this.scale) this.motion.sample(this.quantity, this.component, this.values);
+    this.parts.rods.paint(this.scale, this.quantity?.of, this.values);
+    this.stage.draw();
+  }
+
+  move(position) {
+    this.motion.moveTo(position);
+    for (const part of Object.values(this.parts)) part.move();
+    this.parts.bodies.showPathsUpTo(Math.round(position));
+    this.paint();
+  }
+
+  // What depends on all frames; then the picture is that of the first.
+  updateBox() {
+    this.parts.bodies.trace();
+    replaceIn(this.shapes, makeShapes(this.data, this.motion));
+    this.move(0);
+    this.stage.setBox(this.boxOfAll());
+    const { lines, step } = makeGrid(this.stage.box);
+    this.gridStep = step;
+    replaceIn(this.grid, lines);
+    if (this.theme) this.colourLines();
+  }
+
+  // Of all frames, bodies and thickness included.
+  boxOfAll() {
+    const [least, largest] = this.motion.bounds();
+    const margin = 0.03 * this.size;
+    const paths = this.parts.bodies.bounds();
+    return [
+      least.map((x, i) => Math.min(x - margin, paths[0][i])),
+      largest.map((x, i) => Math.max(x + margin, paths[1][i])),
+    ];
+  }
+
+  // Along the shortest side of what is flat, else from above and beside.
+  resetView() {
+    const [least, largest] = this.motion.bounds();
+    const sides = least.map((x, i) => largest[i] - x);
+    const flat = sides.map((side) => side < 1e-3 * this.size);
+    const isBodyAlone = sides.every((side) => side === 0);
+    if (!isBodyAlone && flat[2]) this.stage.look([0, 0, -1], [0, 1, 0]);
+    else if (!isBodyAlone && flat[1]) this.stage.look([0, 1, 0], [0, 0, 1]);
+    else if (!isBodyAlone && flat[0]) this.stage.look([-1, 0, 0], [0, 0, 1]);
+    else this.stage.look(sides[0] >= sides[1] ? [-0.38, 1, -0.42] : [-1, -0.38, -0.42], [0, 0, 1]);
+  }
+
+  setColours(theme) {
+    this.theme = theme;
+    this.parts.rods.plain.set(theme.rod);
+    this.parts.bodies.setColours(theme);
+    this.colourLines();
+    this.paint();
+  }
+
+  colourLines() {
+    this.reference.material.color.set(this.theme.ink);
+    for (const lines of this.shapes.children) lines.material.color.set(this.theme.muted);
+    for (const grid of this.grid.children) grid.material.color.set(this.theme.line);
+  }
+}
+
+function replaceIn(group, lines) {
+  for (const child of group.children) {
+    child.geometry.dispose();
+    child.material.dispose();
+  }
+  group.clear();
+  group.add(lines);
+}
+
+// The largest side of what the nodes pass through and, of bodies that turn on the spot, of themselves.
+function measure(data, motion) {
+  const [least, largest] = motion.bounds();
+  const path = Math.hypot(...least.map((x, i) => largest[i] - x));
+  const bodies = data.info.bodies.map((body) => 2.5 * (Math.max(...body.half_sizes) + Math.hypot(...body.centre)));
+  return Math.max(path, ...bodies) || 1;
+}

@@ -1,0 +1,46 @@
+import { shapeFunctions } from "./lagrange.js";
+
+// Thin rods stay visible and thick ones slender; `factor` is what the first is multiplied by, 0 if it has none.
+export function limitRadii(radii, size) {
+  const drawn = new Float32Array(radii.length);
+  for (let i = 0; i < radii.length; i += 2) {
+    const larger = Math.max(radii[i], radii[i + 1]);
+    const wanted = Math.max(0.0035 * size, Math.min(0.022 * size, larger));
+    for (const k of [i, i + 1]) drawn[k] = larger > 0 ? Math.max(wanted * (radii[k] / larger), 0.15 * wanted) : wanted;
+  }
+  drawn.factor = radii.length > 0 && radii[0] > 0 ? Math.max(drawn[0], drawn[1]) / Math.max(radii[0], radii[1]) : 0;
+  return drawn;
+}
+
+// Rings along each cell: its own ends and, of curves, some between. cap: −1 or 1 where a rod begins or ends.
+export function listRings(data) {
+  const { connectivity, offsets } = data;
+  const cells = offsets.length - 1;
+  const ends = new Map();
+  for (let cell = 0; cell < cells; cell++) {
+    for (const end of [0, 1]) {
+      const node = connectivity[offsets[cell] + end];
+      ends.set(node, (ends.get(node) ?? 0) + 1);
+    }
+  }
+  const follows = (cell) =>
+    cell > 0 && cell < cells && connectivity[offsets[cell - 1] + 1] === connectivity[offsets[cell]] &&
+    ends.get(connectivity[offsets[cell]]) === 2 && sameAxes(data, offsets[cell - 1] + 1, offsets[cell]);
+  const pieces = cells < 400 ? 10 : cells < 3000 ? 4 : 2;
+  const rings = [];
+  for (let cell = 0; cell < cells; cell++) {
+    const nodes = offsets[cell + 1] - offsets[cell];
+    const count = nodes === 2 ? 1 : pieces;
+    for (let i = 0; i <= count; i++) {
+      const cap = i === 0 && !follows(cell) ? -1 : i === count && !follows(cell + 1) ? 1 : 0;
+      rings.push({ cell, weights: shapeFunctions(nodes, (2 * i) / count - 1), cap });
+    }
+  }
+  return rings;
+}
+
+function sameAxes({ axes }, i, j) {
+  let dot = 0;
+  for (let k = 0; k < 4; k++) dot += axes[4 * i + k] * axes[4 * j + k];
+  return Math.abs(dot) > 0.999;
+}

@@ -1,0 +1,92 @@
+import { find, make } from "./elements.js";
+import { formatCount, formatNumber } from "./format.js";
+
+const statusWords = { complete: "complete", failed: "failed", interrupted: "interrupted", running: "not ended" };
+
+// Title, status and warnings at the top.
+export function showHeader(info) {
+  const title = info.title || info.deck_name || info.file;
+  document.title = `${title} – gxrod`;
+  find("title").textContent = title;
+  find("status").textContent = statusWords[info.status] ?? info.status;
+  find("status").dataset.status = info.status;
+  const words = [info.file, info.is_static ? "static" : "dynamic", info.units && `units ${info.units}`];
+  find("subtitle").textContent = words.filter(Boolean).join(" · ");
+  find("thinned").hidden = info.left_out.length === 0;
+  find("thinned").addEventListener("click", () => document.querySelector("[aria-controls=about]").click());
+  find("warnings").append(...info.warnings.map((warning) => make("p", { className: "warning" }, warning)));
+}
+
+const inTable = (cell) => (typeof cell === "number" ? formatNumber(cell, 6) : cell);
+
+function makeTable({ title, columns, rows, note }) {
+  const table = make("table", {});
+  if (columns.length > 0) {
+    table.append(make("thead", {}, make("tr", {}, ...columns.map((name) => make("th", { scope: "col" }, name)))));
+  }
+  const body = rows.map(([first, ...others]) =>
+    make("tr", {}, make("th", { scope: "row" }, first), ...others.map((cell) => make("td", {}, inTable(cell)))),
+  );
+  table.append(make("tbody", {}, ...body));
+  return make(
+    "section",
+    {},
+    make("h2", {}, title),
+    make("div", { className: "table", tabIndex: 0 }, table),
+    note ? make("p", { className: "note" }, note) : null,
+  );
+}
+
+export function showModel(data) {
+  const { info, times } = data;
+  const rows = [
+    ["nodes", formatCount(info.nodes)],
+    ["elements", formatCount(info.elements)],
+    ...(info.unknowns === undefined ? [] : [["unknowns", formatCount(info.unknowns)]]),
+    ["steps", formatCount(Math.max(info.steps - 1, 0))],
+    [info.is_static ? "load factor reached" : "time reached", formatNumber(times[times.length - 1], 6)],
+    ["gxrod", info.gxrod_version],
+  ];
+  find("model").append(makeTable({ title: "Run", columns: [], rows }), ...info.tables.map(makeTable));
+  if (info.why_no_model) {
+    const words = `Supports, loads, bodies and sections are not shown: ${info.why_no_model}`;
+    find("model").append(make("p", { className: "note" }, words));
+  }
+}
+
+// What was left out, how things are drawn, and whose libraries are in the page.
+export function showAbout(data, picture) {
+  const { info } = data;
+  const budget = `${formatNumber(info.budget_megabytes)} MB`;
+  const kept = info.left_out.length === 0
+    ? [make("p", {}, "Nothing is left out: every frame and every step of the results is here.")]
+    : [make("p", {}, `To stay within ${budget}, or to turn smoothly, this was left out:`),
+       make("ul", { id: "left-out" }, ...info.left_out.map((sentence) => make("li", {}, sentence)))];
+  const rounding = "Numbers are rounded to single precision, some seven digits; times are exact. Between two frames, while it plays, the picture is interpolated; standing still, it shows a frame as it was computed.";
+  const drawing = [
+    "Rods are ellipses with semi-axes 2√(EIz/EA) along section y and 2√(EIy/EA) along z, within limits so that thin rods are seen and thick ones stay slender. The dark stripe is on the side of section y.",
+    "Bodies are cuboids of the same mass and inertia; the line behind one is the path of its centre of mass or, if that rests, of its z axis. Axes x, y, z are red, green, blue.",
+    "Supports: a block holds a node altogether, a ball lets it turn, a cylinder is a hinge about its axis; else each cone holds a displacement and each ring a rotation. Violet ones move as prescribed.",
+    "Thin lines are the shape at t = 0 and, fainter, shapes at other times.",
+    "Orange arrows are forces, magenta ones with two heads moments, as long as their present value beside the largest.",
+    ...(picture ? [`A square of the grid is ${formatNumber(picture.gridStep)} wide.`] : []),
+  ];
+  find("about").append(
+    make("h2", {}, "What is in this page"),
+    ...kept,
+    make("p", {}, rounding),
+    make("h2", {}, "How it is drawn"),
+    make("ul", {}, ...drawing.map((sentence) => make("li", {}, sentence))),
+    make("h2", {}, "Keys"),
+    make("p", {}, "Space plays and pauses; left and right go by a frame, Home and End to the first and the last. Press or drag in a chart to go to its time."),
+    make("details", {}, make("summary", {}, "Libraries and their licences"), make("pre", {}, find("licences").textContent)),
+  );
+}
+
+// A failed run's reason beside the picture.
+export function showFailure(info) {
+  if (info.fail_nodes.length === 0) return;
+  find("failure").hidden = false;
+  find("failure").textContent = "○ where it failed";
+}
+

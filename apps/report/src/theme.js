@@ -1,0 +1,40 @@
+// Colours that do not come from the style sheet: those of marks mean the same in light and dark.
+export const axisColours = ["#d8493e", "#2f9e58", "#3b7de0"];
+export const symbolColours = {
+  support: "#7b8494",
+  moved: "#8e5bd0",
+  force: "#e0722a",
+  moment: "#c2407f",
+  failure: "#e02d2d",
+};
+
+// The names of the style sheet's colours that canvases need.
+export function readTheme() {
+  const style = getComputedStyle(document.documentElement);
+  const colour = (name) => style.getPropertyValue(`--${name}`).trim();
+  return {
+    ink: colour("ink"),
+    muted: colour("muted"),
+    line: colour("line"),
+    rod: colour("rod"),
+    body: colour("body"),
+    path: colour("path"),
+    series: [1, 2, 3, 4].map((i) => colour(`series-${i}`)),
+  };
+}
+
+// The button that goes through automatic, light and dark.
+export function bindThemeButton(button, onChange) {
+  const names = ["auto", "light", "dark"];
+  const root = document.documentElement;
+  const show = () => {
+    button.title = `Colours: ${root.dataset.theme}`;
+    button.setAttribute("aria-label", button.title);
+    onChange();
+  };
+  button.addEventListener("click", () => {
+    root.dataset.theme = names[(names.indexOf(root.dataset.theme) + 1) % names.length];
+    show();
+  });
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", show);
+}

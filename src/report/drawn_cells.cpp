@@ -1,0 +1,131 @@
+#include "report/drawn_cells.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace gxrod {
+
+namespace {
+
+constexpr int vtk_vertex = 1;
+constexpr std::size_t most_cell_nodes = 5;
+
+Quat read_axes(const std::array<std::vector<double>, 3>& axes, std::size_t node) {
+    Mat3 matrix;
+    for (int i = 0; i < 3; ++i) matrix.col(i) = Vec3(axes[i].data() + 3 * node);
+    return Quat(matrix).normalized();
+}
+
+double semi_axis(double bending, double axial, double otherwise) {
+    const double radius = 2.0 * std::sqrt(bending / axial);
+    return std::isfinite(radius) ? radius : otherwise;
+}
+
+// Whether the line goes on from one cell to the next as if they were one.
+bool continues(const DrawnCell& cell, const DrawnCell& next) {
+    return cell.nodes[1] == next.nodes[0] && cell.radius_y == next.radius_y &&
+           cell.radius_z == next.radius_z && cell.axes[1].angularDistance(next.axes[0]) < 1e-3;
+}
+
+}  // namespace
+
+FrameTopology read_topology(const Hdf5Reader& file) {
+    FrameTopology topology;
+    topology.nodes = static_cast<int>(file.numbers("/VTKHDF/NumberOfPoints").at(0));
+    topology.cells = static_cast<int>(file.numbers("/VTKHDF/NumberOfCells").at(0));
+    const std::vector<double> connectivity = file.numbers("/VTKHDF/Connectivity");
+    const std::vector<double> offsets = file.numbers("/VTKHDF/Offsets");
+    const std::vector<double> types = file.numbers("/VTKHDF/Types");
+    const std::vector<double> radius =
+        file.rows("/VTKHDF/CellData/radius", 0, static_cast<hsize_t>(topology.cells));
+    const auto nodes = static_cast<hsize_t>(topology.nodes);
+    const std::array<std::vector<double>, 3> axes{file.rows("/VTKHDF/PointData/axis_x", 0, nodes),
+                                                  file.rows("/VTKHDF/PointData/axis_y", 0, nodes),
+                                                  file.rows("/VTKHDF/PointData/axis_z", 0, nodes)};
+    for (std::size_t cell = 0; cell < types.size(); ++cell) {
+        DrawnCell drawn;
+        for (auto i = static_cast<std::size_t>(offsets.at(cell));
+             i < static_cast<std::size_t>(offsets.at(cell + 1));
+             ++i) {
+            const int node = static_cast<int>(connectivity.at(i));
+            if (node < 0 || node >= topology.nodes)
+                throw std::runtime_error("a cell has a point that is not there");
+            drawn.nodes.push_back(node);
+            drawn.axes.push_back(read_axes(axes, static_cast<std::size_t>(node)));
+        }
+        const bool is_body = types[cell] == vtk_vertex;
+        if (is_body ? drawn.nodes.size() != 1
+                    : drawn.nodes.size() < 2 || drawn.nodes.size() > most_cell_nodes) {
+            throw std::runtime_error("a cell is neither a rod's element nor a body");
+        }
+        drawn.radius_y = drawn.radius_z = radius.at(cell);
+        drawn.source = static_cast<int>(cell);
+        if (is_body) {
+            topology.body_nodes.push_back(drawn.nodes.at(0));
+        } else {
+            topology.rod_cells.push_back(std::move(drawn));
+        }
+    }
+    return topology;
+}
+
+bool refine_cells(const Model& model, FrameTopology& topology) {
+    std::size_t elements = 0;
+    for (const Rod& rod : model.rods) elements += static_cast<std::size_t>(rod.element_count());
+    if (model.nodes.size() != static_cast<std::size_t>(topology.nodes)) return false;
+    if (elements != topology.rod_cells.size() || model.bodies.size() != topology.body_nodes.size())
+        return false;
+    auto cell = topology.rod_cells.begin();
+    for (const Rod& rod : model.rods) {
+        const Mat6& C = model.sections[rod.section].stiffness;
+        const auto order = static_cast<std::size_t>(rod.order);
+        for (std::size_t first = 0; first < rod.triads.size(); first += order + 1, ++cell) {
+            if (cell->nodes.size() != order + 1) return false;
+            cell->axes = {rod.triads[first], rod.triads[first + order]};
+            for (std::size_t i = 1; i < order; ++i) cell->axes.push_back(rod.triads[first + i]);
+            // Bending about z strains along y, and the reverse.
+            cell->radius_y = semi_axis(C(5, 5), C(0, 0), cell->radius_y);
+            cell->radius_z = semi_axis(C(4, 4), C(0, 0), cell->radius_z);
+        }
+    }
+    return true;
+}
+
+std::vector<DrawnCell> join_cells(const std::vector<DrawnCell>& cells,
+                                  std::size_t run,
+                                  const std::vector<bool>& kept) {
+    if (run < 2) return cells;
+    std::vector<int> ends(kept.size(), 0);
+    for (const DrawnCell& cell : cells) {
+        ++ends[cell.nodes[0]];
+        ++ends[cell.nodes[1]];
+    }
+    std::vector<DrawnCell> joined;
+    for (std::size_t first = 0; first < cells.size();) {
+        std::size_t last = first;
+        while (last + 1 < cells.size() && last + 1 < first + run && continues(cells[last], cells[last + 1]) &&
+               ends[cells[last].nodes[1]] == 2 && !kept[cells[last].nodes[1]]) {
+            ++last;
+        }
+        DrawnCell cell = cells[first];
+        if (last > first) {
+            cell.nodes = {cells[first].nodes[0], cells[last].nodes[1]};
+            cell.axes = {cells[first].axes[0], cells[last].axes[1]};
+            cell.source = cells[(first + last) / 2].source;
+        }
+        joined.push_back(std::move(cell));
+        first = last + 1;
+    }
+    return joined;
+}
+
+std::vector<DrawnCell> sample_cells(const std::vector<DrawnCell>& cells, std::size_t most) {
+    if (cells.size() <= most) return cells;
+    std::vector<DrawnCell> chosen;
+    for (std::size_t i = 0; i < most; ++i) chosen.push_back(cells[i * cells.size() / most]);
+    return chosen;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/report_plan.hpp"
+
+namespace gxrod {
+
+// Datasets of /VTKHDF/PointData and CellData.
+struct Quantities {
+    std::vector<std::string> node_data, cell_data;
+};
+
+// What a plan leaves out of what there is, a sentence each. `is_sampled`: whether elements are missing, not
+// only joined.
+std::vector<std::string> list_left_out(const ReportPlan& plan,
+                                       const Quantities& all,
+                                       const ReportContent& content,
+                                       bool is_sampled);
+
+}  // namespace gxrod

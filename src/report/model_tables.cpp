@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <nlohmann/json.hpp>
+
+#include "deck/choices.hpp"
+#include "report/model_json.hpp"
+
+namespace gxrod {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+std::string vector(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]); }
+
+bool is_diagonal(const Mat6& matrix) { return matrix.isDiagonal(1e-12); }
+
+Json describe_sections(const Model& model) {
+    Json rows = Json::array();
+    bool has_coupling = false;
+    for (const Section& section : model.sections) {
+        const bool is_coupled = !is_diagonal(section.stiffness) || !is_diagonal(section.mass);
+        has_coupling = has_coupling || is_coupled;
+        Json row{section.name + (is_coupled ? " *" : "")};
+        for (int i = 0; i < 6; ++i) row.push_back(section.stiffness(i, i));
+        row.push_back(section.mass(0, 0));
+        for (int i = 3; i < 6; ++i) row.push_back(section.mass(i, i));
+        rows.push_back(row);
+    }
+    const char* note = has_coupling ? "* has couplings beside this diagonal: see the deck" : "";
+    return {{"title", "Sections"},
+            {"columns", {"", "EA", "GAy", "GAz", "GJ", "EIy", "EIz", "rhoA", "rhoJ", "rhoIy", "rhoIz"}},
+            {"rows", rows},
+            {"note", note}};
+}
+
+Json describe_rods(const Model& model) {
+    Json rows = Json::array();
+    for (const Rod& rod : model.rods) {
+        rows.push_back({rod.name,
+                        model.sections[rod.section].name,
+                        word_of(element_kind_choices, rod.kind),
+                        rod.element_count(),
+                        rod.order,
+                        rod.length});
+    }
+    return {{"title", "Rods"},
+            {"columns", {"", "section", "element", "elements", "order", "length"}},
+            {"rows", rows}};
+}
+
+Json describe_body_table(const Model& model) {
+    Json rows = Json::array();
+    for (const Body& body : model.bodies) {
+        const Eigen::SelfAdjointEigenSolver<Mat3> principal(body.inertia, Eigen::EigenvaluesOnly);
+        rows.push_back({body.name,
+                        model.nodes[body.node].name,
+                        body.mass,
+                        vector(principal.eigenvalues()),
+                        vector(body.centre_of_mass)});
+    }
+    return {{"title", "Rigid bodies"},
+            {"columns", {"", "node", "mass", "principal inertia", "centre of mass, body axes"}},
+            {"rows", rows}};
+}
+
+std::string describe_components(const std::array<bool, 6>& components) {
+    std::string text;
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        if (components[i]) text += fmt::format("{}{}", text.empty() ? "" : " ", component_names[i]);
+    }
+    return text;
+}
+
+Json describe_support_table(const Model& model) {
+    constexpr std::size_t most = 50;
+    Json rows = Json::array();
+    for (const Support& support : model.supports) {
+        if (rows.size() == most) break;
+        rows.push_back({model.nodes[support.node].name,
+                        describe_components(support.fixed),
+                        describe_components(support.moved)});
+    }
+    const std::string note = model.supports.size() > most
+                                 ? fmt::format("The first {} of {}.", most, model.supports.size())
+                                 : std::string();
+    return {{"title", "Supports"}, {"columns", {"", "fixed", "moved"}}, {"rows", rows}, {"note", note}};
+}
+
+Json describe_analysis(const AnalysisSettings& analysis) {
+    Json rows = Json::array();
+    const auto add_newton = [&](const NewtonSettings& newton) {
+        rows.push_back({"Newton's tolerance", newton.tolerance});
+        rows.push_back({"most iterations", newton.max_iterations});
+    };
+    if (const auto* dynamic = std::get_if<DynamicSettings>(&analysis)) {
+        rows.push_back({"integrator", word_of(scheme_choices, dynamic->scheme)});
+        rows.push_back({"end time", dynamic->end_time});
+        if (dynamic->steps > 0) {
+            const double step = dynamic->end_time / static_cast<double>(dynamic->steps);
+            rows.push_back({dynamic->adaptive ? "first step" : "time step", step});
+        }
+        if (dynamic->adaptive) rows.push_back({"tolerance of a step", dynamic->adaptive->tolerance});
+        add_newton(dynamic->newton);
+    } else {
+        const auto& settings = std::get<StaticSettings>(analysis);
+        rows.push_back({"load steps", settings.steps});
+        add_newton(settings.newton);
+    }
+    return {{"title", "Analysis"}, {"columns", Json::array()}, {"rows", rows}};
+}
+
+}  // namespace
+
+Json describe_tables(const Problem& problem) {
+    const Model& model = problem.model;
+    Json tables = Json::array({describe_analysis(problem.analysis)});
+    if (!model.sections.empty()) tables.push_back(describe_sections(model));
+    if (!model.rods.empty()) tables.push_back(describe_rods(model));
+    if (!model.bodies.empty()) tables.push_back(describe_body_table(model));
+    if (!model.supports.empty()) tables.push_back(describe_support_table(model));
+    return tables;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,170 @@
+#include "report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <system_error>
+
+#include "model/file_error.hpp"
+#include "report/data_blocks.hpp"
+#include "report/frame_blocks.hpp"
+#include "report/page_template.hpp"
+#include "report/run_story.hpp"
+#include "report/script_json.hpp"
+#include "report/step_blocks.hpp"
+#include "results/results_access.hpp"
+
+namespace gxrod {
+
+namespace {
+
+constexpr std::size_t most_blocks = 20;
+constexpr double bytes_in_megabyte = 1e6;
+
+std::string read_template() {
+    std::string text;
+    for (const std::string_view piece : page_template()) text += piece;
+    return text;
+}
+
+// Frames that the file counts and has times of.
+std::size_t count_frames(const Hdf5Reader& file) {
+    const auto counted = static_cast<std::size_t>(file.integer_attribute("/VTKHDF/Steps", "NSteps"));
+    return std::min<std::size_t>(counted, file.size("/VTKHDF/Steps/Values").at(0));
+}
+
+// A page in the making, of results that are open.
+class Page {
+  public:
+    Page(const Hdf5Reader& file, const ReportOptions& options)
+        : file_(file),
+          options_(options),
+          story_(read_run_story(file)),
+          charts_(list_charts(file, story_.is_static)) {
+        content_.topology = &story_.topology;
+        content_.marked_nodes = story_.marked_nodes;
+        content_.frames = count_frames(file);
+        content_.steps = file.size("/histories/time").at(0);
+        for (const StepChart& chart : charts_) content_.columns += chart.columns();
+        content_.arrows = story_.arrows.size();
+        content_.is_static = story_.is_static;
+        warnings_ = list_warnings(file, content_.steps);
+    }
+
+    ReportSummary write(std::ostream& out) {
+        const std::string shell = read_template();
+        const std::size_t mark = shell.find(page_data_mark);
+        plan(shell.size());
+        const std::string description = write_script_json(describe());
+        out << std::string_view(shell).substr(0, mark);
+        out << "<script type=\"application/json\" id=\"report\">" << description << "</script>\n";
+        write_frame_blocks(file_, plan_, content_, story_.arrows, out);
+        write_step_blocks(file_, charts_, plan_.steps, content_.steps, out);
+        out << std::string_view(shell).substr(mark + page_data_mark.size());
+        return {static_cast<std::size_t>(out.tellp()), left_out(), warnings_};
+    }
+
+  private:
+    void plan(std::size_t shell_bytes) {
+        // Sentences of what is left out come later.
+        constexpr std::size_t sentences = 2000;
+        const std::size_t fixed =
+            shell_bytes + write_script_json(describe()).size() + sentences + most_blocks * block_frame_bytes;
+        try {
+            if (fixed >= options_.most_bytes) throw std::length_error("no room for data");
+            plan_ = plan_report(content_, options_.most_bytes - fixed);
+        } catch (const std::length_error&) {
+            throw FileError(options_.page,
+                            fmt::format("the results do not fit into {:g} MB, however thinned",
+                                        static_cast<double>(options_.most_bytes) / bytes_in_megabyte),
+                            "give a larger --budget");
+        }
+    }
+
+    nlohmann::ordered_json describe() const {
+        nlohmann::ordered_json json = describe_run(file_, story_, [&](int node) { return number_of(node); });
+        json["file"] = options_.results.filename().string();
+        json["budget_megabytes"] = static_cast<double>(options_.most_bytes) / bytes_in_megabyte;
+        json["left_out"] = left_out();
+        json["warnings"] = warnings_;
+        json["steps"] = content_.steps;
+        json["all_frames"] = content_.frames;
+        json["node_data"] = plan_.node_data;
+        json["cell_data"] = plan_.cell_data;
+        json["charts"] = describe_charts(charts_);
+        return json;
+    }
+
+    std::vector<std::string> left_out() const {
+        std::vector<std::string> sentences = plan_.left_out;
+        sentences.insert(sentences.end(), story_.left_out.begin(), story_.left_out.end());
+        return sentences;
+    }
+
+    // Of a node of the file in the page.
+    int number_of(int node) const {
+        const auto found = std::lower_bound(plan_.nodes.begin(), plan_.nodes.end(), node);
+        return static_cast<int>(found - plan_.nodes.begin());
+    }
+
+    const Hdf5Reader& file_;
+    const ReportOptions& options_;
+    RunStory story_;
+    std::vector<std::string> warnings_;
+    std::vector<StepChart> charts_;
+    ReportContent content_;
+    ReportPlan plan_;
+};
+
+namespace fs = std::filesystem;
+
+void check_page(const ReportOptions& options) {
+    std::error_code ignored;
+    if (fs::equivalent(options.results, options.page, ignored)) {
+        throw FileError(options.page, "is the results file itself", "give another name for the page");
+    }
+    const fs::file_status status = fs::status(options.page, ignored);
+    if (fs::is_directory(status)) throw FileError(options.page, "is a folder", "give the name of a file");
+    if (fs::exists(status) && options.existing == Existing::refuse) {
+        throw FileError(options.page, "exists already", "--force overwrites it");
+    }
+}
+
+ReportSummary write_part(const Hdf5Reader& file, const ReportOptions& options, const fs::path& part) {
+    if (count_frames(file) == 0) {
+        throw FileError(options.results, "has no frame yet, so there is nothing to show");
+    }
+    std::ofstream out(part, std::ios::binary | std::ios::trunc);
+    if (!out) throw FileError(options.page, "cannot be written", std::generic_category().message(errno));
+    ReportSummary summary = Page(file, options).write(out);
+    out.close();
+    if (!out) throw FileError(options.page, "cannot be written", std::generic_category().message(errno));
+    return summary;
+}
+
+}  // namespace
+
+ReportSummary write_report(const ReportOptions& options) {
+    // A page that is there stays as it is until the new one is whole.
+    const fs::path part = options.page.string() + ".part";
+    std::error_code error;
+    try {
+        ReportSummary summary;
+        read_results(options.results, [&](const Hdf5Reader& file) {
+            check_page(options);
+            summary = write_part(file, options, part);
+        });
+        fs::rename(part, options.page, error);
+        if (error) throw FileError(options.page, "cannot be written", error.message());
+        return summary;
+    } catch (...) {
+        fs::remove(part, error);
+        throw;
+    }
+}
+
+}  // namespace gxrod

@@ -1,0 +1,155 @@
+#include "report/run_story.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "model/file_error.hpp"
+#include "report/step_blocks.hpp"
+#include "results/deck_reading.hpp"
+
+namespace gxrod {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::size_t most_bodies = 300;
+constexpr std::size_t most_supports = 500;
+constexpr std::size_t most_arrows = 300;
+constexpr double tolerable_imbalance = 0.1;  // as gxrod run warns
+
+std::string text_of(const Hdf5Reader& file, const std::string& name) {
+    return file.has_attribute("/", name) ? file.text_attribute("/", name) : "";
+}
+
+void rebuild(const Hdf5Reader& file, RunStory& story) {
+    const DeckRecord record = read_deck_record(file);
+    story.deck = record.text;
+    try {
+        auto problem = std::make_unique<Problem>(rebuild_problem(record));
+        if (refine_cells(problem->model, story.topology)) {
+            story.problem = std::move(problem);
+        } else {
+            story.why_no_problem = "its deck makes another mesh with this version of gxrod";
+        }
+    } catch (const Hdf5Error&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        story.why_no_problem = error.what();
+    }
+}
+
+void add_drawing(RunStory& story) {
+    const Model& model = story.problem->model;
+    story.arrows = list_load_arrows(model);
+    if (story.arrows.size() > most_arrows) {
+        story.left_out.push_back(
+            fmt::format("Of {} arrows of loads, the first {} are drawn.", story.arrows.size(), most_arrows));
+        story.arrows.resize(most_arrows);
+    }
+    for (const LoadArrow& arrow : story.arrows) story.marked_nodes.push_back(arrow.node);
+    const std::size_t supports = std::min(model.supports.size(), most_supports);
+    if (supports < model.supports.size()) {
+        story.left_out.push_back(
+            fmt::format("Of {} supports, the first {} are drawn.", model.supports.size(), supports));
+    }
+    for (std::size_t i = 0; i < supports; ++i) story.marked_nodes.push_back(model.supports[i].node);
+}
+
+// Bodies of which only the place is known.
+Json bare_bodies(const RunStory& story, const NodeNumbers& number) {
+    Json bodies = Json::array();
+    for (const int node : story.topology.body_nodes) {
+        if (bodies.size() == most_bodies) break;
+        bodies.push_back({{"name", ""},
+                          {"node", number(node)},
+                          {"centre", {0.0, 0.0, 0.0}},
+                          {"attitude", {1.0, 0.0, 0.0, 0.0}},
+                          {"axes", {1.0, 0.0, 0.0, 0.0}},
+                          {"half_sizes", {0.0, 0.0, 0.0}}});
+    }
+    return bodies;
+}
+
+Json describe_arrows(const RunStory& story, const NodeNumbers& number) {
+    Json arrows = Json::array();
+    for (const LoadArrow& arrow : story.arrows) {
+        arrows.push_back(
+            {{"key", arrow.key}, {"node", number(arrow.node)}, {"along_rod", arrow.is_along_rod}});
+    }
+    return arrows;
+}
+
+}  // namespace
+
+RunStory read_run_story(const Hdf5Reader& file) {
+    RunStory story;
+    story.is_static = text_of(file, "analysis") == "static";
+    story.topology = read_topology(file);
+    rebuild(file, story);
+    if (story.topology.body_nodes.size() > most_bodies) {
+        story.left_out.push_back(fmt::format(
+            "Of {} bodies, the first {} are drawn.", story.topology.body_nodes.size(), most_bodies));
+    }
+    if (story.problem) add_drawing(story);
+    if (file.has_attribute("/", "reason_nodes"))
+        story.fail_nodes = file.integers_attribute("/", "reason_nodes");
+    std::erase_if(story.fail_nodes,
+                  [&](std::int64_t node) { return node < 0 || node >= story.topology.nodes; });
+    for (const std::int64_t node : story.fail_nodes) story.marked_nodes.push_back(static_cast<int>(node));
+    return story;
+}
+
+std::vector<std::string> list_warnings(const Hdf5Reader& file, std::size_t steps) {
+    std::vector<std::string> warnings;
+    const std::string status = text_of(file, "status");
+    const std::string reason = text_of(file, "reason");
+    if (status == "failed") warnings.push_back("The run failed: " + reason);
+    if (status == "interrupted")
+        warnings.push_back("The run was interrupted; what follows is what it got to.");
+    if (status == "running") {
+        warnings.push_back(
+            "The run had not ended when this page was made, or was killed; this is what it got to.");
+    }
+    const EnergyBalance energy = survey_energy(file, steps);
+    if (energy.error > tolerable_imbalance * energy.largest) {
+        warnings.push_back(fmt::format(
+            "The energy does not balance: an error of {:.3g} beside an energy of {:.3g}. Steps may "
+            "be too long, a vibration too fast for them, or, in statics, the structure has jumped.",
+            energy.error,
+            energy.largest));
+    }
+    return warnings;
+}
+
+Json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbers& number) {
+    Json json;
+    for (const char* name :
+         {"gxrod_version", "title", "deck_name", "deck_sha256", "units", "analysis", "status", "reason"}) {
+        json[name] = text_of(file, name);
+    }
+    json["deck"] = story.deck;
+    json["is_static"] = story.is_static;
+    json["nodes"] = story.topology.nodes;
+    json["elements"] = story.topology.rod_cells.size();
+    json["fail_nodes"] = Json::array();
+    for (const std::int64_t node : story.fail_nodes)
+        json["fail_nodes"].push_back(number(static_cast<int>(node)));
+    json["why_no_model"] = story.why_no_problem;
+    json["arrows"] = describe_arrows(story, number);
+    if (!story.problem) {
+        json["bodies"] = bare_bodies(story, number);
+        json["supports"] = Json::array();
+        json["tables"] = Json::array();
+        return json;
+    }
+    const Model& model = story.problem->model;
+    json["unknowns"] = count_unknowns(model);
+    json["bodies"] = describe_bodies(model, number, most_bodies);
+    json["supports"] = describe_supports(model, number, most_supports);
+    json["tables"] = describe_tables(*story.problem);
+    return json;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "deck/problem.hpp"
+#include "report/drawn_cells.hpp"
+#include "report/load_arrows.hpp"
+#include "report/model_json.hpp"
+#include "results/hdf5_reader.hpp"
+
+namespace gxrod {
+
+// What a results file tells of a run, beside its numbers.
+struct RunStory {
+    bool is_static = false;
+    std::string deck;  // its text, as last run
+    FrameTopology topology;
+    std::unique_ptr<Problem> problem;  // none if the deck cannot be rebuilt, or is not that of the frames
+    std::string why_no_problem;
+    std::vector<LoadArrow> arrows;         // of the problem's model
+    std::vector<std::int64_t> fail_nodes;  // that the reason of a failure names
+    std::vector<int> marked_nodes;         // of supports, arrows, bodies and failure
+    std::vector<std::string> left_out;     // of the drawing, a sentence each
+};
+
+// Throws Hdf5Error.
+RunStory read_run_story(const Hdf5Reader& file);
+
+// What is to be known before trusting the results: that the run is not complete, that the energy does not
+// balance over the first `steps` steps. Throws Hdf5Error.
+std::vector<std::string> list_warnings(const Hdf5Reader& file, std::size_t steps);
+
+// All of it for the page. Throws Hdf5Error.
+nlohmann::ordered_json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbers& number);
+
+}  // namespace gxrod

@@ -1,0 +1,155 @@
+#include "report/step_blocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "report/data_blocks.hpp"
+
+namespace gxrod {
+
+namespace {
+
+constexpr std::size_t most_rows_at_once = 4096;
+
+StepChart::Source find_source(const Hdf5Reader& file, const std::string& dataset, const std::string& label) {
+    const std::vector<hsize_t> size = file.size(dataset);
+    const std::size_t width = size.size() > 1 ? size[1] : 1;
+    if (width == 3) return {dataset, {"x", "y", "z", "magnitude"}, width};
+    if (width == 4) return {dataset, {"w", "x", "y", "z"}, width};
+    return {dataset, std::vector<std::string>(width, label), width};
+}
+
+StepChart make_chart(const Hdf5Reader& file,
+                     const std::string& group,
+                     const std::string& title,
+                     const std::vector<std::pair<std::string, std::string>>& datasets) {
+    StepChart chart{title, group, "", "", "", {}};
+    for (const auto& [dataset, label] : datasets) chart.sources.push_back(find_source(file, dataset, label));
+    const std::string& first = datasets.front().first;
+    chart.description = datasets.size() == 1 ? file.text_attribute(first, "description") : "";
+    chart.frame = file.text_attribute(first, "frame");
+    if (file.has_attribute(first, "dimension")) chart.dimension = file.text_attribute(first, "dimension");
+    return chart;
+}
+
+// Calls `add` with each row of the first `steps` of a dataset.
+template <class Add>
+void for_each_row(
+    const Hdf5Reader& file, const std::string& dataset, std::size_t width, std::size_t steps, Add&& add) {
+    for (std::size_t first = 0; first < steps; first += most_rows_at_once) {
+        const std::size_t count = std::min(most_rows_at_once, steps - first);
+        const std::vector<double> rows = file.rows(dataset, first, count);
+        for (std::size_t row = 0; row < count; ++row)
+            add(std::span<const double>(rows).subspan(row * width, width));
+    }
+}
+
+void write_source(const Hdf5Reader& file,
+                  const StepChart::Source& source,
+                  const StepThinning& thinning,
+                  std::size_t steps,
+                  Base64Writer& base64) {
+    std::vector<ColumnThinning> columns(source.labels.size(), ColumnThinning(thinning));
+    for_each_row(file, source.dataset, source.width, steps, [&](std::span<const double> row) {
+        for (std::size_t i = 0; i < row.size(); ++i) columns[i].add(row[i]);
+        if (columns.size() > row.size()) columns.back().add(std::hypot(row[0], row[1], row[2]));
+    });
+    for (const ColumnThinning& column : columns) base64.write(std::span<const float>(column.values()));
+}
+
+}  // namespace
+
+std::size_t StepChart::columns() const {
+    std::size_t count = 0;
+    for (const Source& source : sources) count += source.labels.size();
+    return count;
+}
+
+std::vector<StepChart> list_charts(const Hdf5Reader& file, bool is_static) {
+    std::vector<StepChart> charts;
+    std::vector<std::pair<std::string, std::string>> energies;
+    if (!is_static) energies.emplace_back("/ledger/kinetic_energy", "kinetic");
+    energies.emplace_back("/ledger/strain_energy", "strain");
+    energies.emplace_back("/ledger/external_work", "external work");
+    energies.emplace_back("/ledger/dissipated_energy", "dissipated");
+    charts.push_back(make_chart(file, "energy", "Energies", energies));
+    charts.push_back(make_chart(file, "energy", "Energy imbalance", {{"/ledger/energy_error", "imbalance"}}));
+    for (const std::string& name : file.members("/histories")) {
+        if (name == "time") continue;
+        for (const std::string& quantity : file.members("/histories/" + name)) {
+            const std::string dataset = "/histories/" + name + "/" + quantity;
+            charts.push_back(make_chart(file, "history", name + ": " + quantity, {{dataset, quantity}}));
+        }
+    }
+    if (!is_static) {
+        charts.push_back(make_chart(file, "momentum", "Linear momentum", {{"/ledger/linear_momentum", ""}}));
+        charts.push_back(
+            make_chart(file, "momentum", "Angular momentum", {{"/ledger/angular_momentum", ""}}));
+    }
+    charts.push_back(make_chart(file, "solver", "Step size", {{"/solver/time_step", "step size"}}));
+    charts.push_back(make_chart(
+        file,
+        "solver",
+        "Newton iterations",
+        {{"/solver/newton_iterations", "iterations"}, {"/solver/rejected_steps", "rejected trials"}}));
+    return charts;
+}
+
+nlohmann::ordered_json describe_charts(const std::vector<StepChart>& charts) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const StepChart& chart : charts) {
+        nlohmann::ordered_json labels = nlohmann::ordered_json::array();
+        for (const StepChart::Source& source : chart.sources) {
+            for (const std::string& label : source.labels) labels.push_back(label);
+        }
+        list.push_back({{"title", chart.title},
+                        {"group", chart.group},
+                        {"description", chart.description},
+                        {"dimension", chart.dimension},
+                        {"frame", chart.frame},
+                        {"labels", labels}});
+    }
+    return list;
+}
+
+void write_step_blocks(const Hdf5Reader& file,
+                       const std::vector<StepChart>& charts,
+                       const StepThinning& thinning,
+                       std::size_t steps,
+                       std::ostream& out) {
+    std::vector<double> times;
+    const std::vector<std::size_t> kept = thinning.steps();
+    std::size_t step = 0;
+    auto next = kept.begin();
+    for_each_row(file, "/histories/time", 1, steps, [&](std::span<const double> row) {
+        for (; next != kept.end() && *next == step; ++next) times.push_back(row[0]);
+        ++step;
+    });
+    write_block(out, "step-times", times);
+    write_block(out, "steps", [&](Base64Writer& base64) {
+        for (const StepChart& chart : charts) {
+            for (const StepChart::Source& source : chart.sources) {
+                write_source(file, source, thinning, steps, base64);
+            }
+        }
+    });
+}
+
+EnergyBalance survey_energy(const Hdf5Reader& file, std::size_t steps) {
+    EnergyBalance balance;
+    for (std::size_t first = 0; first < steps; first += most_rows_at_once) {
+        const std::size_t count = std::min(most_rows_at_once, steps - first);
+        const std::vector<double> kinetic = file.rows("/ledger/kinetic_energy", first, count);
+        const std::vector<double> strain = file.rows("/ledger/strain_energy", first, count);
+        const std::vector<double> work = file.rows("/ledger/external_work", first, count);
+        const std::vector<double> error = file.rows("/ledger/energy_error", first, count);
+        for (std::size_t i = 0; i < count; ++i) {
+            balance.largest = std::max({balance.largest, kinetic[i] + strain[i], std::abs(work[i])});
+            balance.error = std::max(balance.error, std::abs(error[i]));
+        }
+    }
+    return balance;
+}
+
+}  // namespace gxrod

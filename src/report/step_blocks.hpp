@@ -1,0 +1,50 @@
+#pragma once
+
+#include <iosfwd>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "report/step_thinning.hpp"
+#include "results/hdf5_reader.hpp"
+
+namespace gxrod {
+
+// A chart of one dataset or more, a row each step.
+struct StepChart {
+    std::string title;
+    std::string group;  // "energy", "momentum", "history" or "solver"
+    std::string description;
+    std::string dimension;
+    std::string frame;
+    struct Source {
+        std::string dataset;
+        std::vector<std::string> labels;  // of its columns; of a vector also its magnitude
+        std::size_t width = 1;            // columns in the file
+    };
+    std::vector<Source> sources;
+
+    std::size_t columns() const;
+};
+
+// Energies, momenta (of dynamic runs), each history, and the solver's record. Throws Hdf5Error.
+std::vector<StepChart> list_charts(const Hdf5Reader& file, bool is_static);
+
+nlohmann::ordered_json describe_charts(const std::vector<StepChart>& charts);
+
+// Writes the block "step-times" and, column after column of all charts, "steps". Throws Hdf5Error.
+void write_step_blocks(const Hdf5Reader& file,
+                       const std::vector<StepChart>& charts,
+                       const StepThinning& thinning,
+                       std::size_t steps,
+                       std::ostream& out);
+
+// The largest energy of a run, kinetic and strain or external work, and the largest error of the balance,
+// over the first `steps` steps. Throws Hdf5Error.
+struct EnergyBalance {
+    double largest = 0.0;
+    double error = 0.0;
+};
+EnergyBalance survey_energy(const Hdf5Reader& file, std::size_t steps);
+
+}  // namespace gxrod

@@ -1,0 +1,132 @@
+"""gxrod report: what its page tells, that nothing of a deck runs in it, and the program's own words."""
+
+import subprocess
+import time
+import unittest
+
+import h5py
+from program import GXROD, SPINNING_BODY, ProgramTest
+from report_pages import EVIL_NAME, EVIL_TEXT, MARK, ROD, PageTest, set_up_pages
+
+
+def setUpModule():
+    set_up_pages()
+
+
+class Words(PageTest):
+    def test_a_failed_run_tells_why_and_marks_where(self):
+        self.open("failing")
+        self.assertIn("failed", self.text("#status"))
+        with h5py.File(self.folder / "failing.vtkhdf") as file:
+            self.assertIn(file.attrs["reason"], self.text("#warnings"))
+            self.assertGreater(len(file.attrs["reason_nodes"]), 0)
+        self.assertIn("where it failed", self.text("#failure"))
+        pixels = self.picture()
+        red = (pixels[:, :, 0] > 200) & (pixels[:, :, 1] < 70) & (pixels[:, :, 2] < 70)
+        self.assertGreater(red.sum(), 50, "no mark")
+        self.open("rod")
+        self.assertEqual(self.text("#warnings"), "")
+
+    def test_tells_the_model_and_the_deck(self):
+        self.open("rod")
+        model = self.text("#model")
+        for words in ("nodes13", "elements6", "unknowns75", "newmark-simplified", "rhoA", "arm.startx y z"):
+            self.assertIn(words, model)
+        deck = self.browser.run("return document.querySelector('#deck code + *, #deck pre code').textContent")
+        self.assertEqual(deck, ROD)
+        self.assertIn("Nothing is left out", self.text("#about"))
+
+    def test_nothing_of_a_deck_runs(self):
+        self.open(EVIL_NAME)
+        self.browser.wait(lambda: self.text("#title") == EVIL_TEXT)
+        self.assertIn(EVIL_TEXT, self.text("#deck"))
+        self.assertIn(EVIL_NAME, self.text("#subtitle"))
+        self.assertIn("<img", self.text("#charts"))
+        self.assertIsNone(self.browser.run("return document.documentElement.dataset.evil ?? null"))
+        self.assertEqual(self.browser.run("return document.images.length"), 0)
+        self.assertEqual(self.browser.take_errors(), [])
+        # Even a script or an image that did get in would not load.
+        self.browser.run(f"""
+            document.body.append(document.createRange().createContextualFragment(
+                "<script>{MARK}</script><img src='http://127.0.0.1:9/x.png' onerror='{MARK}'>"));""")
+        self.browser.settle()
+        self.assertIsNone(self.browser.run("return document.documentElement.dataset.evil ?? null"))
+        self.assertNotEqual(self.browser.take_errors(), [])
+
+    def test_asks_for_nothing(self):
+        self.open("rod")
+        self.slide(3)
+        requests = self.browser.take_requests()
+        page = (self.folder / "rod.html").as_uri()
+        self.assertIn(page, requests)
+        self.assertEqual([url for url in requests if url != page and not url.startswith("data:")], [])
+        refused = self.browser.driver.execute_async_script(
+            "const done = arguments[0]; fetch('http://127.0.0.1:9/').catch((error) => done(String(error)))")
+        self.assertIn("TypeError", refused)
+        self.assertIn("Content Security Policy", " ".join(self.browser.take_errors()))
+
+
+class Budget(PageTest):
+    def test_is_kept_and_what_was_left_out_is_told(self):
+        run = ["run", "body.toml", "--quiet", "--force", "-o", "long.vtkhdf", "--set", "analysis.steps=20000"]
+        subprocess.run([GXROD, *run, "--set", "output.every=4"], cwd=self.folder, check=True)
+        report = subprocess.run([GXROD, "report", "long.vtkhdf", "--budget", "1"], cwd=self.folder, check=True,
+                                capture_output=True, text=True)
+        self.assertLessEqual((self.folder / "long.html").stat().st_size, 1e6)
+        self.assertIn("Of 5001 frames, one in", report.stdout)
+        self.assertIn("of 20001 steps", report.stdout)
+        self.open("long")
+        self.assertIn("Of 5001 frames, one in", self.text("#left-out"))
+        self.assertIn("of 20001 steps", self.text("#left-out"))
+        self.assertFalse(self.browser.run("return document.getElementById('thinned').hidden"))
+        self.slide(10 ** 6)
+        self.assertEqual(self.text("#time-text"), "t = 1")
+        self.assertEqual(self.browser.take_errors(), [])
+
+
+class Program(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("body.toml", SPINNING_BODY)
+        self.gxrod("run", "body.toml", "--quiet")
+
+    def test_refuses_to_overwrite(self):
+        self.assertIn("body.html (", self.gxrod("report", "body.vtkhdf").stdout)
+        done = self.gxrod("report", "body.vtkhdf", code=4)
+        self.assertIn("body.html: exists already (--force overwrites it)", done.stderr)
+        self.gxrod("report", "body.vtkhdf", "--force")
+        self.gxrod("report", "body.vtkhdf", "-o", "other.html")
+        done = self.gxrod("report", "body.vtkhdf", "-o", "body.vtkhdf", "--force", code=4)
+        self.assertIn("is the results file itself", done.stderr)
+        h5py.File(self.folder / "body.vtkhdf").close()
+
+    def test_tells_what_is_no_results_file(self):
+        for name, said in (("none.vtkhdf", "there is no such file"), (".", "is a folder"),
+                           ("body.toml", "cannot be read as results of gxrod")):
+            self.assertIn(said, self.gxrod("report", name, "-o", "x.html", code=4).stderr)
+        with h5py.File(self.folder / "body.vtkhdf", "r+") as file:
+            file["VTKHDF/Connectivity"][0] = 10 ** 6
+        self.assertIn("a point that is not there", self.gxrod("report", "body.vtkhdf", code=4).stderr)
+        with h5py.File(self.folder / "body.vtkhdf", "r+") as file:
+            file["VTKHDF/Connectivity"][0] = 0
+        done = self.gxrod("report", "body.vtkhdf", "-o", "no/such/folder.html", code=4)
+        self.assertIn("cannot be written", done.stderr)
+        self.assertIn("--budget", self.gxrod("report", "body.vtkhdf", "--budget", "0.1", code=2).stderr)
+
+    def test_takes_a_running_job(self):
+        run = subprocess.Popen([GXROD, "run", "body.toml", "--quiet", "-o", "long.vtkhdf", "--set",
+                                "analysis.steps=5000000"], cwd=self.folder)
+        try:
+            time.sleep(1.0)  # five times the longest before the first frame is in the file
+            for _ in range(4):
+                done = self.gxrod("report", "long.vtkhdf", "--force", "--budget", "2")
+                self.assertIn("had not ended", done.stderr)
+            self.assertIsNone(run.poll())
+        finally:
+            run.kill()
+            run.wait()
+        self.gxrod("report", "long.vtkhdf", "--force", "--budget", "2")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,82 @@
+#include "report/drawn_cells.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "results/results_file.hpp"
+#include "results/sample.hpp"
+
+using namespace gxrod;
+
+namespace {
+
+// A line of straight elements, node i to i + 1.
+std::vector<DrawnCell> make_line(int elements) {
+    std::vector<DrawnCell> cells;
+    for (int i = 0; i < elements; ++i) {
+        cells.push_back({{i, i + 1}, {Quat::Identity(), Quat::Identity()}, 0.1, 0.1, i});
+    }
+    return cells;
+}
+
+std::vector<std::pair<int, int>> ends_of(const std::vector<DrawnCell>& cells) {
+    std::vector<std::pair<int, int>> ends;
+    for (const DrawnCell& cell : cells) ends.emplace_back(cell.nodes[0], cell.nodes[1]);
+    return ends;
+}
+
+using Ends = std::vector<std::pair<int, int>>;
+
+}  // namespace
+
+TEST_CASE("Elements in a line are joined, with the data of the middle one", "[report]") {
+    const std::vector<DrawnCell> joined = join_cells(make_line(10), 4, std::vector<bool>(11, false));
+    CHECK(ends_of(joined) == Ends{{0, 4}, {4, 8}, {8, 10}});
+    CHECK(joined[0].source == 1);
+    CHECK(join_cells(make_line(10), 1, std::vector<bool>(11, false)).size() == 10);
+}
+
+TEST_CASE("Nodes to keep, corners, other radii and branches end a piece", "[report]") {
+    std::vector<bool> kept(12, false);
+    std::vector<DrawnCell> cells = make_line(10);
+    kept[2] = true;
+    cells[3].axes[1] = Quat(Eigen::AngleAxisd(0.5, Vec3::UnitZ()));  // at node 4
+    cells[6].radius_y = cells[7].radius_y = 0.2;                     // from node 6 to 8
+    cells.push_back({{9, 11}, {Quat::Identity(), Quat::Identity()}, 0.1, 0.1, 10});
+    CHECK(ends_of(join_cells(cells, 100, kept)) ==
+          Ends{{0, 2}, {2, 4}, {4, 6}, {6, 8}, {8, 9}, {9, 10}, {9, 11}});
+}
+
+TEST_CASE("Sampled cells are evenly chosen", "[report]") {
+    CHECK(ends_of(sample_cells(make_line(10), 5)) == Ends{{0, 1}, {2, 3}, {4, 5}, {6, 7}, {8, 9}});
+    CHECK(sample_cells(make_line(10), 10).size() == 10);
+}
+
+TEST_CASE("Cells come from the file and, by its model, get true axes and sections", "[report]") {
+    const sample::ScratchFolder folder;
+    Model model = sample::make_model();
+    const sample::Motion motion(0.0);
+    {
+        ResultsFile file({folder / "a.vtkhdf"}, sample::make_deck(), model, OutputSettings{});
+        file.write_frame(motion.snapshot());
+        file.close(RunStatus::complete, "");
+    }
+    FrameTopology topology = read_topology(Hdf5Reader(folder / "a.vtkhdf"));
+    CHECK(topology.nodes == 4);
+    CHECK(topology.cells == 4);
+    CHECK(ends_of(topology.rod_cells) == Ends{{0, 1}, {1, 2}});
+    CHECK(topology.body_nodes == std::vector<int>{2, 3});
+    const double round = topology.rod_cells[0].radius_y;
+    CHECK(topology.rod_cells[0].radius_z == round);
+
+    Mat6& stiffness = model.sections[0].stiffness;
+    stiffness(0, 0) = 100.0;
+    stiffness(4, 4) = 4.0;  // about y: 2 √(4/100) along z
+    stiffness(5, 5) = 1.0;
+    REQUIRE(refine_cells(model, topology));
+    CHECK(topology.rod_cells[1].radius_y == Approx(0.2));
+    CHECK(topology.rod_cells[1].radius_z == Approx(0.4));
+    CHECK(topology.rod_cells[1].axes[1].angularDistance(model.rods[0].triads.back()) < 1e-12);
+
+    model.bodies.pop_back();
+    CHECK_FALSE(refine_cells(model, topology));
+}

@@ -1,0 +1,111 @@
+#include "report/report_plan.hpp"
+
+#include <catch2/catch.hpp>
+#include <stdexcept>
+
+using namespace gxrod;
+
+namespace {
+
+FrameTopology make_line(int elements) {
+    FrameTopology topology;
+    topology.nodes = elements + 1;
+    topology.cells = elements;
+    for (int i = 0; i < elements; ++i) {
+        topology.rod_cells.push_back({{i, i + 1}, {Quat::Identity(), Quat::Identity()}, 0.1, 0.1, i});
+    }
+    return topology;
+}
+
+// Elements that cannot be joined: each has its own nodes.
+FrameTopology make_heap(int elements) {
+    FrameTopology topology;
+    topology.nodes = 2 * elements;
+    topology.cells = elements;
+    for (int i = 0; i < elements; ++i) {
+        topology.rod_cells.push_back({{2 * i, 2 * i + 1}, {Quat::Identity(), Quat::Identity()}, 0.1, 0.1, i});
+    }
+    return topology;
+}
+
+ReportContent make_content(const FrameTopology& topology, std::size_t frames, std::size_t steps) {
+    ReportContent content;
+    content.topology = &topology;
+    content.frames = frames;
+    content.steps = steps;
+    content.columns = 30;
+    content.arrows = 2;
+    return content;
+}
+
+constexpr std::size_t megabyte = 1'000'000;
+
+}  // namespace
+
+TEST_CASE("What fits is kept whole, and nothing is said", "[report]") {
+    const FrameTopology topology = make_line(20);
+    const ReportPlan plan = plan_report(make_content(topology, 101, 1001), 19 * megabyte);
+    CHECK(plan.frame_stride == 1);
+    CHECK(plan.steps.keeps_all());
+    CHECK(plan.cells.size() == 20);
+    CHECK(plan.nodes.size() == 21);
+    CHECK(plan.left_out.empty());
+}
+
+TEST_CASE("A plan never takes more than its bytes, and keeps the first and last frame", "[report]") {
+    for (const int elements : {1, 20, 3000, 100000}) {
+        const FrameTopology line = make_line(elements);
+        const FrameTopology heap = make_heap(elements);
+        for (const FrameTopology* topology : {&line, &heap}) {
+            for (const std::size_t frames : {1, 2, 101, 20000}) {
+                for (const std::size_t steps : {0, 1, 2000000}) {
+                    for (const std::size_t bytes : {megabyte / 4, 2 * megabyte, 19 * megabyte}) {
+                        const ReportContent content = make_content(*topology, frames, steps);
+                        const ReportPlan plan = plan_report(content, bytes);
+                        INFO(elements << " elements, " << frames << " frames, " << steps << " steps, "
+                                      << bytes);
+                        CHECK(count_bytes(plan, content) <= bytes);
+                        CHECK(plan.frames(frames).front() == 0);
+                        CHECK(plan.frames(frames).back() == frames - 1);
+                        CHECK(plan.cells.size() <= 30000);
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("Every thinning is told", "[report]") {
+    const FrameTopology small = make_line(20);
+    ReportPlan plan = plan_report(make_content(small, 100000, 0), 10 * megabyte);
+    REQUIRE(plan.left_out.size() == 1);
+    CHECK_THAT(plan.left_out[0], Catch::StartsWith("Of 100000 frames, one in "));
+
+    plan = plan_report(make_content(small, 2, 1000000), 10 * megabyte);
+    REQUIRE(plan.left_out.size() == 1);
+    CHECK_THAT(plan.left_out[0], Catch::Contains("of 1000000 steps"));
+
+    const FrameTopology line = make_line(100000);
+    plan = plan_report(make_content(line, 100, 100), 19 * megabyte);
+    CHECK_THAT(plan.left_out.back(), Catch::Contains("100000 elements are drawn as"));
+    CHECK(plan.frames(100).size() >= 50);
+
+    const FrameTopology heap = make_heap(100000);
+    plan = plan_report(make_content(heap, 100, 100), 19 * megabyte);
+    const std::string all = plan.left_out[1] + plan.left_out.back();
+    CHECK_THAT(all, Catch::Contains("Of 100000 elements, 30000 pieces"));
+    CHECK_THAT(all,
+               Catch::Contains("Left out altogether: velocity, angular_velocity, force, moment, strain"));
+}
+
+TEST_CASE("Marked nodes stay, statics have no velocities, and too little room is refused", "[report]") {
+    const FrameTopology line = make_line(100000);
+    ReportContent content = make_content(line, 100, 100);
+    content.marked_nodes = {12345, 77777};
+    content.is_static = true;
+    const ReportPlan plan = plan_report(content, 19 * megabyte);
+    CHECK(std::count(plan.nodes.begin(), plan.nodes.end(), 12345) == 1);
+    CHECK(std::count(plan.nodes.begin(), plan.nodes.end(), 77777) == 1);
+    CHECK(plan.node_data == std::vector<std::string>{"displacement", "rotation_vector"});
+    CHECK_THROWS_AS(plan_report(content, 500), std::length_error);
+}

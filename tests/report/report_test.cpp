@@ -1,0 +1,106 @@
+#include "report/report.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "deck/problem.hpp"
+#include "model/file_error.hpp"
+#include "results/results_file.hpp"
+#include "results/sample.hpp"
+
+using namespace gxrod;
+using Json = nlohmann::json;
+
+namespace {
+
+constexpr const char* evil = "</script><script>document.title='run'</script>";
+
+// Results whose deck is no deck at all.
+void write_sample(const std::filesystem::path& path, int steps, const std::string& title) {
+    const Model model = sample::make_model();
+    DeckRecord deck = sample::make_deck();
+    deck.title = title;
+    ResultsFile file({path}, deck, model, sample::make_output());
+    for (int i = 0; i < steps; ++i) {
+        const double time = 0.01 * i;
+        const sample::Motion motion(time);
+        file.record_step(motion.snapshot(), sample::make_ledger(time), sample::make_solver(time));
+        file.write_frame(motion.snapshot());
+    }
+    file.close(RunStatus::failed, "it would not", std::vector<std::int64_t>{1});
+}
+
+std::string read(const std::filesystem::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+// The JSON of a page.
+Json describe(const std::string& page) {
+    const std::string start = "<script type=\"application/json\" id=\"report\">";
+    const std::size_t first = page.find(start) + start.size();
+    return Json::parse(page.substr(first, page.find("</script>", first) - first));
+}
+
+}  // namespace
+
+TEST_CASE("A report stays within its budget and says what it left out", "[report]") {
+    const sample::ScratchFolder folder;
+    write_sample(folder / "a.vtkhdf", 4000, "Sample");
+    const ReportSummary whole = write_report({folder / "a.vtkhdf", folder / "whole.html"});
+    CHECK(whole.left_out.empty());
+    CHECK(whole.bytes == std::filesystem::file_size(folder / "whole.html"));
+
+    for (const std::size_t budget : {1'000'000, 1'500'000, 3'000'000}) {
+        const ReportSummary summary =
+            write_report({folder / "a.vtkhdf", folder / "thin.html", budget, Existing::replace});
+        CHECK(summary.bytes <= budget);
+        CHECK(summary.bytes > budget * 8 / 10);
+        CHECK(std::filesystem::file_size(folder / "thin.html") == summary.bytes);
+        CHECK(summary.left_out.size() == (budget < 3'000'000 ? 2 : 1));
+        CHECK(describe(read(folder / "thin.html"))["left_out"] == Json(summary.left_out));
+    }
+    CHECK_THROWS_WITH(write_report({folder / "a.vtkhdf", folder / "small.html", 10'000}),
+                      Catch::Contains("do not fit into 0.01 MB") && Catch::Contains("--budget"));
+    CHECK_FALSE(std::filesystem::exists(folder / "small.html"));
+    CHECK_FALSE(std::filesystem::exists(folder / "small.html.part"));
+}
+
+TEST_CASE("Without its model a report shows the frames and says so", "[report]") {
+    const sample::ScratchFolder folder;
+    write_sample(folder / "a.vtkhdf", 3, evil);
+    write_report({folder / "a.vtkhdf", folder / "a.html"});
+    const std::string page = read(folder / "a.html");
+    CHECK(page.find(evil) == std::string::npos);
+    const Json json = describe(page);
+    CHECK(json["title"] == evil);
+    CHECK(json["why_no_model"] != "");
+    CHECK(json["bodies"].size() == 2);
+    CHECK(json["fail_nodes"] == Json{1});
+    CHECK(json["warnings"][0] == "The run failed: it would not");
+}
+
+TEST_CASE("A report does not overwrite what it should not", "[report]") {
+    const sample::ScratchFolder folder;
+    write_sample(folder / "a.vtkhdf", 3, "Sample");
+    write_report({folder / "a.vtkhdf", folder / "a.html"});
+    CHECK_THROWS_WITH(write_report({folder / "a.vtkhdf", folder / "a.html"}),
+                      Catch::Contains("exists already"));
+    ReportOptions onto_itself{folder / "a.vtkhdf", folder / "a.vtkhdf"};
+    onto_itself.existing = Existing::replace;
+    CHECK_THROWS_WITH(write_report(onto_itself), Catch::Contains("is the results file itself"));
+    CHECK_THROWS_AS(write_report({folder / "none.vtkhdf", folder / "b.html"}), FileError);
+    CHECK_THROWS_AS(write_report({folder / "a.vtkhdf", folder.path()}), FileError);
+}
+
+TEST_CASE("Results without a frame cannot be shown yet", "[report]") {
+    const sample::ScratchFolder folder;
+    const Model model = sample::make_model();
+    { ResultsFile file({folder / "a.vtkhdf"}, sample::make_deck(), model, OutputSettings{}); }
+    CHECK_THROWS_WITH(write_report({folder / "a.vtkhdf", folder / "a.html"}),
+                      Catch::Contains("has no frame yet"));
+}
