@@ -166,7 +166,11 @@ HistoryRequest build_history(const CheckedTable& table,
 OutputSettings build_output(const BuildContext& context) {
     OutputSettings output;
     const std::vector<CheckedTable>& tables = context.deck.tables("output");
-    if (!tables.empty()) output.every = tables.front().get<long>("every");
+    if (!tables.empty()) {
+        const CheckedTable& table = tables.front();
+        output.every = table.get<long>("every");
+        output.compression = value_of(compression_choices, table.get<std::string>("compression"));
+    }
     std::set<std::string> taken;
     for (const CheckedTable& table : context.deck.tables("history")) {
         check_name(table, taken, context);

@@ -42,6 +42,9 @@ inline constexpr std::array<Choice<LinearSolverKind>, 4> linear_solver_choices{
      {"umfpack", LinearSolverKind::umfpack},
      {"cholmod", LinearSolverKind::cholmod}}};
 
+inline constexpr std::array<Choice<Compression>, 2> compression_choices{
+    {{"none", Compression::none}, {"deflate", Compression::deflate}}};
+
 inline constexpr std::array<Choice<Quantity>, 18> quantity_choices{
     {{"position", Quantity::position},
      {"displacement", Quantity::displacement},

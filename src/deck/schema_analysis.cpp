@@ -194,10 +194,17 @@ const TableSpec& output_table() {
                   .range = {.lower = 1, .upper = static_cast<double>(largest_step_count)},
                   .default_value = OutputSettings{}.every,
                   .sentence = "Steps between frames; the first and the last are always "
-                              "written."}},
+                              "written."},
+                 {.name = "compression",
+                  .type = ValueType::choice,
+                  .default_value = word_of(compression_choices, OutputSettings{}.compression),
+                  .sentence = "Of frames, without loss. deflate halves them and takes some time of writing; "
+                              "for models of a thousand nodes and more.",
+                  .choices = words_of(compression_choices)}},
         .example =
             "[output]\n"
-            "every = 10\n"};
+            "every = 10\n"
+            "compression = \"deflate\"\n"};
     return table;
 }
 

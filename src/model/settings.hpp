@@ -101,8 +101,12 @@ struct HistoryRequest {
     Quat relative_axes = Quat::Identity();  // of section or body there at t = 0
 };
 
+// Of frames, in the file; lossless.
+enum class Compression { none, deflate };
+
 struct OutputSettings {
     long every = 1;  // steps between frames; the first and the last are always written
+    Compression compression = Compression::none;
     std::vector<HistoryRequest> histories;
 };
 

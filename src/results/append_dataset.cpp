@@ -45,10 +45,10 @@ struct RowSelection {
 
 template <class Number>
 AppendDataset<Number>::AppendDataset(
-    const Hdf5Handle& group, const DatasetLabel& label, RowShape shape, hsize_t rows, std::size_t chunk_bytes)
+    const Hdf5Handle& group, const DatasetLabel& label, RowShape shape, hsize_t rows, RowChunks chunks)
     : shape_(shape), rows_(rows) {
     if (!has_link(group, label.name)) {
-        create(group, label, chunk_bytes);
+        create(group, label, chunks);
         if (rows > 0) set_extent(rows);
         return;
     }
@@ -66,20 +66,24 @@ AppendDataset<Number>::AppendDataset(
 }
 
 template <class Number>
-void AppendDataset<Number>::create(const Hdf5Handle& group,
-                                   const DatasetLabel& label,
-                                   std::size_t chunk_bytes) {
+void AppendDataset<Number>::create(const Hdf5Handle& group, const DatasetLabel& label, RowChunks chunks) {
     const auto columns = static_cast<hsize_t>(shape_.columns);
     const int rank = shape_.is_vector ? 2 : 1;
     const std::array<hsize_t, 2> size{0, columns};
     const std::array<hsize_t, 2> limit{H5S_UNLIMITED, columns};
-    const std::array<hsize_t, 2> chunk{std::max<hsize_t>(1, chunk_bytes / (columns * sizeof(Number))),
-                                       columns};
+    constexpr hsize_t usual_bytes = 4096;
+    const hsize_t usual_rows = std::max<hsize_t>(1, usual_bytes / (columns * sizeof(Number)));
+    const std::array<hsize_t, 2> chunk{chunks.rows > 0 ? chunks.rows : usual_rows, columns};
 
     const Hdf5Handle space(H5Screate_simple(rank, size.data(), limit.data()), H5Sclose, "dataspace");
     const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "dataset properties");
     check_hdf5(H5Pset_chunk(properties.id(), rank, chunk.data()), "chunks");
     check_hdf5(H5Pset_obj_track_times(properties.id(), false), "dataset properties");
+    if (chunks.is_deflated) {
+        constexpr unsigned fastest = 1;
+        check_hdf5(H5Pset_shuffle(properties.id()), "compression");
+        check_hdf5(H5Pset_deflate(properties.id(), fastest), "compression");
+    }
     const Number missing =
         std::numeric_limits<Number>::has_quiet_NaN ? std::numeric_limits<Number>::quiet_NaN() : 0;
     check_hdf5(H5Pset_fill_value(properties.id(), memory_type<Number>(), &missing), "dataset properties");

@@ -16,8 +16,14 @@ struct RowShape {
 inline constexpr RowShape scalar_row{1, false};
 inline constexpr RowShape vector_row{3, true};
 
-// A dataset that grows by rows. Rows are gathered in memory and written by flush(), in chunks of about
-// `chunk_bytes`. Instantiated for double and std::int64_t. Throws Hdf5Error.
+// How rows lie on disk.
+struct RowChunks {
+    hsize_t rows = 0;          // in a chunk; 0: about 4 KiB of them
+    bool is_deflated = false;  // then a chunk may not be written twice: rows have to come by whole chunks
+};
+
+// A dataset that grows by rows. Rows are gathered in memory and written by flush(). Instantiated for double
+// and std::int64_t. Throws Hdf5Error.
 template <class Number>
 class AppendDataset {
   public:
@@ -27,7 +33,7 @@ class AppendDataset {
                   const DatasetLabel& label,
                   RowShape shape,
                   hsize_t rows,
-                  std::size_t chunk_bytes = 4096);
+                  RowChunks chunks = {});
 
     // One row or several: a multiple of the number of columns.
     void append(std::span<const Number> values) {
@@ -44,7 +50,7 @@ class AppendDataset {
     hid_t id() const { return dataset_.id(); }
 
   private:
-    void create(const Hdf5Handle& group, const DatasetLabel& label, std::size_t chunk_bytes);
+    void create(const Hdf5Handle& group, const DatasetLabel& label, RowChunks chunks);
     void set_extent(hsize_t rows);
 
     Hdf5Handle dataset_;

@@ -36,11 +36,14 @@ const DatasetLabel point_radius_label{
 
 constexpr RowShape number_in_row{1, true};  // [S,1]
 
-// About one frame in a chunk, within limits: small chunks cost time, large ones space.
-std::size_t chunk_bytes(std::size_t frame_bytes) {
+// One frame in a chunk if it is compressed; else about that, within limits: small chunks cost time, large
+// ones space (docs/performance.md).
+RowChunks frame_chunks(std::size_t frame_rows, std::size_t row_bytes, bool is_deflated) {
     constexpr std::size_t least = 8192;
     constexpr std::size_t most = 262144;
-    return std::min(std::max(frame_bytes, least), most);
+    if (is_deflated) return {std::max<hsize_t>(frame_rows, 1), true};
+    const std::size_t bytes = std::min(std::max(frame_rows * row_bytes, least), most);
+    return {bytes / row_bytes, false};
 }
 
 // Another name for a dataset, unless it has it already.
@@ -63,9 +66,13 @@ std::span<const double> numbers(const Vec3& vector) { return {vector.data(), 3};
 
 }  // namespace
 
-FrameTable::FrameTable(const Hdf5Handle& root, const Model& model, hsize_t frames)
+FrameTable::FrameTable(const Hdf5Handle& root,
+                       const Model& model,
+                       const OutputSettings& output,
+                       hsize_t frames)
     : model_(&model),
       mesh_(make_frame_mesh(model)),
+      is_compressed_(output.compression == Compression::deflate),
       frames_(static_cast<std::int64_t>(frames)),
       group_(require_group(root, "VTKHDF")),
       steps_(require_group(group_, "Steps")),
@@ -112,31 +119,36 @@ void FrameTable::write_topology() {
 void FrameTable::create_fields() {
     const hsize_t point_rows = static_cast<hsize_t>(frames_) * model_->nodes.size();
     const hsize_t cell_rows = static_cast<hsize_t>(frames_) * mesh_.cell_count();
-    const std::size_t point_bytes = chunk_bytes(model_->nodes.size() * sizeof(Vec3));
-    const std::size_t cell_bytes = chunk_bytes(mesh_.cell_count() * sizeof(Vec3));
+    const auto chunks = [this](std::size_t rows, std::size_t row_bytes) {
+        return frame_chunks(rows, row_bytes, is_compressed_);
+    };
+    const RowChunks point_chunks = chunks(model_->nodes.size(), sizeof(Vec3));
+    const RowChunks cell_chunks = chunks(mesh_.cell_count(), sizeof(Vec3));
     points_.emplace_back(group_,
                          DatasetLabel{"Points", "positions", "spatial", "length"},
                          vector_row,
                          point_rows,
-                         point_bytes);
+                         point_chunks);
 
     const Hdf5Handle point_data = require_group(group_, "PointData");
     const Hdf5Handle point_data_offsets = require_group(steps_, "PointDataOffsets");
     for (const DatasetLabel& label : point_labels) {
-        points_.emplace_back(point_data, label, vector_row, point_rows, point_bytes);
+        points_.emplace_back(point_data, label, vector_row, point_rows, point_chunks);
         link(point_offsets_.id(), point_data_offsets, label.name);
     }
-    points_.emplace_back(point_data, point_radius_label, scalar_row, point_rows, point_bytes);
+    points_.emplace_back(
+        point_data, point_radius_label, scalar_row, point_rows, chunks(model_->nodes.size(), sizeof(double)));
     link(point_offsets_.id(), point_data_offsets, point_radius_label.name);
 
     const Hdf5Handle cell_data = require_group(group_, "CellData");
     const Hdf5Handle cell_data_offsets(
         H5Gopen2(steps_.id(), "CellDataOffsets", H5P_DEFAULT), H5Gclose, "opening a group");
     for (const DatasetLabel& label : cell_labels) {
-        cells_.emplace_back(cell_data, label, vector_row, cell_rows, cell_bytes);
+        cells_.emplace_back(cell_data, label, vector_row, cell_rows, cell_chunks);
         if (label.name != cell_labels[0].name) link(cell_offsets_.id(), cell_data_offsets, label.name);
     }
-    cells_.emplace_back(cell_data, cell_radius_label, scalar_row, cell_rows, cell_bytes);
+    cells_.emplace_back(
+        cell_data, cell_radius_label, scalar_row, cell_rows, chunks(mesh_.cell_count(), sizeof(double)));
     link(cell_offsets_.id(), cell_data_offsets, cell_radius_label.name);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/model.hpp"
+#include "model/settings.hpp"
 #include "results/append_dataset.hpp"
 #include "results/frame_mesh.hpp"
 #include "results/step_record.hpp"
@@ -14,7 +15,7 @@ class FrameTable {
     // Appends after the first `frames` frames; the count of those there follows with flush_count(), once the
     // times are shortened on disk. `model` must outlive the table. Throws std::runtime_error if frames are
     // there, but of another number of points.
-    FrameTable(const Hdf5Handle& root, const Model& model, hsize_t frames);
+    FrameTable(const Hdf5Handle& root, const Model& model, const OutputSettings& output, hsize_t frames);
 
     void append(const Snapshot& snapshot);
     // Writes the frames; readers do not count them before flush_count() and, when that is on disk,
@@ -37,6 +38,7 @@ class FrameTable {
 
     const Model* model_;
     FrameMesh mesh_;
+    bool is_compressed_;
     std::int64_t frames_;  // appended
 
     Hdf5Handle group_, steps_;

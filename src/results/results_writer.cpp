@@ -114,7 +114,7 @@ ResultsTables::ResultsTables(const Hdf5Handle& root,
       histories_(histories_group_, model, output.histories, steps),
       ledger_(ledger_group_, steps),
       solver_(solver_group_, steps),
-      frames_(root, model, frames),
+      frames_(root, model, output, frames),
       restart_(root),
       step_count_(steps),
       frame_count_(frames) {

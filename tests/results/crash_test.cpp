@@ -36,8 +36,9 @@ void write_steps(ResultsFile& file, sample::Motion& motion, std::size_t first, s
     }
 }
 
-OutputSettings make_output() {
+OutputSettings make_output(Compression compression = Compression::none) {
     OutputSettings output;
+    output.compression = compression;
     output.histories = {sample::make_output().histories[0]};
     output.histories[0].quantities = {Quantity::position, Quantity::quaternion};
     return output;
@@ -154,11 +155,12 @@ TEST_CASE("A killed writer leaves a file with all that it had flushed", "[result
     std::mt19937 random(7);
     std::size_t most_steps = 0;
     for (int attempt = 0; attempt < 40; ++attempt) {
+        const Compression compression = attempt % 2 == 0 ? Compression::none : Compression::deflate;
         const auto path = folder / ("killed" + std::to_string(attempt));
         int flushed[2];
         REQUIRE(::pipe(flushed) == 0);
         const pid_t child = run_child([&] {
-            ResultsFile file({path}, sample::make_deck(), model, make_output());
+            ResultsFile file({path}, sample::make_deck(), model, make_output(compression));
             sample::Motion motion(0.0);
             for (std::size_t step = 0;; step += 37) {
                 write_steps(file, motion, step, 37);
@@ -271,13 +273,14 @@ TEST_CASE("Between any two system calls of its writer the file is whole", "[resu
 }
 
 TEST_CASE("Between any two system calls of a resumed writer the file is whole", "[results][resume]") {
+    const Compression compression = GENERATE(Compression::none, Compression::deflate);
     const sample::ScratchFolder folder;
     const Model model = sample::make_model();
     const auto path = folder / "traced";
     constexpr std::size_t first_steps = 4000;
     constexpr std::size_t last_step = 6000;
     {
-        ResultsFile file({path}, sample::make_deck(), model, make_output());
+        ResultsFile file({path}, sample::make_deck(), model, make_output(compression));
         sample::Motion motion(0.0);
         write_steps(file, motion, 0, first_steps);
         file.set_restart(sample::make_restart(time_of(first_steps - 1)));
@@ -289,7 +292,7 @@ TEST_CASE("Between any two system calls of a resumed writer the file is whole", 
         ResumableFile resumed(path);
         DeckRecord deck = sample::make_deck();
         deck.text += "# another one, long enough for a place of its own" + std::string(5000, '!') + "\n";
-        OutputSettings output = make_output();
+        OutputSettings output = make_output(compression);
         // So many new groups that the trees and heaps of the group grow.
         for (int i = 0; i < 30; ++i) {
             output.histories.push_back(output.histories[0]);

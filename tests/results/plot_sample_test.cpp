@@ -86,6 +86,7 @@ struct Motion {
     std::vector<NodeMotion> nodes;
     std::vector<SectionValues> sections;
     std::vector<Vec6> reactions;
+    std::vector<PointValues> points;  // "tip"
 };
 
 Motion move(const Model& model, double time) {
@@ -108,6 +109,9 @@ Motion move(const Model& model, double time) {
                                    Vec3(0.0, 0.0, 0.2 * sway),
                                    section_axes(s, time)});
     }
+    const SectionValues& last = motion.sections.back();
+    motion.points.push_back(
+        {{}, Vec3::Zero(), Quat::Identity(), last.force, last.moment, last.strain, last.curvature});
     NodeMotion& pivot = motion.nodes.back();
     pivot.r = model.nodes.back().position;
     pivot.Lambda = top_attitude(time) * model.bodies[0].attitude.conjugate();
@@ -150,7 +154,7 @@ TEST_CASE("Write results to draw", "[.plot-sample]") {
         }
         const double time = end_time * step / steps;
         const Motion motion = move(model, time);
-        const Snapshot snapshot{time, motion.nodes, motion.sections, motion.reactions};
+        const Snapshot snapshot{time, motion.nodes, motion.sections, motion.reactions, motion.points};
         file.record_step(snapshot, make_ledger(time), {end_time / steps, 3, 1e-10, 0});
         if (step % 4 == 0) file.write_frame(snapshot);
     }
