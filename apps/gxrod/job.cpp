@@ -36,7 +36,7 @@ void tell(const JobOptions& options, const RunSummary& summary) {
                    summary.time,
                    options.results,
                    options.results);
-    } else if (!options.quiet && options.summary != "-") {
+    } else if (options.tells()) {
         fmt::print("{} steps to t = {:.10g}, {} Newton iterations, {:.2f} s\nResults: {}\n",
                    summary.totals.steps,
                    summary.time,
@@ -77,6 +77,14 @@ bool examine(const JobOptions& options, const Problem& problem) {
 }
 
 }  // namespace
+
+void add_job_options(CLI::App& verb, JobOptions& options) {
+    verb.add_option("--threads", options.threads, "Threads; this version runs on one")
+        ->check(CLI::Range(1, 1));
+    verb.add_option(
+        "--summary", options.summary, "Write a summary of the run as JSON to a file, or - for stdout");
+    verb.add_flag("--quiet", options.quiet, "Say nothing unless something is wrong");
+}
 
 int run_job(const Problem& problem, const JobOptions& options, ResumableFile* resumed) {
     if (!examine(options, problem)) return exit_bad_input;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <string>
 
 #include "analyses/run.hpp"
@@ -14,7 +15,14 @@ struct JobOptions {
     std::string summary;  // file for JSON, "-", or "" for none
     bool quiet = false;
     Existing existing = Existing::refuse;
+    int threads = 1;
+
+    // Whether to say how things are on stdout.
+    bool tells() const { return !quiet && summary != "-"; }
 };
+
+// Declares --threads, --summary and --quiet.
+void add_job_options(CLI::App& verb, JobOptions& options);
 
 // Runs a problem with a progress line, ends it tidily on Ctrl-C and tells how it went; `resumed` is taken
 // over, to go on with it. The exit code. Throws FileError.

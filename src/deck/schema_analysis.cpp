@@ -221,7 +221,7 @@ const TableSpec& history_table() {
              {.name = "at",
               .type = ValueType::point,
               .presence = Presence::required,
-              .sentence = "A point of a rod, or a body."},
+              .sentence = "A point of a rod, between nodes too, or a body."},
              {.name = "relative_to",
               .type = ValueType::point,
               .default_text = "the global axes and the origin",

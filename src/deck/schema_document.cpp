@@ -21,8 +21,8 @@ that the reader itself checks a deck with; `gxrod schema` writes the same as a J
   reference position and `s`, but not `t`. In static analyses `t` is the load factor, from 0 to 1, and what has no `t`
   is multiplied by it.
 - **Vectors** are arrays of three numbers, in the global axes unless the key says otherwise.
-- **Points** are `NAME.start`, `NAME.end` and `NAME@0.25` of a rod (a fraction of its length, where a node is placed),
-  and a body by its name. A rod and a body cannot have the same name.
+- **Points** are `NAME.start`, `NAME.end` and `NAME@0.25` of a rod (a fraction of its length, where a node is placed,
+  but for what a history only looks at), and a body by its name. A rod and a body cannot have the same name.
 - **Names** of sections, rods and bodies have letters, digits, `_` and `-`; those of parameters and functions letters,
   digits and `_`, no digit first.
 - Unknown keys are errors. TOML wants a digit on both sides of a decimal point: `1.0` and `0.5`, not `1.` and `.5`.

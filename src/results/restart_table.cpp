@@ -1,5 +1,6 @@
 #include "results/restart_table.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
@@ -8,107 +9,68 @@ namespace gxrod {
 namespace {
 
 constexpr std::int64_t no_slot = -1;
-constexpr hsize_t node_columns = 19;
-constexpr hsize_t section_columns = 7;
-constexpr hsize_t vector_columns = 6;
-
 std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
+
+// Calls visit(vector) for each vector of a row, const or not.
+template <class Row, class Visitor>
+void visit_vectors(Row& row, Visitor&& visit) {
+    using Kind = std::remove_const_t<Row>;
+    if constexpr (std::is_same_v<Kind, NodeMotion>) {
+        visit(row.r);
+        visit(row.Lambda.coeffs());
+        visit(row.v);
+        visit(row.omega);
+        visit(row.a);
+        visit(row.alpha);
+    } else if constexpr (std::is_same_v<Kind, SectionHistory>) {
+        visit(row.Lambda.coeffs());
+        visit(row.K);
+    } else if constexpr (std::is_same_v<Kind, AlgorithmicAcceleration>) {
+        visit(row.a);
+        visit(row.alpha);
+    } else {
+        static_assert(std::is_same_v<Kind, Vec6>);
+        visit(row);
+    }
+}
+
+template <class Row>
+hsize_t count_columns() {
+    hsize_t columns = 0;
+    Row row;
+    visit_vectors(row, [&](const auto& vector) { columns += static_cast<hsize_t>(vector.size()); });
+    return columns;
+}
 
 // Rows of numbers with so many columns.
 struct Table {
     hsize_t columns;
     std::vector<double> values = {};
-
-    hsize_t rows() const { return values.size() / columns; }
-    template <class Vector>
-    void add(const Vector& vector) {
-        values.insert(values.end(), vector.data(), vector.data() + vector.size());
-    }
 };
 
-// Numbers of a table, one after the other.
-class TableReader {
-  public:
-    explicit TableReader(const std::vector<double>& values) : next_(values.data()) {}
-    template <class Vector>
-    void take(Vector& vector) {
-        for (int i = 0; i < vector.size(); ++i) vector.data()[i] = *next_++;
-    }
-
-  private:
-    const double* next_;
-};
-
-Table table_of(const std::vector<NodeMotion>& nodes) {
-    Table table{node_columns};
-    for (const NodeMotion& node : nodes) {
-        table.add(node.r);
-        table.add(node.Lambda.coeffs());
-        for (const Vec3* vector : {&node.v, &node.omega, &node.a, &node.alpha}) table.add(*vector);
+template <class Row>
+Table table_of(const std::vector<Row>& rows) {
+    Table table{count_columns<Row>()};
+    table.values.reserve(rows.size() * table.columns);
+    for (const Row& row : rows) {
+        visit_vectors(row, [&](const auto& vector) {
+            table.values.insert(table.values.end(), vector.data(), vector.data() + vector.size());
+        });
     }
     return table;
 }
 
-std::vector<NodeMotion> nodes_of(const Table& table) {
-    std::vector<NodeMotion> nodes(table.rows());
-    TableReader reader(table.values);
-    for (NodeMotion& node : nodes) {
-        reader.take(node.r);
-        reader.take(node.Lambda.coeffs());
-        for (Vec3* vector : {&node.v, &node.omega, &node.a, &node.alpha}) reader.take(*vector);
+template <class Row>
+std::vector<Row> rows_of(const Table& table) {
+    std::vector<Row> rows(table.values.size() / table.columns);
+    const double* next = table.values.data();
+    for (Row& row : rows) {
+        visit_vectors(row, [&](auto&& vector) {
+            std::copy_n(next, vector.size(), vector.data());
+            next += vector.size();
+        });
     }
-    return nodes;
-}
-
-Table table_of(const std::vector<SectionHistory>& sections) {
-    Table table{section_columns};
-    for (const SectionHistory& section : sections) {
-        table.add(section.Lambda.coeffs());
-        table.add(section.K);
-    }
-    return table;
-}
-
-std::vector<SectionHistory> sections_of(const Table& table) {
-    std::vector<SectionHistory> sections(table.rows());
-    TableReader reader(table.values);
-    for (SectionHistory& section : sections) {
-        reader.take(section.Lambda.coeffs());
-        reader.take(section.K);
-    }
-    return sections;
-}
-
-Table table_of(const std::vector<AlgorithmicAcceleration>& accelerations) {
-    Table table{vector_columns};
-    for (const AlgorithmicAcceleration& acceleration : accelerations) {
-        table.add(acceleration.a);
-        table.add(acceleration.alpha);
-    }
-    return table;
-}
-
-std::vector<AlgorithmicAcceleration> accelerations_of(const Table& table) {
-    std::vector<AlgorithmicAcceleration> accelerations(table.rows());
-    TableReader reader(table.values);
-    for (AlgorithmicAcceleration& acceleration : accelerations) {
-        reader.take(acceleration.a);
-        reader.take(acceleration.alpha);
-    }
-    return accelerations;
-}
-
-Table table_of(const std::vector<Vec6>& forces) {
-    Table table{vector_columns};
-    for (const Vec6& force : forces) table.add(force);
-    return table;
-}
-
-std::vector<Vec6> forces_of(const Table& table) {
-    std::vector<Vec6> forces(table.rows());
-    TableReader reader(table.values);
-    for (Vec6& force : forces) reader.take(force);
-    return forces;
+    return rows;
 }
 
 // Calls visit(name, member) for each single number of a place.
@@ -222,11 +184,14 @@ std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
         value = static_cast<std::remove_reference_t<decltype(value)>>(single.values[count++]);
     });
     RestartRecord& record = place.record;
-    record.nodes = nodes_of(read(nodes_label, node_columns));
-    record.sections = sections_of(read(sections_label, section_columns));
-    record.algorithmic = accelerations_of(read(algorithmic_label, vector_columns));
-    record.ledger.driving = forces_of(read(driving_label, vector_columns));
-    record.ledger.damping = forces_of(read(damping_label, vector_columns));
+    const auto read_rows = [&]<class Row>(const DatasetLabel& label, std::vector<Row>& rows) {
+        rows = rows_of<Row>(read(label, count_columns<Row>()));
+    };
+    read_rows(nodes_label, record.nodes);
+    read_rows(sections_label, record.sections);
+    read_rows(algorithmic_label, record.algorithmic);
+    read_rows(driving_label, record.ledger.driving);
+    read_rows(damping_label, record.ledger.damping);
     return place;
 }
 

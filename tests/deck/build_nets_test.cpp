@@ -145,6 +145,31 @@ TEST_CASE("A line from a mesh has its ends, its named points and fractions where
           "r.corner");
 }
 
+TEST_CASE("A history looks between the nodes of a line from a mesh", "[deck][mesh]") {
+    const auto history = [](double fraction) {
+        return "[[history]]\nname = \"h" + std::to_string(static_cast<int>(1000 * fraction)) +
+               "\"\nat = \"r@" + std::to_string(fraction) + "\"\nquantities = \"moment\"\n";
+    };
+    const std::vector<double> fractions{0.001, 0.1, 0.4, 0.9, 0.999};
+    std::string deck = mesh_deck("l_frame.geo", "\"frame\"");
+    for (const double fraction : fractions) deck += history(fraction);
+    const Problem problem = read(deck);
+    CHECK(problem.model.nodes.size() == read(mesh_deck("l_frame.geo", "\"frame\"")).model.nodes.size());
+    const Rod& rod = problem.model.rods[0];
+    for (std::size_t i = 0; i < fractions.size(); ++i) {
+        INFO(fractions[i]);
+        const HistoryRequest& request = problem.output.histories[i];
+        CHECK(request.node == -1);
+        REQUIRE(request.place);
+        CHECK(std::abs(request.place->xi) < 1.0);
+        const auto first = static_cast<std::size_t>(request.place->element * (rod.order + 1));
+        const double start = rod.arc_length[first];
+        const double end = rod.arc_length[first + static_cast<std::size_t>(rod.order)];
+        CHECK(start + 0.5 * (1.0 + request.place->xi) * (end - start) ==
+              Approx(3.5 * fractions[i]).epsilon(1e-9));
+    }
+}
+
 TEST_CASE("A net has the points that its mesh names, and no others", "[deck][mesh]") {
     const std::string deck = mesh_deck("truss.geo", "\"truss\"");
     CHECK(faults_of(with_point(deck, "r@0.5")) ==

@@ -232,6 +232,19 @@ Watch watch_writes(pid_t child, const std::filesystem::path& path) {
     return watch;
 }
 
+void check_watch(const Watch& watch,
+                 const std::filesystem::path& path,
+                 std::size_t last_step,
+                 std::size_t least_checks) {
+    INFO("after " << watch.checks << " writes and " << watch.last.steps << " steps");
+    CHECK(watch.last.fault == "");
+    CHECK(watch.ended_well);
+    CHECK(watch.last.steps == last_step);
+    CHECK(watch.checks > least_checks);
+    CHECK(is_complete(path));
+    CHECK(survey(path).fault == "");
+}
+
 bool may_be_traced() { return ::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) == 0; }
 
 }  // namespace
@@ -263,13 +276,7 @@ TEST_CASE("Between any two system calls of its writer the file is whole", "[resu
         WARN("skipped: processes may not be traced here");
         return;
     }
-    INFO("after " << watch.checks << " writes and " << watch.last.steps << " steps");
-    CHECK(watch.last.fault == "");
-    CHECK(watch.ended_well);
-    CHECK(watch.last.steps == last_step);
-    CHECK(watch.checks > 1000);
-    CHECK(is_complete(path));
-    CHECK(survey(path).fault == "");
+    check_watch(watch, path, last_step, 1000);
 }
 
 TEST_CASE("Between any two system calls of a resumed writer the file is whole", "[results][resume]") {
@@ -311,13 +318,7 @@ TEST_CASE("Between any two system calls of a resumed writer the file is whole", 
     });
     const Watch watch = watch_writes(child, path);
     if (!watch.was_allowed) return;
-    INFO("after " << watch.checks << " writes and " << watch.last.steps << " steps");
-    CHECK(watch.last.fault == "");
-    CHECK(watch.ended_well);
-    CHECK(watch.last.steps == last_step);
-    CHECK(watch.checks > 200);
-    CHECK(is_complete(path));
-    CHECK(survey(path).fault == "");
+    check_watch(watch, path, last_step, 200);
 }
 
 TEST_CASE("A full disk is an error, and what was written before stays", "[results]") {
