@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdio>
 
 #include "analyses/model_examination.hpp"
 #include "exit_code.hpp"
@@ -22,7 +23,7 @@ extern "C" void ask_to_end(int signal) {
     std::signal(signal, SIG_DFL);
 }
 
-void tell(const JobOptions& options, const RunSummary& summary) {
+void tell(const JobOptions& options, const RunSummary& summary, bool is_resumed) {
     if (summary.status == RunStatus::failed) {
         fmt::print(stderr,
                    "gxrod: {}\nResults up to t = {:.10g} are in {}\n",
@@ -37,10 +38,11 @@ void tell(const JobOptions& options, const RunSummary& summary) {
                    options.results,
                    options.results);
     } else if (options.tells()) {
-        fmt::print("{} steps to t = {:.10g}, {} Newton iterations, {:.2f} s\nResults: {}\n",
+        fmt::print("{} steps to t = {:.10g}, {} Newton iterations{}, {:.2f} s\nResults: {}\n",
                    summary.totals.steps,
                    summary.time,
                    summary.totals.newton_iterations,
+                   is_resumed ? " in all; this part" : "",
                    summary.wall_seconds,
                    options.results);
     }
@@ -98,10 +100,16 @@ int run_job(const Problem& problem, const JobOptions& options, ResumableFile* re
                        {options.results, options.existing},
                        resumed};
     if (!options.quiet) request.report_progress = [&](const Progress& progress) { line.show(progress); };
+    if (options.tells()) {
+        request.report_resumption = [&](double time) {
+            fmt::print("{} goes on from t = {:.10g}\n", options.results, time);
+            std::fflush(stdout);
+        };
+    }
     request.is_interrupted = [] { return interrupt_signal != 0; };
     const RunSummary summary = run_analysis(request);
     line.finish();
-    tell(options, summary);
+    tell(options, summary, resumed != nullptr);
     warn_of_energy(summary);
     if (!options.summary.empty()) write_summary(options.summary, summary, options.deck, options.results);
     return exit_code_of(summary, summary.deck_fault);

@@ -23,10 +23,13 @@ double end_of(const AnalysisSettings& analysis) {
 
 std::string describe_end(const AnalysisSettings& analysis, double time, const std::string& results) {
     if (std::holds_alternative<StaticSettings>(analysis)) {
-        return fmt::format("{} is at its end, load factor 1: nothing to do\n", results);
+        return fmt::format("{} is at its end, load factor 1; nothing was changed\n", results);
     }
     return fmt::format(
-        "{} is at its end, t = {:.10g}; --set analysis.end_time=… makes it last longer\n", results, time);
+        "{} is at its end, t = {:.10g}; nothing was changed. --set analysis.end_time=… makes it last "
+        "longer\n",
+        results,
+        time);
 }
 
 int resume(ResumeArguments& arguments) {
@@ -34,11 +37,12 @@ int resume(ResumeArguments& arguments) {
     ResumableFile file(job.results);
     const Problem problem = read_resumption(file.deck(), job.deck, arguments.overrides);
     const double time = file.place().record.steps.time;
-    if (time == end_of(problem.analysis)) {
+    const bool is_at_end = time == end_of(problem.analysis);
+    // A killed run may be at its end and not closed.
+    if (is_at_end && file.is_complete() && job.summary.empty()) {
         if (job.tells()) fmt::print("{}", describe_end(problem.analysis, time, job.results));
         return exit_done;
     }
-    if (job.tells()) fmt::print("{} goes on from t = {:.10g}\n", job.results, time);
     if (job.deck.empty()) job.deck = file.deck().name;
     return run_job(problem, job, &file);
 }

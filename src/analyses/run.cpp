@@ -53,28 +53,41 @@ class Run {
         return make_analysis(request.model, request.analysis);
     }
 
+    [[noreturn]] void explain_no_step(const std::filesystem::path& path, double time) const {
+        const auto* dynamic = std::get_if<DynamicSettings>(&request_.analysis);
+        const double end = dynamic ? dynamic->end_time : 1.0;
+        if (time > end) {
+            throw FileError(
+                path,
+                fmt::format(
+                    "cannot be resumed: it is at t = {:.10g} already, after the end, {:.10g}", time, end));
+        }
+        throw FileError(
+            path,
+            fmt::format("cannot be resumed: steps of {:.10g} do not meet t = {:.10g}, where it stopped",
+                        analysis_->steps().time_step(),
+                        time),
+            "take a step that goes into this time and into end_time, as that of the run does");
+    }
+
     void resume() {
         const RestartRecord& record = request_.resumed->place().record;
-        const std::filesystem::path& path = request_.resumed->path();
+        const double record_time = record.steps.time;
+        const std::filesystem::path path = request_.resumed->path();
         bool has_step = false;
         try {
             has_step = analysis_->resume(record);
         } catch (const std::invalid_argument& error) {
             throw FileError(path, std::string("cannot be resumed: ") + error.what());
         }
-        if (!has_step) {
-            throw FileError(
-                path,
-                fmt::format(
-                    "cannot be resumed: no step of this analysis begins at t = {:.10g}, where it stopped",
-                    record.steps.time),
-                "choose another time step, or a later end");
-        }
+        if (!has_step) explain_no_step(path, record.steps.time);
         summary_.totals = record.totals;
         has_started_ = true;
-        last_framed_ = analysis_->steps().is_frame_due(request_.output.every);
+        last_framed_ = record.is_framed;
+        accepted_totals_ = record.totals;
         file_ = std::make_unique<ResultsFile>(
             request_.deck, request_.model, request_.output, std::move(*request_.resumed));
+        request_.report_resumption(record_time);
     }
 
     bool start() {
@@ -118,6 +131,7 @@ class Run {
         watch_energy(ledger);
         file_->record_step(snapshot, ledger, analysis_->solver_row());
         if (last_framed_) file_->write_frame(snapshot);
+        accepted_totals_ = summary_.totals;
         if (!file_->is_flush_due()) return;
         file_->set_restart(restart_record());
         file_->flush();
@@ -125,7 +139,8 @@ class Run {
 
     RestartRecord restart_record() const {
         RestartRecord record = analysis_->restart_record();
-        record.totals = summary_.totals;
+        record.totals = accepted_totals_;
+        record.is_framed = last_framed_;
         return record;
     }
 
@@ -139,6 +154,7 @@ class Run {
     bool interrupted() {
         if (!request_.is_interrupted()) return false;
         summary_.status = RunStatus::interrupted;
+        summary_.reason = fmt::format("interrupted at t = {:.10g}", analysis_->state().time);
         return true;
     }
 
@@ -173,7 +189,8 @@ class Run {
     double output_seconds_ = 0.0;
     std::unique_ptr<SteppedAnalysis> analysis_;
     std::unique_ptr<ResultsFile> file_;
-    bool has_started_ = false;  // has an accepted state
+    RunTotals accepted_totals_;  // without what a step that failed has cost
+    bool has_started_ = false;   // has an accepted state
     bool last_framed_ = false;
 };
 

@@ -269,48 +269,6 @@ std::vector<SectionValues> System::compute_section_values(const State& state) co
     return values;
 }
 
-std::vector<PointValues> System::compute_point_values(const State& state,
-                                                      double time,
-                                                      const std::vector<RodPlace>& places) const {
-    std::vector<PointValues> values;
-    values.reserve(places.size());
-    for (const RodPlace& place : places) values.push_back(compute_point_value(state, time, place));
-    return values;
-}
-
-PointValues System::compute_point_value(const State& state, double time, const RodPlace& place) const {
-    int index = place.element;
-    for (int rod = 0; rod < place.rod; ++rod) index += model_->rods[rod].element_count();
-    PointValues values;
-    for_each_block(blocks_, [&](const auto& block) {
-        using Block = std::remove_cvref_t<decltype(block)>;
-        if constexpr (Block::has_section) {
-            const auto found =
-                std::lower_bound(block.section_index.begin(), block.section_index.end(), index);
-            if (found == block.section_index.end() || *found != index) return;
-            const auto e = static_cast<std::size_t>(found - block.section_index.begin());
-            const auto& element = block.elements[e];
-            const auto motions = block.motions(state.trial, e);
-            const Histories histories = block.histories(state, e);
-            NodalVector<Block::node_count> force = NodalVector<Block::node_count>::Zero();
-            element.add_internal_force(motions, histories, force);
-            if (element.is_damped()) element.add_damping_force(motions, histories, force);
-            element.add_inertial_force(motions, model_->gravity(time), force);
-            for (std::size_t i = 0; i < model_->distributed_loads.size(); ++i) {
-                if (model_->distributed_loads[i].rod != place.rod) continue;
-                const std::size_t loaded = first_loaded_element_[i] + static_cast<std::size_t>(place.element);
-                force -= compute_distributed_load(loaded_elements_[loaded], state.trial, time);
-            }
-            values = element.point_values(motions, histories, force, place.xi);
-            const auto shape = compute_shape_functions<Block::node_count>(place.xi);
-            values.start.setZero();
-            for (int i = 0; i < Block::node_count; ++i)
-                values.start += shape[i] * model_->nodes[element.nodes[i]].position;
-        }
-    });
-    return values;
-}
-
 RelativeRotation System::bound_relative_rotation(const std::vector<NodeMotion>& motions,
                                                  const std::vector<Vec3>& spins) const {
     RelativeRotation largest;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
+#include <span>
 
 #include "deck/choices.hpp"
 #include "deck/rod_mesh.hpp"
@@ -69,19 +70,40 @@ RodPlace place_in_rod(const PlacedPoint& point, const Rod& rod) {
     return {point.rod, static_cast<int>(entry / per_element), 2.0 * fraction - 1.0};
 }
 
+// The arc length at a fraction 0 … 1 of an element's interval of ξ; elements from meshes have their nodes at
+// any.
+double arc_length_at(const std::vector<double>& nodes, std::span<const double> arc_lengths, double fraction) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        double shape = 1.0;
+        for (std::size_t j = 0; j < nodes.size(); ++j) {
+            if (j != i) shape *= (fraction - nodes[j]) / (nodes[i] - nodes[j]);
+        }
+        sum += shape * arc_lengths[i];
+    }
+    return sum;
+}
+
 // At a fraction of the length where there is no node.
 RodPlace place_between_nodes(const RodPoint& point, const Rod& rod) {
     const double at = point.fraction * rod.length;
-    const int per_element = rod.order + 1;
-    int element = 0;
-    const auto start_of = [&](int e) { return rod.arc_length[static_cast<std::size_t>(e * per_element)]; };
-    const auto end_of = [&](int e) {
-        return rod.arc_length[static_cast<std::size_t>(e * per_element + rod.order)];
+    const auto per_element = static_cast<std::size_t>(rod.order) + 1;
+    const auto arc_lengths_of = [&](int element) {
+        return std::span(rod.arc_length)
+            .subspan(static_cast<std::size_t>(element) * per_element, per_element);
     };
-    while (element + 1 < rod.element_count() && !(start_of(element) <= at && at <= end_of(element)))
-        ++element;
-    const double part = (at - start_of(element)) / (end_of(element) - start_of(element));
-    return {point.rod, element, 2.0 * part - 1.0};
+    int element = 0;
+    const auto has_it = [&](std::span<const double> s) { return s.front() <= at && at <= s.back(); };
+    while (element + 1 < rod.element_count() && !has_it(arc_lengths_of(element))) ++element;
+    const std::vector<double> nodes = compute_element_nodes(rod.order);
+    double low = 0.0;
+    double high = 1.0;
+    constexpr int halvings = 60;
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = 0.5 * (low + high);
+        (arc_length_at(nodes, arc_lengths_of(element), middle) < at ? low : high) = middle;
+    }
+    return {point.rod, element, low + high - 1.0};
 }
 
 std::optional<HistoryPlace> find_place(const std::string& text, const BuildContext& context) {

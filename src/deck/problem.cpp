@@ -72,6 +72,9 @@ std::string read_file(const std::filesystem::path& path) {
     std::ostringstream text;
     text << file.rdbuf();
     if (file.bad()) throw FileError(path, "cannot be read");
+    if (text.view().starts_with("\x89HDF")) {
+        throw FileError(path, "is a results file, not a deck", "gxrod resume, report and export read those");
+    }
     return text.str();
 }
 
@@ -111,6 +114,19 @@ void check_meshes(const DeckRecord& before, const DeckRecord& now, const std::st
     }
 }
 
+void check_same_mesh(const DeckRecord& before,
+                     const Model& now,
+                     const MeshFiles& meshes,
+                     const std::string& file) {
+    if (have_same_mesh(read_source({before.text, before.name, meshes}, {}).model, now)) return;
+    throw DeckError({{file,
+                      0,
+                      0,
+                      "",
+                      "makes another mesh than the run's; keep the order of rods and bodies, and the points "
+                      "that get a node: those of relative_to, too"}});
+}
+
 }  // namespace
 
 Problem read_problem(const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
@@ -132,11 +148,15 @@ Problem read_resumption(const DeckRecord& before,
                         const std::filesystem::path& deck,
                         const std::vector<std::string>& overrides) {
     if (deck.empty()) {
-        return read_source({before.text, before.name, MeshFiles(before.meshes)}, overrides, &before);
+        const MeshFiles kept(before.meshes);
+        Problem problem = read_source({before.text, before.name, kept}, overrides, &before);
+        if (!overrides.empty()) check_same_mesh(before, problem.model, kept, before.name);
+        return problem;
     }
     const MeshFiles meshes(deck.parent_path());
     Problem problem = read_source({read_file(deck), deck.string(), meshes}, overrides, &before);
     check_meshes(before, problem.record, deck.string());
+    check_same_mesh(before, problem.model, meshes, deck.string());
     return problem;
 }
 

@@ -105,7 +105,9 @@ class Comparison {
         for (const DeckEntry& entry : before) {
             const std::string key = join(path, entry.key);
             if (now.find(entry.key) != nullptr || is_free(key)) continue;
-            add(now.place, key, "missing; " + the_run_has + describe(entry.node));
+            add(now.place,
+                key,
+                "missing; " + the_run_has + (is_leaf(entry.node) ? describe(entry.node) : "it"));
         }
     }
 
@@ -140,6 +142,18 @@ void check_resumption(const DeckNode& before, const DeckNode& now, FaultList& fa
     Comparison comparison(faults);
     comparison.compare(before, now, "");
     comparison.compare_histories(before, now);
+}
+
+bool have_same_mesh(const Model& before, const Model& now) {
+    const auto same_node = [](const Node& a, const Node& b) { return a.position == b.position; };
+    const auto same_rod = [](const Rod& a, const Rod& b) {
+        return a.name == b.name && a.kind == b.kind && a.order == b.order &&
+               a.element_nodes == b.element_nodes;
+    };
+    const auto same_body = [](const Body& a, const Body& b) { return a.name == b.name && a.node == b.node; };
+    return std::ranges::equal(before.nodes, now.nodes, same_node) &&
+           std::ranges::equal(before.rods, now.rods, same_rod) &&
+           std::ranges::equal(before.bodies, now.bodies, same_body);
 }
 
 }  // namespace gxrod

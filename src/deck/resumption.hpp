@@ -2,6 +2,7 @@
 
 #include "deck/deck_tree.hpp"
 #include "deck/fault_list.hpp"
+#include "model/model.hpp"
 
 namespace gxrod {
 
@@ -9,5 +10,8 @@ namespace gxrod {
 // and may not. What may: title, units, [output], which histories there are and what they record, and of
 // [analysis] end_time, time_step, steps, adaptive, newton and linear_solver.
 void check_resumption(const DeckNode& before, const DeckNode& now, FaultList& faults);
+
+// Whether nodes, elements and bodies are the same, in the same order: a state of one model fits the other.
+bool have_same_mesh(const Model& before, const Model& now);
 
 }  // namespace gxrod

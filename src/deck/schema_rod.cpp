@@ -187,7 +187,8 @@ const TableSpec& rod_table() {
         .heading = "[rod.NAME]",
         .sentence =
             "A rod of one section. Its points are NAME.start, NAME.end and NAME@FRACTION, a fraction of the "
-            "length from 0 to 1, where a node is placed, but for a history. [Geometry](guide/geometry.md) shows each shape and "
+            "length from 0 to 1, where a node is placed, but for a history. [Geometry](guide/geometry.md) "
+            "shows each shape and "
             "the points of a mesh.",
         .keys = rod_keys(),
         .groups = {{GroupRule::exactly_one, {"line", "arc", "helix", "polyline", "spline", "mesh"}}},

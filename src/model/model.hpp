@@ -60,7 +60,7 @@ void set_line_elements(Rod& rod,
                        const std::vector<double>& arc_length_of_nodes,
                        const std::vector<Quat>& triads_of_nodes);
 
-// A point of a rod: of its element, −1 to 1 from the element's start to its end, in proportion to length.
+// A point of a rod: of its element, ξ from −1 to 1 from the element's start to its end.
 struct RodPlace {
     int rod = 0;      // index in Model::rods
     int element = 0;  // of the rod

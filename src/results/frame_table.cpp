@@ -89,7 +89,6 @@ FrameTable::FrameTable(const Hdf5Handle& root,
           steps_, {"CellOffsets", "one topology serves all frames: 0", "none", "1"}, number_in_row, frames),
       frame_count_(require_frame_count(steps_)) {
     link(topology_offsets_.id(), steps_, "ConnectivityIdOffsets");
-    times_.trim();
     if (!has_link(group_, "Types")) {
         write_topology();
         flush_count();
@@ -206,6 +205,8 @@ void FrameTable::for_each_of_rows(Action&& action) {
 void FrameTable::flush_frames() {
     for_each_of_rows([](auto& dataset) { dataset.flush(); });
 }
+
+void FrameTable::trim_times() { times_.trim(); }
 
 void FrameTable::trim() {
     times_.trim();

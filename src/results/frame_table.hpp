@@ -25,6 +25,7 @@ class FrameTable {
     void flush_count();
     void flush_times();
     // Ends each dataset with its last frame.
+    void trim_times();
     void trim();
     std::size_t buffered_bytes() const;
 

@@ -142,4 +142,24 @@ std::vector<std::string> list_members(hid_t group) {
     return names;
 }
 
+std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t, void*)>& read) {
+    if (H5Tis_variable_str(type.id()) > 0) {
+        char* text = nullptr;
+        check_hdf5(read(type.id(), &text), "reading a string");
+        std::string result = text ? text : "";
+        H5free_memory(text);
+        return result;
+    }
+    std::string text(H5Tget_size(type.id()), '\0');
+    check_hdf5(read(type.id(), text.data()), "reading a string");
+    return text;
+}
+
+std::string read_text_attribute(hid_t object, const std::string& name) {
+    const Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "opening an attribute");
+    const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose, "type");
+    return read_string(
+        type, [&](hid_t memory_type, void* buffer) { return H5Aread(attribute.id(), memory_type, buffer); });
+}
+
 }  // namespace gxrod

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,6 +25,10 @@ Hdf5Handle require_group(const Hdf5Handle& parent, const std::string& name);
 
 // What a group has, groups and datasets, by name.
 std::vector<std::string> list_members(hid_t group);
+
+// A string of any kind; `read` reads it as a type into a buffer.
+std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t, void*)>& read);
+std::string read_text_attribute(hid_t object, const std::string& name);
 
 // A variable-length UTF-8 string, which h5py reads as str.
 void write_attribute(hid_t object, const std::string& name, const std::string& text);

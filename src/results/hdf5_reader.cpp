@@ -5,24 +5,12 @@
 #include <algorithm>
 #include <functional>
 #include <numeric>
+#include <stdexcept>
 
 #include "results/hdf5_objects.hpp"
 
 namespace gxrod {
 namespace {
-
-std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t, void*)>& read) {
-    if (H5Tis_variable_str(type.id()) > 0) {
-        char* text = nullptr;
-        check_hdf5(read(type.id(), &text), "reading a string");
-        std::string result = text ? text : "";
-        H5free_memory(text);
-        return result;
-    }
-    std::string text(H5Tget_size(type.id()), '\0');
-    check_hdf5(read(type.id(), text.data()), "reading a string");
-    return text;
-}
 
 void add_datasets(hid_t group, const std::string& path, std::vector<std::string>& names) {
     for (const std::string& name : list_members(group)) {
@@ -39,6 +27,7 @@ void add_datasets(hid_t group, const std::string& path, std::vector<std::string>
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) {
     silence_hdf5();
+    if (H5Fis_hdf5(path.c_str()) == 0) throw std::runtime_error("it is no HDF5 file");
     const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file properties");
     check_hdf5(H5Pset_file_locking(access.id(), false, true), "file properties");
     file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, "opening a file");
@@ -101,13 +90,8 @@ std::string Hdf5Reader::bytes(const std::string& name) const {
 }
 
 std::string Hdf5Reader::text_attribute(const std::string& path, const std::string& name) const {
-    const Hdf5Handle attribute(
-        H5Aopen_by_name(file_.id(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
-        H5Aclose,
-        "opening an attribute");
-    const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose, "type");
-    return read_string(
-        type, [&](hid_t memory_type, void* buffer) { return H5Aread(attribute.id(), memory_type, buffer); });
+    const Hdf5Handle object(H5Oopen(file_.id(), path.c_str(), H5P_DEFAULT), H5Oclose, path.c_str());
+    return read_text_attribute(object.id(), name);
 }
 
 long long Hdf5Reader::integer_attribute(const std::string& path, const std::string& name) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 namespace gxrod {
 namespace {
@@ -19,6 +20,21 @@ RowShape shape_of(const Hdf5Handle& group, const std::string& name) {
     std::array<hsize_t, 2> size{0, 1};
     H5Sget_simple_extent_dims(space.id(), size.data(), nullptr);
     return {static_cast<int>(size[1]), true};
+}
+
+// Says what a history is of; throws if it is of another point already.
+void label_group(const Hdf5Handle& group, const HistoryRequest& request) {
+    const bool is_new = H5Aexists(group.id(), "at") <= 0;
+    if (is_new) {
+        write_attribute(group.id(), "at", request.at);
+        if (!request.relative_to.empty()) write_attribute(group.id(), "relative_to", request.relative_to);
+        return;
+    }
+    const bool was_relative = H5Aexists(group.id(), "relative_to") > 0;
+    const std::string relative_to = was_relative ? read_text_attribute(group.id(), "relative_to") : "";
+    if (read_text_attribute(group.id(), "at") == request.at && relative_to == request.relative_to) return;
+    throw std::runtime_error("its history " + request.name +
+                             " is of another point; give this one another name");
 }
 
 }  // namespace
@@ -41,10 +57,7 @@ void HistoryTable::add_history(const Hdf5Handle& group,
                                const HistoryPoint& point,
                                const HistoryRequest& request,
                                hsize_t rows) {
-    if (H5Aexists(group.id(), "at") <= 0) {
-        write_attribute(group.id(), "at", request.at);
-        if (!request.relative_to.empty()) write_attribute(group.id(), "relative_to", request.relative_to);
-    }
+    label_group(group, request);
     History history{point, {}};
     std::vector<std::string> recorded;
     for (const Quantity quantity : request.quantities) {
@@ -104,6 +117,7 @@ std::size_t HistoryTable::buffered_bytes() const {
     for (const History& history : histories_) {
         for (const Column& column : history.columns) bytes += column.values.buffered_bytes();
     }
+    for (const Ended& ended : ended_) bytes += ended.values.buffered_bytes();
     return bytes;
 }
 

@@ -91,7 +91,7 @@ void OrderedFile::resize(std::uint64_t size) {
     disk_size_ = size;
 }
 
-void OrderedFile::commit() {
+void OrderedFile::commit(Order direction) {
     if (size_ > disk_size_) resize(size_);
 
     // Rank of each write: 0 new places, 1 superblock, 2 heaps, then trees from the root down, then headers.
@@ -105,7 +105,8 @@ void OrderedFile::commit() {
     };
     std::vector<std::pair<int, const Write*>> order;
     order.reserve(pending_.size());
-    for (const Write& write : pending_) order.emplace_back(rank(write), &write);
+    const int sign = direction == Order::growing ? 1 : -1;
+    for (const Write& write : pending_) order.emplace_back(sign * rank(write), &write);
     std::stable_sort(
         order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [unused, write] : order) write_all(descriptor_, write->offset, write->bytes);

@@ -42,8 +42,10 @@ class OrderedFile {
     void set_size(std::uint64_t size) { size_ = size; }
     // End of the last byte written, committed or not.
     std::uint64_t end() const { return end_; }
-    // Throws std::system_error, for instance when the disk is full.
-    void commit();
+    // In the order above, or, of a file from which rows are only taken away, in the reverse one: sizes before
+    // what is no longer within them. Throws std::system_error, for instance when the disk is full.
+    enum class Order { growing, shrinking };
+    void commit(Order order = Order::growing);
 
   private:
     struct Write {

@@ -14,6 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* busy = "another process is writing it";
 constexpr const char* failure = "cannot create the results file: ";
 
 // A limit on file sizes then shows as an error of writing instead of ending the program.
@@ -34,6 +35,24 @@ std::string hint_for(const fs::path& path, int error) {
     return "";
 }
 
+// Of the open file, not of the process, and none that readers who lock whole files would see. False if
+// another process has it; true also where the file system knows no locks.
+bool lock(int descriptor) {
+    struct flock whole {};
+    whole.l_type = F_WRLCK;
+    whole.l_whence = SEEK_SET;
+    if (::fcntl(descriptor, F_OFD_SETLK, &whole) == 0) return true;
+    return errno != EAGAIN && errno != EACCES;
+}
+
+bool is_being_written(const fs::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+    if (descriptor < 0) return false;
+    const bool is_free = lock(descriptor);
+    ::close(descriptor);
+    return !is_free;
+}
+
 void make_way(const fs::path& path, Existing existing) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
@@ -47,19 +66,10 @@ void make_way(const fs::path& path, Existing existing) {
     if (existing == Existing::refuse) {
         throw FileError(path, std::string(failure) + "it exists already", "--force replaces it");
     }
+    if (is_being_written(path)) throw FileError(path, busy);
     // Not truncated: whoever reads the old file goes on reading it.
     fs::remove(path, error);
     if (error) throw FileError(path, "cannot replace the results file: " + error.message());
-}
-
-// Of the open file, not of the process, and none that readers who lock whole files would see. False if
-// another process has it; true also where the file system knows no locks.
-bool lock(int descriptor) {
-    struct flock whole {};
-    whole.l_type = F_WRLCK;
-    whole.l_whence = SEEK_SET;
-    if (::fcntl(descriptor, F_OFD_SETLK, &whole) == 0) return true;
-    return errno != EAGAIN && errno != EACCES;
 }
 
 }  // namespace
@@ -89,7 +99,7 @@ int open_output_file(const fs::path& path) {
     }
     if (!lock(descriptor)) {
         ::close(descriptor);
-        throw FileError(path, "another process is writing it");
+        throw FileError(path, busy);
     }
     ignore_size_limit_signal();
     return descriptor;

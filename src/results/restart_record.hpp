@@ -36,6 +36,7 @@ struct RestartRecord {
     LedgerMemory ledger;
     StepMemory steps;
     RunTotals totals;
+    bool is_framed = false;  // whether the last frame shows this state
 };
 
 // Where in a results file a restart record belongs.

@@ -9,6 +9,7 @@ namespace gxrod {
 namespace {
 
 constexpr std::int64_t no_slot = -1;
+constexpr std::int64_t form_version = 1;  // of what is in a slot; raise it with every change
 std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 // Calls visit(vector) for each vector of a row, const or not.
@@ -80,6 +81,7 @@ void visit_numbers(Place& place, Visitor&& visit) {
     visit("steps", steps);
     visit("frames", frames);
     visit("time", record.steps.time);
+    visit("has_failed", record.steps.has_failed);
     visit("next_step", record.steps.step);
     visit("error_before", record.steps.error_before);
     visit("just_rejected", record.steps.just_rejected);
@@ -90,6 +92,7 @@ void visit_numbers(Place& place, Visitor&& visit) {
     visit("dissipated", record.ledger.dissipated);
     visit("driving_power", record.ledger.driving_power);
     visit("damping_power", record.ledger.damping_power);
+    visit("is_framed", record.is_framed);
     visit("accepted_steps", record.totals.steps);
     visit("rejected_steps", record.totals.rejected_steps);
     visit("newton_iterations", record.totals.newton_iterations);
@@ -109,6 +112,10 @@ void put(const Hdf5Handle& group, const DatasetLabel& label, const Table& table)
     if (!has_link(group, label.name)) return write_dataset(group, label, table.columns, table.values);
     const Hdf5Handle dataset(
         H5Dopen2(group.id(), label.name.c_str(), H5P_DEFAULT), H5Dclose, "opening a dataset");
+    const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose, "dataspace");
+    if (H5Sget_simple_extent_npoints(space.id()) != static_cast<hssize_t>(table.values.size())) {
+        throw std::runtime_error("/restart holds another number of " + label.name);
+    }
     check_hdf5(H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()),
                "writing a dataset");
 }
@@ -143,6 +150,7 @@ RestartTable::RestartTable(const Hdf5Handle& root) : group_(require_group(root, 
                    H5Aclose,
                    "creating an attribute");
     check_hdf5(H5Awrite(slot_attribute_.id(), H5T_NATIVE_INT64, &no_slot), "writing an attribute");
+    write_attribute(group_.id(), "version", std::array{form_version});
 }
 
 void RestartTable::write(const RestartPlace& place) {
@@ -169,6 +177,9 @@ void RestartTable::switch_slot() {
 
 std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
     if (!file.has("/restart") || file.integer_attribute("/restart", "slot") == no_slot) return std::nullopt;
+    if (file.integer_attribute("/restart", "version") != form_version) {
+        throw std::runtime_error("its state was written in another form, by another version of gxrod");
+    }
     const std::string slot = "/restart/" + slot_name(file.integer_attribute("/restart", "slot")) + "/";
     const auto read = [&](const DatasetLabel& label, hsize_t columns) {
         const std::vector<hsize_t> size = file.size(slot + label.name);

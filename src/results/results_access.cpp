@@ -1,6 +1,8 @@
 #include "results/results_access.hpp"
 
+#include <chrono>
 #include <system_error>
+#include <thread>
 
 #include "model/file_error.hpp"
 
@@ -9,6 +11,7 @@ namespace gxrod {
 namespace {
 
 constexpr int most_attempts = 20;
+constexpr std::chrono::milliseconds pause(2);
 
 Hdf5Reader open_results(const std::filesystem::path& path) {
     std::error_code ignored;
@@ -32,9 +35,11 @@ void read_results(const std::filesystem::path& path, const std::function<void(co
         } catch (const FileError&) {
             throw;
         } catch (const std::runtime_error& fault) {
-            if (attempt < most_attempts) continue;
-            throw FileError(path, "cannot be read as results of gxrod", fault.what());
+            if (attempt == most_attempts) {
+                throw FileError(path, "cannot be read as results of gxrod", fault.what());
+            }
         }
+        std::this_thread::sleep_for(pause);
     }
 }
 

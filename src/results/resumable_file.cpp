@@ -18,6 +18,7 @@ constexpr const char* failure = "cannot be resumed: ";
 struct Contents {
     RestartPlace place;
     DeckRecord deck;
+    bool is_complete;
 };
 
 Contents read_contents(const std::filesystem::path& path) {
@@ -27,7 +28,8 @@ Contents read_contents(const std::filesystem::path& path) {
         if (!file.has_attribute("/", "gxrod_version")) {
             reason = "it is not a results file of gxrod";
         } else if (std::optional<RestartPlace> place = read_restart(file)) {
-            return {*std::move(place), read_deck_record(file)};
+            return {
+                *std::move(place), read_deck_record(file), file.text_attribute("/", "status") == "complete"};
         } else {
             reason = "it has no state to go on from";
         }
@@ -45,6 +47,7 @@ ResumableFile::ResumableFile(const std::filesystem::path& path)
         Contents contents = read_contents(path);
         place_ = std::move(contents.place);
         deck_ = std::move(contents.deck);
+        is_complete_ = contents.is_complete;
     } catch (...) {
         ::close(descriptor_);
         throw;
@@ -59,7 +62,8 @@ ResumableFile::ResumableFile(ResumableFile&& other) noexcept
     : path_(std::move(other.path_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
       place_(std::move(other.place_)),
-      deck_(std::move(other.deck_)) {}
+      deck_(std::move(other.deck_)),
+      is_complete_(other.is_complete_) {}
 
 int ResumableFile::release() { return std::exchange(descriptor_, -1); }
 

@@ -19,6 +19,8 @@ class ResumableFile {
 
     const std::filesystem::path& path() const { return path_; }
     const RestartPlace& place() const { return place_; }
+    // Whether the run reached its end and closed the file.
+    bool is_complete() const { return is_complete_; }
     // The deck and meshes that it was written with.
     const DeckRecord& deck() const { return deck_; }
     // The descriptor, which the caller closes.
@@ -29,6 +31,7 @@ class ResumableFile {
     int descriptor_;
     RestartPlace place_;
     DeckRecord deck_;
+    bool is_complete_ = false;
 };
 
 }  // namespace gxrod

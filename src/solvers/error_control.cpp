@@ -24,6 +24,7 @@ ErrorControl::ErrorControl(double end_time, double first_step, int order, const 
       shortest_(std::max(settings.min_step, least_of_end_time * end_time)),
       longest_(std::max(settings.max_step, shortest_)) {
     plan(first_step);
+    remember();
 }
 
 void ErrorControl::plan(double step) {
@@ -56,6 +57,7 @@ void ErrorControl::accept() {
     error_ = -1.0;
     just_rejected_ = false;
     plan(step_ * std::clamp(factor, largest_cut, growth));
+    remember();
 }
 
 bool ErrorControl::reject() {
@@ -74,7 +76,9 @@ bool ErrorControl::resume(const StepMemory& memory) {
     error_before_ = memory.error_before;
     just_rejected_ = memory.just_rejected;
     accepted_ = static_cast<long>(memory.accepted);
-    plan(memory.step);
+    // Steps before were equal ones: then the first step as the settings have it.
+    plan(memory.step > 0.0 ? memory.step : wanted_);
+    remember();
     return true;
 }
 

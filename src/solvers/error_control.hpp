@@ -32,12 +32,14 @@ class ErrorControl : public StepSequence {
     double part_done() const override { return time_ / end_time_; }
     bool is_frame_due(long every) const override { return accepted_ % every == 0; }
 
-    StepMemory memory() const override { return {time_, wanted_, error_before_, just_rejected_, accepted_}; }
+    // As it was before any rejection since.
+    StepMemory memory() const override { return memory_; }
     bool resume(const StepMemory& memory) override;
 
   private:
     // Sets the next step to this length, or to what fits before the end.
     void plan(double step);
+    void remember() { memory_ = {false, time_, wanted_, error_before_, just_rejected_, accepted_}; }
 
     double end_time_;
     double order_;
@@ -53,6 +55,7 @@ class ErrorControl : public StepSequence {
     double error_before_ = -1.0;
     bool just_rejected_ = false;
     long accepted_ = 0;
+    StepMemory memory_;
 };
 
 }  // namespace gxrod

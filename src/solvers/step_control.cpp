@@ -8,30 +8,37 @@ StepControl::StepControl(double end_time, long nominal_steps, int halvings)
       end_(nominal_steps * grid_.ticks()),
       span_(grid_.ticks()) {}
 
+std::int64_t StepControl::longest_span() const {
+    std::int64_t span = grid_.ticks();
+    while (position_ % span != 0) span /= 2;
+    return span;
+}
+
 void StepControl::accept() {
     position_ += span_;
-    while (span_ < grid_.ticks() && position_ % (2 * span_) == 0) span_ *= 2;
+    span_ = longest_span();
 }
 
 bool StepControl::reject() {
-    if (span_ == 1) return false;
-    span_ /= 2;
-    return true;
+    has_failed_ = span_ == 1;
+    if (!has_failed_) span_ /= 2;
+    return !has_failed_;
 }
 
 StepMemory StepControl::memory() const {
     StepMemory memory;
     memory.time = time();
+    memory.has_failed = has_failed_;
     return memory;
 }
 
-// The next step is the longest that fits the grid, as it always is after an accepted one.
+// The next step is the longest that fits the grid, as after any accepted one; but where the shortest one
+// failed, a whole one to the next nominal time is tried: settings may have changed.
 bool StepControl::resume(const StepMemory& memory) {
     const StepGrid::Place place = grid_.find(memory.time);
     if (!place.is_exact || place.position > end_) return false;
     position_ = place.position;
-    span_ = grid_.ticks();
-    while (position_ % span_ != 0) span_ /= 2;
+    span_ = memory.has_failed ? grid_.ticks() - position_ % grid_.ticks() : longest_span();
     return true;
 }
 

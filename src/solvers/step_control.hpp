@@ -37,6 +37,8 @@ class StepControl : public StepSequence {
     bool at_nominal_step() const { return position_ % grid_.ticks() == 0; }
 
   private:
+    // That the grid allows from here.
+    std::int64_t longest_span() const;
     double at(std::int64_t position) const { return position == end_ ? end_time_ : grid_.at(position); }
 
     double end_time_;
@@ -44,6 +46,7 @@ class StepControl : public StepSequence {
     std::int64_t end_;
     std::int64_t position_ = 0;
     std::int64_t span_;
+    bool has_failed_ = false;  // the shortest step
 };
 
 }  // namespace gxrod

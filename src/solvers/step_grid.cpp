@@ -35,10 +35,11 @@ Fraction find_fraction(double number) {
 
 }  // namespace
 
-StepGrid::StepGrid(double step, std::int64_t ticks) : step_(step), ticks_(ticks) {
+StepGrid::StepGrid(double step, std::int64_t ticks) : ticks_(ticks) {
     const Fraction fraction = find_fraction(step);
     numerator_ = fraction.numerator;
     denominator_ = fraction.denominator;
+    step_ = numerator_ / denominator_;
 }
 
 double StepGrid::at(std::int64_t position) const {

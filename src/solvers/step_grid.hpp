@@ -20,6 +20,7 @@ class StepGrid {
     };
     Place find(double time) const;
 
+    // p/q rounded once, whatever rounding the step came with.
     double step() const { return step_; }
     std::int64_t ticks() const { return ticks_; }
 

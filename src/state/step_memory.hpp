@@ -6,9 +6,10 @@ namespace gxrod {
 
 // Where a sequence of steps stands, enough to go on with it.
 struct StepMemory {
-    double time = 0.0;  // of the last accepted step's end
+    bool has_failed = false;  // even with the shortest step after `time`
+    double time = 0.0;        // of the last accepted step's end
     // Of steps chosen by their error:
-    double step = 0.0;           // to try next, before it is fitted to what is left
+    double step = 0.0;           // to try next, before it is fitted to what is left; 0: not known
     double error_before = -1.0;  // of the last accepted step relative to its tolerance; negative: not known
     bool just_rejected = false;
     std::int64_t accepted = 0;  // steps

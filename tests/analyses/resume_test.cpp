@@ -5,6 +5,7 @@
 #include "model/file_error.hpp"
 #include "results/hdf5_reader.hpp"
 #include "results/sample.hpp"
+#include "solvers/step_control.hpp"
 
 // A run that was stopped and goes on, against the same run in one piece: equal to the last bit.
 
@@ -143,13 +144,16 @@ TEST_CASE("Bodies go on to the last bit under every integrator", "[analyses][res
 }
 
 TEST_CASE("A run made longer equals one that was long from the start", "[analyses][resume]") {
-    const Problem whole = read(replaced(swinging, "end_time = 1.0", "end_time = 1.7"));
+    // 1.14 / 57 is not the double nearest to 0.02.
+    const std::string end = GENERATE(as<std::string>{}, "1.7", "1.14");
+    const Problem whole = read(replaced(swinging, "end_time = 1.0", "end_time = " + end));
     const Runner runner;
     runner.run(read(swinging), "longer");
     runner.run(whole, "whole");
     runner.resume(whole, "longer");
     // t = 1 was the last frame of the shorter run and is none of the longer one.
-    REQUIRE(Hdf5Reader(runner.folder / "longer").size("/VTKHDF/Steps/Values") == std::vector<hsize_t>{23});
+    REQUIRE(Hdf5Reader(runner.folder / "longer").size("/VTKHDF/Steps/Values") ==
+            std::vector<hsize_t>{end == "1.7" ? 23U : 16U});
     CHECK(runner.differences("whole", "longer") == std::vector<std::string>{});
     CHECK(Hdf5Reader(runner.folder / "longer").text("/deck/text_2") == whole.record.text);
 }
@@ -167,22 +171,112 @@ TEST_CASE("Steps may be shortened where a run stopped", "[analyses][resume]") {
     CHECK(times.back() == 1.0);
 }
 
+TEST_CASE("A run whose steps were equal goes on with steps by their error", "[analyses][resume]") {
+    const Runner runner;
+    runner.run(read(with_integrator("sdirk-4")), "parts", 7);
+    const std::string adaptive =
+        replaced(with_integrator("sdirk-4"), "time_step", "adaptive = { tolerance = 1e-5 }\ntime_step");
+    const RunSummary summary = runner.resume(read(adaptive), "parts");
+    CHECK(summary.status == RunStatus::complete);
+    const std::vector<double> steps = Hdf5Reader(runner.folder / "parts").numbers("/solver/time_step");
+    CHECK(steps[8] > 0.002);
+    CHECK(steps[8] <= 0.02);
+    CHECK(summary.totals.largest_energy_error < 1e-3 * summary.totals.largest_energy);
+}
+
+TEST_CASE("A run that failed goes on as if it had been run so from the start", "[analyses][resume]") {
+    const Runner runner;
+    SECTION("Newton had too few iterations") {
+        const std::string strict =
+            replaced(loaded(), "steps = 12", "steps = 12\nnewton = { max_iterations = 1 }");
+        REQUIRE(runner.run(read(strict), "parts").status == RunStatus::failed);
+        CHECK(runner.resume(read(loaded()), "parts").status == RunStatus::complete);
+        runner.run(read(loaded()), "whole");
+        CHECK(runner.differences("whole", "parts") == std::vector<std::string>{});
+    }
+    SECTION("The error could not be kept") {
+        const std::string adaptive =
+            replaced(with_integrator("sdirk-4"), "time_step", "adaptive = { tolerance = 1e-5 }\ntime_step");
+        const std::string strict =
+            replaced(adaptive, "tolerance = 1e-5", "tolerance = 1e-14, min_step = 1e-3");
+        REQUIRE(runner.run(read(strict), "parts").status == RunStatus::failed);
+        CHECK(runner.resume(read(adaptive), "parts").status == RunStatus::complete);
+        runner.run(read(adaptive), "whole");
+        CHECK(runner.differences("whole", "parts") == std::vector<std::string>{});
+    }
+}
+
+TEST_CASE("After a failure within a step a whole one is tried first", "[solvers][resume]") {
+    StepControl control(1.0, 10);
+    control.accept();
+    while (control.reject()) {
+    }
+    control.accept();
+    while (control.reject()) {
+    }
+    StepControl next(1.0, 10);
+    REQUIRE(next.resume(control.memory()));
+    CHECK(next.time() == control.time());
+    CHECK(next.next_time() == 0.2);
+    REQUIRE(next.reject());
+    CHECK(next.next_time() < 0.2);
+    next.accept();
+    while (!next.finished()) next.accept();
+    CHECK(next.time() == 1.0);
+}
+
+TEST_CASE("Another linear solver takes over", "[analyses][resume]") {
+    const Runner runner;
+    runner.run(read(replaced(swinging, "time_step", "linear_solver = \"klu\"\ntime_step")), "parts", 7);
+    const RunSummary summary = runner.resume(
+        read(replaced(swinging, "time_step", "linear_solver = \"umfpack\"\ntime_step")), "parts");
+    CHECK(summary.status == RunStatus::complete);
+    CHECK(summary.totals.largest_energy_error < 0.01 * summary.totals.largest_energy);
+}
+
+TEST_CASE("A run that was not closed at its end is closed", "[analyses][resume]") {
+    const Runner runner;
+    runner.run(read(swinging), "parts", 7);
+    CHECK(!ResumableFile(runner.folder / "parts").is_complete());
+    const Problem ended = read(replaced(swinging, "end_time = 1.0", "end_time = 0.14"));
+    CHECK(runner.resume(ended, "parts").status == RunStatus::complete);
+    CHECK(ResumableFile(runner.folder / "parts").is_complete());
+    runner.run(ended, "whole");
+    CHECK(runner.differences("whole", "parts") == std::vector<std::string>{});
+}
+
+TEST_CASE("A history that comes back has its point", "[analyses][resume]") {
+    const Runner runner;
+    const std::string none = swinging.substr(0, swinging.find("[[history]]"));
+    const std::string moved =
+        replaced(swinging, "at = \"r.end\"\nquantities", "at = \"r.start\"\nquantities");
+    runner.run(read(swinging), "parts", 3);
+    runner.resume(read(none), "parts", 3);
+    CHECK_THROWS_WITH(runner.resume(read(moved), "parts"),
+                      Catch::Contains("its history tip is of another point"));
+    CHECK(runner.resume(read(swinging), "parts").status == RunStatus::complete);
+    const std::vector<double> x = Hdf5Reader(runner.folder / "parts").numbers("/histories/tip/position");
+    CHECK(!std::isnan(x[3 * 3]));
+    CHECK(std::isnan(x[3 * 5]));
+    CHECK(!std::isnan(x[3 * 7]));
+}
+
 TEST_CASE("A run does not go on between the steps of another grid", "[analyses][resume]") {
     const Runner runner;
     runner.run(read(swinging), "parts", 7);
     const std::string other = GENERATE(as<std::string>{}, "time_step = 0.03", "steps = 7");
     const Problem problem = read(replaced(swinging, "time_step = 0.02", other));
     CHECK_THROWS_WITH(runner.resume(problem, "parts"),
-                      Catch::Contains("no step of this analysis begins at t = 0.14") &&
-                          Catch::Contains("choose another time step"));
+                      Catch::Contains("do not meet t = 0.14, where it stopped") &&
+                          Catch::Contains("take a step that goes into this time"));
     CHECK(Hdf5Reader(runner.folder / "parts").text_attribute("/", "status") == "interrupted");
 }
 
 TEST_CASE("A run does not go on after its end", "[analyses][resume]") {
     const Runner runner;
     runner.run(read(swinging), "parts", 7);
-    CHECK_THROWS_AS(runner.resume(read(replaced(swinging, "end_time = 1.0", "end_time = 0.1")), "parts"),
-                    FileError);
+    CHECK_THROWS_WITH(runner.resume(read(replaced(swinging, "end_time = 1.0", "end_time = 0.1")), "parts"),
+                      Catch::Contains("it is at t = 0.14 already, after the end, 0.1"));
     CHECK_THROWS_AS(
         runner.resume(
             read(replaced(with_integrator("sdirk-4"), "end_time = 1.0", "adaptive = { }\nend_time = 0.1")),

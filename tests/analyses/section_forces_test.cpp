@@ -92,6 +92,29 @@ TEST_CASE("Section forces at the ends of a rod are those of supports and loads",
     }
 }
 
+TEST_CASE("Section forces follow loads that turn and supports that move", "[analyses][results]") {
+    const std::string integrator = GENERATE(as<std::string>{}, "newmark-simplified", "runge-kutta-4");
+    const std::string frame = GENERATE(as<std::string>{}, "follower", "body");
+    const std::string steps = integrator == "runge-kutta-4"
+                                  ? "end_time = 2e-3\nsteps = 40"
+                                  : "end_time = 0.5\nsteps = 20\nnewton = { tolerance = 1e-12 }";
+    std::string deck =
+        clamped("order = 2", "kind = \"dynamic\"\n" + steps + "\nintegrator = \"" + integrator + "\"\n");
+    deck = replaced(deck,
+                    "moment_per_length = [\"0.3*s\", 0, 0]",
+                    "moment_per_length = [\"0.3*s\", 0, 0]\nframe = \"" + frame + "\"");
+    deck = replaced(deck,
+                    "fix = \"all\"",
+                    "fix = [\"x\", \"y\", \"rx\", \"ry\"]\nmove = { z = \"0.01*t^2\", rz = \"t^2\" }");
+    INFO(integrator << " " << frame);
+    DeckRun run("moved", deck, {});
+    run.run([] {});
+    CHECK((vector_of(run, "root", "force_spatial") + vector_of(run, "root", "reaction_force")).norm() < 1e-7);
+    CHECK((vector_of(run, "root", "moment_spatial") + vector_of(run, "root", "reaction_moment")).norm() <
+          1e-7);
+    CHECK((vector_of(run, "tip", "force_spatial") - Vec3(1, -2, 3)).norm() < 1e-7);
+}
+
 TEST_CASE("Strains of a point belong to its section forces", "[analyses][results]") {
     DeckRun run("clamped", clamped("order = 2", "kind = \"static\"\nsteps = 2\n"), {});
     run.run([] {});

@@ -66,6 +66,24 @@ class Resume(ProgramTest):
         self.gxrod("run", "long.toml", "-o", "whole.vtkhdf", "--quiet")
         self.check_equal("whole.vtkhdf", "long.vtkhdf")
 
+    def test_a_resumed_run_may_be_killed_too(self):
+        process = self.start_long_run()
+        process.kill()
+        process.wait()
+        before = self.steps("long.vtkhdf")
+        again = subprocess.Popen([GXROD, "resume", "long.vtkhdf", "--quiet"], cwd=self.folder)
+        self.addCleanup(again.kill)
+        for _ in range(2000):
+            if self.steps("long.vtkhdf") > before:
+                break
+            time.sleep(0.005)
+        again.kill()
+        again.wait()
+        self.assertGreater(self.steps("long.vtkhdf"), before)
+        self.gxrod("resume", "long.vtkhdf", "--quiet")
+        self.gxrod("run", "long.toml", "-o", "whole.vtkhdf", "--quiet")
+        self.check_equal("whole.vtkhdf", "long.vtkhdf")
+
     def test_an_interrupted_run_says_how_to_go_on(self):
         process = self.start_long_run()
         process.send_signal(signal.SIGINT)
@@ -79,12 +97,15 @@ class Resume(ProgramTest):
         process = self.start_long_run()
         done = self.gxrod("resume", "long.vtkhdf", code=4)
         self.assertIn("long.vtkhdf: another process is writing it", done.stderr)
+        done = self.gxrod("run", "body.toml", "-o", "long.vtkhdf", "--force", code=4)
+        self.assertIn("long.vtkhdf: another process is writing it", done.stderr)
         process.kill()
 
     def test_a_run_is_made_longer(self):
         self.gxrod("run", "body.toml", "--set", "analysis.time_step=0.01")
         done = self.gxrod("resume", "body.vtkhdf")
-        self.assertIn("is at its end, t = 1; --set analysis.end_time=", done.stdout)
+        self.assertIn("is at its end, t = 1; nothing was changed. --set analysis.end_time=", done.stdout)
+        self.assertIn('"steps": 100', self.gxrod("resume", "body.vtkhdf", "--summary", "-").stdout)
         done = self.gxrod("resume", "body.vtkhdf", "--set", "analysis.end_time=2.5", "--summary", "-")
         self.assertIn('"steps": 250', done.stdout)
         self.gxrod("run", "body.toml", "--set", "analysis.time_step=0.01", "--set", "analysis.end_time=2.5",
@@ -122,7 +143,12 @@ class Resume(ProgramTest):
         self.assertIn("it is not a results file of gxrod", self.gxrod("resume", "other.vtkhdf", code=4).stderr)
         self.gxrod("run", "body.toml")
         done = self.gxrod("resume", "body.vtkhdf", "--set", "analysis.end_time=0.505", code=4)
-        self.assertIn("no step of this analysis begins at t = 1", done.stderr)
+        self.assertIn("it is at t = 1 already, after the end, 0.505", done.stderr)
+        self.assertEqual(done.stdout, "")
+        done = self.gxrod("resume", "body.vtkhdf", "--set", "analysis.end_time=1.55", "--set", "analysis.time_step=0.1", code=4)
+        self.assertIn("do not meet t = 1, where it stopped", done.stderr)
+        self.assertIn("is a results file, not a deck", self.gxrod("run", "body.vtkhdf", code=4).stderr)
+        self.assertIn("it is no HDF5 file", self.gxrod("resume", "body.toml", code=4).stderr)
 
 
 if __name__ == "__main__":

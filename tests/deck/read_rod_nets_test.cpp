@@ -51,7 +51,7 @@ TEST_CASE("A group goes by its name or its number", "[deck][mesh]") {
 TEST_CASE("A problem is rebuilt from its record when the mesh is gone", "[deck][mesh]") {
     std::optional<Problem> problem;
     {
-        const ScratchFile file("net.geo", read_bytes(meshes + "truss.geo"));
+        const ScratchFile file("net.msh", read_bytes(meshes + "truss_4.1.msh"));
         problem = read(deck_of(file.path().string(), "\"truss\""));
     }
     REQUIRE(!std::filesystem::exists(problem->record.meshes.at(0).file));
@@ -64,6 +64,14 @@ TEST_CASE("A problem is rebuilt from its record when the mesh is gone", "[deck][
         CHECK(rebuilt.model.nodes[i].position == problem->model.nodes[i].position);
     }
     CHECK(rebuild_problem(problem->record, {"analysis.steps=7"}).record.text != problem->record.text);
+}
+
+TEST_CASE("A geometry script of a record is not run, and no other file read", "[deck][mesh]") {
+    DeckRecord script = read(mesh_deck("truss.geo", "\"truss\"")).record;
+    CHECK_THROWS_WITH(rebuild_problem(script), Catch::Contains("is not run from a results file"));
+    DeckRecord missing = read(mesh_deck("truss_4.1.msh", "\"truss\"")).record;
+    missing.meshes.clear();
+    CHECK_THROWS_WITH(rebuild_problem(missing), Catch::Contains("is not kept in the results file"));
 }
 
 TEST_CASE("Rods may be groups of one mesh, whose bytes are kept once", "[deck][mesh]") {

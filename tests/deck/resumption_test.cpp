@@ -75,6 +75,29 @@ TEST_CASE("Every other difference is named with its place", "[deck][resume]") {
         "6:41: rod.r.line.to[2]: the run that is to go on has 0\n");
 }
 
+TEST_CASE("A deck that makes another mesh is refused", "[deck][resume]") {
+    const std::string two = replaced(
+        run_deck,
+        "[analysis]",
+        "[rod.a]\nsection = \"s\"\nline = { from = [0, 5, 0], to = [10, 5, 0] }\nelements = 10\n[analysis]");
+    const std::string rod_a =
+        "[rod.a]\nsection = \"s\"\nline = { from = [0, 5, 0], to = [10, 5, 0] }\nelements = 10\n";
+    const std::string swapped = replaced(replaced(two, rod_a, ""), "[rod.r]", rod_a + "[rod.r]");
+    CHECK(faults_against(two, two) == "");
+    CHECK(faults_against(two, swapped).find("makes another mesh than the run's") != std::string::npos);
+    const std::string seen = "relative_to = \"r@0.37\"\n";
+    CHECK(faults_against(
+              run_deck,
+              run_deck + "[[history]]\nname = \"b\"\nat = \"r.end\"\nquantities = \"position\"\n" + seen)
+              .find("makes another mesh") != std::string::npos);
+    CHECK_THROWS_AS(
+        read_resumption(
+            record_of(run_deck),
+            "",
+            {R"(history=[{name = "b", at = "r.end", relative_to = "r@0.37", quantities = "position"}])"}),
+        DeckError);
+}
+
 TEST_CASE("An override that differs is named as it was given", "[deck][resume]") {
     try {
         read_resumption(record_of(run_deck), "", {"section.s.stiffness.EA=3", "analysis.end_time=5"});

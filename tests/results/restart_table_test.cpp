@@ -43,6 +43,8 @@ void check_equal(const RestartRecord& a, const RestartRecord& b) {
     CHECK(a.ledger.dissipated == b.ledger.dissipated);
     CHECK(a.ledger.driving_power == b.ledger.driving_power);
     CHECK(a.ledger.damping_power == b.ledger.damping_power);
+    CHECK(a.is_framed == b.is_framed);
+    CHECK(a.steps.has_failed == b.steps.has_failed);
     CHECK(a.steps.time == b.steps.time);
     CHECK(a.steps.step == b.steps.step);
     CHECK(a.steps.error_before == b.steps.error_before);

@@ -150,7 +150,8 @@ RestartRecord make_restart(double t) {
     record.ledger.dissipated = 4.5;
     record.ledger.driving_power = 5.5;
     record.ledger.damping_power = 6.5;
-    record.steps = {t, 0.0625, 0.3, true, 17};
+    record.steps = {true, t, 0.0625, 0.3, true, 17};
+    record.is_framed = true;
     record.totals = {18, 19, 20, 7.5, 8.5};
     return record;
 }

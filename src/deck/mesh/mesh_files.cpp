@@ -24,10 +24,9 @@ fs::path make_temporary_folder() {
 
 }  // namespace
 
-MeshFiles::MeshFiles(const std::vector<MeshRecord>& records) {
+MeshFiles::MeshFiles(const std::vector<MeshRecord>& records) : is_kept_(true) {
     if (records.empty()) return;
     folder_ = make_temporary_folder();
-    is_temporary_ = true;
     try {
         write(records);
     } catch (...) {
@@ -53,12 +52,20 @@ void MeshFiles::write(const std::vector<MeshRecord>& records) {
 
 void MeshFiles::remove() {
     std::error_code ignored;
-    if (is_temporary_) fs::remove_all(folder_, ignored);
+    if (is_kept_ && !folder_.empty()) fs::remove_all(folder_, ignored);
 }
 
+// A geometry script can run commands; whose results these are is not known.
 fs::path MeshFiles::find(const std::string& file) const {
+    if (!is_kept_) return folder_ / file;
+    if (fs::path(file).extension() != ".msh") {
+        throw FileError(file,
+                        "is a geometry script, which is not run from a results file",
+                        "give the deck that it belongs to");
+    }
     const auto found = kept_.find(file);
-    return found == kept_.end() ? folder_ / file : found->second;
+    if (found == kept_.end()) throw FileError(file, "is not kept in the results file");
+    return found->second;
 }
 
 }  // namespace gxrod

@@ -20,7 +20,8 @@ class MeshFiles {
     MeshFiles(const MeshFiles&) = delete;
     MeshFiles& operator=(const MeshFiles&) = delete;
 
-    // The place of a file as the deck names it; whether there is one is not asked.
+    // The place of a file as the deck names it; whether there is one in a folder is not asked. Throws
+    // FileError if it is not kept, or kept but no .msh.
     std::filesystem::path find(const std::string& file) const;
 
   private:
@@ -28,7 +29,7 @@ class MeshFiles {
     void remove();
 
     std::filesystem::path folder_;
-    bool is_temporary_ = false;
+    bool is_kept_ = false;  // folder_ is a temporary one, or empty
     std::map<std::string, std::filesystem::path> kept_;
 };
 

@@ -1,0 +1,94 @@
+#include "results/results_tables.hpp"
+
+namespace gxrod {
+namespace {
+
+AppendDataset<double> open_times(const Hdf5Handle& histories, const DeckRecord& deck, hsize_t rows) {
+    if (deck.is_static) {
+        return {histories,
+                {"time", "load factor at the end of each accepted step", "none", "1"},
+                scalar_row,
+                rows};
+    }
+    return {histories, {"time", "time at the end of each accepted step", "none", "time"}, scalar_row, rows};
+}
+
+}  // namespace
+
+ResultsTables::ResultsTables(const Hdf5Handle& root,
+                             const DeckRecord& deck,
+                             const Model& model,
+                             const OutputSettings& output,
+                             hsize_t steps,
+                             hsize_t frames)
+    : histories_group_(require_group(root, "histories")),
+      ledger_group_(require_group(root, "ledger")),
+      solver_group_(require_group(root, "solver")),
+      times_(open_times(histories_group_, deck, steps)),
+      histories_(histories_group_, model, output.histories, steps),
+      ledger_(ledger_group_, steps),
+      solver_(solver_group_, steps),
+      frames_(root, model, output, frames),
+      restart_(root),
+      step_count_(steps),
+      frame_count_(frames) {
+    for (const Hdf5Handle* group : {&ledger_group_, &solver_group_}) {
+        if (has_link(*group, "time")) continue;
+        check_hdf5(H5Olink(times_.id(), group->id(), "time", H5P_DEFAULT, H5P_DEFAULT), "linking the times");
+    }
+}
+
+void ResultsTables::append_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver) {
+    times_.append(snapshot.time);
+    histories_.append(snapshot);
+    ledger_.append(ledger);
+    solver_.append(solver);
+    ++step_count_;
+}
+
+void ResultsTables::append_frame(const Snapshot& snapshot) {
+    frames_.append(snapshot);
+    ++frame_count_;
+}
+
+void ResultsTables::set_restart(RestartRecord record) {
+    restart_place_ = RestartPlace{std::move(record), step_count_, frame_count_};
+}
+
+void ResultsTables::flush_rows() {
+    histories_.flush();
+    ledger_.flush();
+    solver_.flush();
+    frames_.flush_frames();
+    if (restart_place_) restart_.write(*restart_place_);
+    restart_place_.reset();
+}
+
+void ResultsTables::flush_frame_count() { frames_.flush_count(); }
+
+void ResultsTables::flush_times() {
+    times_.flush();
+    frames_.flush_times();
+}
+
+void ResultsTables::switch_restart() { restart_.switch_slot(); }
+
+void ResultsTables::trim_times() {
+    times_.trim();
+    frames_.trim_times();
+}
+
+void ResultsTables::trim() {
+    times_.trim();
+    histories_.trim();
+    ledger_.trim();
+    solver_.trim();
+    frames_.trim();
+}
+
+std::size_t ResultsTables::buffered_bytes() const {
+    constexpr std::size_t row_numbers = 16;  // of the ledger, the solver record and the time
+    return times_.buffered_bytes() * row_numbers + histories_.buffered_bytes() + frames_.buffered_bytes();
+}
+
+}  // namespace gxrod
