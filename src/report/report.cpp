@@ -105,8 +105,9 @@ class Page {
         return sentences;
     }
 
-    // Of a node of the file in the page.
+    // Of a node of the file in the page; before there is a plan, one that is no shorter to write.
     int number_of(int node) const {
+        if (plan_.nodes.empty()) return content_.topology->nodes;
         const auto found = std::lower_bound(plan_.nodes.begin(), plan_.nodes.end(), node);
         return static_cast<int>(found - plan_.nodes.begin());
     }

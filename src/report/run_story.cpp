@@ -35,7 +35,7 @@ void rebuild(const Hdf5Reader& file, RunStory& story) {
         }
     } catch (const Hdf5Error&) {
         throw;
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
         story.why_no_problem = error.what();
     }
 }
@@ -92,6 +92,9 @@ RunStory read_run_story(const Hdf5Reader& file) {
     if (bodies.size() > most_bodies) {
         story.left_out.push_back(
             fmt::format("Of {} bodies, the first {} are drawn.", bodies.size(), most_bodies));
+    }
+    for (std::size_t i = 0; i < std::min(bodies.size(), most_bodies); ++i) {
+        story.marked_nodes.push_back(bodies[i]);
     }
     if (story.problem) add_drawing(story);
     if (file.has_attribute("/", "reason_nodes"))
