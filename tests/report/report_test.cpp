@@ -145,6 +145,20 @@ TEST_CASE("Very many bodies fit, of which the first are drawn", "[report]") {
     CHECK(bodies[299]["node"] == 299);
 }
 
+TEST_CASE("A report removes nothing but what it made", "[report]") {
+    const sample::ScratchFolder folder;
+    write_sample(folder / "a.vtkhdf", 3, "Sample");
+    std::ofstream(folder / "b.html.part") << "mine";
+    CHECK_THROWS_AS(write_report({folder / "none.vtkhdf", folder / "b.html"}), FileError);
+    CHECK(read(folder / "b.html.part") == "mine");
+    std::filesystem::create_directory(folder / "c.html.part");
+    CHECK_THROWS_WITH(write_report({folder / "a.vtkhdf", folder / "c.html"}),
+                      Catch::Contains("cannot be written"));
+    CHECK(std::filesystem::exists(folder / "c.html.part"));
+    write_report({folder / "a.vtkhdf", folder / "a.html"});
+    CHECK_FALSE(std::filesystem::exists(folder / "a.html.part"));
+}
+
 TEST_CASE("Without its model a report shows the frames and says so", "[report]") {
     const sample::ScratchFolder folder;
     write_sample(folder / "a.vtkhdf", 3, evil);
