@@ -9,6 +9,7 @@
 #include "analyses/model_examination.hpp"
 #include "exit_code.hpp"
 #include "progress_line.hpp"
+#include "results/energy_warning.hpp"
 #include "summary.hpp"
 
 namespace gxrod {
@@ -48,17 +49,10 @@ void tell(const JobOptions& options, const RunSummary& summary, bool is_resumed)
     }
 }
 
-// Energy out of balance by so much of the largest one says that results are not to be trusted.
 void warn_of_energy(const RunSummary& summary) {
-    constexpr double tolerable = 0.1;
-    if (summary.totals.largest_energy_error <= tolerable * summary.totals.largest_energy) return;
-    fmt::print(
-        stderr,
-        "warning: the energy does not balance: an error of {:.3g} beside an energy of {:.3g} "
-        "(ledger/energy_error). Steps may be too long, a vibration too fast for them, or, in statics, the "
-        "structure has jumped\n",
-        summary.totals.largest_energy_error,
-        summary.totals.largest_energy);
+    const std::string imbalance =
+        describe_imbalance(summary.totals.largest_energy, summary.totals.largest_energy_error);
+    if (!imbalance.empty()) fmt::print(stderr, "warning: {}\n", imbalance);
 }
 
 int exit_code_of(const RunSummary& summary, bool deck_fault) {

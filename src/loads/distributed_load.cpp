@@ -6,15 +6,6 @@ namespace gxrod {
 
 namespace {
 
-Vec6 value_at(const DistributedLoad& load, double time, double arc_length) {
-    Vec6 value;
-    for (int i = 0; i < 3; ++i) {
-        value[i] = load.force[i](time, arc_length);
-        value[i + 3] = load.moment[i](time, arc_length);
-    }
-    return value;
-}
-
 // Force and moment per length as node `j` turns them.
 Vec6 turn(const LoadedElement& element,
           std::size_t j,
@@ -30,12 +21,21 @@ Vec6 turn(const LoadedElement& element,
 
 }  // namespace
 
+Vec6 compute_load_per_length(const DistributedLoad& load, double time, double arc_length) {
+    Vec6 value;
+    for (int i = 0; i < 3; ++i) {
+        value[i] = load.force[i](time, arc_length);
+        value[i + 3] = load.moment[i](time, arc_length);
+    }
+    return value;
+}
+
 LoadVector compute_distributed_load(const LoadedElement& element,
                                     const std::vector<NodeMotion>& motions,
                                     double time) {
     LoadVector force = LoadVector::Zero(static_cast<Eigen::Index>(6 * element.nodes.size()));
     for (const LoadedElement::Point& point : element.points) {
-        const Vec6 q = value_at(*element.load, time, point.arc_length);
+        const Vec6 q = compute_load_per_length(*element.load, time, point.arc_length);
         Vec6 turned = Vec6::Zero();
         for (std::size_t j = 0; j < element.nodes.size(); ++j) {
             turned += point.shape[j] * turn(element, j, motions, q);
@@ -65,7 +65,7 @@ LoadMatrix compute_distributed_load_tangent(const LoadedElement& element,
     LoadMatrix tangent = LoadMatrix::Zero(6 * nodes, 6 * nodes);
     if (element.load->frame == Frame::spatial) return tangent;
     for (const LoadedElement::Point& point : element.points) {
-        const Vec6 q = value_at(*element.load, time, point.arc_length);
+        const Vec6 q = compute_load_per_length(*element.load, time, point.arc_length);
         for (Eigen::Index j = 0; j < nodes; ++j) {
             const Vec6 turned = turn(element, static_cast<std::size_t>(j), motions, q);
             const double placement = linearizations[element.nodes[j]].placement;

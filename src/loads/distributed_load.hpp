@@ -27,6 +27,9 @@ struct LoadedElement {
     std::vector<Point> points;
 };
 
+// Force and moment per length, stacked, in the axes that the load is given in. Throws EvaluationError.
+Vec6 compute_load_per_length(const DistributedLoad& load, double time, double arc_length);
+
 using LoadMatrix = Eigen::Matrix<double,
                                  Eigen::Dynamic,
                                  Eigen::Dynamic,

@@ -29,6 +29,17 @@ bool continues(const DrawnCell& cell, const DrawnCell& next) {
            cell.radius_z == next.radius_z && cell.axes[1].angularDistance(next.axes[0]) < 1e-3;
 }
 
+// Whether the frames have as many nodes and bodies as the model, and elements of its orders.
+bool has_cells_of(const Model& model, const FrameTopology& topology) {
+    std::vector<std::size_t> of_model, of_frames;
+    for (const Rod& rod : model.rods) {
+        of_model.insert(of_model.end(), rod.element_count(), static_cast<std::size_t>(rod.order) + 1);
+    }
+    for (const DrawnCell& cell : topology.rod_cells) of_frames.push_back(cell.nodes.size());
+    return model.nodes.size() == static_cast<std::size_t>(topology.nodes) && of_model == of_frames &&
+           model.bodies.size() == topology.body_nodes.size();
+}
+
 }  // namespace
 
 FrameTopology read_topology(const Hdf5Reader& file) {
@@ -72,17 +83,12 @@ FrameTopology read_topology(const Hdf5Reader& file) {
 }
 
 bool refine_cells(const Model& model, FrameTopology& topology) {
-    std::size_t elements = 0;
-    for (const Rod& rod : model.rods) elements += static_cast<std::size_t>(rod.element_count());
-    if (model.nodes.size() != static_cast<std::size_t>(topology.nodes)) return false;
-    if (elements != topology.rod_cells.size() || model.bodies.size() != topology.body_nodes.size())
-        return false;
+    if (!has_cells_of(model, topology)) return false;
     auto cell = topology.rod_cells.begin();
     for (const Rod& rod : model.rods) {
         const Mat6& C = model.sections[rod.section].stiffness;
         const auto order = static_cast<std::size_t>(rod.order);
         for (std::size_t first = 0; first < rod.triads.size(); first += order + 1, ++cell) {
-            if (cell->nodes.size() != order + 1) return false;
             cell->axes = {rod.triads[first], rod.triads[first + order]};
             for (std::size_t i = 1; i < order; ++i) cell->axes.push_back(rod.triads[first + i]);
             // Bending about z strains along y, and the reverse.

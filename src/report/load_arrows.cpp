@@ -1,5 +1,6 @@
 #include "report/load_arrows.hpp"
 
+#include "loads/distributed_load.hpp"
 #include "loads/nodal_load.hpp"
 
 namespace gxrod {
@@ -7,15 +8,6 @@ namespace gxrod {
 namespace {
 
 constexpr std::size_t most_arrows_along_rod = 16;
-
-Vec6 value_at(const DistributedLoad& load, double time, double s) {
-    Vec6 value;
-    for (int i = 0; i < 3; ++i) {
-        value[i] = load.force[i](time, s);
-        value[i + 3] = load.moment[i](time, s);
-    }
-    return value;
-}
 
 Vec6 turned(const Quat& turn, const Vec6& value) {
     Vec6 result;
@@ -35,7 +27,7 @@ void add_arrows_along_rod(const Model& model, const DistributedLoad& load, std::
                           rod.element_nodes[place],
                           true,
                           [&load, s, axes](const NodeMotion& motion, double time) {
-                              Vec6 value = value_at(load, time, s);
+                              Vec6 value = compute_load_per_length(load, time, s);
                               if (load.frame == Frame::spatial) return value;
                               const bool in_axes = load.frame == Frame::body;
                               return turned(in_axes ? motion.Lambda * axes : motion.Lambda, value);

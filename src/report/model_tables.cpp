@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "deck/choices.hpp"
 #include "report/model_json.hpp"
@@ -12,6 +14,19 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+constexpr std::size_t most_rows = 50;  // of a table
+
+template <class Part>
+std::span<const Part> first_of(const std::vector<Part>& parts) {
+    return std::span(parts).first(std::min(parts.size(), most_rows));
+}
+
+// Says that a table has not all rows; "" if it has.
+template <class Part>
+std::string tell_rest(const std::vector<Part>& parts) {
+    return parts.size() > most_rows ? fmt::format("The first {} of {}.", most_rows, parts.size()) : "";
+}
+
 std::string vector(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]); }
 
 bool is_diagonal(const Mat6& matrix) { return matrix.isDiagonal(1e-12); }
@@ -19,7 +34,7 @@ bool is_diagonal(const Mat6& matrix) { return matrix.isDiagonal(1e-12); }
 Json describe_sections(const Model& model) {
     Json rows = Json::array();
     bool has_coupling = false;
-    for (const Section& section : model.sections) {
+    for (const Section& section : first_of(model.sections)) {
         const bool is_coupled = !is_diagonal(section.stiffness) || !is_diagonal(section.mass);
         has_coupling = has_coupling || is_coupled;
         Json row{section.name + (is_coupled ? " *" : "")};
@@ -28,7 +43,8 @@ Json describe_sections(const Model& model) {
         for (int i = 3; i < 6; ++i) row.push_back(section.mass(i, i));
         rows.push_back(row);
     }
-    const char* note = has_coupling ? "* has couplings beside this diagonal: see the deck" : "";
+    std::string note = tell_rest(model.sections);
+    if (has_coupling) note += " * has couplings beside this diagonal: see the deck.";
     return {{"title", "Sections"},
             {"columns", {"", "EA", "GAy", "GAz", "GJ", "EIy", "EIz", "rhoA", "rhoJ", "rhoIy", "rhoIz"}},
             {"rows", rows},
@@ -37,7 +53,7 @@ Json describe_sections(const Model& model) {
 
 Json describe_rods(const Model& model) {
     Json rows = Json::array();
-    for (const Rod& rod : model.rods) {
+    for (const Rod& rod : first_of(model.rods)) {
         rows.push_back({rod.name,
                         model.sections[rod.section].name,
                         word_of(element_kind_choices, rod.kind),
@@ -47,12 +63,13 @@ Json describe_rods(const Model& model) {
     }
     return {{"title", "Rods"},
             {"columns", {"", "section", "element", "elements", "order", "length"}},
-            {"rows", rows}};
+            {"rows", rows},
+            {"note", tell_rest(model.rods)}};
 }
 
 Json describe_body_table(const Model& model) {
     Json rows = Json::array();
-    for (const Body& body : model.bodies) {
+    for (const Body& body : first_of(model.bodies)) {
         const Eigen::SelfAdjointEigenSolver<Mat3> principal(body.inertia, Eigen::EigenvaluesOnly);
         rows.push_back({body.name,
                         model.nodes[body.node].name,
@@ -62,7 +79,8 @@ Json describe_body_table(const Model& model) {
     }
     return {{"title", "Rigid bodies"},
             {"columns", {"", "node", "mass", "principal inertia", "centre of mass, body axes"}},
-            {"rows", rows}};
+            {"rows", rows},
+            {"note", tell_rest(model.bodies)}};
 }
 
 std::string describe_components(const std::array<bool, 6>& components) {
@@ -74,18 +92,16 @@ std::string describe_components(const std::array<bool, 6>& components) {
 }
 
 Json describe_support_table(const Model& model) {
-    constexpr std::size_t most = 50;
     Json rows = Json::array();
-    for (const Support& support : model.supports) {
-        if (rows.size() == most) break;
+    for (const Support& support : first_of(model.supports)) {
         rows.push_back({model.nodes[support.node].name,
                         describe_components(support.fixed),
                         describe_components(support.moved)});
     }
-    const std::string note = model.supports.size() > most
-                                 ? fmt::format("The first {} of {}.", most, model.supports.size())
-                                 : std::string();
-    return {{"title", "Supports"}, {"columns", {"", "fixed", "moved"}}, {"rows", rows}, {"note", note}};
+    return {{"title", "Supports"},
+            {"columns", {"", "fixed", "moved"}},
+            {"rows", rows},
+            {"note", tell_rest(model.supports)}};
 }
 
 Json describe_analysis(const AnalysisSettings& analysis) {

@@ -105,8 +105,9 @@ class Page {
         return sentences;
     }
 
-    // Of a node of the file in the page.
+    // Of a node of the file in the page; before there is a plan, one that is no shorter to write.
     int number_of(int node) const {
+        if (plan_.nodes.empty()) return content_.topology->nodes;
         const auto found = std::lower_bound(plan_.nodes.begin(), plan_.nodes.end(), node);
         return static_cast<int>(found - plan_.nodes.begin());
     }
@@ -134,37 +135,57 @@ void check_page(const ReportOptions& options) {
     }
 }
 
-ReportSummary write_part(const Hdf5Reader& file, const ReportOptions& options, const fs::path& part) {
-    if (count_frames(file) == 0) {
-        throw FileError(options.results, "has no frame yet, so there is nothing to show");
+// Where a page is written, so that one that is there stays as it is until the new one is whole. Removes it
+// unless it became the page.
+class Part {
+  public:
+    explicit Part(const fs::path& page)
+        : page_(page), path_(page.string() + ".part"), out_(path_, std::ios::binary | std::ios::trunc) {
+        if (!out_) fail(errno);
     }
-    std::ofstream out(part, std::ios::binary | std::ios::trunc);
-    if (!out) throw FileError(options.page, "cannot be written", std::generic_category().message(errno));
-    ReportSummary summary = Page(file, options).write(out);
-    out.close();
-    if (!out) throw FileError(options.page, "cannot be written", std::generic_category().message(errno));
-    return summary;
-}
+    Part(const Part&) = delete;
+    Part& operator=(const Part&) = delete;
+    ~Part() {
+        std::error_code ignored;
+        if (!is_page_) fs::remove(path_, ignored);
+    }
+
+    std::ostream& out() { return out_; }
+
+    void become_page() {
+        out_.close();
+        if (!out_) fail(errno);
+        std::error_code error;
+        fs::rename(path_, page_, error);
+        if (error) fail(error.value());
+        is_page_ = true;
+    }
+
+  private:
+    [[noreturn]] void fail(int error) const {
+        throw FileError(page_, "cannot be written", std::generic_category().message(error));
+    }
+
+    const fs::path& page_;
+    fs::path path_;
+    std::ofstream out_;
+    bool is_page_ = false;
+};
 
 }  // namespace
 
 ReportSummary write_report(const ReportOptions& options) {
-    // A page that is there stays as it is until the new one is whole.
-    const fs::path part = options.page.string() + ".part";
-    std::error_code error;
-    try {
-        ReportSummary summary;
-        read_results(options.results, [&](const Hdf5Reader& file) {
-            check_page(options);
-            summary = write_part(file, options, part);
-        });
-        fs::rename(part, options.page, error);
-        if (error) throw FileError(options.page, "cannot be written", error.message());
-        return summary;
-    } catch (...) {
-        fs::remove(part, error);
-        throw;
-    }
+    ReportSummary summary;
+    read_results(options.results, [&](const Hdf5Reader& file) {
+        check_page(options);
+        if (count_frames(file) == 0) {
+            throw FileError(options.results, "has no frame yet, so there is nothing to show");
+        }
+        Part part(options.page);
+        summary = Page(file, options).write(part.out());
+        part.become_page();
+    });
+    return summary;
 }
 
 }  // namespace gxrod

@@ -72,7 +72,6 @@ class Planner {
     Planner(const ReportContent& content, std::size_t bytes)
         : content_(content), bytes_(static_cast<double>(bytes)), marked_(content.topology->nodes, false) {
         for (const int node : content.marked_nodes) marked_[node] = true;
-        for (const int node : content.topology->body_nodes) marked_[node] = true;
     }
 
     ReportPlan plan() {

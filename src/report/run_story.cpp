@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "model/file_error.hpp"
 #include "report/step_blocks.hpp"
 #include "results/deck_reading.hpp"
+#include "results/energy_warning.hpp"
 
 namespace gxrod {
 
@@ -17,7 +18,6 @@ namespace {
 constexpr std::size_t most_bodies = 300;
 constexpr std::size_t most_supports = 500;
 constexpr std::size_t most_arrows = 300;
-constexpr double tolerable_imbalance = 0.1;  // as gxrod run warns
 
 std::string text_of(const Hdf5Reader& file, const std::string& name) {
     return file.has_attribute("/", name) ? file.text_attribute("/", name) : "";
@@ -35,7 +35,7 @@ void rebuild(const Hdf5Reader& file, RunStory& story) {
         }
     } catch (const Hdf5Error&) {
         throw;
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
         story.why_no_problem = error.what();
     }
 }
@@ -88,9 +88,13 @@ RunStory read_run_story(const Hdf5Reader& file) {
     story.is_static = text_of(file, "analysis") == "static";
     story.topology = read_topology(file);
     rebuild(file, story);
-    if (story.topology.body_nodes.size() > most_bodies) {
-        story.left_out.push_back(fmt::format(
-            "Of {} bodies, the first {} are drawn.", story.topology.body_nodes.size(), most_bodies));
+    const std::vector<int>& bodies = story.topology.body_nodes;
+    if (bodies.size() > most_bodies) {
+        story.left_out.push_back(
+            fmt::format("Of {} bodies, the first {} are drawn.", bodies.size(), most_bodies));
+    }
+    for (std::size_t i = 0; i < std::min(bodies.size(), most_bodies); ++i) {
+        story.marked_nodes.push_back(bodies[i]);
     }
     if (story.problem) add_drawing(story);
     if (file.has_attribute("/", "reason_nodes"))
@@ -113,13 +117,8 @@ std::vector<std::string> list_warnings(const Hdf5Reader& file, std::size_t steps
             "The run had not ended when this page was made, or was killed; this is what it got to.");
     }
     const EnergyBalance energy = survey_energy(file, steps);
-    if (energy.error > tolerable_imbalance * energy.largest) {
-        warnings.push_back(fmt::format(
-            "The energy does not balance: an error of {:.3g} beside an energy of {:.3g}. Steps may "
-            "be too long, a vibration too fast for them, or, in statics, the structure has jumped.",
-            energy.error,
-            energy.largest));
-    }
+    const std::string imbalance = describe_imbalance(energy.largest, energy.error);
+    if (!imbalance.empty()) warnings.push_back("Mind that " + imbalance + ".");
     return warnings;
 }
 

@@ -88,6 +88,23 @@ steps = 2
         self.assertFalse((self.folder / "a/series/body_0000.hdf").exists())
         self.gxrod("export", "body.vtkhdf", "--series", "a/series", "--force")
 
+    def test_a_shorter_series_leaves_no_frames_of_the_longer_one(self):
+        self.gxrod("export", "body.vtkhdf", "--series", "series")
+        folder = self.folder / "series"
+        listed = json.loads((folder / "body.hdf.series").read_text())
+        listed["files"] += [{"name": "../body_0099.hdf"}, {"name": "notes.txt"}, {"name": "other_0001.hdf"}, {"name": 1}, 2]
+        (folder / "body.hdf.series").write_text(json.dumps(listed))
+        kept = [self.folder / "body_0099.hdf", folder / "notes.txt", folder / "other_0001.hdf", folder / "body_0100.hdf"]
+        for path in kept:
+            path.write_text("not of this series")
+        self.gxrod("run", "body.toml", "--quiet", "--force", "--set", "output.every=50")
+        self.gxrod("export", "body.vtkhdf", "--series", "series", "--force")
+        self.assertEqual(sorted(path.name for path in folder.glob("body*")),
+                         ["body.hdf.series", "body_0000.hdf", "body_0001.hdf", "body_0002.hdf", "body_0100.hdf"])
+        self.assertTrue(all(path.exists() for path in kept))
+        (folder / "body.hdf.series").write_text("no JSON")
+        self.gxrod("export", "body.vtkhdf", "--series", "series", "--force")
+
     def test_a_series_lists_each_frame_with_its_time(self):
         self.gxrod("export", "body.vtkhdf", "--series", "series")
         series = json.loads((self.folder / "series/body.hdf.series").read_text())

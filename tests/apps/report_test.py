@@ -66,6 +66,73 @@ class Words(PageTest):
         self.assertIn("Content Security Policy", " ".join(self.browser.take_errors()))
 
 
+class Resumed(PageTest):
+    def make_page(self):
+        """Of a run to t = 1 that went on to t = 2 with another history, and without one of the first's quantities."""
+        before = ROD.replace("end_time = 2.0", "end_time = 1.0")
+        after = ROD.replace(', "velocity"]', "]").replace('"A swinging rod"', '"Resumed"')
+        after += '[[history]]\nname = "middle"\nat = "arm@0.5"\nquantities = ["position"]\n'
+        (self.folder / "resumed.toml").write_text(before)
+        (self.folder / "after.toml").write_text(after)
+        for words in ("run resumed.toml --quiet --force", "resume resumed.vtkhdf --quiet --deck after.toml",
+                      "report resumed.vtkhdf --force"):
+            subprocess.run([GXROD, *words.split()], cwd=self.folder, check=True, capture_output=True)
+        return after
+
+    def chart(self, title):
+        """Number of the chart, scrolled into sight and so drawn."""
+        number = self.browser.run("""
+            const charts = [...document.querySelectorAll('.chart')];
+            const number = charts.findIndex((chart) => chart.querySelector('h3').textContent.startsWith(arguments[0]));
+            charts[number].scrollIntoView();
+            return number;""", title)
+        self.browser.wait(lambda: self.browser.run(
+            "return document.querySelectorAll('.chart')[arguments[0]].querySelector('canvas') !== null", number))
+        self.browser.settle()
+        return number
+
+    def drawn_columns(self, number, halves):
+        """Pixels of coloured lines in the left and the right part of a chart, off its middle."""
+        return self.browser.run("""
+            const canvas = document.querySelectorAll('.chart canvas')[arguments[0]];
+            const over = document.querySelectorAll('.chart .u-over')[arguments[0]];
+            const scale = canvas.width / canvas.clientWidth;
+            const context = canvas.getContext('2d');
+            return arguments[1].map(([from, to]) => {
+                const left = (over.offsetLeft + from * over.clientWidth) * scale;
+                const width = (to - from) * over.clientWidth * scale;
+                const { data } = context.getImageData(left, 0, width, canvas.height);
+                let count = 0;
+                for (let i = 0; i < data.length; i += 4) {
+                    const colours = [data[i], data[i + 1], data[i + 2]];
+                    count += data[i + 3] > 128 && Math.max(...colours) - Math.min(...colours) > 60;
+                }
+                return count;
+            });""", number, halves)
+
+    def values(self, number):
+        return self.browser.run("""
+            return [...document.querySelectorAll('.chart')[arguments[0]].querySelectorAll('.value')].map((v) => v.textContent)""",
+            number)
+
+    def test_steps_that_were_not_recorded_are_gaps(self):
+        deck = self.make_page()
+        self.open("resumed")
+        self.assertEqual(self.text("#deck pre code"), deck)
+        for title, is_recorded_first in (("middle: position", False), ("tip: velocity", True)):
+            number = self.chart(title)
+            left, right = self.drawn_columns(number, [[0.05, 0.48], [0.52, 0.95]])
+            self.assertEqual((left > 100, right > 100), (is_recorded_first, not is_recorded_first), title)
+            self.slide(0)
+            self.assertEqual("–" not in self.values(number), is_recorded_first)
+            self.slide(10 ** 6)
+            self.assertEqual("–" not in self.values(number), not is_recorded_first)
+            self.assertEqual({value == "–" for value in self.values(number)}, {is_recorded_first})
+        left, right = self.drawn_columns(self.chart("tip: position"), [[0.05, 0.48], [0.52, 0.95]])
+        self.assertGreater(min(left, right), 100)
+        self.assertEqual(self.browser.take_errors(), [])
+
+
 class Budget(PageTest):
     def test_is_kept_and_what_was_left_out_is_told(self):
         run = ["run", "body.toml", "--quiet", "--force", "-o", "long.vtkhdf", "--set", "analysis.steps=20000"]

@@ -274,3 +274,15 @@ TEST_CASE("a load that turns is turned by each node and interpolated", "[loads]"
         CHECK(nodal[i].tail<3>().norm() < 1e-15);
     }
 }
+
+TEST_CASE("A load per length is that of its time and place, in its own axes", "[loads]") {
+    const auto q = [](double t, double s) {
+        Vec6 value;
+        value << t, s, t * s, 1.0, t + s, t - s;
+        return value;
+    };
+    for (const auto& [name, frame] : frames) {
+        INFO(name);
+        CHECK(compute_load_per_length(make_load(q, frame), 0.3, 0.7) == q(0.3, 0.7));
+    }
+}

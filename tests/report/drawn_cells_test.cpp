@@ -80,3 +80,16 @@ TEST_CASE("Cells come from the file and, by its model, get true axes and section
     model.bodies.pop_back();
     CHECK_FALSE(refine_cells(model, topology));
 }
+
+TEST_CASE("Cells of another mesh stay as they are", "[report]") {
+    const Model model = sample::make_model();
+    FrameTopology topology;
+    topology.nodes = 4;
+    topology.cells = 4;
+    topology.rod_cells = make_line(2);
+    topology.rod_cells[1].nodes = {1, 2, 3};
+    topology.body_nodes = {2, 3};
+    CHECK_FALSE(refine_cells(model, topology));
+    CHECK(topology.rod_cells[0].radius_y == 0.1);
+    CHECK(topology.rod_cells[0].axes[0].angularDistance(Quat::Identity()) == 0.0);
+}

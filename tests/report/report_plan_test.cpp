@@ -75,6 +75,15 @@ TEST_CASE("A plan never takes more than its bytes, and keeps the first and last 
     }
 }
 
+TEST_CASE("Bodies that are not drawn take no room", "[report]") {
+    FrameTopology heap = make_heap(10);
+    heap.nodes = 1000000;
+    for (int node = 20; node < heap.nodes; ++node) heap.body_nodes.push_back(node);
+    ReportContent content = make_content(heap, 100, 100);
+    content.marked_nodes = {500, 600};
+    CHECK(plan_report(content, megabyte).nodes.size() == 22);
+}
+
 TEST_CASE("Every thinning is told", "[report]") {
     const FrameTopology small = make_line(20);
     ReportPlan plan = plan_report(make_content(small, 100000, 0), 10 * megabyte);

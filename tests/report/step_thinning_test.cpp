@@ -74,4 +74,7 @@ TEST_CASE("What is no number gives way to what is one", "[report]") {
     CHECK(thin({0, none, 2, 1, 0}, 3) == std::vector<float>{0, 2, 1, 0});
     CHECK(thin({0, 2, none, 1, 0}, 3) == std::vector<float>{0, 2, 1, 0});
     CHECK(std::isnan(thin({0, none, none, none, 0}, 3)[1]));
+    const std::vector<float> begun_late = thin({none, none, 5, -5, none, 1, 2, 3, 0}, 4);
+    CHECK(std::isnan(begun_late[0]));
+    CHECK(std::vector<float>(begun_late.begin() + 1, begun_late.end()) == std::vector<float>{5, -5, 1, 3, 0});
 }

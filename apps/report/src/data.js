@@ -10,6 +10,11 @@ function decode(name, Type) {
   return new Type(bytes.buffer);
 }
 
+// With null, which charts draw as a gap, where there is no number: a resumed run may not have recorded all of a history.
+function withGaps(column) {
+  return column.every(Number.isFinite) ? column : Array.from(column, (value) => (Number.isFinite(value) ? value : null));
+}
+
 function readSteps(charts) {
   const times = decode("step-times", Float64Array);
   const numbers = decode("steps", Float32Array);
@@ -17,7 +22,7 @@ function readSteps(charts) {
   for (const chart of charts) {
     chart.columns = chart.labels.map(() => {
       const first = times.length * column++;
-      return numbers.subarray(first, first + times.length);
+      return withGaps(numbers.subarray(first, first + times.length));
     });
   }
   return times;
