@@ -31,7 +31,7 @@ struct RunRequest {
     ResumableFile* resumed = nullptr;  // taken over, to go on with it instead of writing a new file
     std::function<void(const Progress&)> report_progress = [](const Progress&) {};
     std::function<void(double)> report_resumption = [](double) {};  // the time where it goes on
-    std::function<bool()> is_interrupted = [] { return false; };  // asked after each step
+    std::function<bool()> is_interrupted = [] { return false; };    // asked after each step
 };
 
 struct RunSummary {
