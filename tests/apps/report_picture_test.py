@@ -95,7 +95,7 @@ class Picture(PageTest):
         self.open("other")
         self.hide_all_but_parts()
         self.assert_drawn(self.picture())
-        self.assertIn("Supports, loads, bodies and sections are not shown: ", self.text("#model"))
+        self.assertIn("Supports, loads, sections and shapes of bodies are not shown: ", self.text("#model"))
         self.assertEqual(self.browser.take_errors(), [])
 
     def test_shows_bodies(self):

@@ -180,6 +180,14 @@ class Program(ProgramTest):
         self.assertIn("cannot be written", done.stderr)
         self.assertIn("--budget", self.gxrod("report", "body.vtkhdf", "--budget", "0.1", code=2).stderr)
 
+    def test_runs_no_geometry_script_of_results(self):
+        self.write("bar.geo", 'Point(1) = {0, 0, 0, 1}; Point(2) = {4, 0, 1, 1}; Line(1) = {1, 2}; Physical Curve("bar") = {1};\n')
+        self.write("bar.toml", ROD.replace("line = { from = [0, 0, 0], to = [4, 0, 1] }\nelements = 6\norder = 2",
+                                           'mesh = { file = "bar.geo", group = "bar" }'))
+        self.gxrod("run", "bar.toml", "--quiet")
+        self.gxrod("report", "bar.vtkhdf")
+        self.assertIn("bar.geo: is a geometry script", (self.folder / "bar.html").read_text())
+
     def test_takes_a_running_job(self):
         run = subprocess.Popen([GXROD, "run", "body.toml", "--quiet", "-o", "long.vtkhdf", "--set",
                                 "analysis.steps=5000000"], cwd=self.folder)

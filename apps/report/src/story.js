@@ -49,7 +49,7 @@ export function showModel(data) {
   ];
   find("model").append(makeTable({ title: "Run", columns: [], rows }), ...info.tables.map(makeTable));
   if (info.why_no_model) {
-    const words = `Supports, loads, bodies and sections are not shown: ${info.why_no_model}`;
+    const words = `Supports, loads, sections and shapes of bodies are not shown: ${info.why_no_model}`;
     find("model").append(make("p", { className: "note" }, words));
   }
 }
