@@ -289,9 +289,9 @@ TEST_CASE("Between any two system calls of a resumed writer the file is whole", 
     const sample::ScratchFolder folder;
     const Model model = sample::make_model();
     const auto path = folder / "traced";
-    constexpr std::size_t first_steps = 4000;
-    constexpr std::size_t lost_steps = 1200;
-    constexpr std::size_t last_step = 6000;
+    constexpr std::size_t first_steps = 1200;
+    constexpr std::size_t lost_steps = 400;
+    constexpr std::size_t last_step = 2000;
     {
         ResultsFile file({path}, sample::make_deck(), model, make_output(compression));
         sample::Motion motion(0.0);
@@ -316,8 +316,8 @@ TEST_CASE("Between any two system calls of a resumed writer the file is whole", 
         ::raise(SIGSTOP);
         ResultsFile file(deck, model, output, std::move(resumed));
         sample::Motion motion(0.0);
-        for (std::size_t step = first_steps; step < last_step; step += 500) {
-            write_steps(file, motion, step, 500);
+        for (std::size_t step = first_steps; step < last_step; step += 400) {
+            write_steps(file, motion, step, 400);
             file.set_restart(sample::make_restart(time_of(step)));
             file.flush();
         }
