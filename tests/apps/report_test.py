@@ -71,7 +71,7 @@ class Resumed(PageTest):
         """Of a run to t = 1 that went on to t = 2 with another history, and without one of the first's quantities."""
         before = ROD.replace("end_time = 2.0", "end_time = 1.0")
         after = ROD.replace(', "velocity"]', "]").replace('"A swinging rod"', '"Resumed"')
-        after += '[[history]]\nname = "middle"\nat = "arm@0.5"\nquantities = ["position"]\n'
+        after += '[[history]]\nname = "mid_span"\nat = "arm@0.5"\nquantities = ["position"]\n'
         (self.folder / "resumed.toml").write_text(before)
         (self.folder / "after.toml").write_text(after)
         for words in ("run resumed.toml --quiet --force", "resume resumed.vtkhdf --quiet --deck after.toml",
@@ -119,7 +119,7 @@ class Resumed(PageTest):
         deck = self.make_page()
         self.open("resumed")
         self.assertEqual(self.text("#deck pre code"), deck)
-        for title, is_recorded_first in (("middle: position", False), ("tip: velocity", True)):
+        for title, is_recorded_first in (("mid_span: position", False), ("tip: velocity", True)):
             number = self.chart(title)
             left, right = self.drawn_columns(number, [[0.05, 0.48], [0.52, 0.95]])
             self.assertEqual((left > 100, right > 100), (is_recorded_first, not is_recorded_first), title)

@@ -18,11 +18,18 @@ export class Chart {
     this.element = make(
       "section",
       { className: "chart" },
-      make("h3", { title: chart.description }, inWords(chart.title), this.makeUnit()),
+      make("h3", { title: chart.description }, this.makeTitle(), this.makeUnit()),
       make("div", { className: "keys" }, ...this.keys),
       this.body,
     );
     this.line = make("div", { className: "now" });
+  }
+
+  // Names of histories stay as the deck has them.
+  makeTitle() {
+    const { title, group } = this.chart;
+    const start = group === "history" ? title.indexOf(": ") + 2 : 0;
+    return title.slice(0, start) + inWords(title.slice(start));
   }
 
   makeUnit() {
