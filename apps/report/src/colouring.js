@@ -55,5 +55,6 @@ function showLegend(scale, name) {
   const ticks = [scale.least, middle, scale.largest].map((value) => make("span", {}, formatNumber(value, 3)));
   find("legend-ticks").replaceChildren(...ticks);
   const dimension = dimensions[name] ? `, ${dimensions[name]}` : "";
-  find("legend-text").textContent = `over all frames${dimension}`;
+  const where = name in componentNames ? "element middles, " : "";
+  find("legend-text").textContent = `${where}over all frames${dimension}`;
 }
