@@ -87,6 +87,20 @@ class Scripts(ProgramTest):
                 printed, _ = self.draw("spectrum")
                 found = float(re.match(r"dominant frequency (\S+), angular", printed).group(1))
                 self.assertAlmostEqual(found / exact, 1.0, delta=1e-3)
+        # Steps that were not recorded are left out.
+        with h5py.File(self.folder / "cantilever.vtkhdf", "r+") as file:
+            file["histories/tip/displacement"][:20] = np.nan
+        printed, _ = self.draw("spectrum")
+        found = float(re.match(r"dominant frequency (\S+), angular", printed).group(1))
+        self.assertAlmostEqual(found / exact, 1.0, delta=1e-3)
+
+    def test_spectrum_is_of_motions_only(self):
+        self.gxrod("run", SOURCE / "docs/examples/roll_up/roll_up.toml", "--quiet")
+        script = GUIDE / "scripts" / "spectrum.py"
+        done = subprocess.run([sys.executable, "-B", script, "roll_up.vtkhdf", "end/position", "x", "-o", "a.png"],
+                              check=False, cwd=self.folder, capture_output=True, text=True, timeout=120)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("a static analysis has no frequencies", done.stderr)
 
 
 if __name__ == "__main__":

@@ -45,11 +45,13 @@ def main():
     arguments = parser.parse_args()
 
     with h5py.File(arguments.results) as file:
+        if file.attrs["analysis"] == "static":
+            parser.error("a static analysis has no frequencies")
         time = file["histories/time"][()]
         dataset = file["histories"][arguments.history]
         values = dataset[: len(time)][:, "wxyz"[-dataset.shape[1] :].index(arguments.component)]
         dimension = dataset.attrs["dimension"]
-    wanted = time >= arguments.after
+    wanted = (time >= arguments.after) & np.isfinite(values)  # NaN: not recorded
     step, values = resample(time[wanted], values[wanted])
     frequencies, amplitudes = compute_spectrum(step, values)
     peak = find_peak(frequencies, amplitudes)
