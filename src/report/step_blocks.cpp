@@ -1,5 +1,7 @@
 #include "report/step_blocks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -78,8 +80,9 @@ std::vector<StepChart> list_charts(const Hdf5Reader& file, bool is_static) {
     for (const std::string& name : file.members("/histories")) {
         if (name == "time") continue;
         for (const std::string& quantity : file.members("/histories/" + name)) {
-            const std::string dataset = "/histories/" + name + "/" + quantity;
-            charts.push_back(make_chart(file, "history", name + ": " + quantity, {{dataset, quantity}}));
+            const std::string dataset = fmt::format("/histories/{}/{}", name, quantity);
+            const std::string title = fmt::format("{}: {}", name, quantity);
+            charts.push_back(make_chart(file, "history", title, {{dataset, quantity}}));
         }
     }
     if (!is_static) {

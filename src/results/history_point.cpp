@@ -60,7 +60,7 @@ HistoryPoint::Seen HistoryPoint::see(const Snapshot& snapshot) const {
 //   angular velocity Aᵀ (ω_point − ω); Aᵀ Λ A₀ takes the place of Λ, so that with A₀ it is the identity at
 //   t = 0, and Aᵀ Λ triad = (Aᵀ Λ A₀) (A₀ᵀ triad) are the axes of the point from those of the reference.
 HistoryPoint::Seen HistoryPoint::see_from_reference(const Snapshot& snapshot) const {
-    const Seen point = see(snapshot);
+    Seen point = see(snapshot);
     if (relative_node_ < 0) return point;
     const NodeMotion& node = point.motion;
     const NodeMotion& reference = snapshot.nodes[static_cast<std::size_t>(relative_node_)];
