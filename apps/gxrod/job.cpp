@@ -91,7 +91,7 @@ int run_job(const Problem& problem, const JobOptions& options, ResumableFile* re
                        problem.analysis,
                        problem.output,
                        problem.record,
-                       {options.results, options.existing},
+                       ResultsFileOptions{options.results, options.existing},
                        resumed};
     if (!options.quiet) request.report_progress = [&](const Progress& progress) { line.show(progress); };
     if (options.tells()) {

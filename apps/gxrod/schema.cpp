@@ -14,7 +14,7 @@ void add_schema_verb(CLI::App& program, int& exit_code) {
     CLI::App* verb = program.add_subcommand("schema", "Print the JSON Schema of decks, for editors");
     verb->add_flag("--markdown", *markdown, "Print the deck reference (docs/deck.md) instead");
     verb->callback([markdown, &exit_code] {
-        fmt::print("{}\n", *markdown ? deck_reference() : json_schema());
+        fmt::print("{}\n", *markdown ? deck_reference() : json_schema(deck_schema(), "gxrod deck"));
         exit_code = exit_done;
     });
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "model/evaluation_error.hpp"
 #include "model/file_error.hpp"
@@ -19,9 +20,9 @@ class Run {
         analysis_->watch(list_rod_places(request.output.histories));
         if (request.resumed) {
             resume();
-        } else {
+        } else if (request.results) {
             file_ =
-                std::make_unique<ResultsFile>(request.results, request.deck, request.model, request.output);
+                std::make_unique<ResultsFile>(*request.results, request.deck, request.model, request.output);
         }
         summary_.nodes = static_cast<long>(request.model.nodes.size());
         summary_.elements = static_cast<long>(analysis_->system().element_count());
@@ -39,8 +40,11 @@ class Run {
             summary_.deck_fault = true;
         } catch (const FileError&) {
             throw;
+        } catch (const std::bad_alloc&) {
+            fail("out of memory");
+            summary_.out_of_memory = true;
         } catch (const std::exception& error) {
-            fail(error.what());  // out of memory, say
+            fail(error.what());
         }
         close();
     }
@@ -125,13 +129,18 @@ class Run {
 
     void record() {
         const PhaseTimer timer(output_seconds_);
-        last_framed_ = analysis_->steps().is_frame_due(request_.output.every);
+        last_framed_ = file_ && analysis_->steps().is_frame_due(request_.output.every);
         const Snapshot snapshot = analysis_->snapshot(last_framed_);
         const LedgerRow ledger = analysis_->ledger_row();
         watch_energy(ledger);
+        if (request_.observe) request_.observe(snapshot, ledger);
+        accepted_totals_ = summary_.totals;
+        if (file_) write(snapshot, ledger);
+    }
+
+    void write(const Snapshot& snapshot, const LedgerRow& ledger) {
         file_->record_step(snapshot, ledger, analysis_->solver_row());
         if (last_framed_) file_->write_frame(snapshot);
-        accepted_totals_ = summary_.totals;
         if (!file_->is_flush_due()) return;
         file_->set_restart(restart_record());
         file_->flush();
@@ -169,12 +178,12 @@ class Run {
     }
 
     void close() {
-        {
+        if (summary_.status == RunStatus::running) summary_.status = RunStatus::complete;
+        if (file_) {
             const PhaseTimer timer(output_seconds_);
             // The last frame, where none was due, is no part of what a resumed run goes on from.
             if (has_started_) file_->set_restart(restart_record());
             if (!last_framed_) file_->write_frame(analysis_->snapshot());
-            if (summary_.status == RunStatus::running) summary_.status = RunStatus::complete;
             file_->close(summary_.status, summary_.reason, summary_.reason_nodes);
         }
         summary_.time = analysis_->state().time;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,11 +28,13 @@ struct RunRequest {
     const AnalysisSettings& analysis;
     const OutputSettings& output;
     const DeckRecord& deck;
-    ResultsFileOptions results;
-    ResumableFile* resumed = nullptr;  // taken over, to go on with it instead of writing a new file
+    std::optional<ResultsFileOptions> results;  // nowhere, if neither this nor `resumed` is given
+    ResumableFile* resumed = nullptr;           // taken over, to go on with it instead of writing a new file
     std::function<void(const Progress&)> report_progress = [](const Progress&) {};
     std::function<void(double)> report_resumption = [](double) {};  // the time where it goes on
     std::function<bool()> is_interrupted = [] { return false; };    // asked after each step
+    // Each accepted step, t = 0 included; without frames' values of elements.
+    std::function<void(const Snapshot&, const LedgerRow&)> observe = {};
 };
 
 struct RunSummary {
@@ -39,6 +42,7 @@ struct RunSummary {
     std::string reason;                      // of a failure
     std::vector<std::int64_t> reason_nodes;  // that it names
     bool deck_fault = false;                 // whether the deck is to blame: a load without a finite value
+    bool out_of_memory = false;
     long nodes = 0;
     long elements = 0;
     long unknowns = 0;
@@ -48,9 +52,9 @@ struct RunSummary {
     PhaseSeconds phases;
 };
 
-// Runs and leaves a closed results file, whatever happens. Not converging, or a load that is no number, is a
-// failed summary. Throws FileError if the file cannot be written, or cannot be resumed with this analysis;
-// what was written stays.
+// Runs and leaves a closed results file, whatever happens. Not converging, running out of memory, or a load
+// that is no number, is a failed summary. Throws FileError if the file cannot be written, or cannot be
+// resumed with this analysis; what was written stays.
 RunSummary run_analysis(const RunRequest& request);
 
 }  // namespace gxrod

@@ -8,14 +8,17 @@ void FaultList::add(const Place& place, std::string key, std::string message) {
     entries_.push_back({place, std::move(key), std::move(message)});
 }
 
-void FaultList::throw_if_any() const {
-    if (entries_.empty()) return;
+std::vector<DeckFault> FaultList::list() const {
     std::vector<Entry> sorted = entries_;
     std::stable_sort(
         sorted.begin(), sorted.end(), [](const Entry& a, const Entry& b) { return a.place < b.place; });
     std::vector<DeckFault> faults;
     for (const Entry& entry : sorted) faults.push_back(make_fault(entry));
-    throw DeckError(std::move(faults));
+    return faults;
+}
+
+void FaultList::throw_if_any() const {
+    if (!entries_.empty()) throw DeckError(list());
 }
 
 DeckFault FaultList::make_fault(const Entry& entry) const {

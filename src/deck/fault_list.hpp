@@ -27,8 +27,11 @@ class FaultList {
 
     void add(const Place& place, std::string key, std::string message);
     bool empty() const { return entries_.empty(); }
+    std::size_t count() const { return entries_.size(); }
 
-    // Throws DeckError with all faults in deck order, if there are any.
+    // All faults in deck order.
+    std::vector<DeckFault> list() const;
+    // Throws DeckError with them, if there are any.
     void throw_if_any() const;
 
   private:

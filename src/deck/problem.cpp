@@ -80,16 +80,16 @@ std::string read_file(const std::filesystem::path& path) {
 
 // A text, where its meshes are, and how faults name it.
 struct DeckSource {
-    std::string text;
-    std::string file;
+    const std::string& text;
+    const std::string& file;
     const MeshFiles& meshes;
 };
 
-// With a deck to go on from, if there is one: what may not differ from it is a fault.
-Problem read_source(const DeckSource& source,
-                    const std::vector<std::string>& overrides,
-                    const DeckRecord* before = nullptr) {
-    DeckNode tree = read_toml(source.text, source.file);
+// The deck of a tree, with one to go on from, if there is one: what may not differ from it is a fault.
+Problem build_tree(DeckNode tree,
+                   const DeckSource& source,
+                   const std::vector<std::string>& overrides,
+                   const DeckRecord* before) {
     FaultList faults(source.file, overrides);
     apply_overrides(overrides, tree, faults);
     const CheckedTable deck = check_deck(tree, faults);
@@ -102,6 +102,12 @@ Problem read_source(const DeckSource& source,
     problem.record.text =
         overrides.empty() ? source.text : write_overridden_deck(problem.record.name, overrides, tree);
     return problem;
+}
+
+Problem read_source(const DeckSource& source,
+                    const std::vector<std::string>& overrides,
+                    const DeckRecord* before = nullptr) {
+    return build_tree(read_toml(source.text, source.file), source, overrides, before);
 }
 
 void check_meshes(const DeckRecord& before, const DeckRecord& now, const std::string& file) {
@@ -137,11 +143,22 @@ Problem read_problem_text(std::string_view text,
                           const std::string& file,
                           const std::vector<std::string>& overrides) {
     const MeshFiles meshes(std::filesystem::path(file).parent_path());
-    return read_source({std::string(text), file, meshes}, overrides);
+    const std::string kept(text);
+    return read_source({kept, file, meshes}, overrides);
 }
 
 Problem rebuild_problem(const DeckRecord& record, const std::vector<std::string>& overrides) {
     return read_source({record.text, record.name, MeshFiles(record.meshes)}, overrides);
+}
+
+DeckTemplate::DeckTemplate(const std::filesystem::path& deck)
+    : file_(deck.string()),
+      text_(read_file(deck)),
+      tree_(read_toml(text_, file_)),
+      meshes_(deck.parent_path()) {}
+
+Problem DeckTemplate::build(const std::vector<std::string>& overrides) const {
+    return build_tree(tree_, {text_, file_, meshes_}, overrides, nullptr);
 }
 
 Problem read_resumption(const DeckRecord& before,
@@ -154,7 +171,9 @@ Problem read_resumption(const DeckRecord& before,
         return problem;
     }
     const MeshFiles meshes(deck.parent_path());
-    Problem problem = read_source({read_file(deck), deck.string(), meshes}, overrides, &before);
+    const std::string file = deck.string();
+    const std::string text = read_file(deck);
+    Problem problem = read_source({text, file, meshes}, overrides, &before);
     check_meshes(before, problem.record, deck.string());
     check_same_mesh(before, problem.model, meshes, deck.string());
     return problem;

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "deck/deck_tree.hpp"
+#include "deck/mesh/mesh_files.hpp"
 #include "model/deck_record.hpp"
 #include "model/model.hpp"
 #include "model/settings.hpp"
@@ -29,6 +31,26 @@ Problem read_problem(const std::filesystem::path& deck, const std::vector<std::s
 Problem read_problem_text(std::string_view text,
                           const std::string& file,
                           const std::vector<std::string>& overrides = {});
+
+// A deck that is read once and built many times, each time with other overrides.
+class DeckTemplate {
+  public:
+    // Throws DeckError if the text is no TOML, and FileError if it cannot be read.
+    explicit DeckTemplate(const std::filesystem::path& deck);
+
+    // As read_problem does.
+    Problem build(const std::vector<std::string>& overrides) const;
+
+    const std::string& file() const { return file_; }  // as the user named it
+    const std::string& text() const { return text_; }
+    const DeckNode& tree() const { return tree_; }
+
+  private:
+    std::string file_;
+    std::string text_;
+    DeckNode tree_;
+    MeshFiles meshes_;
+};
 
 // The problem that goes on where a run of `before` stopped: its own deck, or the one in the file `deck`, with
 // overrides. Throws DeckError that names each key which differs and may not (deck/resumption.hpp).

@@ -94,9 +94,9 @@ std::vector<std::string> TableSpec::key_names() const {
     return names;
 }
 
-bool is_top_level_value(std::string_view key) {
-    const KeySpec* spec = deck_schema().find(key);
-    return spec != nullptr && (spec->type == ValueType::text || spec->type == ValueType::time_vector);
+bool is_top_level_value(const TableSpec& root, std::string_view key) {
+    const KeySpec* spec = root.find(key);
+    return spec != nullptr && spec->table == nullptr;
 }
 
 std::string explain_misplaced_key(std::string_view key, std::string_view heading) {
@@ -182,6 +182,7 @@ std::string describe_expected(const KeySpec& key) {
         case ValueType::table:
         case ValueType::named_tables:
         case ValueType::parameters:
+        case ValueType::variations:
             return "a table " + key.table->heading;
         case ValueType::table_list:
             return "tables " + key.table->heading;

@@ -9,7 +9,8 @@
 #include "rotation/types.hpp"
 
 // Every key of a deck, declared once: the reader checks against these declarations and takes the defaults
-// from them, and the JSON Schema and docs/deck.md are written from them.
+// from them, and the JSON Schema and docs/deck.md are written from them. Plans of batches are declared
+// likewise (batch/plan_schema.hpp).
 namespace gxrod {
 
 // What a key takes. "Number" stands for a finite number or an expression that has one.
@@ -37,7 +38,8 @@ enum class ValueType {
     table,            // keys of its own
     named_tables,     // [rod.NAME], any number
     table_list,       // [[load]], any number
-    parameters        // any names, a number each
+    parameters,       // any names, a number each
+    variations        // any keys of a deck in quotes, a list of values or a table each
 };
 
 enum class Bound { closed, open };
@@ -79,7 +81,7 @@ struct KeySpec {
     std::vector<Condition> only_for = {};     // all of them
     std::string only_with = {};               // the key is used only where this one is given
     std::vector<std::string> refers_to = {};  // of reference: the keys of the tables that it may name
-    const TableSpec* table = nullptr;         // of table, named_tables, table_list, parameters
+    const TableSpec* table = nullptr;         // of table, named_tables, table_list, parameters, variations
 };
 
 enum class GroupRule { exactly_one, at_least_one, at_most_one };
@@ -107,8 +109,8 @@ struct TableSpec {
 // The top level of a deck.
 const TableSpec& deck_schema();
 
-// Whether the key is one of the top level that stands before the first [table], such as gravity.
-bool is_top_level_value(std::string_view key);
+// Whether the key is one of the top level `root` that stands before the first [table], such as gravity.
+bool is_top_level_value(const TableSpec& root, std::string_view key);
 
 // Says that such a key was found in the table of `heading`.
 std::string explain_misplaced_key(std::string_view key, std::string_view heading);
@@ -123,9 +125,12 @@ std::string variables_of(ValueType type);
 std::string describe_expected(const KeySpec& key);
 
 // JSON Schema, draft 2020-12, for editors; no line end at its end.
-std::string json_schema();
+std::string json_schema(const TableSpec& root, const std::string& title);
 
 // The text of docs/deck.md, without its last line end.
 std::string deck_reference();
+
+// The tables of `root` as Markdown, without a last line end.
+std::string table_reference(const TableSpec& root);
 
 }  // namespace gxrod

@@ -136,7 +136,7 @@ std::string sentence_of(const KeySpec& key) {
 std::string write_rows(const TableSpec& table, const std::string& prefix) {
     std::string rows;
     for (const KeySpec& key : table.keys) {
-        if (table.path.empty() && !is_top_level_value(key.name)) continue;
+        if (table.path.empty() && !is_top_level_value(table, key.name)) continue;
         rows += fmt::format("| `{}{}` | {} | {} | {} | {} | {} |\n",
                             prefix,
                             key.name,
@@ -187,8 +187,12 @@ std::string deck_reference() {
     std::string text = introduction;
     const std::string mark = "{functions}";
     text.replace(text.find(mark), mark.size(), code_list(built_in_functions()));
-    text += write_table(deck_schema(), "Top level");
-    for (const KeySpec& key : deck_schema().keys) {
+    return text + table_reference(deck_schema());
+}
+
+std::string table_reference(const TableSpec& root) {
+    std::string text = write_table(root, "Top level");
+    for (const KeySpec& key : root.keys) {
         if (key.table != nullptr) text += write_table(*key.table, key.table->heading);
     }
     while (text.ends_with('\n')) text.pop_back();

@@ -100,6 +100,10 @@ Json make_type(const KeySpec& key) {
             return {{"type", "array"}, {"items", make_table(*key.table)}};
         case ValueType::parameters:
             return named_tables("^[A-Za-z_][A-Za-z0-9_]*$", reference("number"));
+        case ValueType::variations:
+            return {{"type", "object"},
+                    {"additionalProperties",
+                     any_of({{{"type", "array"}, {"minItems", 1}}, make_table(*key.table)})}};
     }
     return {};
 }
@@ -214,9 +218,9 @@ Json make_table(const TableSpec& table) {
 
 }  // namespace
 
-std::string json_schema() {
-    Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "gxrod deck"}};
-    json.update(make_table(deck_schema()));
+std::string json_schema(const TableSpec& root, const std::string& title) {
+    Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}};
+    json.update(make_table(root));
     json["$defs"]["expression"] = {{"type", "string"}, {"description", "An expression, such as \"2*EI\"."}};
     json["$defs"]["number"] = any_of({{{"type", "number"}}, reference("expression")});
     return json.dump(2);

@@ -25,8 +25,8 @@ std::string join_path(const std::string& path, const std::string& key) {
 }
 
 // Keys of single tables such as [analysis], which a user may look for at the top level.
-std::string find_key_elsewhere(const std::string& key) {
-    for (const KeySpec& entry : deck_schema().keys) {
+std::string find_key_elsewhere(const TableSpec& root, const std::string& key) {
+    for (const KeySpec& entry : root.keys) {
         if (entry.type == ValueType::table && entry.table->find(key) != nullptr)
             return entry.name + "." + key;
     }
@@ -35,7 +35,8 @@ std::string find_key_elsewhere(const std::string& key) {
 
 class Validator {
   public:
-    Validator(const Symbols& symbols, FaultList& faults) : context_{symbols, faults} {}
+    Validator(const TableSpec& root, const Symbols& symbols, FaultList& faults)
+        : root_(root), context_{symbols, faults} {}
 
     CheckedTable check_table(const DeckNode& node, const std::string& path, const TableSpec& spec) const {
         CheckedTable checked{"", path, node.place, {}};
@@ -73,6 +74,7 @@ class Validator {
             case ValueType::table_list:
                 return check_table_list(entry, path, key);
             case ValueType::parameters:
+            case ValueType::variations:
                 if (entry.node.table() == nullptr) expect(entry, path, key);
                 return std::monostate{};
             default:
@@ -140,11 +142,11 @@ class Validator {
 
     void add_unknown_key(const DeckEntry& entry, const std::string& path, const TableSpec& spec) const {
         const std::string full = join_path(path, entry.key);
-        if (!path.empty() && is_top_level_value(entry.key)) {
+        if (!path.empty() && is_top_level_value(root_, entry.key)) {
             return add(entry.place, full, explain_misplaced_key(entry.key, spec.heading));
         }
         const std::vector<std::string> known = spec.key_names();
-        const std::string elsewhere = path.empty() ? find_key_elsewhere(entry.key) : "";
+        const std::string elsewhere = path.empty() ? find_key_elsewhere(root_, entry.key) : "";
         if (!elsewhere.empty()) {
             return add(entry.place, full, fmt::format("unknown key; did you mean \"{}\"?", elsewhere));
         }
@@ -278,6 +280,7 @@ class Validator {
         return "";
     }
 
+    const TableSpec& root_;
     ReadingContext context_;
 };
 
@@ -285,7 +288,18 @@ class Validator {
 
 CheckedTable check_deck(const DeckNode& deck, FaultList& faults) {
     const Symbols symbols = read_symbols(deck, faults);
-    return Validator(symbols, faults).check_table(deck, "", deck_schema());
+    return Validator(deck_schema(), symbols, faults).check_table(deck, "", deck_schema());
+}
+
+CheckedTable check_text(const DeckNode& text, const TableSpec& root, FaultList& faults) {
+    return Validator(root, {}, faults).check_table(text, "", root);
+}
+
+CheckedTable check_table(const DeckNode& node,
+                         const std::string& path,
+                         const TableSpec& table,
+                         FaultList& faults) {
+    return Validator(table, {}, faults).check_table(node, path, table);
 }
 
 }  // namespace gxrod

@@ -37,13 +37,13 @@ void check_table(const Json& schema, const TableSpec& table) {
 }  // namespace
 
 TEST_CASE("The JSON Schema has every key", "[deck]") {
-    const Json schema = Json::parse(json_schema());
+    const Json schema = Json::parse(json_schema(deck_schema(), "gxrod deck"));
     CHECK(schema.at("$schema") == "https://json-schema.org/draft/2020-12/schema");
     check_table(schema, deck_schema());
 }
 
 TEST_CASE("The JSON Schema has ranges, words, sizes and exclusions", "[deck]") {
-    const Json properties = Json::parse(json_schema()).at("properties");
+    const Json properties = Json::parse(json_schema(deck_schema(), "gxrod deck")).at("properties");
     const Json& analysis = properties.at("analysis").at("properties");
     CHECK(analysis.at("beta").at("anyOf")[0] ==
           Json({{"type", "number"}, {"exclusiveMinimum", 0.0}, {"maximum", 0.5}}));
@@ -59,7 +59,7 @@ TEST_CASE("The JSON Schema has ranges, words, sizes and exclusions", "[deck]") {
 }
 
 TEST_CASE("The JSON Schema has the conditions of keys and groups", "[deck]") {
-    const Json properties = Json::parse(json_schema()).at("properties");
+    const Json properties = Json::parse(json_schema(deck_schema(), "gxrod deck")).at("properties");
     const Json is_dynamic = {
         {"allOf", {{{"properties", {{"kind", {{"enum", {"dynamic"}}}}}}, {"required", {"kind"}}}}}};
     const auto requires_key = [](const char* key) { return Json({{"required", {key}}}); };

@@ -24,7 +24,8 @@ DIRECT = {
     "deck": ["model", "state"],
     "results": ["model", "state"],
     "analyses": ["solvers", "results"],
-    "report": ["loads", "results", "deck"],
+    "batch": ["analyses", "deck"],
+    "report": ["loads", "results", "deck", "batch"],
     "verification": ["analyses", "deck"],
     "apps": ["verification", "report"],
 }

@@ -1,0 +1,177 @@
+#include "batch/batch_record.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "batch/case_table.hpp"
+#include "batch/collector.hpp"
+#include "batch/csv_reading.hpp"
+#include "deck/deck_comparison.hpp"
+#include "model/file_error.hpp"
+#include "model/version.hpp"
+#include "results/digest.hpp"
+
+namespace gxrod {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string digest_meshes(const std::vector<MeshRecord>& meshes) {
+    if (meshes.empty()) return "";
+    std::string all;
+    for (const MeshRecord& mesh : meshes)
+        all += fmt::format("{} {}\n{}", mesh.file, mesh.bytes.size(), mesh.bytes);
+    return sha256_hex(all);
+}
+
+std::string digest_cases(const CaseList& cases) {
+    std::string all;
+    for (long number = 1; number <= cases.count(); ++number) {
+        for (const std::string& text : cases.overrides(number)) all += text + "\n";
+        all += "\n";
+    }
+    return sha256_hex(all);
+}
+
+bool have_same_cases(const BatchRecord& before, const BatchRecord& now) {
+    const auto same_column = [](const BatchColumn& a, const BatchColumn& b) {
+        return a.name == b.name && a.description == b.description;
+    };
+    return before.cases == now.cases && before.cases_digest == now.cases_digest &&
+           before.parameters == now.parameters && before.decks.size() == now.decks.size() &&
+           std::ranges::equal(before.columns, now.columns, same_column);
+}
+
+std::string hint_for(const std::filesystem::path& folder) {
+    return fmt::format("; -o begins another batch, --force begins {} anew", folder.string());
+}
+
+// Where the plans' texts are the same, but not their cases.
+[[noreturn]] void refuse(const std::filesystem::path& folder,
+                         const BatchRecord& before,
+                         const BatchRecord& now) {
+    if (before.combine == "decks" || now.combine == "decks")
+        throw FileError(folder, "holds a batch of other decks" + hint_for(folder));
+    throw FileError(folder, "holds a batch of other cases: the plan's table has changed" + hint_for(folder));
+}
+
+}  // namespace
+
+BatchRecord make_batch_record(const Plan& plan,
+                              const CaseList& cases,
+                              const std::vector<DeckTemplate>& decks,
+                              const Problem& first) {
+    BatchRecord record;
+    record.version = version;
+    record.plan = std::filesystem::path(plan.file).filename().string();
+    record.plan_text = plan.text;
+    record.title = first.record.title;
+    record.combine =
+        plan.combination == Combination::decks ? "decks" : word_of(combination_choices, plan.combination);
+    record.seed = plan.seed;
+    record.cases = cases.count();
+    record.cases_digest = digest_cases(cases);
+    for (const DeckTemplate& deck : decks) {
+        const bool is_first = &deck == &decks.front();
+        record.decks.push_back(
+            {deck.file(), deck.text(), is_first ? digest_meshes(first.record.meshes) : ""});
+    }
+    record.parameters = cases.parameter_names();
+    for (const Collection& collection : plan.collections)
+        record.columns.push_back({collection.name, describe(collection)});
+    return record;
+}
+
+void check_same_batch(const BatchRecord& before,
+                      const BatchRecord& now,
+                      const Plan& plan,
+                      const std::vector<DeckTemplate>& decks,
+                      const std::filesystem::path& folder) {
+    const ComparisonRules in_plan{{"time_limit", "memory_limit", "keep"},
+                                  fmt::format("the batch in {} has ", folder.string())};
+    const ComparisonRules in_deck{{"title", "units"}, in_plan.before_has};
+    std::vector<DeckFault> differences;
+    const auto compare = [&](const std::string& text,
+                             const DeckNode& tree,
+                             const std::string& file,
+                             const ComparisonRules& rules) {
+        FaultList faults(file, {});
+        compare_decks(read_toml(text, file), tree, rules, faults);
+        const std::vector<DeckFault> found = faults.list();
+        differences.insert(differences.end(), found.begin(), found.end());
+    };
+    if (!have_same_cases(before, now)) {
+        compare(before.plan_text, plan.tree, plan.file, in_plan);
+        if (differences.empty()) refuse(folder, before, now);
+    }
+    for (std::size_t i = 0; i < std::min(decks.size(), before.decks.size()); ++i) {
+        const BatchDeck& deck = before.decks[i];
+        if (deck.text != decks[i].text()) compare(deck.text, decks[i].tree(), decks[i].file(), in_deck);
+        if (deck.meshes == now.decks[i].meshes) continue;
+        throw FileError(
+            decks[i].file(),
+            "its meshes are others than those of the batch in " + folder.string() + hint_for(folder));
+    }
+    if (differences.empty()) return;
+    differences.push_back({folder.string(), 0, 0, "", "holds another batch" + hint_for(folder)});
+    throw DeckError(std::move(differences));
+}
+
+std::filesystem::path record_path(const std::filesystem::path& folder) { return folder / "batch.json"; }
+
+bool is_batch_folder(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(record_path(folder), ignored);
+}
+
+void write_batch_record(const BatchRecord& record, const std::filesystem::path& folder) {
+    Json json{{"gxrod_version", record.version},
+              {"plan", record.plan},
+              {"plan_text", record.plan_text},
+              {"title", record.title},
+              {"combine", record.combine},
+              {"seed", record.seed},
+              {"cases", record.cases},
+              {"cases_sha256", record.cases_digest}};
+    json["decks"] = Json::array();
+    for (const BatchDeck& deck : record.decks) {
+        json["decks"].push_back({{"name", deck.name},
+                                 {"sha256", sha256_hex(deck.text)},
+                                 {"text", deck.text},
+                                 {"meshes_sha256", deck.meshes}});
+    }
+    json["parameters"] = record.parameters;
+    json["columns"] = Json::array();
+    for (const BatchColumn& column : record.columns)
+        json["columns"].push_back({{"name", column.name}, {"description", column.description}});
+    replace_file(record_path(folder), json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+BatchRecord read_batch_record(const std::filesystem::path& folder) {
+    const std::filesystem::path path = record_path(folder);
+    const std::string text = read_whole_file(path);
+    try {
+        const Json json = Json::parse(text);
+        BatchRecord record;
+        json.at("gxrod_version").get_to(record.version);
+        json.at("plan").get_to(record.plan);
+        json.at("plan_text").get_to(record.plan_text);
+        json.at("title").get_to(record.title);
+        json.at("combine").get_to(record.combine);
+        json.at("seed").get_to(record.seed);
+        json.at("cases").get_to(record.cases);
+        json.at("cases_sha256").get_to(record.cases_digest);
+        for (const Json& deck : json.at("decks"))
+            record.decks.push_back({deck.at("name"), deck.at("text"), deck.at("meshes_sha256")});
+        json.at("parameters").get_to(record.parameters);
+        for (const Json& column : json.at("columns"))
+            record.columns.push_back({column.at("name"), column.at("description")});
+        return record;
+    } catch (const Json::exception& error) {
+        throw FileError(path, std::string("is no record of a batch: ") + error.what());
+    }
+}
+
+}  // namespace gxrod

@@ -1,0 +1,239 @@
+#include "batch/collector.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "deck/suggestion.hpp"
+#include "results/quantity.hpp"
+
+namespace gxrod {
+namespace {
+
+// A vector, a quaternion or a single number, as the rows of results have them.
+struct Values {
+    std::array<double, 4> numbers{};
+    int width = 1;
+};
+
+int width_of(LedgerEntry entry) {
+    return entry == LedgerEntry::linear_momentum || entry == LedgerEntry::angular_momentum ? 3 : 1;
+}
+
+Values scalar(double value) { return {{value}, 1}; }
+Values vector(const Vec3& value) { return {{value[0], value[1], value[2]}, 3}; }
+
+Values values_of(LedgerEntry entry, const LedgerRow& row) {
+    switch (entry) {
+        case LedgerEntry::kinetic_energy:
+            return scalar(row.kinetic_energy);
+        case LedgerEntry::strain_energy:
+            return scalar(row.strain_energy);
+        case LedgerEntry::external_work:
+            return scalar(row.external_work);
+        case LedgerEntry::dissipated_energy:
+            return scalar(row.dissipated_energy);
+        case LedgerEntry::energy_error:
+            return scalar(row.energy_error);
+        case LedgerEntry::linear_momentum:
+            return vector(row.linear_momentum);
+        case LedgerEntry::angular_momentum:
+            break;
+    }
+    return vector(row.angular_momentum);
+}
+
+int width_of(Quantity quantity) { return quantity_form(quantity, PointKind::rod).shape.columns; }
+
+// A vector is x y z, a quaternion w x y z.
+double take_component(const Values& values, std::optional<Component> component) {
+    const std::size_t offset = values.width == 4 ? 1 : 0;
+    if (!component) return values.numbers[0];
+    switch (*component) {
+        case Component::x:
+            return values.numbers[offset];
+        case Component::y:
+            return values.numbers[offset + 1];
+        case Component::z:
+            return values.numbers[offset + 2];
+        case Component::w:
+            return values.numbers[0];
+        case Component::magnitude:
+            break;
+    }
+    return std::hypot(values.numbers[0], values.numbers[1], values.numbers[2]);
+}
+
+std::string explain_component(const Collection& collection, int width) {
+    const std::optional<Component>& component = collection.component;
+    if (width == 1) return component ? "is a single number, without components" : "";
+    const char* words = width == 3 ? "\"x\", \"y\", \"z\" or \"magnitude\"" : "\"w\", \"x\", \"y\" or \"z\"";
+    const char* kind = width == 3 ? "a vector" : "a quaternion";
+    const Component foreign = width == 3 ? Component::w : Component::magnitude;
+    if (component && *component != foreign) return "";
+    return fmt::format("is {}; expected component {}", kind, words);
+}
+
+double end_of(const AnalysisSettings& analysis) {
+    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
+    return dynamic == nullptr ? 1.0 : dynamic->end_time;
+}
+
+const HistoryRequest* find_history(const Problem& problem, const std::string& name) {
+    const auto& histories = problem.output.histories;
+    const auto found = std::find_if(histories.begin(), histories.end(), [&](const HistoryRequest& request) {
+        return request.name == name;
+    });
+    return found == histories.end() ? nullptr : &*found;
+}
+
+void check_history(const Collection& collection, const Problem& problem, FaultList& faults) {
+    const HistoryRequest* history = find_history(problem, collection.history);
+    if (history == nullptr) {
+        std::vector<std::string> names;
+        for (const HistoryRequest& request : problem.output.histories) names.push_back(request.name);
+        const std::string hint = did_you_mean(collection.history, names);
+        const std::string known = names.empty() ? "; it has none" : "; it has " + quoted_list(names);
+        return faults.add(
+            collection.place,
+            collection.path() + ".history",
+            fmt::format("the deck has no history \"{}\"{}", collection.history, hint.empty() ? known : hint));
+    }
+    const auto& quantities = history->quantities;
+    const std::string word = word_of(quantity_choices, collection.quantity);
+    if (std::find(quantities.begin(), quantities.end(), collection.quantity) == quantities.end()) {
+        std::vector<std::string> recorded;
+        for (const Quantity quantity : quantities) recorded.push_back(word_of(quantity_choices, quantity));
+        return faults.add(collection.place,
+                          collection.path() + ".quantity",
+                          fmt::format("history \"{}\" of the deck does not record {}; it has {}",
+                                      collection.history,
+                                      word,
+                                      plain_list(recorded)));
+    }
+    const std::string wrong = explain_component(collection, width_of(collection.quantity));
+    if (!wrong.empty()) faults.add(collection.place, collection.path() + ".component", word + " " + wrong);
+}
+
+}  // namespace
+
+void check_collections(const std::vector<Collection>& collections,
+                       const Problem& problem,
+                       FaultList& faults) {
+    for (const Collection& collection : collections) {
+        if (!collection.history.empty()) {
+            check_history(collection, problem, faults);
+        } else {
+            const std::string wrong = explain_component(collection, width_of(collection.ledger));
+            if (!wrong.empty()) {
+                faults.add(collection.place,
+                           collection.path() + ".component",
+                           word_of(ledger_choices, collection.ledger) + " " + wrong);
+            }
+        }
+        const double end = end_of(problem.analysis);
+        if (!collection.at || *collection.at <= end) continue;
+        faults.add(collection.place,
+                   collection.path() + ".at",
+                   fmt::format("{} is after the end, {}", *collection.at, end));
+    }
+}
+
+std::string describe(const Collection& collection) {
+    std::string text;
+    if (collection.at) {
+        text = fmt::format("at t = {}: ", *collection.at);
+    } else {
+        constexpr std::array words{"least", "largest", "mean", "rms of", "final", "largest absolute"};
+        text = fmt::format("{} ", words[static_cast<std::size_t>(collection.take)]);
+    }
+    if (collection.component) text += word_of(component_choices, *collection.component) + " of ";
+    if (collection.history.empty()) {
+        text += word_of(ledger_choices, collection.ledger);
+    } else {
+        text += fmt::format("{} of {}", word_of(quantity_choices, collection.quantity), collection.history);
+    }
+    return collection.reference ? fmt::format("distance from {} of the {}", *collection.reference, text)
+                                : text;
+}
+
+void TakenNumber::add(double time, double value) {
+    if (has_step_) {
+        add_interval(time, value);
+    } else {
+        first_time_ = time;
+        if (at_ && time == *at_) at_value_ = value;
+    }
+    has_step_ = true;
+    least_ = std::min(least_, value);
+    largest_ = std::max(largest_, value);
+    last_time_ = time;
+    last_ = value;
+}
+
+void TakenNumber::add_interval(double time, double value) {
+    const double step = time - last_time_;
+    integral_ += 0.5 * step * (last_ + value);
+    square_integral_ += step * (last_ * last_ + last_ * value + value * value) / 3.0;
+    // The last step may miss the end, and so the time asked for, by round-off.
+    constexpr double round_off = 1e-12;
+    if (!at_ || *at_ <= last_time_ || *at_ > time * (1.0 + round_off)) return;
+    at_value_ = *at_ >= time ? value : last_ + (value - last_) * (*at_ - last_time_) / step;
+}
+
+double TakenNumber::value() const {
+    if (!has_step_) return std::numeric_limits<double>::quiet_NaN();
+    if (at_) return at_value_;
+    const double span = last_time_ - first_time_;
+    switch (take_) {
+        case Take::least:
+            return least_;
+        case Take::largest:
+            return largest_;
+        case Take::largest_absolute:
+            return std::max(std::abs(least_), std::abs(largest_));
+        case Take::mean:
+            return span > 0.0 ? integral_ / span : last_;
+        case Take::rms:
+            return span > 0.0 ? std::sqrt(square_integral_ / span) : std::abs(last_);
+        case Take::last:
+            break;
+    }
+    return last_;
+}
+
+Collector::Collector(const std::vector<Collection>& collections, const Problem& problem) {
+    const auto& histories = problem.output.histories;
+    for (const Collection& collection : collections) {
+        std::optional<HistoryPoint> point;
+        if (const HistoryRequest* history = find_history(problem, collection.history)) {
+            const auto index = static_cast<std::size_t>(history - histories.data());
+            point.emplace(problem.model, histories, index);
+        }
+        columns_.push_back({collection, std::move(point), {collection.take, collection.at}});
+    }
+}
+
+void Collector::add(const Snapshot& snapshot, const LedgerRow& ledger) {
+    for (Column& column : columns_) {
+        const Collection& collection = column.collection;
+        const Values values = column.point ? Values{column.point->compute(collection.quantity, snapshot),
+                                                    width_of(collection.quantity)}
+                                           : values_of(collection.ledger, ledger);
+        column.number.add(snapshot.time, take_component(values, collection.component));
+    }
+}
+
+std::vector<double> Collector::values() const {
+    std::vector<double> values;
+    for (const Column& column : columns_) {
+        const std::optional<double>& reference = column.collection.reference;
+        const double value = column.number.value();
+        values.push_back(reference ? std::abs(value - *reference) : value);
+    }
+    return values;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "deck/choices.hpp"
+
+// The words of a plan and what they stand for.
+namespace gxrod {
+
+enum class Combination { grid, zip, latin_hypercube, table, decks };
+enum class Spacing { linear, log };
+enum class Keeping { all, failed, none };
+enum class Take { least, largest, mean, rms, last, largest_absolute };
+enum class Component { x, y, z, w, magnitude };
+enum class LedgerEntry {
+    kinetic_energy,
+    strain_energy,
+    external_work,
+    dissipated_energy,
+    energy_error,
+    linear_momentum,
+    angular_momentum
+};
+
+// `decks` has no word: it is what a list of decks is.
+inline constexpr std::array<Choice<Combination>, 4> combination_choices{
+    {{"grid", Combination::grid},
+     {"zip", Combination::zip},
+     {"latin-hypercube", Combination::latin_hypercube},
+     {"table", Combination::table}}};
+
+inline constexpr std::array<Choice<Spacing>, 2> spacing_choices{
+    {{"linear", Spacing::linear}, {"log", Spacing::log}}};
+
+inline constexpr std::array<Choice<Keeping>, 3> keeping_choices{
+    {{"all", Keeping::all}, {"failed", Keeping::failed}, {"none", Keeping::none}}};
+
+inline constexpr std::array<Choice<Take>, 6> take_choices{{{"min", Take::least},
+                                                           {"max", Take::largest},
+                                                           {"mean", Take::mean},
+                                                           {"rms", Take::rms},
+                                                           {"final", Take::last},
+                                                           {"max_abs", Take::largest_absolute}}};
+
+inline constexpr std::array<Choice<Component>, 5> component_choices{{{"x", Component::x},
+                                                                     {"y", Component::y},
+                                                                     {"z", Component::z},
+                                                                     {"w", Component::w},
+                                                                     {"magnitude", Component::magnitude}}};
+
+inline constexpr std::array<Choice<LedgerEntry>, 7> ledger_choices{
+    {{"kinetic_energy", LedgerEntry::kinetic_energy},
+     {"strain_energy", LedgerEntry::strain_energy},
+     {"external_work", LedgerEntry::external_work},
+     {"dissipated_energy", LedgerEntry::dissipated_energy},
+     {"energy_error", LedgerEntry::energy_error},
+     {"linear_momentum", LedgerEntry::linear_momentum},
+     {"angular_momentum", LedgerEntry::angular_momentum}}};
+
+}  // namespace gxrod
