@@ -38,6 +38,7 @@ int run_program(int argc, char** argv) {
     int exit_code = gxrod::exit_done;
     gxrod::add_run_verb(program, exit_code);
     gxrod::add_resume_verb(program, exit_code);
+    gxrod::add_batch_verb(program, exit_code);
     gxrod::add_check_verb(program, exit_code);
     gxrod::add_export_verb(program, exit_code);
     gxrod::add_report_verb(program, exit_code);

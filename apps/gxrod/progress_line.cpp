@@ -7,24 +7,24 @@
 
 namespace gxrod {
 
-namespace {
-
 std::string describe_duration(double seconds) {
     if (seconds < 60.0) return fmt::format("{:.0f} s", seconds);
     if (seconds < 3600.0) return fmt::format("{:.0f} min", seconds / 60.0);
     return fmt::format("{:.1f} h", seconds / 3600.0);
 }
 
-}  // namespace
-
 ProgressLine::ProgressLine()
     : is_terminal_(isatty(STDERR_FILENO) == 1), interval_(is_terminal_ ? 0.1 : 10.0) {}
 
 void ProgressLine::show(const Progress& progress) {
+    show([&] { return describe(progress, std::chrono::duration<double>(Clock::now() - start_).count()); });
+}
+
+void ProgressLine::show(const std::function<std::string()>& describe) {
     const Clock::time_point now = Clock::now();
     if (now - last_ < interval_) return;
     last_ = now;
-    const std::string line = describe(progress, std::chrono::duration<double>(now - start_).count());
+    const std::string line = describe();
     if (is_terminal_) {
         fmt::print(stderr, "\r{}\033[K", line);
         std::fflush(stderr);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 
 #include "analyses/run.hpp"
@@ -13,6 +14,8 @@ class ProgressLine {
   public:
     ProgressLine();
     void show(const Progress& progress);
+    // The same with another line, which is made only if it is time to show it.
+    void show(const std::function<std::string()>& describe);
     // Leaves the terminal's line behind.
     void finish();
 
@@ -25,6 +28,9 @@ class ProgressLine {
     Clock::time_point start_ = Clock::now();
     Clock::time_point last_ = start_;
 };
+
+// "12 s", "5 min", "1.5 h"
+std::string describe_duration(double seconds);
 
 // "step 120/1500  t = 1.2  Δt = 0.01  3 Newton iterations  12 s left"
 std::string describe(const Progress& progress, double elapsed_seconds);

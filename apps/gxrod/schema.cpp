@@ -4,17 +4,35 @@
 
 #include <memory>
 
+#include "batch/plan_schema.hpp"
 #include "exit_code.hpp"
 #include "verbs.hpp"
 
 namespace gxrod {
 
+namespace {
+
+struct SchemaArguments {
+    bool plan = false;
+    bool markdown = false;
+};
+
+std::string write_schema(const SchemaArguments& arguments) {
+    if (arguments.markdown) return arguments.plan ? plan_reference() : deck_reference();
+    return arguments.plan ? json_schema(plan_schema(), "gxrod plan")
+                          : json_schema(deck_schema(), "gxrod deck");
+}
+
+}  // namespace
+
 void add_schema_verb(CLI::App& program, int& exit_code) {
-    auto markdown = std::make_shared<bool>(false);
-    CLI::App* verb = program.add_subcommand("schema", "Print the JSON Schema of decks, for editors");
-    verb->add_flag("--markdown", *markdown, "Print the deck reference (docs/deck.md) instead");
-    verb->callback([markdown, &exit_code] {
-        fmt::print("{}\n", *markdown ? deck_reference() : json_schema(deck_schema(), "gxrod deck"));
+    auto arguments = std::make_shared<SchemaArguments>();
+    CLI::App* verb = program.add_subcommand("schema", "Print the JSON Schema of decks or plans, for editors");
+    verb->add_flag("--plan", arguments->plan, "Of plans, which gxrod batch runs, instead of decks");
+    verb->add_flag(
+        "--markdown", arguments->markdown, "Print the reference (docs/deck.md, docs/plan.md) instead");
+    verb->callback([arguments, &exit_code] {
+        fmt::print("{}\n", write_schema(*arguments));
         exit_code = exit_done;
     });
 }

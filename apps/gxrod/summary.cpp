@@ -10,6 +10,18 @@
 
 namespace gxrod {
 
+void write_json(const std::string& target, const nlohmann::ordered_json& json) {
+    const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+    if (target == "-") {
+        fmt::print("{}\n", text);
+        return;
+    }
+    std::ofstream file(target);
+    file << text << '\n';
+    file.close();
+    if (!file) throw FileError(target, "the summary could not be written");
+}
+
 void write_summary(const std::string& target,
                    const RunSummary& summary,
                    const std::string& deck,
@@ -36,15 +48,7 @@ void write_summary(const std::string& target,
         {"threads", 1},
         {"version", version},
     };
-    const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
-    if (target == "-") {
-        fmt::print("{}\n", text);
-        return;
-    }
-    std::ofstream file(target);
-    file << text << '\n';
-    file.close();
-    if (!file) throw FileError(target, "the summary could not be written");
+    write_json(target, json);
 }
 
 }  // namespace gxrod

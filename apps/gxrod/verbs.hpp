@@ -7,6 +7,7 @@ namespace gxrod {
 
 void add_run_verb(CLI::App& program, int& exit_code);
 void add_resume_verb(CLI::App& program, int& exit_code);
+void add_batch_verb(CLI::App& program, int& exit_code);
 void add_check_verb(CLI::App& program, int& exit_code);
 void add_verify_verb(CLI::App& program, int& exit_code);
 void add_schema_verb(CLI::App& program, int& exit_code);

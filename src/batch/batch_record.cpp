@@ -61,7 +61,7 @@ std::string hint_for(const std::filesystem::path& folder) {
 
 BatchRecord make_batch_record(const Plan& plan,
                               const CaseList& cases,
-                              const std::vector<DeckTemplate>& decks,
+                              const std::deque<DeckTemplate>& decks,
                               const Problem& first) {
     BatchRecord record;
     record.version = version;
@@ -87,7 +87,7 @@ BatchRecord make_batch_record(const Plan& plan,
 void check_same_batch(const BatchRecord& before,
                       const BatchRecord& now,
                       const Plan& plan,
-                      const std::vector<DeckTemplate>& decks,
+                      const std::deque<DeckTemplate>& decks,
                       const std::filesystem::path& folder) {
     const ComparisonRules in_plan{{"time_limit", "memory_limit", "keep"},
                                   fmt::format("the batch in {} has ", folder.string())};

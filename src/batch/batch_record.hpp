@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -39,7 +40,7 @@ struct BatchRecord {
 // `first` is the problem of the first case.
 BatchRecord make_batch_record(const Plan& plan,
                               const CaseList& cases,
-                              const std::vector<DeckTemplate>& decks,
+                              const std::deque<DeckTemplate>& decks,
                               const Problem& first);
 
 // Throws DeckError, at the keys of the new plan and decks, or FileError, if they do not go on with what the
@@ -47,7 +48,7 @@ BatchRecord make_batch_record(const Plan& plan,
 void check_same_batch(const BatchRecord& before,
                       const BatchRecord& now,
                       const Plan& plan,
-                      const std::vector<DeckTemplate>& decks,
+                      const std::deque<DeckTemplate>& decks,
                       const std::filesystem::path& folder);
 
 // batch.json.

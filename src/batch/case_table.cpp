@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
 #include <map>
 #include <system_error>
 
@@ -46,6 +47,14 @@ void add_rows(const fs::path& path, const BatchRecord& record, std::map<long, Ca
     }
 }
 
+}  // namespace
+
+fs::path table_path(const fs::path& folder) { return folder / "index.csv"; }
+
+fs::path part_path(const fs::path& folder, const CaseRange& range) {
+    return folder / "parts" / fmt::format("{}-{}.csv", range.first, range.last);
+}
+
 std::vector<fs::path> list_parts(const fs::path& folder) {
     std::vector<fs::path> parts;
     std::error_code ignored;
@@ -60,12 +69,13 @@ std::vector<fs::path> list_parts(const fs::path& folder) {
     return parts;
 }
 
-}  // namespace
-
-fs::path table_path(const fs::path& folder) { return folder / "index.csv"; }
-
-fs::path part_path(const fs::path& folder, const CaseRange& range) {
-    return folder / "parts" / fmt::format("{}-{}.csv", range.first, range.last);
+CaseRange range_of_part(const fs::path& part) {
+    CaseRange range{0, -1};
+    const std::string name = part.stem().string();
+    const char* end = name.data() + name.size();
+    const char* dash = std::from_chars(name.data(), end, range.first).ptr;
+    if (dash != end) std::from_chars(dash + 1, end, range.last);
+    return range;
 }
 
 std::vector<CaseRow> read_case_rows(const fs::path& folder, const BatchRecord& record) {

@@ -108,6 +108,16 @@ void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, const std
     write_dataset(group, label, text_type().id(), scalar_space(), &value);
 }
 
+void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::string> texts) {
+    std::vector<const char*> pointers;
+    for (const std::string& text : texts) pointers.push_back(text.c_str());
+    write_dataset(group, label, text_type().id(), list_space(texts.size()), pointers.data());
+}
+
+void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const double> values) {
+    write_dataset(group, label, H5T_IEEE_F64LE, list_space(values.size()), values.data());
+}
+
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::int64_t> values) {
     write_dataset(group, label, H5T_STD_I64LE, list_space(values.size()), values.data());
 }

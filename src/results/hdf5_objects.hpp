@@ -43,6 +43,8 @@ void write_label(hid_t dataset, const DatasetLabel& label);
 
 // Datasets that are written once.
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, const std::string& text);
+void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::string> texts);
+void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const double> values);
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::int64_t> values);
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::uint8_t> values);
 // Rows of so many columns, one after the other.

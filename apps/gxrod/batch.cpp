@@ -1,0 +1,146 @@
+#include "batch/batch.hpp"
+
+#include <fmt/core.h>
+#include <sched.h>
+
+#include <algorithm>
+#include <charconv>
+#include <csignal>
+#include <memory>
+
+#include "batch_tell.hpp"
+#include "exit_code.hpp"
+#include "model/file_error.hpp"
+#include "verbs.hpp"
+
+namespace gxrod {
+
+namespace {
+
+struct BatchArguments {
+    std::vector<std::string> files;
+    std::string folder;
+    std::string only;
+    std::string summary;
+    int workers = 0;
+    bool retry_failed = false;
+    bool dry_run = false;
+    bool force = false;
+    bool quiet = false;
+
+    bool tells() const { return !quiet && summary != "-"; }
+};
+
+volatile std::sig_atomic_t signals = 0;
+
+// Ctrl-C asks to end after the cases at hand, again at once; SIGTERM, as of a cluster, at once.
+extern "C" void ask_batch_to_end(int signal) { signals = signal == SIGTERM ? 2 : signals + 1; }
+
+Interruption read_interruption() {
+    if (signals == 0) return Interruption::none;
+    return signals == 1 ? Interruption::finish_cases : Interruption::stop;
+}
+
+void listen_to_signals() {
+    struct sigaction action {};
+    action.sa_handler = ask_batch_to_end;  // without SA_RESTART: waiting ends
+    ::sigaction(SIGINT, &action, nullptr);
+    ::sigaction(SIGTERM, &action, nullptr);
+}
+
+// Cores that this process may use.
+int count_cores() {
+    cpu_set_t cores;
+    if (::sched_getaffinity(0, sizeof(cores), &cores) != 0) return 1;
+    return std::max(CPU_COUNT(&cores), 1);
+}
+
+Plan read_arguments(const std::vector<std::string>& files) {
+    if (files.size() == 1 && is_plan(files[0])) return read_plan(files[0]);
+    for (const std::string& file : files) {
+        if (files.size() > 1 && is_plan(file)) {
+            throw CLI::ValidationError(file + " is a plan; expected one plan, or decks only");
+        }
+    }
+    return plan_of_decks({files.begin(), files.end()});
+}
+
+std::filesystem::path default_folder(const Plan& plan) {
+    return plan.file.empty() ? "batch" : std::filesystem::path(plan.file).stem();
+}
+
+CaseRange read_range(const std::string& text, const CaseRange& all) {
+    CaseRange range{0, 0};
+    const char* end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, range.first);
+    const bool has_dots = std::string_view(first.ptr, end).starts_with("..");
+    const auto last = std::from_chars(has_dots ? first.ptr + 2 : end, end, range.last);
+    if (!has_dots) range.last = range.first;  // one case
+    const bool is_read =
+        first.ec == std::errc() && (has_dots ? last.ec == std::errc() && last.ptr == end : first.ptr == end);
+    if (!is_read || range.first < 1 || range.last < range.first || range.last > all.last) {
+        throw CLI::ValidationError(fmt::format(
+            "--only {}: expected I..J, the first and the last case to run, from 1 to {}", text, all.last));
+    }
+    return range;
+}
+
+int exit_code_of(const BatchSummary& summary) {
+    if (summary.is_interrupted) return exit_interrupted;
+    return summary.is_complete() ? exit_done : exit_not_converged;
+}
+
+int batch(const BatchArguments& arguments) {
+    BatchTelling telling(arguments.quiet, arguments.tells());
+    const PreparedBatch prepared(read_arguments(arguments.files),
+                                 [&](long examined, long cases) { telling.show_examined(examined, cases); });
+    telling.finish_line();
+    BatchRequest request;
+    request.folder =
+        arguments.folder.empty() ? default_folder(prepared.plan()) : std::filesystem::path(arguments.folder);
+    if (!arguments.only.empty()) request.only = read_range(arguments.only, prepared.all());
+    request.workers = arguments.workers > 0 ? arguments.workers : count_cores();
+    request.retry_failed = arguments.retry_failed;
+    request.begin_anew = arguments.force;
+    if (arguments.dry_run) {
+        telling.show_plan(prepared, request);
+        return exit_done;
+    }
+    listen_to_signals();
+    request.interruption = read_interruption;
+    request.report_progress = [&](const BatchProgress& progress) {
+        telling.show_progress(progress, signals == 1);
+    };
+    request.report_failure = [&](const CaseRow& row) { telling.show_failure(row, prepared.cases()); };
+    const BatchSummary summary = run_batch(prepared, request);
+    telling.finish_line();
+    telling.show_summary(summary, request);
+    if (!arguments.summary.empty()) write_batch_summary(arguments.summary, summary, request);
+    return exit_code_of(summary);
+}
+
+}  // namespace
+
+void add_batch_verb(CLI::App& program, int& exit_code) {
+    auto arguments = std::make_shared<BatchArguments>();
+    CLI::App* verb =
+        program.add_subcommand("batch", "Run many variants of a deck on all cores; one table of them all");
+    verb->add_option("FILES", arguments->files, "A plan (TOML; docs/plan.md lists its keys), or decks")
+        ->required();
+    verb->add_option(
+        "-o,--output", arguments->folder, "Folder of the batch [the plan's name, in this folder]");
+    verb->add_option("-j,--jobs", arguments->workers, "Cases that run at once [the cores]")
+        ->check(CLI::Range(1, 4096));
+    verb->add_option("--only", arguments->only, "I..J: only these cases; several such may share a folder");
+    verb->add_flag("--retry-failed", arguments->retry_failed, "Run cases again that are not done, too");
+    verb->add_flag("--dry-run", arguments->dry_run, "Read and examine all cases, list them, and run none");
+    verb->add_flag("--force", arguments->force, "Throw away what the folder holds, another batch too");
+    verb->add_option("--summary", arguments->summary, "Write a summary as JSON to a file, or - for stdout");
+    verb->add_flag("--quiet", arguments->quiet, "Say nothing unless something is wrong");
+    verb->footer(
+        "The same command goes on where a batch was stopped or killed: it runs what the table lacks.\n"
+        "Exit codes: 0 if every case is done, 3 if not, 130 if interrupted.");
+    verb->callback([arguments, &exit_code] { exit_code = batch(*arguments); });
+}
+
+}  // namespace gxrod

@@ -1,0 +1,168 @@
+#include "batch_tell.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "model/version.hpp"
+#include "summary.hpp"
+
+namespace gxrod {
+
+namespace {
+
+constexpr std::size_t most_numbers = 8;
+constexpr std::size_t most_groups = 10;
+
+// "3, 17, 18 and 40 more"
+std::string list_numbers(const std::vector<long>& numbers) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(numbers.size(), most_numbers); ++i)
+        text += fmt::format("{}{}", i == 0 ? "" : ", ", numbers[i]);
+    if (numbers.size() > most_numbers) text += fmt::format(" and {} more", numbers.size() - most_numbers);
+    return text;
+}
+
+std::string count_cases(std::size_t count) { return fmt::format("{} case{}", count, count == 1 ? "" : "s"); }
+
+void print_groups(std::FILE* out, const std::vector<CaseGroup>& groups, bool has_status) {
+    for (std::size_t i = 0; i < std::min(groups.size(), most_groups); ++i) {
+        const CaseGroup& group = groups[i];
+        fmt::print(out,
+                   "  {}{} ({}): {}\n",
+                   has_status ? std::string(name_of(group.status)) + ", " : "",
+                   count_cases(group.numbers.size()),
+                   list_numbers(group.numbers),
+                   group.text);
+    }
+    if (groups.size() > most_groups) fmt::print(out, "  and {} other reasons\n", groups.size() - most_groups);
+}
+
+std::string describe(const BatchProgress& progress) {
+    std::string text = fmt::format("{}/{} cases", progress.done, progress.cases);
+    if (progress.failed > 0) text += fmt::format(", {} not done", progress.failed);
+    text += fmt::format(", {} running", progress.running);
+    if (progress.done == 0 || progress.seconds <= 0.0) return text;
+    const double rate = static_cast<double>(progress.done) / progress.seconds;
+    const double left = static_cast<double>(progress.cases - progress.done) / rate;
+    const std::string speed = rate >= 1.0 ? fmt::format("{:.3g} a second", rate)
+                                          : fmt::format("{} each", describe_duration(1.0 / rate));
+    return text + fmt::format("  {}  {} left", speed, describe_duration(left));
+}
+
+}  // namespace
+
+void BatchTelling::show_examined(long examined, long cases) {
+    if (is_quiet_) return;
+    line_.show([&] { return fmt::format("examining the cases: {}/{}", examined, cases); });
+}
+
+void BatchTelling::show_progress(const BatchProgress& progress, bool is_ending) {
+    if (is_quiet_) return;
+    if (is_ending && !has_told_of_ending_) {
+        line_.finish();
+        fmt::print(stderr,
+                   "gxrod: ends after the {} at hand; Ctrl-C again leaves them\n",
+                   count_cases(static_cast<std::size_t>(progress.running)));
+        has_told_of_ending_ = true;
+    }
+    if (progress.cases > 0) line_.show([&] { return describe(progress); });
+}
+
+void BatchTelling::show_failure(const CaseRow& row, const CaseList& cases) {
+    if (is_quiet_) return;
+    // Those that will be in one group are told once.
+    failures_.push_back(row);
+    if (group_failures(failures_).size() < failures_.size()) {
+        failures_.pop_back();
+        return;
+    }
+    if (failures_.size() > most_groups) return;
+    line_.finish();
+    fmt::print(stderr,
+               "case {} ({}): {}: {}\n",
+               row.number,
+               cases.describe(row.number),
+               name_of(row.status),
+               row.reason);
+}
+
+void BatchTelling::show_plan(const PreparedBatch& batch, const BatchRequest& request) const {
+    constexpr long most_lines = 20;
+    const CaseRange range = request.only.value_or(batch.all());
+    std::map<long, CaseRow> rows;
+    if (!request.begin_anew) {
+        for (CaseRow& row : batch.read_rows(request.folder))
+            rows.insert_or_assign(row.number, std::move(row));
+    }
+    long to_run = 0;
+    for (long number = range.first; number <= range.last; ++number) {
+        const auto row = rows.find(number);
+        const bool is_wanted =
+            row == rows.end() || (request.retry_failed && row->second.status != CaseStatus::done);
+        to_run += is_wanted ? 1 : 0;
+        const bool is_shown = number - range.first < most_lines || number == range.last;
+        if (number - range.first == most_lines && !is_shown) fmt::print("…\n");
+        if (!is_shown) continue;
+        const std::string state = row == rows.end() ? "" : fmt::format("  [{}]", name_of(row->second.status));
+        fmt::print("{}: {}{}\n", number, batch.cases().describe(number), state);
+    }
+    fmt::print("{} read and found right, {} to run into {} on {} at a time\n",
+               count_cases(static_cast<std::size_t>(batch.cases().count())),
+               to_run,
+               request.folder.string(),
+               request.workers);
+}
+
+void BatchTelling::show_summary(const BatchSummary& summary, const BatchRequest& request) const {
+    const long cases = summary.range.last - summary.range.first + 1;
+    const long done = summary.count(CaseStatus::done);
+    const std::vector<CaseGroup> failures = group_failures(summary.rows);
+    if (!failures.empty() && !is_quiet_) {
+        fmt::print(stderr, "Not done:\n");
+        print_groups(stderr, failures, true);
+    }
+    const std::vector<CaseGroup> warnings = group_warnings(summary.rows);
+    if (!warnings.empty() && !is_quiet_) {
+        fmt::print(stderr, "Warnings:\n");
+        print_groups(stderr, warnings, false);
+    }
+    if (summary.is_interrupted) {
+        fmt::print(stderr,
+                   "gxrod: interrupted; {} not run. The same command goes on.\n",
+                   count_cases(static_cast<std::size_t>(summary.missing)));
+    }
+    if (!tells_) return;
+    fmt::print("{} of {} done{}; {} run now in {}\nTable: {}\n",
+               done,
+               count_cases(static_cast<std::size_t>(cases)),
+               failures.empty() ? "" : fmt::format(", {} not", static_cast<long>(summary.rows.size()) - done),
+               summary.run_now,
+               describe_duration(summary.seconds),
+               table_path(request.folder).string());
+    if (static_cast<long>(summary.rows.size()) > done && !summary.is_interrupted)
+        fmt::print("--retry-failed runs again what is not done.\n");
+}
+
+void write_batch_summary(const std::string& target,
+                         const BatchSummary& summary,
+                         const BatchRequest& request) {
+    nlohmann::ordered_json json{{"folder", request.folder.string()},
+                                {"table", table_path(request.folder).string()},
+                                {"cases", summary.range.last - summary.range.first + 1}};
+    for (const CaseStatus status : case_statuses) {
+        std::string key = name_of(status);
+        std::replace(key.begin(), key.end(), ' ', '_');
+        json[key] = summary.count(status);
+    }
+    json["missing"] = summary.missing;
+    json["run_now"] = summary.run_now;
+    json["interrupted"] = summary.is_interrupted;
+    json["workers"] = request.workers;
+    json["seconds"] = summary.seconds;
+    json["version"] = version;
+    write_json(target, json);
+}
+
+}  // namespace gxrod

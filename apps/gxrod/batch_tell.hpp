@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include "batch/batch.hpp"
+#include "batch/case_groups.hpp"
+#include "progress_line.hpp"
+
+namespace gxrod {
+
+// What a batch says while it runs: progress and failures on standard error, the rest on standard output.
+class BatchTelling {
+  public:
+    BatchTelling(bool is_quiet, bool tells) : is_quiet_(is_quiet), tells_(tells) {}
+
+    void show_examined(long examined, long cases);
+    void show_progress(const BatchProgress& progress, bool is_ending);
+    // The first failure, and those of other kinds.
+    void show_failure(const CaseRow& row, const CaseList& cases);
+    void finish_line() { line_.finish(); }
+
+    // The cases that would be run.
+    void show_plan(const PreparedBatch& batch, const BatchRequest& request) const;
+    void show_summary(const BatchSummary& summary, const BatchRequest& request) const;
+
+  private:
+    bool is_quiet_;
+    bool tells_;
+    bool has_told_of_ending_ = false;
+    std::vector<CaseRow> failures_;  // the first of each kind
+    ProgressLine line_;
+};
+
+// Writes the summary of a batch as one JSON object to a file, or to standard output for "-". Throws
+// FileError.
+void write_batch_summary(const std::string& target, const BatchSummary& summary, const BatchRequest& request);
+
+}  // namespace gxrod

@@ -1,0 +1,311 @@
+#include "batch/batch.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <set>
+
+#include "batch/batch_index.hpp"
+#include "batch/batch_lock.hpp"
+#include "batch/case_check.hpp"
+#include "batch/worker_pool.hpp"
+#include "model/file_error.hpp"
+
+namespace gxrod {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) {
+    return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+std::deque<DeckTemplate> read_decks(const Plan& plan) {
+    std::deque<DeckTemplate> decks;
+    for (const fs::path& deck : plan.decks) decks.emplace_back(deck);
+    return decks;
+}
+
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw FileError(folder, "cannot be made", error.message());
+}
+
+bool is_empty_or_missing(const fs::path& folder) {
+    std::error_code ignored;
+    return !fs::exists(folder, ignored) ||
+           (fs::is_directory(folder, ignored) && fs::is_empty(folder, ignored));
+}
+
+void check_folder(const fs::path& folder) {
+    std::error_code ignored;
+    if (is_empty_or_missing(folder) || is_batch_folder(folder)) return;
+    if (!fs::is_directory(folder, ignored)) throw FileError(folder, "is no folder", "-o takes another one");
+    // A batch that was killed at its very beginning.
+    const auto has_lock_only = [&] {
+        return std::all_of(fs::directory_iterator(folder), fs::directory_iterator(), [](const auto& entry) {
+            return entry.path().filename() == "lock";
+        });
+    };
+    if (has_lock_only()) return;
+    throw FileError(folder, "is not empty and holds no batch", "-o takes another folder");
+}
+
+// Takes away what a batch leaves in its folder, and nothing else.
+void clear_folder(const fs::path& folder) {
+    std::error_code ignored;
+    for (const char* name : {"batch.json", "index.csv", "index.h5", "report.html"})
+        fs::remove(folder / name, ignored);
+    for (const char* name : {"parts", "cases", "reports", "slurm"}) fs::remove_all(folder / name, ignored);
+}
+
+// Parts of slices that no process writes.
+void remove_idle_parts(const fs::path& folder) {
+    std::error_code ignored;
+    for (const fs::path& part : list_parts(folder)) {
+        if (!BatchLock::is_running(folder, range_of_part(part))) fs::remove(part, ignored);
+    }
+    fs::remove(folder / "parts", ignored);
+}
+
+double count_machine_bytes() {
+    return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+// Of a fully run batch, or a slice of it.
+class BatchRun {
+  public:
+    BatchRun(const PreparedBatch& batch, const BatchRequest& request)
+        : batch_(batch),
+          request_(request),
+          range_(request.only.value_or(batch.all())),
+          lock_(lock_cases(request.folder, range_)) {
+        if (request.begin_anew) clear_folder(request.folder);
+        begin();
+    }
+
+    BatchSummary run() {
+        {
+            WorkerPool pool(worker_options(), [context = batch_.context(request_.folder)](long number) {
+                return write_case_row(run_case(context, number));
+            });
+            work(pool);
+        }
+        table_.reset();
+        table_lock_.reset();
+        lock_.reset();
+        gather_rows(request_.folder, batch_.record());
+        std::error_code ignored;
+        fs::remove(request_.folder / "cases", ignored);  // if nothing was kept
+        return summarise();
+    }
+
+  private:
+    bool is_slice() const { return !(range_ == batch_.all()); }
+
+    static BatchLock lock_cases(const fs::path& folder, const CaseRange& range) {
+        check_folder(folder);
+        make_folder(folder);
+        return BatchLock::of_cases(folder, range);
+    }
+
+    void begin() {
+        table_lock_.emplace(BatchLock::of_table(request_.folder));
+        for (CaseRow& row : batch_.read_rows(request_.folder)) {
+            if (range_.contains(row.number)) rows_.insert_or_assign(row.number, std::move(row));
+        }
+        if (!is_batch_folder(request_.folder)) write_batch_record(batch_.record(), request_.folder);
+        for (const char* name : {"cases", "parts"}) make_folder(request_.folder / name);
+        for (long number = range_.first; number <= range_.last; ++number) {
+            const auto row = rows_.find(number);
+            const bool is_wanted =
+                row == rows_.end() || (request_.retry_failed && row->second.status != CaseStatus::done);
+            if (is_wanted) queue_.push_back(number);
+        }
+        progress_.cases = static_cast<long>(queue_.size());
+        // A whole batch holds the table while it runs, a slice only its part.
+        if (is_slice()) {
+            table_.emplace(part_path(request_.folder, range_), batch_.record());
+            table_lock_.reset();
+        } else {
+            merge_parts();
+            table_.emplace(table_path(request_.folder), batch_.record());
+        }
+    }
+
+    // What slices left, into the table that is appended to.
+    void merge_parts() const {
+        std::error_code ignored;
+        if (fs::is_empty(request_.folder / "parts", ignored)) return;
+        write_case_table(request_.folder, batch_.record(), list_rows());
+        fs::remove_all(request_.folder / "parts", ignored);
+    }
+
+    std::vector<CaseRow> list_rows() const {
+        std::vector<CaseRow> rows;
+        for (const auto& [number, row] : rows_) rows.push_back(row);
+        return rows;
+    }
+
+    WorkerOptions worker_options() const {
+        const Plan& plan = batch_.plan();
+        // A case ends itself after a step; one that hangs within a step is ended.
+        constexpr double least_grace = 5.0;
+        constexpr double relative_grace = 0.2;
+        const double limit = plan.time_limit;
+        const double memory =
+            plan.memory_limit.value_or(count_machine_bytes() / static_cast<double>(request_.workers));
+        return {request_.workers,
+                std::isfinite(limit) ? limit + std::max(least_grace, relative_grace * limit) : 0.0,
+                memory};
+    }
+
+    void work(WorkerPool& pool) {
+        constexpr double patience = 0.2;
+        while (true) {
+            const Interruption interruption = request_.interruption();
+            is_interrupted_ = is_interrupted_ || interruption != Interruption::none;
+            if (interruption == Interruption::stop) return;
+            while (!is_interrupted_ && !queue_.empty() && pool.has_idle_worker()) {
+                pool.hand_out(queue_.front());
+                queue_.pop_front();
+            }
+            tell(pool);
+            if (pool.busy_workers() == 0) return;
+            for (const WorkerReply& reply : pool.wait(patience)) take(reply);
+        }
+    }
+
+    void tell(const WorkerPool& pool) {
+        progress_.running = pool.busy_workers();
+        progress_.seconds = seconds_since(begin_);
+        request_.report_progress(progress_);
+    }
+
+    void take(const WorkerReply& reply) {
+        if (reply.kind == WorkerReply::Kind::was_killed && killed_.insert(reply.number).second) {
+            // By the system, or by someone, and perhaps not for the sake of this case: once more.
+            queue_.push_back(reply.number);
+            return;
+        }
+        record(reply.kind == WorkerReply::Kind::finished ? read_row(reply.text) : make_row(reply));
+    }
+
+    CaseRow read_row(const std::string& text) const {
+        const std::vector<CsvRow> lines = read_csv(text + "\n", "reply of a worker");
+        return read_case_row(lines.at(0), batch_.record(), "reply of a worker");
+    }
+
+    // Of a case whose worker ended.
+    CaseRow make_row(const WorkerReply& reply) const {
+        CaseRow row;
+        row.number = reply.number;
+        row.parameters = batch_.cases().parameters(reply.number);
+        row.collected.assign(batch_.plan().collections.size(), std::numeric_limits<double>::quiet_NaN());
+        row.seconds = reply.seconds;
+        row.status = CaseStatus::crashed;
+        row.reason = reply.text;
+        if (reply.kind == WorkerReply::Kind::overtime) {
+            row.status = CaseStatus::time_limit;
+            row.reason = fmt::format("the time limit of {} s was over within a step; the process was ended",
+                                     batch_.plan().time_limit);
+        } else if (reply.kind == WorkerReply::Kind::was_killed) {
+            row.reason = "the process was killed twice, perhaps for want of memory";
+        }
+        std::error_code ignored;
+        const std::string path = results_path(reply.number, batch_.cases().count());
+        if (fs::exists(request_.folder / path, ignored)) row.results = path;
+        return row;
+    }
+
+    void record(CaseRow row) {
+        table_->append(row);
+        ++progress_.done;
+        if (row.status != CaseStatus::done) {
+            ++progress_.failed;
+            request_.report_failure(row);
+        }
+        rows_.insert_or_assign(row.number, std::move(row));
+        if (!is_slice()) refresh_index();
+    }
+
+    // As often as it costs little beside the cases.
+    void refresh_index() {
+        constexpr double least_pause = 2.0;
+        constexpr double pause_per_cost = 50.0;
+        if (seconds_since(index_written_) < std::max(least_pause, pause_per_cost * index_seconds_)) return;
+        const Clock::time_point begin = Clock::now();
+        write_batch_index(request_.folder, batch_.record(), list_rows());
+        index_written_ = Clock::now();
+        index_seconds_ = seconds_since(begin);
+    }
+
+    BatchSummary summarise() const {
+        BatchSummary summary;
+        summary.range = range_;
+        summary.rows = list_rows();
+        summary.run_now = progress_.done;
+        summary.missing = range_.last - range_.first + 1 - static_cast<long>(rows_.size());
+        summary.is_interrupted = is_interrupted_;
+        summary.seconds = seconds_since(begin_);
+        return summary;
+    }
+
+    const PreparedBatch& batch_;
+    const BatchRequest& request_;
+    CaseRange range_;
+    std::optional<BatchLock> lock_;
+    std::optional<BatchLock> table_lock_;
+    std::optional<TableAppender> table_;
+    std::map<long, CaseRow> rows_;
+    std::deque<long> queue_;
+    std::set<long> killed_;
+    BatchProgress progress_;
+    bool is_interrupted_ = false;
+    Clock::time_point begin_ = Clock::now();
+    Clock::time_point index_written_ = begin_;
+    double index_seconds_ = 0.0;
+};
+
+}  // namespace
+
+PreparedBatch::PreparedBatch(Plan plan, const std::function<void(long, long)>& report)
+    : plan_(std::move(plan)), cases_(plan_), decks_(read_decks(plan_)) {
+    const Problem first = check_cases(context(""), [&](long examined) {
+        if (report) report(examined, cases_.count());
+    });
+    record_ = make_batch_record(plan_, cases_, decks_, first);
+}
+
+std::vector<CaseRow> PreparedBatch::read_rows(const fs::path& folder) const {
+    check_folder(folder);
+    if (!is_batch_folder(folder)) return {};
+    check_same_batch(read_batch_record(folder), record_, plan_, decks_, folder);
+    return read_case_rows(folder, record_);
+}
+
+long BatchSummary::count(CaseStatus status) const {
+    return std::count_if(rows.begin(), rows.end(), [&](const CaseRow& row) { return row.status == status; });
+}
+
+BatchSummary run_batch(const PreparedBatch& batch, const BatchRequest& request) {
+    return BatchRun(batch, request).run();
+}
+
+std::vector<CaseRow> gather_rows(const fs::path& folder, const BatchRecord& record) {
+    const BatchLock lock = BatchLock::of_table(folder);
+    std::vector<CaseRow> rows = read_case_rows(folder, record);
+    write_case_table(folder, record, rows);
+    write_batch_index(folder, record, rows);
+    remove_idle_parts(folder);
+    return rows;
+}
+
+}  // namespace gxrod

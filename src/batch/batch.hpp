@@ -1,0 +1,91 @@
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "batch/case_row.hpp"
+#include "batch/case_run.hpp"
+#include "batch/case_table.hpp"
+#include "batch/plan.hpp"
+
+// A batch: the cases of a plan, run by worker processes into a folder.
+namespace gxrod {
+
+// A plan whose cases were all read and found right.
+class PreparedBatch {
+  public:
+    // `report` hears how many cases were examined. Throws DeckError and FileError, as check_cases.
+    explicit PreparedBatch(Plan plan, const std::function<void(long examined, long cases)>& report = {});
+    PreparedBatch(const PreparedBatch&) = delete;
+    PreparedBatch& operator=(const PreparedBatch&) = delete;
+
+    const Plan& plan() const { return plan_; }
+    const CaseList& cases() const { return cases_; }
+    const BatchRecord& record() const { return record_; }
+    CaseRange all() const { return {1, cases_.count()}; }
+    CaseContext context(const std::filesystem::path& folder) const { return {plan_, cases_, decks_, folder}; }
+
+    // The rows that a folder has of this batch; none if there is no such folder, or nothing in it. Throws
+    // DeckError and FileError if it holds something else.
+    std::vector<CaseRow> read_rows(const std::filesystem::path& folder) const;
+
+  private:
+    Plan plan_;
+    CaseList cases_;
+    std::deque<DeckTemplate> decks_;
+    BatchRecord record_;
+};
+
+// What a user wants of a batch that runs.
+enum class Interruption {
+    none,
+    finish_cases,  // hand out no more
+    stop           // leave the cases at hand
+};
+
+struct BatchProgress {
+    long cases = 0;  // that this run has to do
+    long done = 0;
+    long failed = 0;  // of them
+    int running = 0;
+    double seconds = 0.0;
+};
+
+struct BatchRequest {
+    std::filesystem::path folder;
+    int workers = 1;
+    std::optional<CaseRange> only;  // a slice, which goes into a part of its own
+    bool retry_failed = false;
+    bool begin_anew = false;  // throw away what the folder holds of another batch
+    std::function<void(const BatchProgress&)> report_progress = [](const BatchProgress&) {};
+    std::function<void(const CaseRow&)> report_failure = [](const CaseRow&) {};
+    std::function<Interruption()> interruption = [] { return Interruption::none; };
+};
+
+struct BatchSummary {
+    CaseRange range;            // that this run was about
+    std::vector<CaseRow> rows;  // of it, by case
+    long run_now = 0;           // of them by this run
+    long missing = 0;           // not run
+    bool is_interrupted = false;
+    double seconds = 0.0;
+
+    long count(CaseStatus status) const;
+    bool is_complete() const { return count(CaseStatus::done) == range.last - range.first + 1; }
+};
+
+// Runs what the folder has no row of yet, and leaves its table complete and sorted. A case that fails is a
+// row. Throws FileError if the folder cannot be used or written, or another process runs these cases; what
+// was written before stays.
+BatchSummary run_batch(const PreparedBatch& batch, const BatchRequest& request);
+
+// Makes index.csv and index.h5 of all rows that a folder has, those of parts included; removes the parts that
+// nobody writes. Throws FileError.
+std::vector<CaseRow> gather_rows(const std::filesystem::path& folder, const BatchRecord& record);
+
+}  // namespace gxrod

@@ -1,0 +1,82 @@
+#include "batch/batch_lock.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "model/file_error.hpp"
+
+namespace gxrod {
+namespace {
+
+// Byte 0 of the file stands for the table, byte n for case n.
+struct flock describe(off_t first, off_t count) {
+    struct flock lock {};
+    lock.l_type = F_WRLCK;
+    lock.l_whence = SEEK_SET;
+    lock.l_start = first;
+    lock.l_len = count;
+    return lock;
+}
+
+struct flock describe(const CaseRange& range) { return describe(range.first, range.last - range.first + 1); }
+
+std::filesystem::path lock_path(const std::filesystem::path& folder) { return folder / "lock"; }
+
+int open_lock(const std::filesystem::path& folder) {
+    const std::filesystem::path path = lock_path(folder);
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (descriptor < 0) throw FileError(path, "cannot be written", std::generic_category().message(errno));
+    return descriptor;
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& folder, int descriptor) {
+    const int code = errno;
+    ::close(descriptor);
+    if (code == EAGAIN || code == EACCES) {
+        throw FileError(folder, "another gxrod batch is running in it", "-o takes another folder");
+    }
+    throw FileError(lock_path(folder), "cannot be locked", std::generic_category().message(code));
+}
+
+}  // namespace
+
+BatchLock BatchLock::of_cases(const std::filesystem::path& folder, const CaseRange& range) {
+    const int descriptor = open_lock(folder);
+    struct flock lock = describe(range);
+    if (::fcntl(descriptor, F_OFD_SETLK, &lock) != 0) refuse(folder, descriptor);
+    return BatchLock(descriptor);
+}
+
+BatchLock BatchLock::of_table(const std::filesystem::path& folder) {
+    constexpr int most_attempts = 600;
+    constexpr std::chrono::milliseconds pause{100};
+    const int descriptor = open_lock(folder);
+    struct flock lock = describe(0, 1);
+    for (int attempt = 1; ::fcntl(descriptor, F_OFD_SETLK, &lock) != 0; ++attempt) {
+        if ((errno != EAGAIN && errno != EACCES) || attempt == most_attempts) refuse(folder, descriptor);
+        std::this_thread::sleep_for(pause);
+    }
+    return BatchLock(descriptor);
+}
+
+bool BatchLock::is_running(const std::filesystem::path& folder, const CaseRange& range) {
+    const int descriptor = open_lock(folder);
+    struct flock lock = describe(range);
+    const bool is_known = ::fcntl(descriptor, F_OFD_GETLK, &lock) == 0;
+    ::close(descriptor);
+    return is_known && lock.l_type != F_UNLCK;
+}
+
+BatchLock::~BatchLock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+BatchLock::BatchLock(BatchLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+}  // namespace gxrod

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+
+#include "batch/case_table.hpp"
+
+namespace gxrod {
+
+// Keeps two processes from running the same cases of a folder, also on several machines where the file system
+// has locks. Held until the object goes, or its process dies with its workers.
+class BatchLock {
+  public:
+    // Of cases. Throws FileError if any of them is being run.
+    static BatchLock of_cases(const std::filesystem::path& folder, const CaseRange& range);
+    // Of the table index.csv; waits for it, a minute at most. Throws FileError.
+    static BatchLock of_table(const std::filesystem::path& folder);
+
+    // Whether another process runs any of the cases.
+    static bool is_running(const std::filesystem::path& folder, const CaseRange& range);
+
+    ~BatchLock();
+    BatchLock(BatchLock&& other) noexcept;
+    BatchLock& operator=(BatchLock&&) = delete;
+
+  private:
+    explicit BatchLock(int descriptor) : descriptor_(descriptor) {}
+
+    int descriptor_;
+};
+
+}  // namespace gxrod

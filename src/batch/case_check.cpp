@@ -1,0 +1,133 @@
+#include "batch/case_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "batch/collector.hpp"
+#include "deck/override_key.hpp"
+#include "deck/suggestion.hpp"
+
+namespace gxrod {
+namespace {
+
+constexpr std::size_t most_faults = 20;
+constexpr long most_faulty_cases = 1000;
+
+// Parameters that the deck does not have: --set would add them, and nothing would use them.
+void check_parameters(const CaseContext& context, FaultList& faults) {
+    const DeckEntry* table = context.decks.front().tree().find("parameters");
+    std::vector<std::string> names;
+    if (table != nullptr && table->node.table() != nullptr) {
+        for (const DeckEntry& entry : *table->node.table()) names.push_back(entry.key);
+    }
+    for (const Variation& variation : context.plan.variations) {
+        const auto steps = split_key(variation.key);
+        if (!steps || steps->size() != 2 || steps->at(0) != KeyStep("parameters")) continue;
+        const auto* name = std::get_if<std::string>(&steps->at(1));
+        if (name == nullptr || std::find(names.begin(), names.end(), *name) != names.end()) continue;
+        const std::string hint = did_you_mean(*name, names);
+        const std::string known = names.empty() ? "; it has none" : "; it has " + plain_list(names);
+        faults.add(variation.place,
+                   fmt::format("vary.\"{}\"", variation.key),
+                   fmt::format("the deck has no parameter \"{}\"{}", *name, hint.empty() ? known : hint));
+    }
+}
+
+// Faults of many cases, each once.
+class CaseFaults {
+  public:
+    explicit CaseFaults(const CaseContext& context) : context_(context) {}
+
+    void add(const DeckError& error, long number) {
+        ++faulty_cases_;
+        for (const DeckFault& fault : error.faults) add(place(fault), number);
+    }
+    bool is_enough() const { return found_.size() >= most_faults || faulty_cases_ >= most_faulty_cases; }
+
+    void throw_if_any(long examined) const {
+        if (found_.empty()) return;
+        std::vector<DeckFault> faults;
+        for (const Found& found : found_) {
+            faults.push_back(found.fault);
+            if (found.cases < examined || context_.cases.count() == 1)
+                faults.back().message += describe(found);
+        }
+        throw DeckError(std::move(faults));
+    }
+
+  private:
+    struct Found {
+        DeckFault fault;
+        long first = 0;
+        long cases = 1;
+    };
+
+    void add(const DeckFault& fault, long number) {
+        const auto same = std::find_if(found_.begin(), found_.end(), [&](const Found& found) {
+            const DeckFault& other = found.fault;
+            return other.file == fault.file && other.line == fault.line && other.column == fault.column &&
+                   other.key == fault.key && other.message == fault.message;
+        });
+        if (same == found_.end()) {
+            found_.push_back({fault, number});
+        } else {
+            ++same->cases;
+        }
+    }
+
+    // A fault of an override is one of the plan's key that gave it.
+    DeckFault place(const DeckFault& fault) const {
+        const std::string mark = "--set ";
+        if (!fault.file.starts_with(mark)) return fault;
+        const std::string text = fault.file.substr(mark.size());
+        for (const Variation& variation : context_.plan.variations) {
+            if (!text.starts_with(variation.key + "=")) continue;
+            const std::string value = text.substr(variation.key.size() + 1);
+            const std::string key = fault.key.empty() ? "" : fault.key + ": ";
+            return {context_.plan.file,
+                    variation.place.line,
+                    variation.place.column,
+                    fmt::format("vary.\"{}\"", variation.key),
+                    fmt::format("{}{} (the value {})", key, fault.message, value)};
+        }
+        return fault;
+    }
+
+    std::string describe(const Found& found) const {
+        const std::string others = found.cases > 1 ? fmt::format(" and {} more", found.cases - 1) : "";
+        return fmt::format(" [case {}{}: {}]", found.first, others, context_.cases.describe(found.first));
+    }
+
+    const CaseContext& context_;
+    std::vector<Found> found_;
+    long faulty_cases_ = 0;
+};
+
+}  // namespace
+
+Problem check_cases(const CaseContext& context, const std::function<void(long)>& report) {
+    FaultList faults(context.plan.file, {});
+    if (context.plan.combination != Combination::decks) check_parameters(context, faults);
+    faults.throw_if_any();
+    CaseFaults case_faults(context);
+    std::optional<Problem> first;
+    long number = 1;
+    for (; number <= context.cases.count() && !case_faults.is_enough(); ++number) {
+        try {
+            Problem problem = context.build(number);
+            FaultList missing(context.plan.file, {});
+            check_collections(context.plan.collections, problem, missing);
+            missing.throw_if_any();
+            if (!first) first = std::move(problem);
+        } catch (const DeckError& error) {
+            case_faults.add(error, number);
+        }
+        report(number);
+    }
+    case_faults.throw_if_any(number - 1);
+    return *std::move(first);
+}
+
+}  // namespace gxrod

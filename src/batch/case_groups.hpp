@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "batch/case_row.hpp"
+
+namespace gxrod {
+
+// Cases that ended the same way but for the numbers in their reasons.
+struct CaseGroup {
+    CaseStatus status;
+    std::string text;  // of the first of them
+    std::vector<long> numbers;
+};
+
+// Cases that are not done, by their reasons, the largest group first.
+std::vector<CaseGroup> group_failures(const std::vector<CaseRow>& rows);
+// The same of warnings.
+std::vector<CaseGroup> group_warnings(const std::vector<CaseRow>& rows);
+
+}  // namespace gxrod
