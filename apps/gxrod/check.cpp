@@ -8,6 +8,7 @@
 #include "analyses/model_summary.hpp"
 #include "deck/problem.hpp"
 #include "exit_code.hpp"
+#include "job.hpp"
 #include "verbs.hpp"
 
 namespace gxrod {
@@ -20,7 +21,7 @@ struct CheckArguments {
 };
 
 int check(const CheckArguments& arguments) {
-    const Problem problem = read_problem(arguments.deck, arguments.overrides);
+    const Problem problem = read_job_problem(arguments.deck, arguments.overrides);
     if (!problem.record.title.empty()) fmt::print("{}\n", problem.record.title);
     fmt::print("{}{}{}",
                describe_model(problem.model),

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "analyses/model_examination.hpp"
+#include "batch/plan.hpp"
 #include "exit_code.hpp"
 #include "progress_line.hpp"
 #include "results/energy_warning.hpp"
@@ -80,6 +81,15 @@ void add_job_options(CLI::App& verb, JobOptions& options) {
     verb.add_option(
         "--summary", options.summary, "Write a summary of the run as JSON to a file, or - for stdout");
     verb.add_flag("--quiet", options.quiet, "Say nothing unless something is wrong");
+}
+
+Problem read_job_problem(const std::string& deck, const std::vector<std::string>& overrides) {
+    try {
+        return read_problem(deck, overrides);
+    } catch (const DeckError& error) {
+        if (error.faults.front().line == 0 || !is_plan(deck)) throw;
+        throw DeckError({{deck, 0, 0, "", "is the plan of a batch, not a deck; gxrod batch runs it"}});
+    }
 }
 
 int run_job(const Problem& problem, const JobOptions& options, ResumableFile* resumed) {

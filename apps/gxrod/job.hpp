@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "analyses/run.hpp"
 #include "deck/problem.hpp"
@@ -23,6 +24,9 @@ struct JobOptions {
 
 // Declares --threads, --summary and --quiet.
 void add_job_options(CLI::App& verb, JobOptions& options);
+
+// Reads a deck, as read_problem does; of a plan it says how those are run.
+Problem read_job_problem(const std::string& deck, const std::vector<std::string>& overrides);
 
 // Runs a problem with a progress line, ends it tidily on Ctrl-C and tells how it went; `resumed` is taken
 // over, to go on with it. The exit code. Throws FileError.

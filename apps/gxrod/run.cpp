@@ -21,7 +21,7 @@ std::string results_path(const std::string& deck) {
 
 int run(RunArguments& arguments) {
     JobOptions& job = arguments.job;
-    const Problem problem = read_problem(job.deck, arguments.overrides);
+    const Problem problem = read_job_problem(job.deck, arguments.overrides);
     if (job.results.empty()) job.results = results_path(job.deck);
     job.existing = arguments.force ? Existing::replace : Existing::refuse;
     return run_job(problem, job);

@@ -67,12 +67,11 @@ void clear_folder(const fs::path& folder) {
 }
 
 // Parts of slices that no process writes.
-void remove_idle_parts(const fs::path& folder) {
-    std::error_code ignored;
-    for (const fs::path& part : list_parts(folder)) {
-        if (!BatchLock::is_running(folder, range_of_part(part))) fs::remove(part, ignored);
-    }
-    fs::remove(folder / "parts", ignored);
+std::vector<fs::path> list_idle_parts(const fs::path& folder) {
+    std::vector<fs::path> parts = list_parts(folder);
+    std::erase_if(parts,
+                  [&](const fs::path& part) { return BatchLock::is_running(folder, range_of_part(part)); });
+    return parts;
 }
 
 double count_machine_bytes() {
@@ -87,7 +86,6 @@ class BatchRun {
           request_(request),
           range_(request.only.value_or(batch.all())),
           lock_(lock_cases(request.folder, range_)) {
-        if (request.begin_anew) clear_folder(request.folder);
         begin();
     }
 
@@ -118,8 +116,12 @@ class BatchRun {
 
     void begin() {
         table_lock_.emplace(BatchLock::of_table(request_.folder));
-        for (CaseRow& row : batch_.read_rows(request_.folder)) {
-            if (range_.contains(row.number)) rows_.insert_or_assign(row.number, std::move(row));
+        if (request_.begin_anew) {
+            clear_folder(request_.folder);
+        } else {
+            for (CaseRow& row : batch_.read_rows(request_.folder)) {
+                if (range_.contains(row.number)) rows_.insert_or_assign(row.number, std::move(row));
+            }
         }
         if (!is_batch_folder(request_.folder)) write_batch_record(batch_.record(), request_.folder);
         for (const char* name : {"cases", "parts"}) make_folder(request_.folder / name);
@@ -301,10 +303,14 @@ BatchSummary run_batch(const PreparedBatch& batch, const BatchRequest& request) 
 
 std::vector<CaseRow> gather_rows(const fs::path& folder, const BatchRecord& record) {
     const BatchLock lock = BatchLock::of_table(folder);
+    // Those that are idle now get no more rows: a slice begins one under the table's lock.
+    const std::vector<fs::path> idle_parts = list_idle_parts(folder);
     std::vector<CaseRow> rows = read_case_rows(folder, record);
     write_case_table(folder, record, rows);
     write_batch_index(folder, record, rows);
-    remove_idle_parts(folder);
+    std::error_code ignored;
+    for (const fs::path& part : idle_parts) fs::remove(part, ignored);
+    fs::remove(folder / "parts", ignored);
     return rows;
 }
 

@@ -35,23 +35,28 @@ void check_parameters(const CaseContext& context, FaultList& faults) {
     }
 }
 
+// Where a fault was found: in the deck of a case, or in what is collected of it.
+enum class Stage { reading, collecting };
+
 // Faults of many cases, each once.
 class CaseFaults {
   public:
     explicit CaseFaults(const CaseContext& context) : context_(context) {}
 
-    void add(const DeckError& error, long number) {
+    void add(const DeckError& error, Stage stage, long number) {
         ++faulty_cases_;
-        for (const DeckFault& fault : error.faults) add(place(fault), number);
+        for (const DeckFault& fault : error.faults) add(place(fault), stage, number);
     }
     bool is_enough() const { return found_.size() >= most_faults || faulty_cases_ >= most_faulty_cases; }
 
-    void throw_if_any(long examined) const {
+    // `built` are the cases whose decks were right, of those that were examined.
+    void throw_if_any(long examined, long built) const {
         if (found_.empty()) return;
         std::vector<DeckFault> faults;
         for (const Found& found : found_) {
             faults.push_back(found.fault);
-            if (found.cases < examined || context_.cases.count() == 1)
+            // What all cases have is not the fault of one.
+            if (found.cases < (found.stage == Stage::reading ? examined : built))
                 faults.back().message += describe(found);
         }
         throw DeckError(std::move(faults));
@@ -60,18 +65,19 @@ class CaseFaults {
   private:
     struct Found {
         DeckFault fault;
+        Stage stage;
         long first = 0;
         long cases = 1;
     };
 
-    void add(const DeckFault& fault, long number) {
+    void add(const DeckFault& fault, Stage stage, long number) {
         const auto same = std::find_if(found_.begin(), found_.end(), [&](const Found& found) {
             const DeckFault& other = found.fault;
             return other.file == fault.file && other.line == fault.line && other.column == fault.column &&
                    other.key == fault.key && other.message == fault.message;
         });
         if (same == found_.end()) {
-            found_.push_back({fault, number});
+            found_.push_back({fault, stage, number});
         } else {
             ++same->cases;
         }
@@ -84,13 +90,12 @@ class CaseFaults {
         const std::string text = fault.file.substr(mark.size());
         for (const Variation& variation : context_.plan.variations) {
             if (!text.starts_with(variation.key + "=")) continue;
-            const std::string value = text.substr(variation.key.size() + 1);
             const std::string key = fault.key.empty() ? "" : fault.key + ": ";
             return {context_.plan.file,
                     variation.place.line,
                     variation.place.column,
                     fmt::format("vary.\"{}\"", variation.key),
-                    fmt::format("{}{} (the value {})", key, fault.message, value)};
+                    key + fault.message};
         }
         return fault;
     }
@@ -114,19 +119,23 @@ Problem check_cases(const CaseContext& context, const std::function<void(long)>&
     CaseFaults case_faults(context);
     std::optional<Problem> first;
     long number = 1;
+    long built = 0;
     for (; number <= context.cases.count() && !case_faults.is_enough(); ++number) {
+        Stage stage = Stage::reading;
         try {
             Problem problem = context.build(number);
+            ++built;
+            stage = Stage::collecting;
             FaultList missing(context.plan.file, {});
             check_collections(context.plan.collections, problem, missing);
             missing.throw_if_any();
             if (!first) first = std::move(problem);
         } catch (const DeckError& error) {
-            case_faults.add(error, number);
+            case_faults.add(error, stage, number);
         }
         report(number);
     }
-    case_faults.throw_if_any(number - 1);
+    case_faults.throw_if_any(number - 1, built);
     return *std::move(first);
 }
 

@@ -142,21 +142,17 @@ void check_collections(const std::vector<Collection>& collections,
 }
 
 std::string describe(const Collection& collection) {
-    std::string text;
-    if (collection.at) {
-        text = fmt::format("at t = {}: ", *collection.at);
-    } else {
-        constexpr std::array words{"least", "largest", "mean", "rms of", "final", "largest absolute"};
-        text = fmt::format("{} ", words[static_cast<std::size_t>(collection.take)]);
-    }
+    constexpr std::array words{"least", "largest", "mean", "rms of", "final", "largest absolute"};
+    std::string text =
+        collection.at ? "" : fmt::format("{} ", words[static_cast<std::size_t>(collection.take)]);
     if (collection.component) text += word_of(component_choices, *collection.component) + " of ";
     if (collection.history.empty()) {
         text += word_of(ledger_choices, collection.ledger);
     } else {
         text += fmt::format("{} of {}", word_of(quantity_choices, collection.quantity), collection.history);
     }
-    return collection.reference ? fmt::format("distance from {} of the {}", *collection.reference, text)
-                                : text;
+    if (collection.at) text += fmt::format(" at t = {}", *collection.at);
+    return collection.reference ? fmt::format("{}, distance from {}", text, *collection.reference) : text;
 }
 
 void TakenNumber::add(double time, double value) {

@@ -129,9 +129,7 @@ Plan plan_of_decks(std::vector<std::filesystem::path> decks) {
 
 bool is_plan(const std::filesystem::path& file) {
     const DeckNode tree = read_toml(read_whole_file(file), file.string());
-    const auto& keys = plan_schema().keys;
-    return std::any_of(
-        keys.begin(), keys.end(), [&](const KeySpec& key) { return tree.find(key.name) != nullptr; });
+    return (tree.find("deck") != nullptr || tree.find("vary") != nullptr) && tree.find("analysis") == nullptr;
 }
 
 }  // namespace gxrod

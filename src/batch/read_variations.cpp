@@ -74,13 +74,14 @@ class VariationReader {
     void add(const Place& place, const std::string& message) { faults_.add(place, path_, message); }
 
     std::vector<std::string> read_list(const DeckNode& node) {
-        std::vector<std::string> values;
-        for (const DeckNode& value : *node.array()) values.push_back(write_toml_value(value));
-        if (values.empty()) add(node.place, "an empty list; expected one value at least");
         if (combination_ == Combination::table) {
             add(node.place,
                 "with combine = \"table\" the values are in the table; expected { column = \"…\" }");
+            return {};
         }
+        std::vector<std::string> values;
+        for (const DeckNode& value : *node.array()) values.push_back(write_toml_value(value));
+        if (values.empty()) add(node.place, "an empty list; expected one value at least");
         return values;
     }
 

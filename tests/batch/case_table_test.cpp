@@ -1,0 +1,104 @@
+#include "batch/case_table.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "batch/batch.hpp"
+#include "batch/plans.hpp"
+#include "model/file_error.hpp"
+
+namespace gxrod::test {
+namespace {
+
+BatchRecord of_cases(long cases) {
+    BatchRecord record;
+    record.cases = cases;
+    record.parameters = {"k"};
+    return record;
+}
+
+CaseRow row_of(long number, const std::string& reason = "") {
+    CaseRow row;
+    row.number = number;
+    row.parameters = {std::to_string(10 * number)};
+    row.reason = reason;
+    if (!reason.empty()) row.status = CaseStatus::failed;
+    return row;
+}
+
+std::string numbers_and_reasons(const std::vector<CaseRow>& rows) {
+    std::string text;
+    for (const CaseRow& row : rows) text += std::to_string(row.number) + row.reason + " ";
+    return text;
+}
+
+void append_text(const std::filesystem::path& path, const std::string& text) {
+    std::ofstream(path, std::ios::binary | std::ios::app) << text;
+}
+
+}  // namespace
+
+TEST_CASE("Rows that are appended are read by case, the last of each", "[batch]") {
+    const ScratchFolder folder;
+    const BatchRecord record = of_cases(9);
+    CHECK(read_case_rows(folder.path(), record).empty());
+    {
+        TableAppender table(table_path(folder.path()), record);
+        for (const long number : {5, 2, 7}) table.append(row_of(number, number == 2 ? "a" : ""));
+    }
+    {
+        TableAppender table(table_path(folder.path()), record);
+        table.append(row_of(2, "b"));
+    }
+    CHECK(numbers_and_reasons(read_case_rows(folder.path(), record)) == "2b 5 7 ");
+}
+
+TEST_CASE("A row that was cut short is left out, and does not spoil the next", "[batch]") {
+    const ScratchFolder folder;
+    const BatchRecord record = of_cases(9);
+    const std::filesystem::path path = table_path(folder.path());
+    { TableAppender(path, record).append(row_of(1)); }
+    append_text(path, "2,20,done,,0,0");
+    CHECK(numbers_and_reasons(read_case_rows(folder.path(), record)) == "1 ");
+    { TableAppender(path, record).append(row_of(3)); }
+    CHECK(numbers_and_reasons(read_case_rows(folder.path(), record)) == "1 3 ");
+    // Not even the header was whole.
+    std::ofstream(path, std::ios::binary | std::ios::trunc) << "case,k,sta";
+    CHECK(read_case_rows(folder.path(), record).empty());
+    { TableAppender(path, record).append(row_of(4)); }
+    CHECK(numbers_and_reasons(read_case_rows(folder.path(), record)) == "4 ");
+}
+
+TEST_CASE("Parts of slices go into the table", "[batch]") {
+    const ScratchFolder folder;
+    const BatchRecord record = of_cases(9);
+    std::filesystem::create_directory(folder.path() / "parts");
+    write_case_table(folder.path(), record, {row_of(1), row_of(4, "old")});
+    const std::filesystem::path part = part_path(folder.path(), {4, 6});
+    CHECK(range_of_part(part) == CaseRange{4, 6});
+    { TableAppender(part, record).append(row_of(4, "new")); }
+    CHECK(numbers_and_reasons(read_case_rows(folder.path(), record)) == "1 4new ");
+    CHECK(numbers_and_reasons(gather_rows(folder.path(), record)) == "1 4new ");
+    CHECK_FALSE(std::filesystem::exists(part));
+    CHECK(numbers_and_reasons(read_case_rows(folder.path(), record)) == "1 4new ");
+    CHECK(std::filesystem::exists(folder.path() / "index.h5"));
+}
+
+TEST_CASE("The table of another batch is not read", "[batch]") {
+    const ScratchFolder folder;
+    write_case_table(folder.path(), of_cases(9), {row_of(1)});
+    BatchRecord other = of_cases(9);
+    other.parameters = {"q"};
+    const std::string path = table_path(folder.path()).string();
+    CHECK_THROWS_WITH(read_case_rows(folder.path(), other),
+                      path + ": is the table of another batch: its columns differ from those of batch.json");
+}
+
+TEST_CASE("A table that cannot be written is told", "[batch]") {
+    CHECK_THROWS_WITH(TableAppender("/nowhere/index.csv", of_cases(1)),
+                      "/nowhere/index.csv: cannot be written (No such file or directory)");
+    CHECK_THROWS_WITH(replace_file("/nowhere/index.csv", "x"),
+                      "/nowhere/index.csv: cannot be written (No such file or directory)");
+}
+
+}  // namespace gxrod::test

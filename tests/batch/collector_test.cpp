@@ -1,0 +1,136 @@
+#include "batch/collector.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "analyses/run.hpp"
+#include "batch/batch.hpp"
+#include "batch/plans.hpp"
+
+namespace gxrod::test {
+namespace {
+
+// What is taken of sin t on unequal steps from 0 to 2 pi + 1.
+double take_of_sine(Take take, std::optional<double> at = {}) {
+    TakenNumber number(take, at);
+    constexpr int steps = 4000;
+    for (int i = 0; i <= steps; ++i) {
+        const double part = static_cast<double>(i) / steps;
+        const double time = (2.0 * std::numbers::pi + 1.0) * part * (0.5 + 0.5 * part);
+        number.add(time, std::sin(time));
+    }
+    return number.value();
+}
+
+std::vector<double> collect(const std::string& collect) {
+    const PlanFiles files(
+        "deck = \"deck.toml\"\n[vary]\n\"parameters.load\" = [2.0]\n[keep]\nresults = \"none\"\n[collect]\n" +
+        collect);
+    const Plan plan = files.read();
+    const CaseList cases(plan);
+    std::deque<DeckTemplate> decks;
+    decks.emplace_back(plan.decks[0]);
+    return run_case({plan, cases, decks, files.folder()}, 1).collected;
+}
+
+}  // namespace
+
+TEST_CASE("Numbers are taken over time, whatever the steps", "[batch]") {
+    const double end = 2.0 * std::numbers::pi + 1.0;
+    CHECK(take_of_sine(Take::least) == Approx(-1.0).epsilon(1e-6));
+    CHECK(take_of_sine(Take::largest) == Approx(1.0).epsilon(1e-6));
+    CHECK(take_of_sine(Take::largest_absolute) == Approx(1.0).epsilon(1e-6));
+    CHECK(take_of_sine(Take::last) == std::sin(end));
+    CHECK(take_of_sine(Take::mean) == Approx((1.0 - std::cos(end)) / end).epsilon(1e-6));
+    const double square = 0.5 - std::sin(2.0 * end) / (4.0 * end);
+    CHECK(take_of_sine(Take::rms) == Approx(std::sqrt(square)).epsilon(1e-6));
+    CHECK(take_of_sine(Take::last, 0.7) == Approx(std::sin(0.7)).epsilon(1e-6));
+    CHECK(take_of_sine(Take::last, 0.0) == 0.0);
+    CHECK(std::isnan(take_of_sine(Take::last, 8.0)));
+}
+
+TEST_CASE("Mean, rms and values between steps are those of straight lines", "[batch]") {
+    const auto take = [](Take kind, std::optional<double> at) {
+        TakenNumber number(kind, at);
+        number.add(1.0, 0.0);
+        number.add(2.0, 3.0);
+        number.add(5.0, -3.0);
+        return number.value();
+    };
+    CHECK(take(Take::mean, {}) == Approx(1.5 / 4.0).epsilon(1e-15));
+    CHECK(take(Take::rms, {}) == Approx(std::sqrt((3.0 + 9.0) / 4.0)).epsilon(1e-15));
+    CHECK(take(Take::last, 1.5) == 1.5);
+    CHECK(take(Take::last, 2.0) == 3.0);
+    CHECK(take(Take::last, 3.5) == Approx(0.0).margin(1e-15));
+    CHECK(take(Take::last, 5.0) == -3.0);
+    CHECK(take(Take::largest_absolute, {}) == 3.0);
+}
+
+TEST_CASE("A run that made no step, or one, has what there is", "[batch]") {
+    CHECK(std::isnan(TakenNumber(Take::mean, {}).value()));
+    TakenNumber mean(Take::mean, {});
+    mean.add(0.0, -2.0);
+    CHECK(mean.value() == -2.0);
+    TakenNumber rms(Take::rms, {});
+    rms.add(0.0, -2.0);
+    CHECK(rms.value() == 2.0);
+}
+
+TEST_CASE("Collected numbers are those of histories and ledger", "[batch]") {
+    const std::vector<double> numbers = collect(R"(
+x = { history = "tip", quantity = "position", component = "x", take = "final" }
+z = { history = "tip", quantity = "position", component = "z", take = "final" }
+length = { history = "tip", quantity = "position", component = "magnitude", take = "final" }
+off = { history = "tip", quantity = "position", component = "z", take = "final", reference = 100.0 }
+half = { history = "tip", quantity = "position", component = "z", at = 0.5 }
+quarter = { history = "tip", quantity = "position", component = "z", at = 0.25 }
+w = { history = "tip", quantity = "quaternion", component = "w", take = "final" }
+qx = { history = "tip", quantity = "quaternion", component = "x", take = "final" }
+qy = { history = "tip", quantity = "quaternion", component = "y", take = "final" }
+qz = { history = "tip", quantity = "quaternion", component = "z", take = "final" }
+strain = { ledger = "strain_energy", take = "max" }
+kinetic = { ledger = "kinetic_energy", take = "max" }
+work = { ledger = "external_work", take = "final" }
+lost = { ledger = "dissipated_energy", take = "final" }
+error = { ledger = "energy_error", take = "max_abs" }
+px = { ledger = "linear_momentum", component = "x", take = "max" }
+lx = { ledger = "angular_momentum", component = "x", take = "max" }
+)");
+    REQUIRE(numbers.size() == 17);
+    const double x = numbers[0];
+    const double z = numbers[1];
+    // A cantilever of n linear elements bends under an end load P by P L^3 / (3 EI) (1 - 1/(4 n^2)) + P L /
+    // GAz, a little less at large ones.
+    CHECK(z == Approx(2.0 * 1000.0 / 1500.0 * (1.0 - 1.0 / 16.0) + 2.0 * 10.0 / 3e4).epsilon(0.02));
+    CHECK(x < 10.0);
+    CHECK(numbers[2] == Approx(std::hypot(x, z)).epsilon(1e-15));
+    CHECK(numbers[3] == Approx(100.0 - z).epsilon(1e-15));
+    CHECK(numbers[4] == Approx(z / 2.0).epsilon(0.02));
+    CHECK(numbers[5] == Approx(numbers[4] / 2.0).epsilon(1e-14));
+    // Turned about -y by some P L^2 / (2 EI) = 0.2.
+    CHECK(numbers[6] == Approx(std::cos(0.1)).epsilon(2e-3));
+    CHECK(numbers[7] == Approx(0.0).margin(1e-14));
+    CHECK(numbers[8] == Approx(-std::sin(0.1)).epsilon(0.05));
+    CHECK(numbers[9] == Approx(0.0).margin(1e-14));
+    CHECK(numbers[10] == Approx(2.0 * z / 2.0).epsilon(0.02));
+    for (const std::size_t none : {11, 13, 15, 16}) CHECK(numbers[none] == 0.0);
+    CHECK(numbers[12] == Approx(numbers[10]).epsilon(0.02));
+    CHECK(numbers[14] < 0.02 * numbers[10]);
+}
+
+TEST_CASE("What a column holds is said in words", "[batch]") {
+    Collection collection;
+    collection.history = "tip";
+    collection.component = Component::z;
+    collection.take = Take::largest;
+    CHECK(describe(collection) == "largest z of position of tip");
+    collection.at = 2.5;
+    collection.reference = 3.0;
+    CHECK(describe(collection) == "z of position of tip at t = 2.5, distance from 3");
+    Collection energy;
+    energy.take = Take::largest_absolute;
+    CHECK(describe(energy) == "largest absolute energy_error");
+}
+
+}  // namespace gxrod::test
