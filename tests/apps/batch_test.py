@@ -293,6 +293,14 @@ class Failures(BatchTest):
                 self.assertEqual(file.attrs["status"], "interrupted")
                 self.assertEqual(file["histories/time"][-1], float(row["time"]))
 
+    def test_time_limit_within_a_step(self):
+        self.write("plan.toml", ENDLESS.replace("[vary]", "time_limit = 0.5\n[vary]").replace("[100, 200]", "[100]"))
+        process = self.start("plan.toml", "-j", "1")
+        os.kill(self.wait_for_workers(process, 1)[0], signal.SIGSTOP)
+        self.assertEqual(process.wait(60), 3)
+        self.assertEqual([(row["status"], row["reason"]) for row in self.rows()],
+                         [("time limit", "the time limit of 0.5 s was over within a step; the process was ended")])
+
     @unittest.skipIf(SANITIZED, "sanitizers reserve terabytes")
     def test_memory_limit(self):
         self.write("plan.toml", """deck = "swinger.toml"
