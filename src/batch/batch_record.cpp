@@ -9,6 +9,7 @@
 #include "batch/collector.hpp"
 #include "batch/csv_reading.hpp"
 #include "deck/deck_comparison.hpp"
+#include "deck/text_file.hpp"
 #include "model/file_error.hpp"
 #include "model/version.hpp"
 #include "results/digest.hpp"
@@ -151,7 +152,7 @@ void write_batch_record(const BatchRecord& record, const std::filesystem::path& 
 
 BatchRecord read_batch_record(const std::filesystem::path& folder) {
     const std::filesystem::path path = record_path(folder);
-    const std::string text = read_whole_file(path);
+    const std::string text = read_text_file(path);
     try {
         const Json json = Json::parse(text);
         BatchRecord record;

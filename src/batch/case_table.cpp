@@ -10,6 +10,7 @@
 #include <map>
 #include <system_error>
 
+#include "deck/text_file.hpp"
 #include "model/file_error.hpp"
 
 namespace gxrod {
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 
 // The whole lines of a table; a row is one line.
 std::string read_complete_lines(const fs::path& path) {
-    std::string text = read_whole_file(path);
+    std::string text = read_text_file(path);
     text.resize(text.rfind('\n') + 1);
     return text;
 }

@@ -4,11 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
-#include <iterator>
 #include <new>
-#include <system_error>
 #include <utility>
 
 #include "model/file_error.hpp"
@@ -96,16 +92,6 @@ std::string write_csv_field(std::string_view field) {
         quoted += letter;
     }
     return quoted + '"';
-}
-
-std::string read_whole_file(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) throw FileError(path, "is a folder, expected a file");
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw FileError(path, "cannot be read", std::generic_category().message(errno));
-    std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (file.bad()) throw FileError(path, "cannot be read");
-    return text;
 }
 
 }  // namespace gxrod

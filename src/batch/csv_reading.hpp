@@ -20,7 +20,4 @@ std::vector<CsvRow> read_csv(std::string_view text, const std::filesystem::path&
 // A field as it stands in a row.
 std::string write_csv_field(std::string_view field);
 
-// The bytes of a file. Throws FileError.
-std::string read_whole_file(const std::filesystem::path& file);
-
 }  // namespace gxrod

@@ -7,6 +7,7 @@
 #include "batch/csv_reading.hpp"
 #include "batch/plan_schema.hpp"
 #include "batch/read_variations.hpp"
+#include "deck/text_file.hpp"
 #include "deck/validation.hpp"
 
 namespace gxrod {
@@ -94,7 +95,7 @@ void take_settings(const CheckedTable& checked, Plan& plan) {
 Plan read_plan(const std::filesystem::path& file) {
     Plan plan;
     plan.file = file.string();
-    plan.text = read_whole_file(file);
+    plan.text = read_text_file(file);
     plan.tree = read_toml(plan.text, plan.file);
     FaultList faults(plan.file, {});
     const CheckedTable checked = check_text(plan.tree, plan_schema(), faults);
@@ -128,7 +129,7 @@ Plan plan_of_decks(std::vector<std::filesystem::path> decks) {
 }
 
 bool is_plan(const std::filesystem::path& file) {
-    const DeckNode tree = read_toml(read_whole_file(file), file.string());
+    const DeckNode tree = read_toml(read_text_file(file), file.string());
     return (tree.find("deck") != nullptr || tree.find("vary") != nullptr) && tree.find("analysis") == nullptr;
 }
 

@@ -11,6 +11,7 @@
 #include "batch/value_range.hpp"
 #include "deck/override_key.hpp"
 #include "deck/suggestion.hpp"
+#include "deck/text_file.hpp"
 #include "deck/toml_writing.hpp"
 #include "deck/validation.hpp"
 #include "model/file_error.hpp"
@@ -180,7 +181,7 @@ void read_table_columns(const std::filesystem::path& table,
                         const Place& place,
                         std::vector<Variation>& variations,
                         FaultList& faults) {
-    const std::vector<CsvRow> rows = read_csv(read_whole_file(table), table);
+    const std::vector<CsvRow> rows = read_csv(read_text_file(table), table);
     check_rows(table, rows);
     const CsvRow& header = rows[0];
     if (variations.empty()) {

@@ -1,10 +1,6 @@
 #include "deck/problem.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
-#include <sstream>
-#include <system_error>
 
 #include "deck/build_analysis.hpp"
 #include "deck/build_bodies.hpp"
@@ -21,6 +17,7 @@
 #include "deck/overrides.hpp"
 #include "deck/read_rod_nets.hpp"
 #include "deck/resumption.hpp"
+#include "deck/text_file.hpp"
 #include "deck/validation.hpp"
 #include "model/file_error.hpp"
 
@@ -64,18 +61,12 @@ Problem build_problem(const CheckedTable& deck, const MeshFiles& files, FaultLis
     return problem;
 }
 
-std::string read_file(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) throw FileError(path, "is a folder, expected a deck");
-    std::ifstream file(path, std::ios::binary);
-    if (!file) throw FileError(path, "cannot be read", std::generic_category().message(errno));
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (file.bad()) throw FileError(path, "cannot be read");
-    if (text.view().starts_with("\x89HDF")) {
+std::string read_deck_file(const std::filesystem::path& path) {
+    std::string text = read_text_file(path, "a deck");
+    if (text.starts_with("\x89HDF")) {
         throw FileError(path, "is a results file, not a deck", "gxrod resume, report and export read those");
     }
-    return text.str();
+    return text;
 }
 
 // A text, where its meshes are, and how faults name it.
@@ -136,7 +127,7 @@ void check_same_mesh(const DeckRecord& before,
 }  // namespace
 
 Problem read_problem(const std::filesystem::path& deck, const std::vector<std::string>& overrides) {
-    return read_problem_text(read_file(deck), deck.string(), overrides);
+    return read_problem_text(read_deck_file(deck), deck.string(), overrides);
 }
 
 Problem read_problem_text(std::string_view text,
@@ -153,7 +144,7 @@ Problem rebuild_problem(const DeckRecord& record, const std::vector<std::string>
 
 DeckTemplate::DeckTemplate(const std::filesystem::path& deck)
     : file_(deck.string()),
-      text_(read_file(deck)),
+      text_(read_deck_file(deck)),
       tree_(read_toml(text_, file_)),
       meshes_(deck.parent_path()) {}
 
@@ -172,7 +163,7 @@ Problem read_resumption(const DeckRecord& before,
     }
     const MeshFiles meshes(deck.parent_path());
     const std::string file = deck.string();
-    const std::string text = read_file(deck);
+    const std::string text = read_deck_file(deck);
     Problem problem = read_source({text, file, meshes}, overrides, &before);
     check_meshes(before, problem.record, deck.string());
     check_same_mesh(before, problem.model, meshes, deck.string());

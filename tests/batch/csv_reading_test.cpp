@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "deck/text_file.hpp"
 #include "model/file_error.hpp"
 
 namespace gxrod::test {
@@ -48,9 +49,9 @@ TEST_CASE("A field that is written is read back", "[batch]") {
 }
 
 TEST_CASE("Files that cannot be read are told", "[batch]") {
-    CHECK_THROWS_WITH(read_whole_file("/nowhere/x.csv"),
+    CHECK_THROWS_WITH(read_text_file("/nowhere/x.csv"),
                       "/nowhere/x.csv: cannot be read (No such file or directory)");
-    CHECK_THROWS_WITH(read_whole_file("/tmp"), "/tmp: is a folder, expected a file");
+    CHECK_THROWS_WITH(read_text_file("/tmp"), "/tmp: is a folder, expected a file");
 }
 
 }  // namespace gxrod::test

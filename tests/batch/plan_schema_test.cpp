@@ -5,11 +5,12 @@
 
 #include "batch/csv_reading.hpp"
 #include "batch/plans.hpp"
+#include "deck/text_file.hpp"
 
 namespace gxrod::test {
 
 TEST_CASE("The page docs/plan.md is what the schema says", "[batch]") {
-    const bool is_current = read_whole_file(GXROD_SOURCE_DIR "/docs/plan.md") == plan_reference() + "\n";
+    const bool is_current = read_text_file(GXROD_SOURCE_DIR "/docs/plan.md") == plan_reference() + "\n";
     INFO("Write it anew: gxrod schema --plan --markdown > docs/plan.md");
     CHECK(is_current);
 }
