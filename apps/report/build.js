@@ -1,6 +1,6 @@
-// Bundles the page of `gxrod report` into dist/page.html, which is committed and put into the program: npm ci && npm run build.
+// Bundles the pages of `gxrod report` into dist, which is committed and put into the program: npm ci && npm run build.
 //
-// The page carries the digest of what it was built from; tests/house/report_page_test.py compares it, without Node.
+// Each page carries the digest of what it was built from; tests/house/report_page_test.py compares it, without Node.
 import { build } from "esbuild";
 import { createHash } from "node:crypto";
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -8,17 +8,28 @@ import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 const here = (name) => new URL(name, import.meta.url);
 const read = (name) => readFileSync(here(name), "utf8");
 
+// The page of a run and that of a batch.
+const pages = [
+  { name: "page", script: "src/main.js", styles: ["src/style.css"], body: "src/page.html", libraries: ["three", "uplot"] },
+  { name: "batch", script: "src/batch/main.js", styles: ["src/style.css", "src/batch/style.css"], body: "src/batch/page.html", libraries: ["uplot"] },
+];
+
+function listFiles(folder) {
+  const below = (entry) => `${folder}/${entry.name}`;
+  return readdirSync(here(folder), { withFileTypes: true }).flatMap((entry) => (entry.isDirectory() ? listFiles(below(entry)) : [below(entry)]));
+}
+
 // SHA-256 over the name and the content of each source, in the order of their names.
 function digestSources() {
-  const sources = ["build.js", "package-lock.json", "package.json", ...readdirSync(here("src")).map((name) => `src/${name}`)];
+  const sources = ["build.js", "package-lock.json", "package.json", ...listFiles("src")];
   const hash = createHash("sha256");
   for (const name of sources.sort()) hash.update(`${name}\n${read(name)}\n`);
   return hash.digest("hex");
 }
 
-async function bundle() {
+async function bundle(script) {
   const result = await build({
-    entryPoints: [here("src/main.js").pathname],
+    entryPoints: [here(script).pathname],
     bundle: true,
     minify: true,
     write: false,
@@ -31,26 +42,27 @@ async function bundle() {
   return result.outputFiles[0].text.trim().replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
 }
 
-async function minifyStyle() {
-  const style = read("node_modules/uplot/dist/uPlot.min.css") + read("src/style.css");
+async function minifyStyles(styles) {
+  const style = read("node_modules/uplot/dist/uPlot.min.css") + styles.map(read).join("");
   const result = await build({ stdin: { contents: style, loader: "css" }, minify: true, write: false });
   return result.outputFiles[0].text.trim();
 }
 
-function licences() {
+function licences(libraries) {
   const of = (name) => {
     const { version } = JSON.parse(read(`node_modules/${name}/package.json`));
     return `${name} ${version}\n\n${read(`node_modules/${name}/LICENSE`).trim()}`;
   };
-  return `${of("three")}\n\n\n${of("uplot")}`;
+  return libraries.map(of).join("\n\n\n");
 }
 
 const hashOf = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
 
-const script = await bundle();
-const style = await minifyStyle();
-const policy = `default-src 'none'; script-src ${hashOf(script)}; style-src ${hashOf(style)}; img-src data:; base-uri 'none'; form-action 'none'`;
-const page = `<!doctype html>
+async function write(page) {
+  const script = await bundle(page.script);
+  const style = await minifyStyles(page.styles);
+  const policy = `default-src 'none'; script-src ${hashOf(script)}; style-src ${hashOf(style)}; img-src data:; base-uri 'none'; form-action 'none'`;
+  const text = `<!doctype html>
 <!-- Written by gxrod report. Built from apps/report, sources sha256:${digestSources()} -->
 <html lang="en" data-theme="auto">
 <head>
@@ -63,13 +75,16 @@ const page = `<!doctype html>
 </head>
 <body>
 <noscript>This page needs JavaScript; it loads nothing from elsewhere.</noscript>
-${read("src/page.html").trim()}
-<script type="text/plain" id="licences">${licences()}</script>
+${read(page.body).trim()}
+<script type="text/plain" id="licences">${licences(page.libraries)}</script>
 <!-- data -->
 <script>${script}</script>
 </body>
 </html>
 `;
+  writeFileSync(here(`dist/${page.name}.html`), text);
+  console.log(`dist/${page.name}.html: ${text.length} characters`);
+}
+
 mkdirSync(here("dist"), { recursive: true });
-writeFileSync(here("dist/page.html"), page);
-console.log(`dist/page.html: ${page.length} characters`);
+for (const page of pages) await write(page);

@@ -29,10 +29,10 @@ const diverging = makeMap((x) => {
   return [0.88 - 0.36 * side, 0.14 * side, x < 0.5 ? 255 : 45];
 });
 
-// How numbers from least to largest become colours; those of both signs get zero in the middle.
+// How numbers from least to largest become colours; those of both signs get zero in the middle, unless zero means nothing.
 export class ColourScale {
-  constructor([least, largest]) {
-    const hasBothSigns = least < 0 && largest > 0;
+  constructor([least, largest], isZeroNothing = false) {
+    const hasBothSigns = least < 0 && largest > 0 && !isZeroNothing;
     const bound = Math.max(-least, largest);
     this.least = hasBothSigns ? -bound : least;
     this.largest = hasBothSigns ? bound : largest;
@@ -47,6 +47,13 @@ export class ColourScale {
     out[at] = this.map[i];
     out[at + 1] = this.map[i + 1];
     out[at + 2] = this.map[i + 2];
+  }
+
+  // For a canvas.
+  css(value) {
+    const linear = [0, 0, 0];
+    this.write(value, linear, 0);
+    return cssColour(linear);
   }
 
   // For a bar that shows the scale.

@@ -25,12 +25,16 @@ function highlight(line) {
   return parts;
 }
 
-export function showDeck(info) {
-  const lines = info.deck.replace(/\n$/, "").split("\n");
+// The text of a deck with numbers of its lines.
+export function makeDeck(text) {
   const code = make("code", {});
-  for (const line of lines) code.append(make("span", { className: "line" }, ...highlight(line), "\n"));
+  for (const line of text.replace(/\n$/, "").split("\n")) code.append(make("span", { className: "line" }, ...highlight(line), "\n"));
+  return make("pre", { className: "deck", tabIndex: 0 }, code);
+}
+
+export function showDeck(info) {
   find("deck").append(
     make("p", { className: "note" }, `${info.deck_name}, as run. SHA-256 `, make("code", {}, info.deck_sha256)),
-    make("pre", { className: "deck", tabIndex: 0 }, code),
+    makeDeck(info.deck),
   );
 }

@@ -19,7 +19,10 @@ export function readTheme() {
     rod: colour("rod"),
     body: colour("body"),
     path: colour("path"),
+    bad: colour("bad"),
     series: [1, 2, 3, 4].map((i) => colour(`series-${i}`)),
+    // From blue over violet and red to orange, for more lines in an order than there are series.
+    ranks: (part) => `oklch(${colour("rank-lightness")} 0.16 ${265 + 155 * part})`,
   };
 }
 

@@ -1,0 +1,102 @@
+import { makeDeck } from "../deck.js";
+import { find, make } from "../elements.js";
+import { formatCount, formatNumber } from "../format.js";
+
+export function sayDuration(seconds) {
+  if (seconds < 120) return `${formatNumber(seconds, 3)} s`;
+  if (seconds < 7200) return `${formatNumber(seconds / 60, 3)} min`;
+  return `${formatNumber(seconds / 3600, 3)} h`;
+}
+
+function countStatuses(cases) {
+  const counts = cases.info.statuses.map((status) => [status, cases.status.filter((other) => other === status).length]);
+  return counts.filter(([, number]) => number > 0).map(([status, number]) => `${formatCount(number)} ${status}`);
+}
+
+// Title, counts and warnings at the top.
+export function showHeader(cases) {
+  const { info } = cases;
+  const title = info.title || info.plan || info.folder;
+  document.title = `${title} – gxrod`;
+  find("title").textContent = title;
+  const failed = cases.status.filter((status) => status !== "done").length;
+  const waiting = info.cases - info.finished;
+  const state = failed > 0 ? "failed" : waiting > 0 ? "running" : "complete";
+  find("status").dataset.status = state;
+  const words = { failed: `${formatCount(failed)} failed`, running: "not all run", complete: "all done" };
+  find("status").textContent = words[state];
+  const seconds = cases.find("seconds").numbers.filter(Number.isFinite).reduce((sum, part) => sum + part, 0);
+  const warned = cases.warnings.filter(Boolean).length;
+  const parts = [
+    `${formatCount(info.cases)} case${info.cases === 1 ? "" : "s"}: ${countStatuses(cases).join(", ") || "none done"}`,
+    waiting > 0 && `${formatCount(waiting)} not run yet`,
+    warned > 0 && `${formatCount(warned)} with warnings`,
+    `${sayDuration(seconds)} of computing`,
+    info.plan && `plan ${info.plan}`,
+    info.combine !== "decks" && info.combine + (cases.isSampled ? `, seed ${info.seed}` : ""),
+    `gxrod ${info.gxrod_version}`,
+  ];
+  find("subtitle").textContent = parts.filter(Boolean).join(" · ");
+  find("thinned").hidden = info.left_out.length === 0;
+  find("thinned").addEventListener("click", () => document.querySelector("[aria-controls=about]").click());
+}
+
+export function showPlan(info) {
+  const panel = find("plan");
+  if (!info.plan_text) {
+    panel.append(make("p", { className: "note" }, "There is no plan: decks were run as they are."));
+    return;
+  }
+  panel.append(make("p", { className: "note" }, `${info.plan}, as run.`), makeDeck(info.plan_text));
+}
+
+// One deck, or a menu of them.
+export function showDecks({ decks, decks_left_out: leftOut }) {
+  const panel = find("deck");
+  if (decks.length === 0) {
+    panel.append(make("p", { className: "note" }, leftOut > 0 ? "No text of a deck fitted into the page." : "There is no deck."));
+    return;
+  }
+  const place = make("div");
+  const show = ({ name, sha256, text }) =>
+    place.replaceChildren(make("p", { className: "note" }, `${name}. SHA-256 `, make("code", {}, sha256)), makeDeck(text));
+  if (decks.length > 1) {
+    const menu = make("select", { id: "which-deck", "aria-label": "Deck" }, ...decks.map(({ name }, i) => make("option", { value: String(i) }, name)));
+    menu.addEventListener("change", () => show(decks[Number(menu.value)]));
+    panel.append(menu);
+  }
+  panel.append(place);
+  show(decks[0]);
+}
+
+export function showAbout(cases) {
+  const { info } = cases;
+  const kept = info.left_out.length === 0
+    ? [make("p", {}, "Every case that has ended is here, with all its numbers.")]
+    : [make("p", {}, `To stay within ${formatNumber(info.budget_megabytes)} MB this was left out:`),
+       make("ul", { id: "left-out" }, ...info.left_out.map((sentence) => make("li", {}, sentence)))];
+  const lines = (sentences) => make("ul", {}, ...sentences.map((sentence) => make("li", {}, sentence)));
+  const pages = info.pages.cases.length;
+  find("about").append(
+    make("h2", {}, "What is in this page"),
+    ...kept,
+    make("p", {}, pages === 0
+      ? "No case has a report of its own beside this page."
+      : `${formatCount(pages)} case${pages === 1 ? " has its" : "s have their"} own report; the number of the case leads to it. Those pages lie in ${decodeURIComponent(info.pages.folder)}, seen from this one.`),
+    make("h2", {}, "The chart"),
+    lines([
+      "It shows the cases that the table shows: what is filtered out is in neither.",
+      "Lines join cases in which all other parameters are the same, in the order of the axis; a case that failed leaves a gap.",
+      "A cross is a case that failed, or has no value of this column. Failed cases keep what they had collected in the table, but not in the chart, in statistics and in histograms.",
+      "Logarithmic axes show sizes, |value|, where there are negative numbers, and say so. With both axes logarithmic, each line's slope by least squares stands beside it: the order of convergence.",
+      "In a heat map each value of a parameter takes the same room, whatever lies between them.",
+      "Click a point or a row to choose a case, click again to let it go.",
+    ]),
+    make("h2", {}, "The filter"),
+    lines([
+      "Words must all be in a case, anywhere: in a value, its status, its reason, its warning.",
+      "EI>=100, steps<50, scheme=sdirk-4 compare a column with a value.",
+    ]),
+    make("details", {}, make("summary", {}, "Libraries and their licences"), make("pre", {}, find("licences").textContent)),
+  );
+}
