@@ -1,5 +1,6 @@
-# Writes a source that holds the page of `gxrod report`, so that the program needs no other file.
-function(gxrod_embed_report_page page output)
+# Writes a source that holds a page of `gxrod report`, so that the program needs no other file. `name` is the function
+# of report/page_template.hpp that returns it.
+function(gxrod_embed_report_page page name output)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${page}")
   # As hexadecimal digits first: CMake's lists and brackets do not survive scripts.
   file(READ "${page}" digits HEX)
@@ -16,7 +17,7 @@ function(gxrod_embed_report_page page output)
 
 namespace gxrod {
 
-std::span<const std::string_view> page_template() {
+std::span<const std::string_view> ${name}() {
     static constexpr std::string_view pieces[] = {
 ${pieces}    };
     return pieces;

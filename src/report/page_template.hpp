@@ -1,14 +1,22 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace gxrod {
 
-// The page without its data, in pieces: apps/report/dist/page.html, which the build puts into the program.
+// Pages without their data, in pieces: apps/report/dist/page.html and batch.html, which the build puts into
+// the program.
 std::span<const std::string_view> page_template();
+std::span<const std::string_view> batch_template();
 
-// Where the data go in it.
-inline constexpr std::string_view page_data_mark = "<!-- data -->";
+// What stands before and after the data of a page.
+struct PageShell {
+    std::string before, after;
+
+    explicit PageShell(std::span<const std::string_view> pieces);
+    std::size_t size() const { return before.size() + after.size(); }
+};
 
 }  // namespace gxrod

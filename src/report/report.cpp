@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <system_error>
@@ -12,6 +10,7 @@
 #include "model/file_error.hpp"
 #include "report/data_blocks.hpp"
 #include "report/frame_blocks.hpp"
+#include "report/page_file.hpp"
 #include "report/page_template.hpp"
 #include "report/run_story.hpp"
 #include "report/script_json.hpp"
@@ -24,12 +23,6 @@ namespace {
 
 constexpr std::size_t most_blocks = 20;
 constexpr double bytes_in_megabyte = 1e6;
-
-std::string read_template() {
-    std::string text;
-    for (const std::string_view piece : page_template()) text += piece;
-    return text;
-}
 
 // Frames that the file counts and has times of.
 std::size_t count_frames(const Hdf5Reader& file) {
@@ -56,15 +49,13 @@ class Page {
     }
 
     ReportSummary write(std::ostream& out) {
-        const std::string shell = read_template();
-        const std::size_t mark = shell.find(page_data_mark);
+        const PageShell shell(page_template());
         plan(shell.size());
-        const std::string description = write_script_json(describe());
-        out << std::string_view(shell).substr(0, mark);
-        out << "<script type=\"application/json\" id=\"report\">" << description << "</script>\n";
+        out << shell.before;
+        write_description(out, describe());
         write_frame_blocks(file_, plan_, content_, story_.arrows, out);
         write_step_blocks(file_, charts_, plan_.steps, content_.steps, out);
-        out << std::string_view(shell).substr(mark + page_data_mark.size());
+        out << shell.after;
         return {static_cast<std::size_t>(out.tellp()), left_out(), warnings_};
     }
 
@@ -121,56 +112,13 @@ class Page {
     ReportPlan plan_;
 };
 
-namespace fs = std::filesystem;
-
 void check_page(const ReportOptions& options) {
     std::error_code ignored;
-    if (fs::equivalent(options.results, options.page, ignored)) {
+    if (std::filesystem::equivalent(options.results, options.page, ignored)) {
         throw FileError(options.page, "is the results file itself", "give another name for the page");
     }
-    const fs::file_status status = fs::status(options.page, ignored);
-    if (fs::is_directory(status)) throw FileError(options.page, "is a folder", "give the name of a file");
-    if (fs::exists(status) && options.existing == Existing::refuse) {
-        throw FileError(options.page, "exists already", "--force overwrites it");
-    }
+    check_page_file(options.page, options.existing);
 }
-
-// Where a page is written, so that one that is there stays as it is until the new one is whole. Removes it
-// unless it became the page.
-class Part {
-  public:
-    explicit Part(const fs::path& page)
-        : page_(page), path_(page.string() + ".part"), out_(path_, std::ios::binary | std::ios::trunc) {
-        if (!out_) fail(errno);
-    }
-    Part(const Part&) = delete;
-    Part& operator=(const Part&) = delete;
-    ~Part() {
-        std::error_code ignored;
-        if (!is_page_) fs::remove(path_, ignored);
-    }
-
-    std::ostream& out() { return out_; }
-
-    void become_page() {
-        out_.close();
-        if (!out_) fail(errno);
-        std::error_code error;
-        fs::rename(path_, page_, error);
-        if (error) fail(error.value());
-        is_page_ = true;
-    }
-
-  private:
-    [[noreturn]] void fail(int error) const {
-        throw FileError(page_, "cannot be written", std::generic_category().message(error));
-    }
-
-    const fs::path& page_;
-    fs::path path_;
-    std::ofstream out_;
-    bool is_page_ = false;
-};
 
 }  // namespace
 
@@ -181,9 +129,9 @@ ReportSummary write_report(const ReportOptions& options) {
         if (count_frames(file) == 0) {
             throw FileError(options.results, "has no frame yet, so there is nothing to show");
         }
-        Part part(options.page);
-        summary = Page(file, options).write(part.out());
-        part.become_page();
+        PageFile page(options.page);
+        summary = Page(file, options).write(page.out());
+        page.finish();
     });
     return summary;
 }

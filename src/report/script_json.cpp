@@ -1,6 +1,7 @@
 #include "report/script_json.hpp"
 
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 namespace gxrod {
 
@@ -25,6 +26,10 @@ std::string write_script_json(const nlohmann::ordered_json& json) {
         }
     }
     return safe;
+}
+
+void write_description(std::ostream& out, const nlohmann::ordered_json& json) {
+    out << "<script type=\"application/json\" id=\"report\">" << write_script_json(json) << "</script>\n";
 }
 
 }  // namespace gxrod

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iosfwd>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -9,5 +10,8 @@ namespace gxrod {
 // can end the element or begin another. Bytes that are not UTF-8 become U+FFFD; numbers that are not finite
 // become null.
 std::string write_script_json(const nlohmann::ordered_json& json);
+
+// Writes the script element that a page reads first.
+void write_description(std::ostream& out, const nlohmann::ordered_json& json);
 
 }  // namespace gxrod

@@ -8,9 +8,9 @@ export function sayDuration(seconds) {
   return `${formatNumber(seconds / 3600, 3)} h`;
 }
 
-function countStatuses(cases) {
-  const counts = cases.info.statuses.map((status) => [status, cases.status.filter((other) => other === status).length]);
-  return counts.filter(([, number]) => number > 0).map(([status, number]) => `${formatCount(number)} ${status}`);
+function countStatuses({ statuses, counts }) {
+  const words = statuses.map((status, i) => [counts[i], status]).filter(([number]) => number > 0);
+  return words.map(([number, status]) => `${formatCount(number)} ${status}`).join(", ");
 }
 
 // Title, counts and warnings at the top.
@@ -19,19 +19,17 @@ export function showHeader(cases) {
   const title = info.title || info.plan || info.folder;
   document.title = `${title} – gxrod`;
   find("title").textContent = title;
-  const failed = cases.status.filter((status) => status !== "done").length;
+  const failed = info.finished - info.counts[info.statuses.indexOf("done")];
   const waiting = info.cases - info.finished;
   const state = failed > 0 ? "failed" : waiting > 0 ? "running" : "complete";
   find("status").dataset.status = state;
   const words = { failed: `${formatCount(failed)} failed`, running: "not all run", complete: "all done" };
   find("status").textContent = words[state];
-  const seconds = cases.find("seconds").numbers.filter(Number.isFinite).reduce((sum, part) => sum + part, 0);
-  const warned = cases.warnings.filter(Boolean).length;
   const parts = [
-    `${formatCount(info.cases)} case${info.cases === 1 ? "" : "s"}: ${countStatuses(cases).join(", ") || "none done"}`,
+    `${formatCount(info.cases)} case${info.cases === 1 ? "" : "s"}: ${countStatuses(info) || "none done"}`,
     waiting > 0 && `${formatCount(waiting)} not run yet`,
-    warned > 0 && `${formatCount(warned)} with warnings`,
-    `${sayDuration(seconds)} of computing`,
+    info.warned > 0 && `${formatCount(info.warned)} with a warning`,
+    `${sayDuration(info.seconds)} of computing`,
     info.plan && `plan ${info.plan}`,
     info.combine !== "decks" && info.combine + (cases.isSampled ? `, seed ${info.seed}` : ""),
     `gxrod ${info.gxrod_version}`,
@@ -51,10 +49,10 @@ export function showPlan(info) {
 }
 
 // One deck, or a menu of them.
-export function showDecks({ decks, decks_left_out: leftOut }) {
+export function showDecks({ decks }) {
   const panel = find("deck");
   if (decks.length === 0) {
-    panel.append(make("p", { className: "note" }, leftOut > 0 ? "No text of a deck fitted into the page." : "There is no deck."));
+    panel.append(make("p", { className: "note" }, "No text of a deck is in the page; About says why."));
     return;
   }
   const place = make("div");
