@@ -87,8 +87,10 @@ void tell_case_pages(const CasePages& pages, bool is_chosen) {
         fmt::print(stderr, "warning: {} more cases have no page\n", pages.faults.size() - most_faults);
     }
     if (pages.lost > 0) {
-        fmt::print(
-            stderr, "warning: results of {} cases are in the table, but not in the folder\n", pages.lost);
+        fmt::print(stderr,
+                   "warning: results of {} {} are in the table, but not in the folder\n",
+                   pages.lost,
+                   pages.lost == 1 ? "case" : "cases");
     }
     if (pages.passed_over > 0 && !is_chosen) {
         fmt::print(

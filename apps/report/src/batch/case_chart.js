@@ -39,6 +39,7 @@ export class CaseChart {
       this.figure = new PointFigure({ cases, rows, across, value, paint: this.paint, others, isJoined, logAcross, logValue });
     }
     this.plot.show(this.figure);
+    find("plot").setAttribute("aria-label", `${this.figure.y.label}, over ${this.figure.x.label}`);
     this.showKeys();
     this.showWords(rows);
   }
