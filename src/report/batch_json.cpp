@@ -108,10 +108,15 @@ std::size_t count_bytes(const BatchStory& story, const BatchContent& content) {
 }
 
 // The largest number up to `most` of which `fits` is true; 0 if none is. What fits falls with the number.
+// Asks for no more than about twice what fits, so that nothing much larger is ever made.
 template <class Fits>
 std::size_t find_most(std::size_t most, Fits&& fits) {
-    if (fits(most)) return most;
-    std::size_t good = 0, bad = most;
+    std::size_t good = 0, bad = std::min<std::size_t>(most, 1000);
+    while (fits(bad)) {
+        if (bad == most) return most;
+        good = bad;
+        bad = std::min(most, 2 * bad);
+    }
     while (bad - good > 1) {
         const std::size_t middle = good + (bad - good) / 2;
         (fits(middle) ? good : bad) = middle;
