@@ -10,7 +10,7 @@ export class Paint {
     if (!column) return;
     this.values = [...new Set(rows.map((row) => column.numbers[row]))].filter(Number.isFinite).sort((a, b) => a - b);
     this.hasKeys = this.values.length <= most || !column.isNumeric;
-    if (!this.hasKeys) this.scale = new ColourScale([this.values[0], this.values.at(-1)]);
+    if (!this.hasKeys) this.scale = new ColourScale([this.values[0], this.values.at(-1)], true);
   }
 
   // Of a row, in these colours of the page.
