@@ -25,13 +25,14 @@ export class HistogramFigure {
     return this.x.isLog ? Math.log10(place) : place;
   }
 
-  // As wide as Freedman and Diaconis have them, but from 4 to 60.
+  // As wide as Freedman and Diaconis have them, but not fewer than Sturges has, nor more than 60.
   makeBins() {
     const sorted = Float64Array.from(this.levels).sort();
     this.least = sorted[0] ?? 0;
     const span = (sorted.at(-1) ?? 0) - this.least;
     const width = (2 * (quantile(sorted, 0.75) - quantile(sorted, 0.25))) / Math.cbrt(Math.max(1, sorted.length));
-    const number = span > 0 ? Math.min(60, Math.max(4, Math.ceil(span / (width || span / 10)))) : 1;
+    const fewest = Math.ceil(Math.log2(sorted.length)) + 1;
+    const number = span > 0 ? Math.min(60, Math.max(fewest, width > 0 ? Math.ceil(span / width) : 0)) : 1;
     this.width = span > 0 ? span / number : 2 * Math.abs(this.least) * 1e-7 || 1;
     if (span === 0) this.least -= 0.5 * this.width;
     this.bins = new Array(number).fill(0);
