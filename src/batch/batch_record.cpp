@@ -55,7 +55,9 @@ std::string hint_for(const std::filesystem::path& folder) {
                          const BatchRecord& now) {
     if (before.combine == "decks" || now.combine == "decks")
         throw FileError(folder, "holds a batch of other decks" + hint_for(folder));
-    throw FileError(folder, "holds a batch of other cases: the plan's table has changed" + hint_for(folder));
+    const std::string reason = before.combine == "table" ? "the plan's table has changed"
+                                                         : fmt::format("gxrod {} made them", before.version);
+    throw FileError(folder, "holds a batch of other cases: " + reason + hint_for(folder));
 }
 
 }  // namespace
