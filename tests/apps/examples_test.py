@@ -1,23 +1,16 @@
-"""Every example deck runs, by the commands that its page states, and leaves what the page says."""
+"""Every example deck and batch runs, by the commands that its page states, and leaves what the page says."""
 
+import csv
+import math
 import os
-import re
-import shlex
 import unittest
 
 import h5py
 import numpy as np
 
-from program import GXROD, GXROD_PLOT, SOURCE, ProgramTest
+from program import SOURCE, ProgramTest, commands_of
 
 EXAMPLES = SOURCE / "docs" / "examples"
-
-
-def commands_of(page):
-    """The gxrod commands in a page's code blocks."""
-    blocks = re.findall(r"```\n(.*?)```", page.read_text(), flags=re.DOTALL)
-    lines = [line for block in blocks for line in block.splitlines()]
-    return [line for line in lines if line.startswith(("gxrod ", "gxrod-plot "))]
 
 
 class Examples(ProgramTest):
@@ -26,17 +19,27 @@ class Examples(ProgramTest):
         commands = commands_of(page)
         self.assertTrue(commands, f"{page} states no command")
         for command in commands:
-            program, *arguments = shlex.split(command)
-            program = {"gxrod": GXROD, "gxrod-plot": GXROD_PLOT}[program]
-            arguments = [str(SOURCE / word) if word.startswith("docs/") else word for word in arguments]
-            self.gxrod(*arguments, program=program, timeout=900)
+            self.run_command(command, timeout=900)
+
+    def read_batch(self, name):
+        """The rows of a batch, numbers as numbers."""
+        with open(self.folder / name / "index.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+
+        def read(text):
+            try:
+                return float(text)
+            except ValueError:
+                return text
+
+        return [{key: read(text) for key, text in row.items()} for row in rows]
 
     def open(self, name):
         return h5py.File(self.folder / f"{name}.vtkhdf")
 
     def test_each_example_has_deck_page_and_picture(self):
         folders = [path for path in EXAMPLES.iterdir() if path.is_dir()]
-        self.assertGreaterEqual(len(folders), 26)
+        self.assertGreaterEqual(len(folders), 30)
         for folder in folders:
             for file in (f"{folder.name}.toml", "README.md", f"{folder.name}.png"):
                 self.assertTrue((folder / file).exists(), folder / file)
@@ -93,6 +96,110 @@ class Examples(ProgramTest):
             at = np.searchsorted(file["histories/time"][:], 10.0 - 1e-9)
             spin = file["histories/nut/angular_velocity_material"][at]
         np.testing.assert_allclose(spin, [10.94623977013, 4.42844730509, 9.47985357634], atol=5e-6)
+
+    def test_rubin_convergence(self):
+        self.run_page("rubin_convergence")
+        rows = self.read_batch("rubin_convergence")
+        self.assertEqual(len(rows), 10)
+        for integrator in ("newmark-simplified", "newmark-ibrahimbegovic"):
+            for column in ("momentum", "energy", "orientation"):
+                with self.subTest(integrator=integrator, column=column):
+                    errors = [row[column] for row in rows if row["analysis.integrator"] == integrator]
+                    self.assertEqual(len(errors), 5)
+                    self.assertAlmostEqual(errors[3] / errors[4], 4.0, delta=0.07)
+        # What `gxrod verify rubin2007` has from an independent program: E_T, which is largest near t = pi.
+        self.assertAlmostEqual(rows[7]["energy"] / 78.0, 2.25e-4, delta=1e-6)
+        # The references are where a scheme of order 4 goes.
+        deck = "docs/examples/rubin2007/rubin2007.toml"
+        self.run_command(f"gxrod run {deck} --quiet --set analysis.integrator=sdirk-4")
+        with self.open("rubin2007") as file:
+            middle = np.searchsorted(file["ledger/time"][:], np.pi - 1e-9)
+            self.assertAlmostEqual(file["ledger/angular_momentum"][middle, 2], 12.0, delta=1e-5)
+            self.assertAlmostEqual(file["ledger/kinetic_energy"][middle], 78.0, delta=1e-4)
+            turned = file["histories/top/rotation_vector"][-1]
+        np.testing.assert_allclose(turned, [0.0, np.pi / 3, 0.0], atol=1e-5)
+
+    def test_free_flight_grid(self):
+        self.run_page("free_flight_grid")
+        rows = self.read_batch("free_flight_grid")
+        peaks = [50.0, 100.0, 150.0, 200.0, 250.0]
+        self.assertEqual([(row["parameters.EI"], row["parameters.peak"]) for row in rows],
+                         [(stiffness, peak) for stiffness in (125.0, 500.0, 2000.0) for peak in peaks])
+        for row in rows:
+            self.assertEqual(row["status"], "done")
+            self.assertAlmostEqual(row["momentum"], row["parameters.peak"] / 4, delta=1e-9)
+            self.assertLess(row["energy_error"], 2e-3 * row["work"])
+        soft, middle, stiff = rows[:5], rows[5:10], rows[10:]
+        for peak, *grades in zip(peaks, soft, middle, stiff):
+            work = [row["work"] for row in grades]
+            self.assertEqual(work, sorted(work, reverse=True))
+            rigid = self.work_on_rigid_rod(peak)
+            self.assertAlmostEqual(work[2] / rigid, 1.0, delta=0.021)
+            self.assertTrue(2.35 < work[0] / rigid < 3.15, work[0] / rigid)
+        # One case is the deck as it stands, and its results are those of a run.
+        self.run_command("gxrod run docs/examples/free_flight/free_flight.toml --quiet")
+        with self.open("free_flight") as run, self.open("free_flight_grid/cases/0009") as kept:
+            np.testing.assert_array_equal(run["ledger/external_work"][:], kept["ledger/external_work"][:])
+            self.assertEqual(run["ledger/external_work"][-1], middle[3]["work"])
+            self.assertEqual(run["ledger/strain_energy"][:].max(), middle[3]["bending"])
+
+    @staticmethod
+    def work_on_rigid_rod(peak):
+        """Kinetic energy of a rigid rod after the load of free_flight, by the classical Runge-Kutta method."""
+        mass, about_axis, across = 10.0, 200.0, 100.0 + 1000.0 / 12.0
+        axis = np.array([-0.6, 0.8, 0.0])  # from the loaded end to the other
+
+        def rates(time, state):
+            axis, momentum = state
+            pulse = peak * max(0.0, 1.0 - abs(time - 2.5) / 2.5)
+            torque = np.cross(-5.0 * axis, [pulse / 10, 0, 0]) + [0, -pulse / 2, -pulse]
+            return np.array([np.cross(momentum, axis) / across, torque])
+
+        state, step = np.array([axis, np.zeros(3)]), 0.02
+        for time in np.arange(0.0, 5.0 - 1e-9, step):
+            first = rates(time, state)
+            second = rates(time + step / 2, state + step / 2 * first)
+            third = rates(time + step / 2, state + step / 2 * second)
+            state = state + step / 6 * (first + 2 * second + 2 * third + rates(time + step, state + step * third))
+        axis, momentum = state
+        along = momentum @ axis
+        return (peak / 4)**2 / (2 * mass) + along**2 / (2 * about_axis) + (momentum @ momentum - along**2) / (2 * across)
+
+    def test_random_cantilever(self):
+        self.run_page("random_cantilever")
+        rows = self.read_batch("random_cantilever")
+        self.assertEqual([row["case"] for row in rows if row["status"] != "done"], [20])
+        failed = rows[19]
+        self.assertEqual(failed["status"], "failed")
+        self.assertIn("one element's nodes turn against each other by half a turn", failed["reason"])
+        self.assertGreater(failed["parameters.couple"], 2 * np.pi * failed["parameters.EI"])
+        self.assertEqual([path.name for path in (self.folder / "random_cantilever/cases").iterdir()], ["0020.vtkhdf"])
+        # Of each key one sample in each of 200 equally likely parts.
+        variance = math.log(1 + 0.25**2)
+        levels = {"EI": [(math.log(row["parameters.EI"]) + variance / 2) / math.sqrt(variance) for row in rows],
+                  "couple": [(row["parameters.couple"] - math.pi) / 0.2 for row in rows]}
+        for key, level in levels.items():
+            parts = sorted(int(200 * 0.5 * math.erfc(-x / math.sqrt(2))) for x in level)
+            self.assertEqual(parts, list(range(200)), key)
+
+        def deflection(turned):
+            return (1 - np.cos(turned)) / turned
+
+        done = [row for row in rows if row["status"] == "done"]
+        found = np.array([row["deflection"] for row in done])
+        turned = np.array([row["parameters.couple"] / row["parameters.EI"] for row in done])
+        np.testing.assert_allclose(found, deflection(turned), atol=2e-4)
+        # Plain samples of the formula; scatter of the hypercube's mean and deviation: 0.0026, 0.0048.
+        random = np.random.default_rng(1)
+        stiffness = np.exp(random.normal(-variance / 2, math.sqrt(variance), 1_000_000))
+        turned = random.normal(math.pi, 0.2, 1_000_000) / stiffness
+        plain = deflection(turned[turned < 2 * math.pi])
+        self.assertAlmostEqual(found.mean(), plain.mean(), delta=3 * 0.0026)
+        self.assertAlmostEqual(found.std(ddof=1), plain.std(), delta=3 * 0.0048)
+        # With what the message advises, the sample runs.
+        with self.open("sample20") as file:
+            turned = failed["parameters.couple"] / failed["parameters.EI"]
+            self.assertAlmostEqual(file["histories/end/displacement"][-1, 1], deflection(turned), delta=1e-5)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,10 @@
 
 import os
 import pathlib
+import re
+import shlex
 import subprocess
+import sys
 import tempfile
 import unittest
 
@@ -34,6 +37,16 @@ quantities = ["angular_velocity", "position"]
 """
 
 
+COMMANDS = ("gxrod ", "gxrod-plot ", "python3 docs/guide/scripts/")
+
+
+def commands_of(page):
+    """The commands in a page's code blocks, with their comments."""
+    blocks = re.findall(r"```\n(.*?)```", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+    lines = [line for block in blocks for line in block.splitlines()]
+    return [line for line in lines if line.startswith(COMMANDS)]
+
+
 class ProgramTest(unittest.TestCase):
     """Gives each test an empty folder, in which gxrod runs."""
 
@@ -52,3 +65,13 @@ class ProgramTest(unittest.TestCase):
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
         self.assertEqual(done.returncode, code, f"{arguments}\n{done.stdout}\n{done.stderr}")
         return done
+
+    def run_command(self, command, timeout=300):
+        """Runs a command as a page states it, from the project's folder; "# exit code 3" may stand behind it."""
+        program, *arguments = shlex.split(command, comments=True)
+        paths = {"gxrod": GXROD, "gxrod-plot": GXROD_PLOT, "python3": sys.executable}
+        arguments = [str(SOURCE / word) if word.startswith("docs/") else word for word in arguments]
+        code = re.search(r"# exit code (\d+)", command)
+        environment = dict(os.environ, PYTHONDONTWRITEBYTECODE="1")
+        return self.gxrod(*arguments, program=paths[program], code=int(code.group(1)) if code else 0,
+                          timeout=timeout, env=environment)
