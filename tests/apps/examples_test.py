@@ -47,6 +47,12 @@ class Examples(ProgramTest):
             self.assertTrue(
                 hasattr(self, f"test_{folder.name}") or (folder / "reference.toml").exists(), folder)
 
+    def test_the_front_page(self):
+        commands = commands_of(SOURCE / "README.md")
+        self.assertEqual(len(commands), 1)
+        for command in commands:
+            self.assertIn("10 of 10 cases done", self.run_command(command).stdout)
+
     @unittest.skipIf(os.environ.get("GXROD_SANITIZED") == "1", "takes minutes under sanitizers; Release runs it")
     def test_benchmark_pages(self):
         for reference in sorted(EXAMPLES.glob("*/reference.toml")):

@@ -102,6 +102,45 @@ class Scripts(ProgramTest):
         self.assertEqual(done.returncode, 2)
         self.assertIn("a static analysis has no frequencies", done.stderr)
 
+    BATCH = """deck = "roll_up.toml"
+combine = "grid"
+[vary]
+"rod.strip.order" = [1, 2]
+"rod.strip.elements" = [1, 10, 20]
+"parameters.turns" = [0.9]
+[collect]
+end = { history = "middle", quantity = "position", component = "y", take = "final", reference = "(1 - cos(0.9*pi))/(1.8*pi)" }
+"""
+
+    def test_plot_batch(self):
+        deck = (SOURCE / "docs/examples/roll_up/roll_up.toml").read_text(encoding="utf-8")
+        self.write("roll_up.toml", deck)
+        self.write("plan.toml", self.BATCH)
+        self.gxrod("batch", "plan.toml", "--quiet", code=3)
+        drawn = "python3 docs/guide/scripts/plot_batch.py plan/index.h5 -o plan.png --x rod.strip.elements --y end"
+        printed = self.run_command(f"{drawn} --by rod.strip.order --log x y").stdout.splitlines()
+        self.assertEqual(printed[-1], "5 cases drawn, 1 not done")
+        slopes = dict(re.fullmatch(r"end, (\d): slope (-\S+)", line).groups() for line in printed[:-1])
+        # The chords of a circle are shorter than it by an error of order 2, parabolas by one of order 4.
+        self.assertAlmostEqual(float(slopes["1"]), -2.0, delta=0.1)
+        self.assertLess(float(slopes["2"]), -3.8)
+
+        def count_red():
+            picture = image.imread(self.folder / "plan.png")[..., :3]
+            return (np.abs(picture - [1.0, 0.0, 0.0]).max(axis=-1) < 0.1).sum()
+
+        self.assertGreater(count_red(), 10, "no cross for the case that is not done")
+        self.run_command(f"{drawn} steps --by rod.strip.order --points")
+        self.assertEqual(image.imread(self.folder / "plan.png").shape[0], 7 * 120)
+
+    def test_plot_batch_names_the_columns(self):
+        self.write("roll_up.toml", (SOURCE / "docs/examples/roll_up/roll_up.toml").read_text(encoding="utf-8"))
+        self.write("plan.toml", self.BATCH.replace("[1, 2]", "[2]").replace("[1, 10, 20]", "[10]"))
+        self.gxrod("batch", "plan.toml", "--quiet")
+        done = self.run_command("python3 docs/guide/scripts/plot_batch.py plan/index.h5 -o plan.png --x elements "
+                                "--y end  # exit code 2")
+        self.assertIn("no column elements; there are case, end, newton_iterations, parameters.turns, ", done.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -41,8 +41,9 @@ COMMANDS = ("gxrod ", "gxrod-plot ", "python3 docs/guide/scripts/")
 
 
 def commands_of(page):
-    """The commands in a page's code blocks, with their comments."""
-    blocks = re.findall(r"```\n(.*?)```", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+    """The commands in a page's code blocks without a language, with their comments."""
+    fenced = re.findall(r"^```(\w*)\n(.*?)^```$", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    blocks = [block for language, block in fenced if not language]
     lines = [line for block in blocks for line in block.splitlines()]
     return [line for line in lines if line.startswith(COMMANDS)]
 
