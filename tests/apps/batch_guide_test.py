@@ -42,7 +42,7 @@ class BatchGuide(ProgramTest):
             self.assertEqual(len(lines), cases + 1, folder)
             self.assertTrue(all(",done," in line for line in lines[1:]), folder)
         self.assertFalse((self.folder / "random" / "cases").exists())
-        for file in ("0001.png", "0001.html", "sweep.png"):
+        for file in ("0001.png", "sweep/report.html", "sweep.png"):
             self.assertTrue((self.folder / file).exists(), file)
 
         printed = re.search(r"It prints\n\n```\n(.*?)```", self.page, re.DOTALL).group(1)
