@@ -73,12 +73,12 @@ void BatchTelling::show_progress(const BatchProgress& progress, bool is_ending) 
 void BatchTelling::show_failure(const CaseRow& row, const CaseList& cases) {
     if (is_quiet_) return;
     // Those that will be in one group are told once.
-    failures_.push_back(row);
-    if (group_failures(failures_).size() < failures_.size()) {
-        failures_.pop_back();
+    if (told_.size() == most_groups) return;
+    told_.push_back(row);
+    if (group_failures(told_).size() < told_.size()) {
+        told_.pop_back();
         return;
     }
-    if (failures_.size() > most_groups) return;
     line_.finish();
     fmt::print(stderr,
                "case {} ({}): {}: {}\n",
@@ -86,6 +86,10 @@ void BatchTelling::show_failure(const CaseRow& row, const CaseList& cases) {
                cases.describe(row.number),
                name_of(row.status),
                row.reason);
+}
+
+bool BatchTelling::was_told(long number) const {
+    return std::any_of(told_.begin(), told_.end(), [&](const CaseRow& row) { return row.number == number; });
 }
 
 void BatchTelling::show_plan(const PreparedBatch& batch, const BatchRequest& request) const {
@@ -119,12 +123,17 @@ void BatchTelling::show_summary(const BatchSummary& summary, const BatchRequest&
     const long cases = summary.range.last - summary.range.first + 1;
     const long done = summary.count(CaseStatus::done);
     const std::vector<CaseGroup> failures = group_failures(summary.rows);
-    if (!failures.empty() && !is_quiet_) {
+    // What is to be said of a single case was said when it happened.
+    std::vector<CaseGroup> untold = failures;
+    std::erase_if(untold, [&](const CaseGroup& group) {
+        return group.numbers.size() == 1 && was_told(group.numbers[0]);
+    });
+    if (!untold.empty()) {
         fmt::print(stderr, "Not done:\n");
-        print_groups(stderr, failures, true);
+        print_groups(stderr, untold, true);
     }
     const std::vector<CaseGroup> warnings = group_warnings(summary.rows);
-    if (!warnings.empty() && !is_quiet_) {
+    if (!warnings.empty()) {
         fmt::print(stderr, "Warnings:\n");
         print_groups(stderr, warnings, false);
     }
@@ -141,7 +150,11 @@ void BatchTelling::show_summary(const BatchSummary& summary, const BatchRequest&
                summary.run_now,
                describe_duration(summary.seconds),
                table_path(request.folder).string());
-    if (static_cast<long>(summary.rows.size()) > done && !summary.is_interrupted)
+    // What did not converge will not the next time.
+    const bool is_worth_a_try = std::any_of(failures.begin(), failures.end(), [](const CaseGroup& group) {
+        return group.status != CaseStatus::failed && group.status != CaseStatus::deck_fault;
+    });
+    if (is_worth_a_try && !summary.is_interrupted)
         fmt::print("--retry-failed runs again what is not done.\n");
 }
 

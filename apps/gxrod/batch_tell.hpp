@@ -24,10 +24,12 @@ class BatchTelling {
     void show_summary(const BatchSummary& summary, const BatchRequest& request) const;
 
   private:
+    bool was_told(long number) const;
+
     bool is_quiet_;
     bool tells_;
     bool has_told_of_ending_ = false;
-    std::vector<CaseRow> failures_;  // the first of each kind
+    std::vector<CaseRow> told_;  // failures, the first of each kind
     ProgressLine line_;
 };
 

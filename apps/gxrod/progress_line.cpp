@@ -8,6 +8,7 @@
 namespace gxrod {
 
 std::string describe_duration(double seconds) {
+    if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
     if (seconds < 60.0) return fmt::format("{:.0f} s", seconds);
     if (seconds < 3600.0) return fmt::format("{:.0f} min", seconds / 60.0);
     return fmt::format("{:.1f} h", seconds / 3600.0);

@@ -39,7 +39,8 @@ int open_lock(const std::filesystem::path& folder) {
     const int code = errno;
     ::close(descriptor);
     if (code == EAGAIN || code == EACCES) {
-        throw FileError(folder, "another gxrod batch is running in it", "-o takes another folder");
+        throw FileError(
+            folder, "another gxrod batch is running in it", "-o takes another folder, --only other cases");
     }
     throw FileError(lock_path(folder), "cannot be locked", std::generic_category().message(code));
 }

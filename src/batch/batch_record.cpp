@@ -105,6 +105,13 @@ void check_same_batch(const BatchRecord& before,
         const std::vector<DeckFault> found = faults.list();
         differences.insert(differences.end(), found.begin(), found.end());
     };
+    if (before.plan.empty() != now.plan.empty()) {
+        throw FileError(
+            folder,
+            (before.plan.empty() ? "holds a batch of decks, not of a plan"
+                                 : "holds a batch of the plan " + before.plan + ", not of decks") +
+                hint_for(folder));
+    }
     if (!have_same_cases(before, now)) {
         compare(before.plan_text, plan.tree, plan.file, in_plan);
         if (differences.empty()) refuse(folder, before, now);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "batch/case_groups.hpp"
 #include "batch/collector.hpp"
 #include "deck/override_key.hpp"
 #include "deck/suggestion.hpp"
@@ -45,7 +46,7 @@ class CaseFaults {
 
     void add(const DeckError& error, Stage stage, long number) {
         ++faulty_cases_;
-        for (const DeckFault& fault : error.faults) add(place(fault), stage, number);
+        for (const DeckFault& fault : error.faults) add(place(fault, number), stage, number);
     }
     bool is_enough() const { return found_.size() >= most_faults || faulty_cases_ >= most_faulty_cases; }
 
@@ -74,7 +75,8 @@ class CaseFaults {
         const auto same = std::find_if(found_.begin(), found_.end(), [&](const Found& found) {
             const DeckFault& other = found.fault;
             return other.file == fault.file && other.line == fault.line && other.column == fault.column &&
-                   other.key == fault.key && other.message == fault.message;
+                   other.key == fault.key &&
+                   leave_out_numbers(other.message) == leave_out_numbers(fault.message);
         });
         if (same == found_.end()) {
             found_.push_back({fault, stage, number});
@@ -84,13 +86,15 @@ class CaseFaults {
     }
 
     // A fault of an override is one of the plan's key that gave it.
-    DeckFault place(const DeckFault& fault) const {
+    DeckFault place(const DeckFault& fault, long number) const {
         const std::string mark = "--set ";
         if (!fault.file.starts_with(mark)) return fault;
         const std::string text = fault.file.substr(mark.size());
         for (const Variation& variation : context_.plan.variations) {
             if (!text.starts_with(variation.key + "=")) continue;
             const std::string key = fault.key.empty() ? "" : fault.key + ": ";
+            if (context_.plan.combination == Combination::table)
+                return place_in_table(variation, key + fault.message, number);
             return {context_.plan.file,
                     variation.place.line,
                     variation.place.column,
@@ -98,6 +102,25 @@ class CaseFaults {
                     key + fault.message};
         }
         return fault;
+    }
+
+    DeckFault place_in_table(const Variation& variation, const std::string& message, long number) const {
+        const Column& column = *variation.column;
+        const bool is_unknown = message.starts_with("unknown key");
+        const std::string hint = fmt::format(
+            "; name the column after a key, or give it to one: [vary] \"parameters.{0}\" = {{ column = "
+            "\"{0}\" }}",
+            column.name);
+        const auto row = static_cast<std::size_t>(number - 1);
+        const int line = is_unknown ? column.header_line : column.lines[row];
+        return {fmt::format("{}:{}", context_.plan.table.string(), line),
+                0,
+                0,
+                "",
+                fmt::format("column \"{}\": {}{}",
+                            column.name,
+                            is_unknown && column.name == variation.key ? "no key of the deck" : message,
+                            is_unknown && column.name == variation.key ? hint : "")};
     }
 
     std::string describe(const Found& found) const {

@@ -7,24 +7,6 @@
 namespace gxrod {
 namespace {
 
-// A text with '#' for each number, so that those that differ in numbers only are equal.
-std::string leave_out_numbers(const std::string& text) {
-    std::string rest;
-    const auto is_digit = [](char letter) { return std::isdigit(static_cast<unsigned char>(letter)) != 0; };
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool is_exponent = (text[i] == 'e' || text[i] == '-' || text[i] == '+' || text[i] == '.') &&
-                                 !rest.empty() && rest.back() == '#' && i + 1 < text.size() &&
-                                 (is_digit(text[i + 1]) || text[i + 1] == '-' || text[i + 1] == '+');
-        const bool is_sign = text[i] == '-' && i + 1 < text.size() && is_digit(text[i + 1]);
-        if (!is_digit(text[i]) && !is_exponent && !is_sign) {
-            rest += text[i];
-        } else if (rest.empty() || rest.back() != '#') {
-            rest += '#';
-        }
-    }
-    return rest;
-}
-
 template <class Text>
 std::vector<CaseGroup> group_rows(const std::vector<CaseRow>& rows, Text&& text_of) {
     std::vector<CaseGroup> groups;
@@ -44,6 +26,23 @@ std::vector<CaseGroup> group_rows(const std::vector<CaseRow>& rows, Text&& text_
 }
 
 }  // namespace
+
+std::string leave_out_numbers(const std::string& text) {
+    std::string rest;
+    const auto is_digit = [](char letter) { return std::isdigit(static_cast<unsigned char>(letter)) != 0; };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool is_exponent = (text[i] == 'e' || text[i] == '-' || text[i] == '+' || text[i] == '.') &&
+                                 !rest.empty() && rest.back() == '#' && i + 1 < text.size() &&
+                                 (is_digit(text[i + 1]) || text[i + 1] == '-' || text[i + 1] == '+');
+        const bool is_sign = text[i] == '-' && i + 1 < text.size() && is_digit(text[i + 1]);
+        if (!is_digit(text[i]) && !is_exponent && !is_sign) {
+            rest += text[i];
+        } else if (rest.empty() || rest.back() != '#') {
+            rest += '#';
+        }
+    }
+    return rest;
+}
 
 std::vector<CaseGroup> group_failures(const std::vector<CaseRow>& rows) {
     return group_rows(rows, [](const CaseRow& row) -> const std::string& { return row.reason; });

@@ -7,6 +7,9 @@
 
 namespace gxrod {
 
+// A text with '#' for each number, so that those that differ in numbers only are equal.
+std::string leave_out_numbers(const std::string& text);
+
 // Cases that ended the same way but for the numbers in their reasons.
 struct CaseGroup {
     CaseStatus status;

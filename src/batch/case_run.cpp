@@ -41,7 +41,7 @@ class CaseRun {
         } catch (const DeckError& error) {
             end(CaseStatus::deck_fault, error.what());
         } catch (const std::bad_alloc&) {
-            end(CaseStatus::out_of_memory, "out of memory");
+            end(CaseStatus::out_of_memory, explain_memory());
         } catch (const std::exception& error) {
             end(CaseStatus::failed, error.what());
         }
@@ -54,6 +54,13 @@ class CaseRun {
     void end(CaseStatus status, const std::string& reason) {
         row_.status = status;
         row_.reason = reason;
+    }
+
+    std::string explain_memory() const {
+        constexpr double bytes_in_gigabyte = 1e9;
+        const std::optional<double>& limit = context_.plan.memory_limit;
+        if (limit) return fmt::format("more than memory_limit, {:.4g} GB", *limit / bytes_in_gigabyte);
+        return "more than its share of the machine; a smaller -j, or memory_limit, gives it more";
     }
 
     void try_to_run() {
@@ -95,10 +102,8 @@ class CaseRun {
                             context_.plan.time_limit,
                             summary.time));
         } else if (summary.status == RunStatus::failed) {
-            end(summary.out_of_memory ? CaseStatus::out_of_memory
-                : summary.deck_fault  ? CaseStatus::deck_fault
-                                      : CaseStatus::failed,
-                summary.reason);
+            if (summary.out_of_memory) return end(CaseStatus::out_of_memory, explain_memory());
+            end(summary.deck_fault ? CaseStatus::deck_fault : CaseStatus::failed, summary.reason);
         }
     }
 

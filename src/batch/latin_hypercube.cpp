@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <unsupported/Eigen/SpecialFunctions>
@@ -37,17 +38,26 @@ class Generator {
 
 double normal_probability(double value) { return 0.5 * std::erfc(-value / std::numbers::sqrt2); }
 
-// Mean and deviation of the normal distribution behind a normal or lognormal one.
-struct Normal {
+// A normal distribution, cut off, or that of the logarithms of a lognormal one.
+struct CutNormal {
     double mean;
     double deviation;
+    // In deviations from the mean.
+    double lowest;
+    double highest;
 };
 
-Normal normal_behind(const Spread& spread) {
-    if (spread.kind == Spread::Kind::normal) return {spread.mean, spread.deviation};
+CutNormal normal_behind(const Spread& spread) {
+    const bool is_log = spread.kind == Spread::Kind::lognormal;
     const double ratio = spread.deviation / spread.mean;
     const double variance = std::log1p(ratio * ratio);
-    return {std::log(spread.mean) - 0.5 * variance, std::sqrt(variance)};
+    const double mean = is_log ? std::log(spread.mean) - 0.5 * variance : spread.mean;
+    const double deviation = is_log ? std::sqrt(variance) : spread.deviation;
+    const auto reduce = [&](double limit) {
+        if (is_log) limit = limit > 0.0 ? std::log(limit) : -std::numeric_limits<double>::infinity();
+        return (limit - mean) / deviation;
+    };
+    return {mean, deviation, reduce(spread.from), reduce(spread.to)};
 }
 
 }  // namespace
@@ -62,18 +72,25 @@ std::vector<double> draw_probabilities(std::string_view key, std::uint64_t seed,
     return probabilities;
 }
 
+double probability_within(const Spread& spread) {
+    if (spread.kind == Spread::Kind::uniform) return 1.0;
+    const CutNormal normal = normal_behind(spread);
+    // Small probabilities are exact in the lower tail only.
+    return normal.lowest > 0.0 ? normal_probability(-normal.lowest) - normal_probability(-normal.highest)
+                               : normal_probability(normal.highest) - normal_probability(normal.lowest);
+}
+
 double quantile(const Spread& spread, double probability) {
     if (spread.kind == Spread::Kind::uniform) return spread.from + probability * (spread.to - spread.from);
-    const bool is_log = spread.kind == Spread::Kind::lognormal;
-    const auto [mean, deviation] = normal_behind(spread);
-    const auto probability_below = [&](double limit) {
-        if (is_log && limit <= 0.0) return 0.0;
-        return normal_probability(((is_log ? std::log(limit) : limit) - mean) / deviation);
-    };
-    const double lowest = probability_below(spread.from);
-    const double highest = probability_below(spread.to);
-    const double number = mean + deviation * Eigen::numext::ndtri(lowest + probability * (highest - lowest));
-    return std::clamp(is_log ? std::exp(number) : number, spread.from, spread.to);
+    const CutNormal normal = normal_behind(spread);
+    const double within = probability_within(spread);
+    const double reduced =
+        normal.lowest > 0.0
+            ? -Eigen::numext::ndtri(normal_probability(-normal.highest) + (1.0 - probability) * within)
+            : Eigen::numext::ndtri(normal_probability(normal.lowest) + probability * within);
+    const double number = normal.mean + normal.deviation * reduced;
+    return std::clamp(
+        spread.kind == Spread::Kind::lognormal ? std::exp(number) : number, spread.from, spread.to);
 }
 
 }  // namespace gxrod

@@ -90,6 +90,19 @@ void take_settings(const CheckedTable& checked, Plan& plan) {
     }
 }
 
+// Whether there is the file that a key names.
+bool check_file(const std::filesystem::path& file,
+                const char* key,
+                const CheckedTable& checked,
+                FaultList& faults) {
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored)) return true;
+    faults.add(checked.place_of(key),
+               key,
+               fmt::format("there is no file {}; it is looked for from the plan's folder", file.string()));
+    return false;
+}
+
 }  // namespace
 
 Plan read_plan(const std::filesystem::path& file) {
@@ -103,11 +116,13 @@ Plan read_plan(const std::filesystem::path& file) {
     take_settings(checked, plan);
     const std::filesystem::path folder = file.parent_path();
     plan.decks = {folder / checked.get<std::string>("deck")};
+    check_file(plan.decks[0], "deck", checked, faults);
     if (const DeckEntry* vary = plan.tree.find("vary"))
         plan.variations = read_variations(vary->node, plan.combination, faults);
     if (plan.combination == Combination::table) {
-        read_table_columns(
-            folder / checked.get<std::string>("table"), checked.place_of("table"), plan.variations, faults);
+        plan.table = folder / checked.get<std::string>("table");
+        if (check_file(plan.table, "table", checked, faults))
+            read_table_columns(plan.table, checked.place_of("table"), plan.variations, faults);
     } else if (plan.variations.empty()) {
         faults.add(
             checked.place_of("vary"), "vary", "missing or empty; expected what differs from case to case");
@@ -130,7 +145,10 @@ Plan plan_of_decks(std::vector<std::filesystem::path> decks) {
 
 bool is_plan(const std::filesystem::path& file) {
     const DeckNode tree = read_toml(read_text_file(file), file.string());
-    return (tree.find("deck") != nullptr || tree.find("vary") != nullptr) && tree.find("analysis") == nullptr;
+    const auto has = [&](const char* key) { return tree.find(key) != nullptr; };
+    if ((has("deck") || has("vary")) && !has("analysis")) return true;
+    if (has("analysis") || has("rod") || has("body") || has("section")) return false;
+    throw DeckError({{file.string(), 0, 0, "", "is neither a plan (deck, [vary]) nor a deck ([analysis])"}});
 }
 
 }  // namespace gxrod

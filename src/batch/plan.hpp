@@ -24,6 +24,13 @@ struct Spread {
     double deviation = 1.0;
 };
 
+// Where the values of a table stand.
+struct Column {
+    std::string name;
+    int header_line = 1;
+    std::vector<int> lines;  // of the rows
+};
+
 // A key of the deck that differs from case to case.
 struct Variation {
     std::string key;
@@ -31,6 +38,7 @@ struct Variation {
     // As --set takes them; for a row of the table in its order. Empty if they are drawn from `spread`.
     std::vector<std::string> values;
     std::optional<Spread> spread;
+    std::optional<Column> column;  // of the table, with Combination::table
 };
 
 // A number that is taken from each case.
@@ -54,6 +62,7 @@ struct Plan {
     std::string text;
     DeckNode tree;
     std::vector<std::filesystem::path> decks;  // one, but for Combination::decks
+    std::filesystem::path table;               // with Combination::table
     Combination combination = Combination::grid;
     long count = 0;  // of a Latin hypercube
     std::uint64_t seed = 0;
@@ -71,8 +80,8 @@ Plan read_plan(const std::filesystem::path& file);
 // A case for each deck.
 Plan plan_of_decks(std::vector<std::filesystem::path> decks);
 
-// Whether a TOML text is a plan rather than a deck. Throws DeckError if it is no TOML, FileError if it cannot
-// be read.
+// Whether a TOML text is a plan rather than a deck. Throws DeckError if it is no TOML or neither of them,
+// FileError if it cannot be read.
 bool is_plan(const std::filesystem::path& file);
 
 }  // namespace gxrod

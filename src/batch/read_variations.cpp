@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "batch/csv_reading.hpp"
+#include "batch/latin_hypercube.hpp"
 #include "batch/plan_schema.hpp"
 #include "batch/value_range.hpp"
 #include "deck/override_key.hpp"
@@ -55,7 +56,7 @@ class VariationReader {
         : combination_(combination), faults_(faults) {}
 
     Variation read(const DeckEntry& entry) {
-        Variation variation{entry.key, entry.place, {}, {}};
+        Variation variation{entry.key, entry.place, {}, {}, {}};
         path_ = path_of(entry.key);
         if (!split_key(entry.key)) {
             add(entry.place, "not a key; expected one such as \"analysis.time_step\" or \"load[0].force\"");
@@ -74,6 +75,17 @@ class VariationReader {
   private:
     void add(const Place& place, const std::string& message) { faults_.add(place, path_, message); }
 
+    // A table of the deck, of which [vary] has single keys.
+    static bool is_deck_table(const std::string& key) {
+        const KeySpec* spec = deck_schema().find(key);
+        return spec != nullptr && spec->table != nullptr;
+    }
+
+    void explain_quotes(const DeckNode& node, const std::string& key) {
+        const std::string inner = node.table()->empty() ? "KEY" : node.table()->front().key;
+        add(node.place, fmt::format("a key of the deck stands in quotes here: \"{}.{}\" = …", key, inner));
+    }
+
     std::vector<std::string> read_list(const DeckNode& node) {
         if (combination_ == Combination::table) {
             add(node.place,
@@ -87,6 +99,9 @@ class VariationReader {
     }
 
     void read_table(const DeckNode& node, Variation& variation) {
+        if (is_deck_table(variation.key)) return explain_quotes(node, variation.key);
+        if (combination_ == Combination::latin_hypercube && node.find("from") && !node.find("count"))
+            return add(node.place, "a sample between two numbers is uniform = { from = …, to = … }");
         const std::size_t before = faults_.count();
         const CheckedTable entry = check_table(node, path_, variation_table(), faults_);
         if (faults_.count() > before) return;
@@ -132,8 +147,14 @@ class VariationReader {
         if (!(spread.from < spread.to)) {
             add(table.place_of("to"), fmt::format("an empty range: from {} to {}", spread.from, spread.to));
         }
-        if (kind == Spread::Kind::lognormal && spread.to <= 0.0) {
-            add(table.place_of("to"), "a lognormal distribution has positive values only");
+        if (spread.from < spread.to && !(probability_within(spread) > 0.0)) {
+            add(table.place,
+                fmt::format(
+                    "nothing of the distribution lies from {} to {}; its mean is {}, its deviation {}",
+                    spread.from,
+                    spread.to,
+                    spread.mean,
+                    spread.deviation));
         }
         return spread;
     }
@@ -152,6 +173,11 @@ void check_rows(const std::filesystem::path& file, const std::vector<CsvRow>& ro
     if (rows.size() < 2) {
         throw FileError(
             file, "has no rows", "expected a line with the names of the columns, then a row for each case");
+    }
+    if (rows[0].fields.size() == 1 && rows[0].fields[0].find(';') != std::string::npos) {
+        throw FileError(fmt::format("{}:{}", file.string(), rows[0].line),
+                        "has one column",
+                        "columns are separated by commas, not by semicolons");
     }
     for (const CsvRow& row : rows) {
         if (row.fields.size() == rows[0].fields.size()) continue;
@@ -192,7 +218,7 @@ void read_table_columns(const std::filesystem::path& table,
                            fmt::format("column \"{}\" is no key of a deck; [vary] can say which key takes it",
                                        name));
             }
-            variations.push_back({name, place, {name}, {}});
+            variations.push_back({name, place, {name}, {}, {}});
         }
     }
     for (Variation& variation : variations) {
@@ -209,7 +235,11 @@ void read_table_columns(const std::filesystem::path& table,
                                    did_you_mean(column, header.fields)));
             continue;
         }
-        for (std::size_t i = 1; i < rows.size(); ++i) variation.values.push_back(rows[i].fields[index]);
+        variation.column = Column{column, header.line, {}};
+        for (std::size_t i = 1; i < rows.size(); ++i) {
+            variation.values.push_back(rows[i].fields[index]);
+            variation.column->lines.push_back(rows[i].line);
+        }
     }
 }
 

@@ -10,7 +10,7 @@ namespace gxrod {
 namespace {
 
 std::string join(const std::string& path, const std::string& key) {
-    return path.empty() ? key : path + "." + key;
+    return path.empty() ? key : path + "." + write_toml_key(key);
 }
 
 bool is_leaf(const DeckNode& node) { return node.table() == nullptr && node.array() == nullptr; }

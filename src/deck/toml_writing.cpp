@@ -24,14 +24,6 @@ std::string write_quoted(std::string_view text) {
     return quoted + '"';
 }
 
-std::string write_key(const std::string& key) {
-    const auto is_bare = [](char letter) {
-        return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
-               (letter >= '0' && letter <= '9') || letter == '_' || letter == '-';
-    };
-    return !key.empty() && std::all_of(key.begin(), key.end(), is_bare) ? key : write_quoted(key);
-}
-
 // The shortest decimal that reads back to the same double.
 std::string write_number(double number) {
     std::array<char, 32> buffer{};
@@ -54,7 +46,7 @@ std::string write_sequence(const Sequence& sequence, Write write) {
 }
 
 std::string write_entry(const DeckEntry& entry) {
-    return fmt::format("{} = {}", write_key(entry.key), write_value(entry.node));
+    return fmt::format("{} = {}", write_toml_key(entry.key), write_value(entry.node));
 }
 
 struct ValueWriter {
@@ -94,7 +86,7 @@ bool holds_tables_only(const DeckNode::Table& table) {
 }
 
 std::string write_tables(const DeckEntry& entry) {
-    const std::string name = write_key(entry.key);
+    const std::string name = write_toml_key(entry.key);
     std::string text;
     if (is_table_list(entry.node)) {
         for (const DeckNode& element : *entry.node.array()) {
@@ -102,7 +94,8 @@ std::string write_tables(const DeckEntry& entry) {
         }
     } else if (holds_tables_only(*entry.node.table())) {
         for (const DeckEntry& inner : *entry.node.table()) {
-            text += fmt::format("\n[{}.{}]\n{}", name, write_key(inner.key), write_body(*inner.node.table()));
+            text += fmt::format(
+                "\n[{}.{}]\n{}", name, write_toml_key(inner.key), write_body(*inner.node.table()));
         }
     } else {
         text += fmt::format("\n[{}]\n{}", name, write_body(*entry.node.table()));
@@ -123,6 +116,14 @@ std::string write_toml(const DeckNode& deck) {
         }
     }
     return values + tables;
+}
+
+std::string write_toml_key(const std::string& key) {
+    const auto is_bare = [](char letter) {
+        return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+               (letter >= '0' && letter <= '9') || letter == '_' || letter == '-';
+    };
+    return !key.empty() && std::all_of(key.begin(), key.end(), is_bare) ? key : write_quoted(key);
 }
 
 std::string write_toml_value(const DeckNode& node) { return write_value(node); }

@@ -14,7 +14,8 @@ TEST_CASE("Cases are locked one by one", "[batch]") {
         const BatchLock second = BatchLock::of_cases(folder.path(), {11, 20});
         CHECK(BatchLock::is_running(folder.path(), {15, 30}));
         const std::string busy =
-            folder.path().string() + ": another gxrod batch is running in it (-o takes another folder)";
+            folder.path().string() +
+            ": another gxrod batch is running in it (-o takes another folder, --only other cases)";
         CHECK_THROWS_WITH(BatchLock::of_cases(folder.path(), {10, 10}), busy);
         CHECK_THROWS_WITH(BatchLock::of_cases(folder.path(), {1, 30}), busy);
     }

@@ -93,13 +93,13 @@ TEST_CASE("A changed plan or deck is noticed, and the key named", "[batch]") {
         return differences(files, replaced(plan_text, old_text, new_text), cantilever_deck);
     };
     CHECK(with_plan("[100.0, 200.0]", "[100.0, 300.0]") ==
-          "plan.toml:4:27: vary.parameters.EI[1]: the batch in out has 200.0" + end);
+          "plan.toml:4:27: vary.\"parameters.EI\"[1]: the batch in out has 200.0" + end);
     CHECK(with_plan("[100.0, 200.0]", "[100.0]") ==
-          "plan.toml:4:19: vary.parameters.EI: the batch in out has [100.0, 200.0]" + end);
+          "plan.toml:4:19: vary.\"parameters.EI\": the batch in out has [100.0, 200.0]" + end);
     CHECK(with_plan("take = \"max\"", "take = \"min\"") ==
           "plan.toml:6:71: collect.z.take: the batch in out has \"max\"" + end);
     CHECK(with_plan("[collect]", "\"parameters.load\" = [1.0]\n[collect]") ==
-          "plan.toml:5:1: vary.parameters.load: the batch in out has none" + end);
+          "plan.toml:5:1: vary.\"parameters.load\": the batch in out has none" + end);
     // What does not change results may change.
     CHECK(with_plan("time_limit = 5", "# longer\ntime_limit = 50").empty());
     CHECK(with_plan("[collect]", "[keep]\nresults = \"none\"\n[collect]").empty());
@@ -110,6 +110,22 @@ TEST_CASE("A changed plan or deck is noticed, and the key named", "[batch]") {
           "deck.toml:10:12: rod.r.elements: the batch in out has 2" + end);
     CHECK(with_deck("A cantilever", "The cantilever").empty());
     CHECK(with_deck("elements = 2", "elements = 2  # few").empty());
+}
+
+TEST_CASE("Decks do not go into the batch of a plan, nor a plan into that of decks", "[batch]") {
+    const PlanFiles files(plan_text);
+    const std::filesystem::path folder = files.folder() / "out";
+    run_in(files, folder);
+    const PreparedBatch decks(plan_of_decks({files.folder() / "deck.toml"}));
+    const std::string hint = "; -o begins another batch, --force begins " + folder.string() + " anew";
+    CHECK_THROWS_WITH(decks.read_rows(folder),
+                      folder.string() + ": holds a batch of the plan plan.toml, not of decks" + hint);
+    BatchRequest request;
+    request.folder = folder;
+    request.begin_anew = true;
+    run_batch(decks, request);
+    CHECK_THROWS_WITH(PreparedBatch(files.read()).read_rows(folder),
+                      folder.string() + ": holds a batch of decks, not of a plan" + hint);
 }
 
 TEST_CASE("A changed table is noticed", "[batch]") {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 
 namespace gxrod::test {
 namespace {
@@ -103,6 +104,22 @@ TEST_CASE("A truncated distribution keeps within its limits, the rest scaled up"
         .kind = Spread::Kind::lognormal, .from = -1.0, .to = 5.0, .mean = 1.0, .deviation = 2.0};
     CHECK(quantile(positive, 1e-9) > 0.0);
     CHECK(quantile(positive, 1.0 - 1e-9) <= 5.0);
+}
+
+TEST_CASE("What lies far out is drawn as exactly as what lies near", "[batch]") {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const Spread upper{
+        .kind = Spread::Kind::normal, .from = 9.0, .to = infinity, .mean = 0.0, .deviation = 1.0};
+    const Spread lower{
+        .kind = Spread::Kind::normal, .from = -infinity, .to = -9.0, .mean = 0.0, .deviation = 1.0};
+    for (const double probability : {0.01, 0.5, 0.99}) {
+        const double value = quantile(upper, probability);
+        CHECK(std::erfc(value / std::sqrt(2.0)) / std::erfc(9.0 / std::sqrt(2.0)) ==
+              Approx(1.0 - probability).epsilon(1e-10));
+        CHECK(quantile(lower, 1.0 - probability) == Approx(-value).epsilon(1e-14));
+    }
+    CHECK(probability_within(upper) == Approx(1.1285884059538406e-19).epsilon(1e-12));
+    CHECK(probability_within({.kind = Spread::Kind::normal, .from = 50.0}) == 0.0);
 }
 
 }  // namespace gxrod::test

@@ -21,6 +21,7 @@ TEST_CASE("The examples of the plan reference, one after the other, are a plan",
         if (key.table != nullptr) text += key.table->example + "\n";
     }
     const PlanFiles files(text);
+    files.write("flying_rod.toml", "");
     const Plan plan = files.read();
     CHECK(plan.variations.size() == 2);
     CHECK(plan.variations[1].values.size() == 5);

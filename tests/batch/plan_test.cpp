@@ -92,7 +92,8 @@ TEST_CASE("A plan has defaults", "[batch]") {
 }
 
 TEST_CASE("What is wrong with a plan's keys is said at its place", "[batch]") {
-    CHECK(PlanFiles("combine = \"grid\"\n").faults() == "plan.toml:1:1: deck: missing; expected text");
+    CHECK(PlanFiles("combine = \"grid\"\n[vary]\n\"a.b\" = [1]\n").faults() ==
+          "plan.toml:1:1: deck: missing; expected text");
     CHECK(PlanFiles(head).faults() ==
           "plan.toml:1:1: vary: missing or empty; expected what differs from case to case");
     CHECK(PlanFiles(head + "combin = \"zip\"\n").faults() ==
@@ -106,7 +107,7 @@ TEST_CASE("What is wrong with a plan's keys is said at its place", "[batch]") {
     CHECK(PlanFiles(head + "time_limit = 0\n[vary]\na = [1]\n").faults() ==
           "plan.toml:2:14: time_limit: expected a number greater than 0, found 0");
     CHECK(PlanFiles("deck = \"none.toml\"\n[vary]\n\"a.b\" = [1]\n").faults() ==
-          "none.toml: cannot be read (No such file or directory)");
+          "plan.toml:1:8: deck: there is no file none.toml; it is looked for from the plan's folder");
 }
 
 TEST_CASE("What is wrong with [vary] is said at its place", "[batch]") {
@@ -140,7 +141,26 @@ TEST_CASE("What is wrong with [vary] is said at its place", "[batch]") {
           "-1");
     CHECK(
         faults_of_vary("\"parameters.EI\" = { lognormal = { mean = 2, deviation = 1, to = -1 } }", sampled) ==
-        "plan.toml:5:65: vary.\"parameters.EI\": a lognormal distribution has positive values only");
+        "plan.toml:5:33: vary.\"parameters.EI\": nothing of the distribution lies from -inf to -1; its mean "
+        "is 2, "
+        "its deviation 1");
+    CHECK(
+        faults_of_vary("\"parameters.EI\" = { normal = { mean = 0, deviation = 1, from = 50 } }", sampled) ==
+        "plan.toml:5:30: vary.\"parameters.EI\": nothing of the distribution lies from 50 to inf; its mean "
+        "is 0, "
+        "its deviation 1");
+    CHECK(faults_of_vary("\"parameters.EI\" = { from = 1, to = 2 }", sampled) ==
+          "plan.toml:5:19: vary.\"parameters.EI\": a sample between two numbers is uniform = { from = …, to "
+          "= … }");
+    CHECK(
+        faults_of_vary("parameters.EI = [1, 2]") ==
+        "plan.toml:3:1: vary.\"parameters\": a key of the deck stands in quotes here: \"parameters.EI\" = …");
+    // Of distributions that reach where they may not, one message for all samples.
+    CHECK(
+        faults_of_vary("\"section.s.stiffness.GJ\" = { normal = { mean = 1, deviation = 1 } }",
+                       "combine = \"latin-hypercube\"\ncount = 20\n")
+            .starts_with(
+                "plan.toml:5:1: vary.\"section.s.stiffness.GJ\": expected a number greater than 0, found -"));
     CHECK(faults_of_vary("\"parameters.EI\" = [1, 2]\n\"parameters.load\" = [1, 2, 3]",
                          "combine = \"zip\"\n") ==
           "plan.toml:5:1: vary.\"parameters.load\": has 3 values where \"parameters.EI\" has 2; combine = "
@@ -223,7 +243,18 @@ TEST_CASE("The columns of a table are checked", "[batch]") {
     CHECK(faults("parameters.EI,parameters.load\n1.0,2.0\n3.0,4.0\n").empty());
     CHECK(faults("stiffness,extra\n1.0,2.0\n", "[vary]\n\"parameters.EI\" = { column = \"stiffness\" }\n")
               .empty());
-    CHECK(faults("") == "cases.csv: cannot be read (No such file or directory)");
+    CHECK(faults("") ==
+          "plan.toml:3:9: table: there is no file cases.csv; it is looked for from the plan's folder");
+    CHECK(faults("parameters.EI;parameters.load\n1.0;2.0\n") ==
+          "cases.csv:1: has one column (columns are separated by commas, not by semicolons)");
+    CHECK(faults("parameters.EI,parameters.load\n1.0,\n2.0,3.0\n") ==
+          "cases.csv:2: column \"parameters.load\": \"\": the expression is empty [case 1: parameters.EI = "
+          "1.0, "
+          "parameters.load = ]");
+    CHECK(faults("stiffness\n1.0\n2.0\n")
+              .starts_with("cases.csv:1: column \"stiffness\": no key of the deck; name the "
+                           "column after a key, or give it to one: [vary] "
+                           "\"parameters.stiffness\" = { column = \"stiffness\" }"));
     CHECK(faults("parameters.EI\n") ==
           "cases.csv: has no rows (expected a line with the names of the columns, then a row for each case)");
     CHECK(faults("parameters.EI,parameters.load\n1.0,2.0\n\n3.0\n") ==
@@ -250,6 +281,10 @@ TEST_CASE("A plan is told from a deck", "[batch]") {
     const PlanFiles files(head + "[vary]\n\"parameters.EI\" = [1.0]\n");
     CHECK(is_plan(files.folder() / "plan.toml"));
     CHECK_FALSE(is_plan(files.folder() / "deck.toml"));
+    files.write("other.toml", "title = \"Nothing\"\n");
+    CHECK_THROWS_WITH(is_plan(files.folder() / "other.toml"),
+                      (files.folder() / "other.toml").string() +
+                          ": is neither a plan (deck, [vary]) nor a deck ([analysis])");
 }
 
 }  // namespace gxrod::test
