@@ -46,6 +46,8 @@ void listen_to_signals() {
     action.sa_handler = ask_batch_to_end;  // without SA_RESTART: waiting ends
     ::sigaction(SIGINT, &action, nullptr);
     ::sigaction(SIGTERM, &action, nullptr);
+    std::signal(SIGPIPE, SIG_IGN);  // nobody has to read what it tells
+    std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of writing
 }
 
 // Cores that this process may use.
@@ -69,7 +71,7 @@ std::filesystem::path default_folder(const Plan& plan) {
     return plan.file.empty() ? "batch" : std::filesystem::path(plan.file).stem();
 }
 
-CaseRange read_range(const std::string& text, const CaseRange& all) {
+CaseRange read_range(const std::string& text, long cases) {
     CaseRange range{0, 0};
     const char* end = text.data() + text.size();
     const auto first = std::from_chars(text.data(), end, range.first);
@@ -78,9 +80,9 @@ CaseRange read_range(const std::string& text, const CaseRange& all) {
     if (!has_dots) range.last = range.first;  // one case
     const bool is_read =
         first.ec == std::errc() && (has_dots ? last.ec == std::errc() && last.ptr == end : first.ptr == end);
-    if (!is_read || range.first < 1 || range.last < range.first || range.last > all.last) {
+    if (!is_read || range.first < 1 || range.last < range.first || range.last > cases) {
         throw CLI::ValidationError(fmt::format(
-            "--only {}: expected I..J, the first and the last case to run, from 1 to {}", text, all.last));
+            "--only {}: expected I..J, the first and the last case to run, from 1 to {}", text, cases));
     }
     return range;
 }
@@ -92,13 +94,16 @@ int exit_code_of(const BatchSummary& summary) {
 
 int batch(const BatchArguments& arguments) {
     BatchTelling telling(arguments.quiet, arguments.tells());
-    const PreparedBatch prepared(read_arguments(arguments.files),
-                                 [&](long examined, long cases) { telling.show_examined(examined, cases); });
+    Plan plan = read_arguments(arguments.files);
+    std::optional<CaseRange> only;
+    if (!arguments.only.empty()) only = read_range(arguments.only, CaseList(plan).count());
+    const PreparedBatch prepared(
+        std::move(plan), only, [&](long examined, long cases) { telling.show_examined(examined, cases); });
     telling.finish_line();
     BatchRequest request;
     request.folder =
         arguments.folder.empty() ? default_folder(prepared.plan()) : std::filesystem::path(arguments.folder);
-    if (!arguments.only.empty()) request.only = read_range(arguments.only, prepared.all());
+    request.only = only;
     request.workers = arguments.workers > 0 ? arguments.workers : count_cores();
     request.retry_failed = arguments.retry_failed;
     request.begin_anew = arguments.force;
@@ -131,10 +136,12 @@ void add_batch_verb(CLI::App& program, int& exit_code) {
         "-o,--output", arguments->folder, "Folder of the batch [the plan's name, in this folder]");
     verb->add_option("-j,--jobs", arguments->workers, "Cases that run at once [the cores]")
         ->check(CLI::Range(1, 4096));
-    verb->add_option("--only", arguments->only, "I..J: only these cases; several such may share a folder");
+    CLI::Option* only = verb->add_option(
+        "--only", arguments->only, "I..J: only these cases; several such may share a folder");
     verb->add_flag("--retry-failed", arguments->retry_failed, "Run cases again that are not done, too");
     verb->add_flag("--dry-run", arguments->dry_run, "Read and examine all cases, list them, and run none");
-    verb->add_flag("--force", arguments->force, "Throw away what the folder holds, another batch too");
+    verb->add_flag("--force", arguments->force, "Throw away what the folder holds, another batch too")
+        ->excludes(only);
     verb->add_option("--summary", arguments->summary, "Write a summary as JSON to a file, or - for stdout");
     verb->add_flag("--quiet", arguments->quiet, "Say nothing unless something is wrong");
     verb->footer(

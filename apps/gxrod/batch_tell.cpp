@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/version.hpp"
+#include "say.hpp"
 #include "summary.hpp"
 
 namespace gxrod {
@@ -29,14 +30,14 @@ std::string count_cases(std::size_t count) { return fmt::format("{} case{}", cou
 void print_groups(std::FILE* out, const std::vector<CaseGroup>& groups, bool has_status) {
     for (std::size_t i = 0; i < std::min(groups.size(), most_groups); ++i) {
         const CaseGroup& group = groups[i];
-        fmt::print(out,
-                   "  {}{} ({}): {}\n",
-                   has_status ? std::string(name_of(group.status)) + ", " : "",
-                   count_cases(group.numbers.size()),
-                   list_numbers(group.numbers),
-                   group.text);
+        say(out,
+            "  {}{} ({}): {}\n",
+            has_status ? std::string(name_of(group.status)) + ", " : "",
+            count_cases(group.numbers.size()),
+            list_numbers(group.numbers),
+            group.text);
     }
-    if (groups.size() > most_groups) fmt::print(out, "  and {} other reasons\n", groups.size() - most_groups);
+    if (groups.size() > most_groups) say(out, "  and {} other reasons\n", groups.size() - most_groups);
 }
 
 std::string describe(const BatchProgress& progress) {
@@ -62,9 +63,9 @@ void BatchTelling::show_progress(const BatchProgress& progress, bool is_ending) 
     if (is_quiet_) return;
     if (is_ending && !has_told_of_ending_) {
         line_.finish();
-        fmt::print(stderr,
-                   "gxrod: ends after the {} at hand; Ctrl-C again leaves them\n",
-                   count_cases(static_cast<std::size_t>(progress.running)));
+        say(stderr,
+            "gxrod: ends after the {} at hand; Ctrl-C again leaves them\n",
+            count_cases(static_cast<std::size_t>(progress.running)));
         has_told_of_ending_ = true;
     }
     if (progress.cases > 0) line_.show([&] { return describe(progress); });
@@ -80,12 +81,12 @@ void BatchTelling::show_failure(const CaseRow& row, const CaseList& cases) {
         return;
     }
     line_.finish();
-    fmt::print(stderr,
-               "case {} ({}): {}: {}\n",
-               row.number,
-               cases.describe(row.number),
-               name_of(row.status),
-               row.reason);
+    say(stderr,
+        "case {} ({}): {}: {}\n",
+        row.number,
+        cases.describe(row.number),
+        name_of(row.status),
+        row.reason);
 }
 
 bool BatchTelling::was_told(long number) const {
@@ -100,27 +101,25 @@ void BatchTelling::show_plan(const PreparedBatch& batch, const BatchRequest& req
         for (CaseRow& row : batch.read_rows(request.folder))
             rows.insert_or_assign(row.number, std::move(row));
     }
-    long to_run = 0;
+    const std::vector<long> wanted = list_wanted_cases(rows, range, request.retry_failed);
     for (long number = range.first; number <= range.last; ++number) {
         const auto row = rows.find(number);
-        const bool is_wanted =
-            row == rows.end() || (request.retry_failed && row->second.status != CaseStatus::done);
-        to_run += is_wanted ? 1 : 0;
         const bool is_shown = number - range.first < most_lines || number == range.last;
-        if (number - range.first == most_lines && !is_shown) fmt::print("…\n");
+        if (number - range.first == most_lines && !is_shown) say(stdout, "…\n");
         if (!is_shown) continue;
         const std::string state = row == rows.end() ? "" : fmt::format("  [{}]", name_of(row->second.status));
-        fmt::print("{}: {}{}\n", number, batch.cases().describe(number), state);
+        say(stdout, "{}: {}{}\n", number, batch.cases().describe(number), state);
     }
-    fmt::print("{} read and found right, {} to run into {} on {} at a time\n",
-               count_cases(static_cast<std::size_t>(batch.cases().count())),
-               to_run,
-               request.folder.string(),
-               request.workers);
+    say(stdout,
+        "{} read and found right, {} to run into {} on {} at a time\n",
+        count_cases(static_cast<std::size_t>(range.count())),
+        wanted.size(),
+        request.folder.string(),
+        request.workers);
 }
 
 void BatchTelling::show_summary(const BatchSummary& summary, const BatchRequest& request) const {
-    const long cases = summary.range.last - summary.range.first + 1;
+    const long cases = summary.range.count();
     const long done = summary.count(CaseStatus::done);
     const std::vector<CaseGroup> failures = group_failures(summary.rows);
     // What is to be said of a single case was said when it happened.
@@ -129,33 +128,34 @@ void BatchTelling::show_summary(const BatchSummary& summary, const BatchRequest&
         return group.numbers.size() == 1 && was_told(group.numbers[0]);
     });
     if (!untold.empty()) {
-        fmt::print(stderr, "Not done:\n");
+        say(stderr, "Not done:\n");
         print_groups(stderr, untold, true);
     }
     const std::vector<CaseGroup> warnings = group_warnings(summary.rows);
     if (!warnings.empty()) {
-        fmt::print(stderr, "Warnings:\n");
+        say(stderr, "Warnings:\n");
         print_groups(stderr, warnings, false);
     }
     if (summary.is_interrupted) {
-        fmt::print(stderr,
-                   "gxrod: interrupted; {} not run. The same command goes on.\n",
-                   count_cases(static_cast<std::size_t>(summary.missing)));
+        say(stderr,
+            "gxrod: interrupted; {} not run. The same command goes on.\n",
+            count_cases(static_cast<std::size_t>(summary.missing)));
     }
     if (!tells_) return;
-    fmt::print("{} of {} done{}; {} run now in {}\nTable: {}\n",
-               done,
-               count_cases(static_cast<std::size_t>(cases)),
-               failures.empty() ? "" : fmt::format(", {} not", static_cast<long>(summary.rows.size()) - done),
-               summary.run_now,
-               describe_duration(summary.seconds),
-               table_path(request.folder).string());
+    say(stdout,
+        "{} of {} done{}; {} run now in {}\nTable: {}\n",
+        done,
+        count_cases(static_cast<std::size_t>(cases)),
+        failures.empty() ? "" : fmt::format(", {} not", static_cast<long>(summary.rows.size()) - done),
+        summary.run_now,
+        describe_duration(summary.seconds),
+        table_path(request.folder).string());
     // What did not converge will not the next time.
     const bool is_worth_a_try = std::any_of(failures.begin(), failures.end(), [](const CaseGroup& group) {
         return group.status != CaseStatus::failed && group.status != CaseStatus::deck_fault;
     });
     if (is_worth_a_try && !summary.is_interrupted)
-        fmt::print("--retry-failed runs again what is not done.\n");
+        say(stdout, "--retry-failed runs again what is not done.\n");
 }
 
 void write_batch_summary(const std::string& target,
@@ -163,7 +163,7 @@ void write_batch_summary(const std::string& target,
                          const BatchRequest& request) {
     nlohmann::ordered_json json{{"folder", request.folder.string()},
                                 {"table", table_path(request.folder).string()},
-                                {"cases", summary.range.last - summary.range.first + 1}};
+                                {"cases", summary.range.count()}};
     for (const CaseStatus status : case_statuses) {
         std::string key = name_of(status);
         std::replace(key.begin(), key.end(), ' ', '_');

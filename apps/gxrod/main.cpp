@@ -1,3 +1,4 @@
+#include <fcntl.h>
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
@@ -22,6 +23,13 @@ void check_verb(const CLI::App& program, int argc, char** argv) {
     for (const CLI::App* known : program.get_subcommands({})) verbs.push_back(known->get_name());
     if (std::find(verbs.begin(), verbs.end(), verb) != verbs.end()) return;
     throw CLI::ValidationError("gxrod has no verb '" + verb + "'" + gxrod::did_you_mean(verb, verbs));
+}
+
+// Where one of them is closed, a file of ours would take its number, and what is told would go into it.
+void open_standard_files() {
+    for (int descriptor = 0; descriptor <= 2; ++descriptor) {
+        if (::fcntl(descriptor, F_GETFD) < 0) ::open("/dev/null", O_RDWR);
+    }
 }
 
 // Runs the verb; errors become a message and an exit code.
@@ -56,6 +64,7 @@ int run_program(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    open_standard_files();
     try {
         return run_program(argc, argv);
     } catch (const gxrod::DeckError& error) {

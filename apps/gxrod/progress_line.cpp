@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "say.hpp"
+
 namespace gxrod {
 
 std::string describe_duration(double seconds) {
@@ -27,16 +29,16 @@ void ProgressLine::show(const std::function<std::string()>& describe) {
     last_ = now;
     const std::string line = describe();
     if (is_terminal_) {
-        fmt::print(stderr, "\r{}\033[K", line);
+        say(stderr, "\r{}\033[K", line);
         std::fflush(stderr);
         has_line_ = true;
     } else {
-        fmt::print(stderr, "{}\n", line);
+        say(stderr, "{}\n", line);
     }
 }
 
 void ProgressLine::finish() {
-    if (has_line_) fmt::print(stderr, "\r\033[K");
+    if (has_line_) say(stderr, "\r\033[K");
     has_line_ = false;
 }
 

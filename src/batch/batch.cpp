@@ -1,7 +1,6 @@
 #include "batch/batch.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,10 +8,13 @@
 #include <deque>
 #include <limits>
 #include <set>
+#include <system_error>
 
+#include "batch/batch_folder.hpp"
 #include "batch/batch_index.hpp"
 #include "batch/batch_lock.hpp"
 #include "batch/case_check.hpp"
+#include "batch/machine_memory.hpp"
 #include "batch/worker_pool.hpp"
 #include "model/file_error.hpp"
 
@@ -32,50 +34,26 @@ std::deque<DeckTemplate> read_decks(const Plan& plan) {
     return decks;
 }
 
-void make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw FileError(folder, "cannot be made", error.message());
-}
-
-bool is_empty_or_missing(const fs::path& folder) {
-    std::error_code ignored;
-    return !fs::exists(folder, ignored) ||
-           (fs::is_directory(folder, ignored) && fs::is_empty(folder, ignored));
-}
-
-void check_folder(const fs::path& folder) {
-    std::error_code ignored;
-    if (is_empty_or_missing(folder) || is_batch_folder(folder)) return;
-    if (!fs::is_directory(folder, ignored)) throw FileError(folder, "is no folder", "-o takes another one");
-    // A batch that was killed at its very beginning.
-    const auto has_lock_only = [&] {
-        return std::all_of(fs::directory_iterator(folder), fs::directory_iterator(), [](const auto& entry) {
-            return entry.path().filename() == "lock";
-        });
-    };
-    if (has_lock_only()) return;
-    throw FileError(folder, "is not empty and holds no batch", "-o takes another folder");
-}
-
-// Takes away what a batch leaves in its folder, and nothing else.
-void clear_folder(const fs::path& folder) {
-    std::error_code ignored;
-    for (const char* name : {"batch.json", "index.csv", "index.h5", "report.html"})
-        fs::remove(folder / name, ignored);
-    for (const char* name : {"parts", "cases", "reports", "slurm"}) fs::remove_all(folder / name, ignored);
-}
-
 // Parts of slices that no process writes.
 std::vector<fs::path> list_idle_parts(const fs::path& folder) {
     std::vector<fs::path> parts = list_parts(folder);
     std::erase_if(parts,
-                  [&](const fs::path& part) { return BatchLock::is_running(folder, range_of_part(part)); });
+                  [&](const fs::path& part) { return BatchLock::is_running(folder, *range_of_part(part)); });
     return parts;
 }
 
-double count_machine_bytes() {
-    return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+// The table anew from all rows that there are; it must be locked.
+std::vector<CaseRow> gather_locked(const fs::path& folder, const BatchRecord& record) {
+    // Those that are idle now get no more rows: a slice begins one under the table's lock.
+    const std::vector<fs::path> idle_parts = list_idle_parts(folder);
+    std::vector<CaseRow> rows = read_case_rows(folder, record);
+    write_case_table(folder, record, rows);
+    write_batch_index(folder, record, rows);
+    std::error_code ignored;
+    for (const fs::path& part : idle_parts) fs::remove(part, ignored);
+    fs::remove(folder / "parts", ignored);
+    fs::remove(folder / "cases", ignored);  // if nothing was kept
+    return rows;
 }
 
 // Of a fully run batch, or a slice of it.
@@ -90,47 +68,42 @@ class BatchRun {
     }
 
     BatchSummary run() {
-        {
-            WorkerPool pool(worker_options(), [context = batch_.context(request_.folder)](long number) {
-                return write_case_row(run_case(context, number));
-            });
-            work(pool);
+        try {
+            run_cases();
+        } catch (const FileError&) {
+            // What there is may be put in order all the same.
+            try {
+                gather();
+            } catch (const FileError&) {
+            }
+            throw;
         }
-        table_.reset();
-        table_lock_.reset();
-        lock_.reset();
-        gather_rows(request_.folder, batch_.record());
-        std::error_code ignored;
-        fs::remove(request_.folder / "cases", ignored);  // if nothing was kept
-        return summarise();
+        return summarise(gather());
     }
 
   private:
     bool is_slice() const { return !(range_ == batch_.all()); }
 
     static BatchLock lock_cases(const fs::path& folder, const CaseRange& range) {
-        check_folder(folder);
+        check_batch_folder(folder);
         make_folder(folder);
         return BatchLock::of_cases(folder, range);
     }
 
     void begin() {
         table_lock_.emplace(BatchLock::of_table(request_.folder));
+        remove_leftovers(request_.folder);
         if (request_.begin_anew) {
-            clear_folder(request_.folder);
-        } else {
-            for (CaseRow& row : batch_.read_rows(request_.folder)) {
-                if (range_.contains(row.number)) rows_.insert_or_assign(row.number, std::move(row));
-            }
+            clear_batch_folder(request_.folder);
+            write_batch_record(batch_.record(), request_.folder);
+        }
+        for (CaseRow& row : batch_.read_rows(request_.folder)) {
+            if (range_.contains(row.number)) rows_.insert_or_assign(row.number, std::move(row));
         }
         if (!is_batch_folder(request_.folder)) write_batch_record(batch_.record(), request_.folder);
         for (const char* name : {"cases", "parts"}) make_folder(request_.folder / name);
-        for (long number = range_.first; number <= range_.last; ++number) {
-            const auto row = rows_.find(number);
-            const bool is_wanted =
-                row == rows_.end() || (request_.retry_failed && row->second.status != CaseStatus::done);
-            if (is_wanted) queue_.push_back(number);
-        }
+        const std::vector<long> wanted = list_wanted_cases(rows_, range_, request_.retry_failed);
+        queue_.assign(wanted.begin(), wanted.end());
         progress_.cases = static_cast<long>(queue_.size());
         // A whole batch holds the table while it runs, a slice only its part.
         if (is_slice()) {
@@ -140,6 +113,34 @@ class BatchRun {
             merge_parts();
             table_.emplace(table_path(request_.folder), batch_.record());
         }
+    }
+
+    void run_cases() {
+        if (queue_.empty()) return;
+        WorkerPool pool(worker_options(), [context = batch_.context(request_.folder)](long number) {
+            return write_outcome(run_case(context, number));
+        });
+        work(pool);
+    }
+
+    bool hand_out(WorkerPool& pool, long number) const {
+        try {
+            return pool.hand_out(number);
+        } catch (const std::system_error& error) {
+            throw FileError(request_.folder,
+                            std::string("no process can be started for its cases: ") + error.what(),
+                            "a smaller -j needs fewer");
+        }
+    }
+
+    std::vector<CaseRow> gather() {
+        table_.reset();
+        // Others may gather what is in its part from now on.
+        if (is_slice()) lock_.reset();
+        if (!table_lock_) table_lock_.emplace(BatchLock::of_table(request_.folder));
+        std::vector<CaseRow> rows = gather_locked(request_.folder, batch_.record());
+        std::erase_if(rows, [&](const CaseRow& row) { return !range_.contains(row.number); });
+        return rows;
     }
 
     // What slices left, into the table that is appended to.
@@ -156,31 +157,37 @@ class BatchRun {
         return rows;
     }
 
+    int count_workers() const {
+        return static_cast<int>(std::min<std::size_t>(request_.workers, queue_.size()));
+    }
+
     WorkerOptions worker_options() const {
         const Plan& plan = batch_.plan();
         // A case ends itself after a step; one that hangs within a step is ended.
         constexpr double least_grace = 5.0;
         constexpr double relative_grace = 0.2;
         const double limit = plan.time_limit;
-        const double memory =
-            plan.memory_limit.value_or(count_machine_bytes() / static_cast<double>(request_.workers));
-        return {request_.workers,
+        return {count_workers(),
                 std::isfinite(limit) ? limit + std::max(least_grace, relative_grace * limit) : 0.0,
-                memory};
+                plan.memory_limit.value_or(count_usable_bytes() / count_workers())};
     }
 
     void work(WorkerPool& pool) {
         constexpr double patience = 0.2;
         while (true) {
             const Interruption interruption = request_.interruption();
-            is_interrupted_ = is_interrupted_ || interruption != Interruption::none;
-            if (interruption == Interruption::stop) return;
-            while (!is_interrupted_ && !queue_.empty() && pool.has_idle_worker()) {
-                pool.hand_out(queue_.front());
-                queue_.pop_front();
+            if (interruption == Interruption::stop) {
+                is_interrupted_ = pool.busy_workers() > 0 || !queue_.empty();
+                return;
+            }
+            while (interruption == Interruption::none && !queue_.empty() && pool.has_idle_worker()) {
+                if (hand_out(pool, queue_.front())) queue_.pop_front();
             }
             tell(pool);
-            if (pool.busy_workers() == 0) return;
+            if (pool.busy_workers() == 0) {
+                is_interrupted_ = !queue_.empty();
+                return;
+            }
             for (const WorkerReply& reply : pool.wait(patience)) take(reply);
         }
     }
@@ -197,12 +204,15 @@ class BatchRun {
             queue_.push_back(reply.number);
             return;
         }
-        record(reply.kind == WorkerReply::Kind::finished ? read_row(reply.text) : make_row(reply));
-    }
-
-    CaseRow read_row(const std::string& text) const {
-        const std::vector<CsvRow> lines = read_csv(text + "\n", "reply of a worker");
-        return read_case_row(lines.at(0), batch_.record(), "reply of a worker");
+        if (reply.kind != WorkerReply::Kind::finished) return record(make_row(reply));
+        CaseOutcome outcome = read_outcome(reply.text, batch_.record());
+        if (!outcome.obstacle.empty()) {
+            throw FileError(request_.folder,
+                            fmt::format("the batch ends at case {}, which is left to be run: {}",
+                                        reply.number,
+                                        outcome.obstacle));
+        }
+        record(std::move(outcome.row));
     }
 
     // Of a case whose worker ended.
@@ -216,8 +226,13 @@ class BatchRun {
         row.reason = reply.text;
         if (reply.kind == WorkerReply::Kind::overtime) {
             row.status = CaseStatus::time_limit;
-            row.reason = fmt::format("the time limit of {} s was over within a step; the process was ended",
-                                     batch_.plan().time_limit);
+            row.reason = fmt::format(
+                "the time limit of {} s was over, and the step at hand or the setup took longer still; the "
+                "process was ended",
+                batch_.plan().time_limit);
+        } else if (reply.kind == WorkerReply::Kind::overweight) {
+            row.status = CaseStatus::out_of_memory;
+            row.reason = explain_memory(batch_.plan());
         } else if (reply.kind == WorkerReply::Kind::was_killed) {
             row.reason = "the process was killed twice, perhaps for want of memory";
         }
@@ -249,12 +264,12 @@ class BatchRun {
         index_seconds_ = seconds_since(begin);
     }
 
-    BatchSummary summarise() const {
+    BatchSummary summarise(std::vector<CaseRow> rows) const {
         BatchSummary summary;
         summary.range = range_;
-        summary.rows = list_rows();
+        summary.missing = range_.count() - static_cast<long>(rows.size());
+        summary.rows = std::move(rows);
         summary.run_now = progress_.done;
-        summary.missing = range_.last - range_.first + 1 - static_cast<long>(rows_.size());
         summary.is_interrupted = is_interrupted_;
         summary.seconds = seconds_since(begin_);
         return summary;
@@ -278,19 +293,35 @@ class BatchRun {
 
 }  // namespace
 
-PreparedBatch::PreparedBatch(Plan plan, const std::function<void(long, long)>& report)
+PreparedBatch::PreparedBatch(Plan plan,
+                             const std::optional<CaseRange>& only,
+                             const std::function<void(long, long)>& report)
     : plan_(std::move(plan)), cases_(plan_), decks_(read_decks(plan_)) {
-    const Problem first = check_cases(context(""), [&](long examined) {
-        if (report) report(examined, cases_.count());
+    const CaseRange range = only.value_or(all());
+    CheckedCases checked = check_cases(context(""), range, [&](long examined) {
+        if (report) report(examined, range.count());
     });
-    record_ = make_batch_record(plan_, cases_, decks_, first);
+    meshes_ = std::move(checked.meshes);
+    record_ = make_batch_record(plan_, cases_, decks_, checked.title, meshes_);
 }
 
 std::vector<CaseRow> PreparedBatch::read_rows(const fs::path& folder) const {
-    check_folder(folder);
+    check_batch_folder(folder);
     if (!is_batch_folder(folder)) return {};
     check_same_batch(read_batch_record(folder), record_, plan_, decks_, folder);
     return read_case_rows(folder, record_);
+}
+
+std::vector<long> list_wanted_cases(const std::map<long, CaseRow>& rows,
+                                    const CaseRange& range,
+                                    bool retry_failed) {
+    std::vector<long> wanted;
+    for (long number = range.first; number <= range.last; ++number) {
+        const auto row = rows.find(number);
+        if (row == rows.end() || (retry_failed && row->second.status != CaseStatus::done))
+            wanted.push_back(number);
+    }
+    return wanted;
 }
 
 long BatchSummary::count(CaseStatus status) const {
@@ -303,15 +334,7 @@ BatchSummary run_batch(const PreparedBatch& batch, const BatchRequest& request) 
 
 std::vector<CaseRow> gather_rows(const fs::path& folder, const BatchRecord& record) {
     const BatchLock lock = BatchLock::of_table(folder);
-    // Those that are idle now get no more rows: a slice begins one under the table's lock.
-    const std::vector<fs::path> idle_parts = list_idle_parts(folder);
-    std::vector<CaseRow> rows = read_case_rows(folder, record);
-    write_case_table(folder, record, rows);
-    write_batch_index(folder, record, rows);
-    std::error_code ignored;
-    for (const fs::path& part : idle_parts) fs::remove(part, ignored);
-    fs::remove(folder / "parts", ignored);
-    return rows;
+    return gather_locked(folder, record);
 }
 
 }  // namespace gxrod

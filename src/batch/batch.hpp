@@ -19,8 +19,11 @@ namespace gxrod {
 // A plan whose cases were all read and found right.
 class PreparedBatch {
   public:
-    // `report` hears how many cases were examined. Throws DeckError and FileError, as check_cases.
-    explicit PreparedBatch(Plan plan, const std::function<void(long examined, long cases)>& report = {});
+    // Of the cases in `only`, if that is given, which are examined alone. `report` hears how many were.
+    // Throws DeckError and FileError, as check_cases.
+    explicit PreparedBatch(Plan plan,
+                           const std::optional<CaseRange>& only = {},
+                           const std::function<void(long examined, long cases)>& report = {});
     PreparedBatch(const PreparedBatch&) = delete;
     PreparedBatch& operator=(const PreparedBatch&) = delete;
 
@@ -28,7 +31,9 @@ class PreparedBatch {
     const CaseList& cases() const { return cases_; }
     const BatchRecord& record() const { return record_; }
     CaseRange all() const { return {1, cases_.count()}; }
-    CaseContext context(const std::filesystem::path& folder) const { return {plan_, cases_, decks_, folder}; }
+    CaseContext context(const std::filesystem::path& folder) const {
+        return {plan_, cases_, decks_, meshes_, folder};
+    }
 
     // The rows that a folder has of this batch; none if there is no such folder, or nothing in it. Throws
     // DeckError and FileError if it holds something else.
@@ -38,8 +43,14 @@ class PreparedBatch {
     Plan plan_;
     CaseList cases_;
     std::deque<DeckTemplate> decks_;
+    std::vector<MeshDigests> meshes_;  // of each deck
     BatchRecord record_;
 };
+
+// Cases of a range that have no row, or, if that is asked for, one that is not done.
+std::vector<long> list_wanted_cases(const std::map<long, CaseRow>& rows,
+                                    const CaseRange& range,
+                                    bool retry_failed);
 
 // What a user wants of a batch that runs.
 enum class Interruption {
@@ -76,7 +87,7 @@ struct BatchSummary {
     double seconds = 0.0;
 
     long count(CaseStatus status) const;
-    bool is_complete() const { return count(CaseStatus::done) == range.last - range.first + 1; }
+    bool is_complete() const { return count(CaseStatus::done) == range.count(); }
 };
 
 // Runs what the folder has no row of yet, and leaves its table complete and sorted. A case that fails is a

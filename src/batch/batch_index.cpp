@@ -1,11 +1,10 @@
 #include "batch/batch_index.hpp"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
+#include <array>
 #include <charconv>
 #include <optional>
 
+#include "batch/batch_folder.hpp"
 #include "model/file_error.hpp"
 #include "results/hdf5_objects.hpp"
 
@@ -137,16 +136,13 @@ void write_batch_index(const std::filesystem::path& folder,
                        const std::vector<CaseRow>& rows) {
     silence_hdf5();
     const std::filesystem::path path = folder / "index.h5";
-    const std::filesystem::path temporary = path.string() + fmt::format(".{}", ::getpid());
-    std::error_code error;
-    try {
-        write_file(temporary, record, rows);
-    } catch (const Hdf5Error& failure) {
-        std::filesystem::remove(temporary, error);
-        throw FileError(path, std::string("cannot be written: ") + failure.what());
-    }
-    std::filesystem::rename(temporary, path, error);
-    if (error) throw FileError(path, "cannot be written", error.message());
+    replace_file(path, [&](const std::filesystem::path& temporary) {
+        try {
+            write_file(temporary, record, rows);
+        } catch (const Hdf5Error& failure) {
+            throw FileError(path, std::string("cannot be written: ") + failure.what());
+        }
+    });
 }
 
 }  // namespace gxrod

@@ -48,19 +48,23 @@ int open_lock(const std::filesystem::path& folder) {
 }  // namespace
 
 BatchLock BatchLock::of_cases(const std::filesystem::path& folder, const CaseRange& range) {
-    const int descriptor = open_lock(folder);
-    struct flock lock = describe(range);
-    if (::fcntl(descriptor, F_OFD_SETLK, &lock) != 0) refuse(folder, descriptor);
-    return BatchLock(descriptor);
+    // The workers of a batch that was killed die a little later, and have its lock until then.
+    return acquire(folder, describe(range), std::chrono::seconds(2));
 }
 
 BatchLock BatchLock::of_table(const std::filesystem::path& folder) {
-    constexpr int most_attempts = 600;
-    constexpr std::chrono::milliseconds pause{100};
+    return acquire(folder, describe(0, 1), std::chrono::minutes(10));
+}
+
+BatchLock BatchLock::acquire(const std::filesystem::path& folder,
+                             struct flock lock,
+                             std::chrono::seconds patience) {
+    constexpr std::chrono::milliseconds pause{50};
+    const auto end = std::chrono::steady_clock::now() + patience;
     const int descriptor = open_lock(folder);
-    struct flock lock = describe(0, 1);
-    for (int attempt = 1; ::fcntl(descriptor, F_OFD_SETLK, &lock) != 0; ++attempt) {
-        if ((errno != EAGAIN && errno != EACCES) || attempt == most_attempts) refuse(folder, descriptor);
+    while (::fcntl(descriptor, F_OFD_SETLK, &lock) != 0) {
+        const bool is_busy = errno == EAGAIN || errno == EACCES;
+        if (!is_busy || std::chrono::steady_clock::now() > end) refuse(folder, descriptor);
         std::this_thread::sleep_for(pause);
     }
     return BatchLock(descriptor);

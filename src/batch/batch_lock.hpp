@@ -1,5 +1,8 @@
 #pragma once
 
+#include <fcntl.h>
+
+#include <chrono>
 #include <filesystem>
 
 #include "batch/case_table.hpp"
@@ -10,9 +13,9 @@ namespace gxrod {
 // has locks. Held until the object goes, or its process dies with its workers.
 class BatchLock {
   public:
-    // Of cases. Throws FileError if any of them is being run.
+    // Of cases. Throws FileError if any of them is being run, and still is after two seconds.
     static BatchLock of_cases(const std::filesystem::path& folder, const CaseRange& range);
-    // Of the table index.csv; waits for it, a minute at most. Throws FileError.
+    // Of the table index.csv; waits for it, ten minutes at most. Throws FileError.
     static BatchLock of_table(const std::filesystem::path& folder);
 
     // Whether another process runs any of the cases.
@@ -24,6 +27,9 @@ class BatchLock {
 
   private:
     explicit BatchLock(int descriptor) : descriptor_(descriptor) {}
+    static BatchLock acquire(const std::filesystem::path& folder,
+                             struct flock lock,
+                             std::chrono::seconds patience);
 
     int descriptor_;
 };

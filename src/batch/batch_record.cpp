@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "batch/batch_folder.hpp"
 #include "batch/case_table.hpp"
 #include "batch/collector.hpp"
 #include "batch/csv_reading.hpp"
@@ -18,14 +19,6 @@ namespace gxrod {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string digest_meshes(const std::vector<MeshRecord>& meshes) {
-    if (meshes.empty()) return "";
-    std::string all;
-    for (const MeshRecord& mesh : meshes)
-        all += fmt::format("{} {}\n{}", mesh.file, mesh.bytes.size(), mesh.bytes);
-    return sha256_hex(all);
-}
 
 std::string digest_cases(const CaseList& cases) {
     std::string all;
@@ -49,38 +42,61 @@ std::string hint_for(const std::filesystem::path& folder) {
     return fmt::format("; -o begins another batch, --force begins {} anew", folder.string());
 }
 
+// Of those that both have: a slice reads the meshes of its own cases.
+void check_same_meshes(const MeshDigests& before,
+                       const MeshDigests& now,
+                       const std::string& deck,
+                       const std::filesystem::path& folder) {
+    for (const auto& [file, digest] : now) {
+        const auto earlier = before.find(file);
+        if (earlier == before.end() || earlier->second == digest) continue;
+        throw FileError(deck,
+                        fmt::format("its mesh {} is another one than that of the batch in {}{}",
+                                    file,
+                                    folder.string(),
+                                    hint_for(folder)));
+    }
+}
+
 // Where the plans' texts are the same, but not their cases.
 [[noreturn]] void refuse(const std::filesystem::path& folder,
                          const BatchRecord& before,
                          const BatchRecord& now) {
     if (before.combine == "decks" || now.combine == "decks")
         throw FileError(folder, "holds a batch of other decks" + hint_for(folder));
-    const std::string reason = before.combine == "table" ? "the plan's table has changed"
-                                                         : fmt::format("gxrod {} made them", before.version);
+    std::string reason = "the plan's values are written in another way";
+    if (before.version != now.version) reason = fmt::format("gxrod {} made them", before.version);
+    if (before.combine == "table") reason = "the plan's table has changed";
+    if (before.parameters != now.parameters) reason = "[vary] has its keys in another order";
+    if (before.cases_digest == now.cases_digest) reason = "[collect] has its columns in another order";
     throw FileError(folder, "holds a batch of other cases: " + reason + hint_for(folder));
 }
 
 }  // namespace
 
+MeshDigests digest_meshes(const std::vector<MeshRecord>& meshes) {
+    MeshDigests digests;
+    for (const MeshRecord& mesh : meshes) digests.emplace(mesh.file, sha256_hex(mesh.bytes));
+    return digests;
+}
+
 BatchRecord make_batch_record(const Plan& plan,
                               const CaseList& cases,
                               const std::deque<DeckTemplate>& decks,
-                              const Problem& first) {
+                              const std::string& title,
+                              const std::vector<MeshDigests>& meshes) {
     BatchRecord record;
     record.version = version;
     record.plan = std::filesystem::path(plan.file).filename().string();
     record.plan_text = plan.text;
-    record.title = first.record.title;
+    record.title = title;
     record.combine =
         plan.combination == Combination::decks ? "decks" : word_of(combination_choices, plan.combination);
     record.seed = plan.seed;
     record.cases = cases.count();
     record.cases_digest = digest_cases(cases);
-    for (const DeckTemplate& deck : decks) {
-        const bool is_first = &deck == &decks.front();
-        record.decks.push_back(
-            {deck.file(), deck.text(), is_first ? digest_meshes(first.record.meshes) : ""});
-    }
+    for (std::size_t i = 0; i < decks.size(); ++i)
+        record.decks.push_back({decks[i].file(), decks[i].text(), meshes[i]});
     record.parameters = cases.parameter_names();
     for (const Collection& collection : plan.collections)
         record.columns.push_back({collection.name, describe(collection)});
@@ -119,10 +135,7 @@ void check_same_batch(const BatchRecord& before,
     for (std::size_t i = 0; i < std::min(decks.size(), before.decks.size()); ++i) {
         const BatchDeck& deck = before.decks[i];
         if (deck.text != decks[i].text()) compare(deck.text, decks[i].tree(), decks[i].file(), in_deck);
-        if (deck.meshes == now.decks[i].meshes) continue;
-        throw FileError(
-            decks[i].file(),
-            "its meshes are others than those of the batch in " + folder.string() + hint_for(folder));
+        check_same_meshes(deck.meshes, now.decks[i].meshes, decks[i].file(), folder);
     }
     if (differences.empty()) return;
     differences.push_back({folder.string(), 0, 0, "", "holds another batch" + hint_for(folder)});
@@ -174,7 +187,8 @@ BatchRecord read_batch_record(const std::filesystem::path& folder) {
         json.at("cases").get_to(record.cases);
         json.at("cases_sha256").get_to(record.cases_digest);
         for (const Json& deck : json.at("decks"))
-            record.decks.push_back({deck.at("name"), deck.at("text"), deck.at("meshes_sha256")});
+            record.decks.push_back(
+                {deck.at("name"), deck.at("text"), deck.at("meshes_sha256").get<MeshDigests>()});
         json.at("parameters").get_to(record.parameters);
         for (const Json& column : json.at("columns"))
             record.columns.push_back({column.at("name"), column.at("description")});

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,10 +13,14 @@
 // What a batch is, as its folder says in batch.json.
 namespace gxrod {
 
+// SHA-256 of each mesh file that cases of a deck read, by its name in the deck.
+using MeshDigests = std::map<std::string, std::string>;
+MeshDigests digest_meshes(const std::vector<MeshRecord>& meshes);
+
 struct BatchDeck {
     std::string name;  // as the plan or the command has it
     std::string text;
-    std::string meshes;  // SHA-256 of the mesh files' names and bytes; "" for none
+    MeshDigests meshes;
 };
 
 struct BatchColumn {
@@ -37,11 +42,12 @@ struct BatchRecord {
     std::vector<BatchColumn> columns;  // that are collected
 };
 
-// `first` is the problem of the first case.
+// `title` is that of the first case, `meshes` are those of each deck.
 BatchRecord make_batch_record(const Plan& plan,
                               const CaseList& cases,
                               const std::deque<DeckTemplate>& decks,
-                              const Problem& first);
+                              const std::string& title,
+                              const std::vector<MeshDigests>& meshes);
 
 // Throws DeckError, at the keys of the new plan and decks, or FileError, if they do not go on with what the
 // folder holds: other cases, decks, meshes or columns. Limits and what is kept may differ.

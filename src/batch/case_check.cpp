@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 
+#include "analyses/model_examination.hpp"
 #include "batch/case_groups.hpp"
 #include "batch/collector.hpp"
 #include "deck/override_key.hpp"
@@ -36,8 +36,8 @@ void check_parameters(const CaseContext& context, FaultList& faults) {
     }
 }
 
-// Where a fault was found: in the deck of a case, or in what is collected of it.
-enum class Stage { reading, collecting };
+// Where a fault was found: in the deck of a case, in the model that it makes, or in what is collected of it.
+enum class Stage { reading, examining };
 
 // Faults of many cases, each once.
 class CaseFaults {
@@ -133,33 +133,49 @@ class CaseFaults {
     long faulty_cases_ = 0;
 };
 
+void examine(const CaseContext& context, const Problem& problem, long number) {
+    std::vector<DeckFault> faults;
+    for (const Finding& finding : examine_model(problem.model, problem.analysis)) {
+        if (finding.severity != Severity::error) continue;
+        faults.push_back({context.decks[context.cases.deck(number)].file(), 0, 0, "", finding.message});
+    }
+    if (!faults.empty()) throw DeckError(std::move(faults));
+    FaultList missing(context.plan.file, {});
+    check_collections(context.plan.collections, problem, missing);
+    missing.throw_if_any();
+}
+
 }  // namespace
 
-Problem check_cases(const CaseContext& context, const std::function<void(long)>& report) {
+CheckedCases check_cases(const CaseContext& context,
+                         const CaseRange& range,
+                         const std::function<void(long)>& report) {
     FaultList faults(context.plan.file, {});
     if (context.plan.combination != Combination::decks) check_parameters(context, faults);
     faults.throw_if_any();
     CaseFaults case_faults(context);
-    std::optional<Problem> first;
-    long number = 1;
+    CheckedCases checked;
+    checked.meshes.resize(context.decks.size());
+    long examined = 0;
     long built = 0;
-    for (; number <= context.cases.count() && !case_faults.is_enough(); ++number) {
+    const auto check = [&](long number) {
         Stage stage = Stage::reading;
         try {
-            Problem problem = context.build(number);
+            const Problem problem = context.build(number);
             ++built;
-            stage = Stage::collecting;
-            FaultList missing(context.plan.file, {});
-            check_collections(context.plan.collections, problem, missing);
-            missing.throw_if_any();
-            if (!first) first = std::move(problem);
+            stage = Stage::examining;
+            if (number == 1) checked.title = problem.record.title;
+            checked.meshes[context.cases.deck(number)].merge(digest_meshes(problem.record.meshes));
+            examine(context, problem, number);
         } catch (const DeckError& error) {
             case_faults.add(error, stage, number);
         }
-        report(number);
-    }
-    case_faults.throw_if_any(number - 1, built);
-    return *std::move(first);
+        report(++examined);
+    };
+    if (range.first > 1) check(1);
+    for (long number = range.first; number <= range.last && !case_faults.is_enough(); ++number) check(number);
+    case_faults.throw_if_any(examined, built);
+    return checked;
 }
 
 }  // namespace gxrod

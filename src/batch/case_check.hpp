@@ -3,12 +3,21 @@
 #include <functional>
 
 #include "batch/case_run.hpp"
+#include "batch/case_table.hpp"
 
 namespace gxrod {
 
-// Reads and builds every case, so that what is wrong with one shows before any is run, and returns the
-// problem of the first. `report` hears how many were examined. Throws DeckError, each fault once, with the
-// cases that have it, at the plan's key where that gave the value; FileError where a mesh cannot be read.
-Problem check_cases(const CaseContext& context, const std::function<void(long)>& report);
+struct CheckedCases {
+    std::string title;                // of the first
+    std::vector<MeshDigests> meshes;  // of each deck
+};
+
+// Reads, builds and examines cases, as `gxrod check` does, so that what is wrong with one shows before any is
+// run: the first, and those of `range`. `report` hears how many were examined. Throws DeckError, each fault
+// once, with the cases that have it, at the plan's key or the table's row where that gave the value;
+// FileError where a mesh cannot be read.
+CheckedCases check_cases(const CaseContext& context,
+                         const CaseRange& range,
+                         const std::function<void(long)>& report);
 
 }  // namespace gxrod

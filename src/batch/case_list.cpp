@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "batch/latin_hypercube.hpp"
 #include "batch/value_range.hpp"
 
@@ -64,7 +66,8 @@ std::string CaseList::value(std::size_t index, long number) const {
     } else if (plan_.combination == Combination::latin_hypercube) {
         const double probability = probabilities_[index][position];
         if (variation.spread) return write_number(quantile(*variation.spread, probability));
-        position = static_cast<std::size_t>(probability * static_cast<double>(variation.values.size()));
+        const std::size_t size = variation.values.size();
+        position = std::min(static_cast<std::size_t>(probability * static_cast<double>(size)), size - 1);
     }
     return variation.values[position];
 }

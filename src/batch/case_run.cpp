@@ -18,6 +18,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// Rows begin with a number.
+const std::string obstacle_mark = "obstacle: ";
+
 double seconds_since(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
@@ -35,19 +38,23 @@ class CaseRun {
         row_.collected.assign(context.plan.collections.size(), std::numeric_limits<double>::quiet_NaN());
     }
 
-    CaseRow run() {
+    CaseOutcome run() {
+        std::string obstacle;
         try {
             try_to_run();
         } catch (const DeckError& error) {
-            end(CaseStatus::deck_fault, error.what());
+            // It was right when the batch began.
+            obstacle = std::string("its files have changed: ") + error.what();
+        } catch (const FileError& error) {
+            obstacle = error.what();
         } catch (const std::bad_alloc&) {
-            end(CaseStatus::out_of_memory, explain_memory());
+            end(CaseStatus::out_of_memory, explain_memory(context_.plan));
         } catch (const std::exception& error) {
             end(CaseStatus::failed, error.what());
         }
         keep_or_remove();
         row_.seconds = seconds_since(begin_);
-        return std::move(row_);
+        return {std::move(row_), obstacle};
     }
 
   private:
@@ -56,15 +63,9 @@ class CaseRun {
         row_.reason = reason;
     }
 
-    std::string explain_memory() const {
-        constexpr double bytes_in_gigabyte = 1e9;
-        const std::optional<double>& limit = context_.plan.memory_limit;
-        if (limit) return fmt::format("more than memory_limit, {:.4g} GB", *limit / bytes_in_gigabyte);
-        return "more than its share of the machine; a smaller -j, or memory_limit, gives it more";
-    }
-
     void try_to_run() {
         const Problem problem = context_.build(row_.number);
+        check_meshes(problem);
         const std::vector<Finding> findings = examine_model(problem.model, problem.analysis);
         for (const Finding& finding : findings) {
             if (finding.severity == Severity::error) return end(CaseStatus::deck_fault, finding.message);
@@ -73,6 +74,18 @@ class CaseRun {
         Collector collector(context_.plan.collections, problem);
         take(run(problem, collector));
         row_.collected = collector.values();
+    }
+
+    void check_meshes(const Problem& problem) const {
+        if (problem.record.meshes.empty()) return;
+        const std::size_t deck = context_.cases.deck(row_.number);
+        const MeshDigests& before = context_.meshes[deck];
+        for (const auto& [file, digest] : digest_meshes(problem.record.meshes)) {
+            const auto earlier = before.find(file);
+            if (earlier == before.end() || earlier->second != digest)
+                throw FileError(context_.decks[deck].file(),
+                                "its mesh " + file + " has changed since the batch began");
+        }
     }
 
     RunSummary run(const Problem& problem, Collector& collector) {
@@ -102,19 +115,20 @@ class CaseRun {
                             context_.plan.time_limit,
                             summary.time));
         } else if (summary.status == RunStatus::failed) {
-            if (summary.out_of_memory) return end(CaseStatus::out_of_memory, explain_memory());
+            if (summary.out_of_memory) return end(CaseStatus::out_of_memory, explain_memory(context_.plan));
             end(summary.deck_fault ? CaseStatus::deck_fault : CaseStatus::failed, summary.reason);
         }
     }
 
     void keep_or_remove() {
-        std::error_code ignored;
         const std::filesystem::path path =
             context_.folder / results_path(row_.number, context_.cases.count());
-        const bool is_wanted = context_.plan.keeping == Keeping::all || row_.status != CaseStatus::done;
-        if (!row_.results.empty() && !is_wanted) std::filesystem::remove(path, ignored);
-        if (!row_.results.empty() && (!is_wanted || !std::filesystem::exists(path, ignored)))
-            row_.results.clear();
+        const Keeping keeping = context_.plan.keeping;
+        const bool is_kept =
+            keeping == Keeping::all || (keeping == Keeping::failed && row_.status != CaseStatus::done);
+        std::error_code ignored;
+        if (!is_kept) std::filesystem::remove(path, ignored);
+        if (!is_kept || !std::filesystem::exists(path, ignored)) row_.results.clear();
     }
 
     const CaseContext& context_;
@@ -123,6 +137,13 @@ class CaseRun {
 };
 
 }  // namespace
+
+std::string explain_memory(const Plan& plan) {
+    constexpr double bytes_in_gigabyte = 1e9;
+    if (plan.memory_limit)
+        return fmt::format("more than memory_limit, {:.4g} GB", *plan.memory_limit / bytes_in_gigabyte);
+    return "more than its share of the machine; a smaller -j, or memory_limit, gives it more";
+}
 
 Problem CaseContext::build(long number) const {
     return decks[cases.deck(number)].build(cases.overrides(number));
@@ -134,6 +155,16 @@ std::string results_path(long number, long cases) {
     return fmt::format("cases/{:0{}}.vtkhdf", number, digits);
 }
 
-CaseRow run_case(const CaseContext& context, long number) { return CaseRun(context, number).run(); }
+CaseOutcome run_case(const CaseContext& context, long number) { return CaseRun(context, number).run(); }
+
+std::string write_outcome(const CaseOutcome& outcome) {
+    return outcome.obstacle.empty() ? write_case_row(outcome.row) : obstacle_mark + outcome.obstacle;
+}
+
+CaseOutcome read_outcome(const std::string& text, const BatchRecord& record) {
+    if (text.starts_with(obstacle_mark)) return {{}, text.substr(obstacle_mark.size())};
+    const std::vector<CsvRow> lines = read_csv(text + "\n", "reply of a worker");
+    return {read_case_row(lines.at(0), record, "reply of a worker"), ""};
+}
 
 }  // namespace gxrod

@@ -15,6 +15,7 @@ struct CaseContext {
     const Plan& plan;
     const CaseList& cases;
     const std::deque<DeckTemplate>& decks;
+    const std::vector<MeshDigests>& meshes;  // of each deck, as they were when the batch began
     std::filesystem::path folder;
 
     Problem build(long number) const;
@@ -23,8 +24,21 @@ struct CaseContext {
 // Where a case's results are, relative to the folder: "cases/0017.vtkhdf".
 std::string results_path(long number, long cases);
 
-// Runs one case and says what became of it, whatever that is: only a crash ends otherwise. Results stay as
-// the plan says.
-CaseRow run_case(const CaseContext& context, long number);
+// Why a case is out of memory.
+std::string explain_memory(const Plan& plan);
+
+// What became of a case; or why it could not be run or its results not be written, which is not its own
+// fault, so that it has no row.
+struct CaseOutcome {
+    CaseRow row;
+    std::string obstacle;  // "" if there is none
+};
+
+// Runs one case, whatever becomes of it: only a crash ends otherwise. Results stay as the plan says.
+CaseOutcome run_case(const CaseContext& context, long number);
+
+// As a line of text, and back. Throws FileError if it is none.
+std::string write_outcome(const CaseOutcome& outcome);
+CaseOutcome read_outcome(const std::string& text, const BatchRecord& record);
 
 }  // namespace gxrod

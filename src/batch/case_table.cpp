@@ -10,6 +10,7 @@
 #include <map>
 #include <system_error>
 
+#include "batch/batch_folder.hpp"
 #include "deck/text_file.hpp"
 #include "model/file_error.hpp"
 
@@ -60,7 +61,7 @@ std::vector<fs::path> list_parts(const fs::path& folder) {
     std::vector<fs::path> parts;
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder / "parts", ignored)) {
-        if (entry.path().extension() == ".csv") parts.push_back(entry.path());
+        if (entry.path().extension() == ".csv" && range_of_part(entry.path())) parts.push_back(entry.path());
     }
     // The later one counts where a case was run twice.
     std::sort(parts.begin(), parts.end(), [](const fs::path& a, const fs::path& b) {
@@ -70,12 +71,15 @@ std::vector<fs::path> list_parts(const fs::path& folder) {
     return parts;
 }
 
-CaseRange range_of_part(const fs::path& part) {
-    CaseRange range{0, -1};
+std::optional<CaseRange> range_of_part(const fs::path& part) {
+    CaseRange range;
     const std::string name = part.stem().string();
     const char* end = name.data() + name.size();
-    const char* dash = std::from_chars(name.data(), end, range.first).ptr;
-    if (dash != end) std::from_chars(dash + 1, end, range.last);
+    const auto first = std::from_chars(name.data(), end, range.first);
+    if (first.ec != std::errc() || first.ptr == end || *first.ptr != '-') return std::nullopt;
+    const auto last = std::from_chars(first.ptr + 1, end, range.last);
+    if (last.ec != std::errc() || last.ptr != end || range.first < 1 || range.last < range.first)
+        return std::nullopt;
     return range;
 }
 
@@ -86,25 +90,6 @@ std::vector<CaseRow> read_case_rows(const fs::path& folder, const BatchRecord& r
     std::vector<CaseRow> sorted;
     for (auto& [number, row] : rows) sorted.push_back(std::move(row));
     return sorted;
-}
-
-void replace_file(const fs::path& path, const std::string& text) {
-    const fs::path temporary = path.string() + fmt::format(".{}", ::getpid());
-    {
-        std::ofstream file(temporary, std::ios::binary);
-        file << text;
-        file.close();
-        if (!file) {
-            const int code = errno;
-            std::error_code ignored;
-            fs::remove(temporary, ignored);
-            errno = code;
-            fail_to_write(path);
-        }
-    }
-    std::error_code error;
-    fs::rename(temporary, path, error);
-    if (error) throw FileError(path, "cannot be written", error.message());
 }
 
 void write_case_table(const fs::path& folder, const BatchRecord& record, const std::vector<CaseRow>& rows) {

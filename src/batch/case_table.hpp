@@ -1,7 +1,7 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
+#include <optional>
 #include <vector>
 
 #include "batch/case_row.hpp"
@@ -13,6 +13,7 @@ struct CaseRange {
     long first = 1;
     long last = 1;
 
+    long count() const { return last - first + 1; }
     bool contains(long number) const { return first <= number && number <= last; }
     bool operator==(const CaseRange&) const = default;
 };
@@ -20,16 +21,13 @@ struct CaseRange {
 std::filesystem::path table_path(const std::filesystem::path& folder);
 std::filesystem::path part_path(const std::filesystem::path& folder, const CaseRange& range);
 
-// The parts of a folder, the one written last at the end, and what a part is of.
+// The parts of a folder, the one written last at the end, and what a part is of, if it is one.
 std::vector<std::filesystem::path> list_parts(const std::filesystem::path& folder);
-CaseRange range_of_part(const std::filesystem::path& part);
+std::optional<CaseRange> range_of_part(const std::filesystem::path& part);
 
 // The rows so far, by the number of the case; of a case that has several the last one, those of parts after
 // those of the table. A last line that was not completed is left out. Throws FileError.
 std::vector<CaseRow> read_case_rows(const std::filesystem::path& folder, const BatchRecord& record);
-
-// Writes a file beside and moves it there, so that it is whole at every moment. Throws FileError.
-void replace_file(const std::filesystem::path& path, const std::string& text);
 
 // Writes index.csv anew with these rows.
 void write_case_table(const std::filesystem::path& folder,

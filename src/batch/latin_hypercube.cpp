@@ -23,8 +23,8 @@ class Generator {
 
     // In (0, 1).
     double uniform() {
-        constexpr double spacing = 0x1p-53;
-        return (static_cast<double>(engine_() >> 11) + 0.5) * spacing;
+        constexpr double spacing = 0x1p-52;
+        return (static_cast<double>(engine_() >> 12) + 0.5) * spacing;
     }
 
     // 0 … count − 1.

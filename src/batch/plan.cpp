@@ -64,6 +64,17 @@ void check_zip(const Plan& plan, FaultList& faults) {
     }
 }
 
+void check_column_name(const Collection& collection,
+                       const std::vector<Variation>& variations,
+                       FaultList& faults) {
+    const bool is_taken = std::any_of(variations.begin(), variations.end(), [&](const Variation& variation) {
+        return variation.key == collection.name;
+    });
+    if (!is_taken) return;
+    faults.add(
+        collection.place, collection.path(), "[vary] has a column of this name already; take another one");
+}
+
 void check_count(const Plan& plan, FaultList& faults) {
     double count = 1.0;
     if (plan.combination == Combination::grid) {
@@ -129,8 +140,11 @@ Plan read_plan(const std::filesystem::path& file) {
     }
     if (plan.combination == Combination::zip) check_zip(plan, faults);
     check_count(plan, faults);
-    for (const CheckedTable& table : checked.tables("collect"))
+    check_conflicts(plan.variations, faults);
+    for (const CheckedTable& table : checked.tables("collect")) {
         plan.collections.push_back(read_collection(table, faults));
+        check_column_name(plan.collections.back(), plan.variations, faults);
+    }
     faults.throw_if_any();
     return plan;
 }
@@ -145,8 +159,11 @@ Plan plan_of_decks(std::vector<std::filesystem::path> decks) {
 
 bool is_plan(const std::filesystem::path& file) {
     const DeckNode tree = read_toml(read_text_file(file), file.string());
-    const auto has = [&](const char* key) { return tree.find(key) != nullptr; };
-    if ((has("deck") || has("vary")) && !has("analysis")) return true;
+    const auto has = [&](const std::string& key) { return tree.find(key) != nullptr; };
+    const auto& keys = plan_schema().keys;
+    const bool has_any =
+        std::any_of(keys.begin(), keys.end(), [&](const KeySpec& key) { return has(key.name); });
+    if (has_any && !has("analysis")) return true;
     if (has("analysis") || has("rod") || has("body") || has("section")) return false;
     throw DeckError({{file.string(), 0, 0, "", "is neither a plan (deck, [vary]) nor a deck ([analysis])"}});
 }

@@ -203,6 +203,24 @@ std::vector<Variation> read_variations(const DeckNode& vary, Combination combina
     return variations;
 }
 
+void check_conflicts(const std::vector<Variation>& variations, FaultList& faults) {
+    std::vector<std::vector<KeyStep>> keys;
+    for (const Variation& variation : variations) {
+        const auto steps = split_key(variation.key);
+        keys.push_back(steps.value_or(std::vector<KeyStep>{}));
+        for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
+            const std::size_t shared = std::min(keys[i].size(), keys.back().size());
+            if (shared == 0 || !std::equal(keys[i].begin(),
+                                           keys[i].begin() + static_cast<std::ptrdiff_t>(shared),
+                                           keys.back().begin()))
+                continue;
+            faults.add(variation.place,
+                       path_of(variation.key),
+                       fmt::format("\"{}\" is varied too, and has the same value", variations[i].key));
+        }
+    }
+}
+
 void read_table_columns(const std::filesystem::path& table,
                         const Place& place,
                         std::vector<Variation>& variations,

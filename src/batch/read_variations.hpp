@@ -11,6 +11,9 @@ namespace gxrod {
 // The entries of [vary], in the order of the plan. What is wrong goes to the fault list.
 std::vector<Variation> read_variations(const DeckNode& vary, Combination combination, FaultList& faults);
 
+// Faults for keys of which one is the other, or a part of it: the value of one would be lost.
+void check_conflicts(const std::vector<Variation>& variations, FaultList& faults);
+
 // Fills in the values of a table's columns: those that `variations` name, or a variation for each column if
 // there are none. `place` is that of the key `table`. What is wrong with the columns goes to the fault list.
 // Throws FileError if the table cannot be read or its rows differ in length.

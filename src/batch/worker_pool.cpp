@@ -1,9 +1,9 @@
 #include "batch/worker_pool.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <poll.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -74,25 +74,22 @@ bool receive_text(int channel, std::string& text) {
     return receive_all(channel, text.data(), text.size());
 }
 
-#if defined(__SANITIZE_ADDRESS__)
-void limit_memory(double) {}  // the sanitizer's shadow alone is terabytes
-#else
-// Private memory of this process, as RLIMIT_DATA counts it.
-double count_own_bytes() {
-    std::ifstream status("/proc/self/statm");
-    std::array<double, 6> pages{};  // size, resident, shared, text, lib, data
-    for (double& number : pages) status >> number;
-    return pages[5] * static_cast<double>(::sysconf(_SC_PAGESIZE));
+// Memory that a process has in use; 0 if there is no such process.
+double count_bytes(pid_t process) {
+    std::ifstream file(fmt::format("/proc/{}/statm", process));
+    double size = 0.0;
+    double resident = 0.0;
+    file >> size >> resident;
+    return resident * static_cast<double>(::sysconf(_SC_PAGESIZE));
 }
 
-void limit_memory(double most_bytes) {
-    if (most_bytes <= 0.0) return;
-    struct rlimit limit {};
-    if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
-    limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(count_own_bytes() + most_bytes));
-    ::setrlimit(RLIMIT_DATA, &limit);
+// Its status, as waitpid has it.
+int wait_for_end(pid_t process) {
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status;
 }
-#endif
 
 std::string describe_end(int status) {
     if (WIFSIGNALED(status)) {
@@ -110,6 +107,7 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
 
 WorkerPool::WorkerPool(const WorkerOptions& options, Work work) : options_(options), work_(std::move(work)) {
     workers_.resize(static_cast<std::size_t>(options.workers));
+    std::signal(SIGCHLD, SIG_DFL);  // were it ignored, nobody would know how a worker ended
 }
 
 WorkerPool::~WorkerPool() {
@@ -117,7 +115,7 @@ WorkerPool::~WorkerPool() {
         if (worker.process > 0) ::kill(worker.process, SIGKILL);
     }
     for (const Worker& worker : workers_) {
-        if (worker.process > 0) ::waitpid(worker.process, nullptr, 0);
+        if (worker.process > 0) wait_for_end(worker.process);
         if (worker.channel >= 0) ::close(worker.channel);
     }
 }
@@ -152,12 +150,12 @@ void WorkerPool::start(Worker& worker) {
         for (const Worker& other : workers_) {
             if (other.channel >= 0) ::close(other.channel);
         }
-        limit_memory(options_.most_bytes);
         serve(ends[1]);
     }
     ::close(ends[1]);
     worker.process = process;
     worker.channel = ends[0];
+    worker.first_bytes = count_bytes(process);
 }
 
 void WorkerPool::serve(int channel) const {
@@ -165,6 +163,7 @@ void WorkerPool::serve(int channel) const {
     try {
         while (receive_number(channel, number)) {
             if (!send_text(channel, work_(number))) break;
+            ::malloc_trim(0);  // what a large case took is not the next one's
         }
     } catch (...) {
         ::_exit(1);
@@ -172,19 +171,27 @@ void WorkerPool::serve(int channel) const {
     ::_exit(0);
 }
 
-void WorkerPool::hand_out(long number) {
+bool WorkerPool::hand_out(long number) {
     const auto idle = std::find_if(
         workers_.begin(), workers_.end(), [](const Worker& worker) { return worker.number == 0; });
-    if (idle->process < 0) start(*idle);
+    if (idle->process < 0) {
+        try {
+            start(*idle);
+        } catch (const std::system_error&) {
+            workers_.erase(idle);
+            if (workers_.empty()) throw;
+            return false;
+        }
+    }
     idle->number = number;
     idle->begin = Clock::now();
-    idle->is_overtime = false;
     // One that died meanwhile shows when its answer is awaited.
     send_number(idle->channel, number);
+    return true;
 }
 
 std::vector<WorkerReply> WorkerPool::wait(double seconds) {
-    kill_overtime();
+    enforce_limits();
     std::vector<pollfd> channels;
     std::vector<Worker*> busy;
     for (Worker& worker : workers_) {
@@ -202,13 +209,17 @@ std::vector<WorkerReply> WorkerPool::wait(double seconds) {
     return replies;
 }
 
-void WorkerPool::kill_overtime() {
-    if (options_.most_seconds <= 0.0) return;
+void WorkerPool::enforce_limits() {
+    constexpr double pause = 0.05;
+    const bool weighs = options_.most_bytes > 0.0 && seconds_since(weighed_) > pause;
+    if (weighs) weighed_ = Clock::now();
     for (Worker& worker : workers_) {
-        if (worker.number == 0 || worker.is_overtime || seconds_since(worker.begin) < options_.most_seconds)
-            continue;
-        worker.is_overtime = true;
-        ::kill(worker.process, SIGKILL);
+        if (worker.number == 0 || worker.end != WorkerReply::Kind::was_killed) continue;
+        if (options_.most_seconds > 0.0 && seconds_since(worker.begin) > options_.most_seconds)
+            worker.end = WorkerReply::Kind::overtime;
+        else if (weighs && count_bytes(worker.process) - worker.first_bytes > options_.most_bytes)
+            worker.end = WorkerReply::Kind::overweight;
+        if (worker.end != WorkerReply::Kind::was_killed) ::kill(worker.process, SIGKILL);
     }
 }
 
@@ -220,14 +231,11 @@ WorkerReply WorkerPool::receive(Worker& worker) {
 }
 
 void WorkerPool::bury(Worker& worker, WorkerReply& reply) {
-    int status = 0;
-    ::waitpid(worker.process, &status, 0);
+    const int status = wait_for_end(worker.process);
     ::close(worker.channel);
     reply.text = describe_end(status);
     const bool was_killed = WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
-    reply.kind = worker.is_overtime ? WorkerReply::Kind::overtime
-                 : was_killed       ? WorkerReply::Kind::was_killed
-                                    : WorkerReply::Kind::crashed;
+    reply.kind = was_killed ? worker.end : WorkerReply::Kind::crashed;
     worker = Worker{};
 }
 

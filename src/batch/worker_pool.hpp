@@ -12,10 +12,11 @@ namespace gxrod {
 // What came back of a number that was handed to a worker.
 struct WorkerReply {
     enum class Kind {
-        finished,   // `text` is what the work returned
-        overtime,   // the worker was killed after `most_seconds`
-        crashed,    // the worker ended by itself; `text` says how
-        was_killed  // someone else killed the worker
+        finished,    // `text` is what the work returned
+        overtime,    // the worker was killed after `most_seconds`
+        overweight,  // the worker was killed when its memory had grown by more than `most_bytes`
+        crashed,     // the worker ended by itself; `text` says how
+        was_killed   // someone else killed the worker
     };
 
     long number = 0;
@@ -27,12 +28,13 @@ struct WorkerReply {
 struct WorkerOptions {
     int workers = 1;
     double most_seconds = 0.0;  // of one piece of work, then its worker is killed; 0 for no limit
-    double most_bytes = 0.0;    // of memory of a worker beyond what it begins with; 0 for no limit
+    double most_bytes =
+        0.0;  // by which the memory of a worker may grow; looked at 20 times a second; 0 for no limit
 };
 
 // Worker processes, copies of this one, that each work through many numbers one after the other. One that
 // ends is replaced. Workers die with this process, and are deaf to SIGINT and SIGTERM, which are for this
-// process to answer. Throws std::system_error where no process can be made.
+// process to answer.
 class WorkerPool {
   public:
     // `work` runs in a worker; its exceptions are crashes.
@@ -46,8 +48,9 @@ class WorkerPool {
 
     bool has_idle_worker() const;
     int busy_workers() const;
-    // To an idle worker.
-    void hand_out(long number);
+    // To an idle worker. False if none could be started: there are fewer workers then. Throws
+    // std::system_error if there is none at all.
+    bool hand_out(long number);
     // Waits for replies, for so long at most or until a signal comes; may come back with none.
     std::vector<WorkerReply> wait(double seconds);
 
@@ -59,12 +62,13 @@ class WorkerPool {
         int channel = -1;
         long number = 0;  // that it works on; 0 if it is idle
         Clock::time_point begin;
-        bool is_overtime = false;  // killed for that
+        WorkerReply::Kind end = WorkerReply::Kind::was_killed;  // what it is if this process killed it
+        double first_bytes = 0.0;                               // of memory, when it was started
     };
 
     void start(Worker& worker);
     [[noreturn]] void serve(int channel) const;
-    void kill_overtime();
+    void enforce_limits();
     // The reply of a worker whose channel has something, or was closed.
     WorkerReply receive(Worker& worker);
     void bury(Worker& worker, WorkerReply& reply);
@@ -72,6 +76,7 @@ class WorkerPool {
     WorkerOptions options_;
     Work work_;
     std::vector<Worker> workers_;
+    Clock::time_point weighed_;
 };
 
 }  // namespace gxrod

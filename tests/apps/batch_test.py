@@ -71,6 +71,39 @@ ENDLESS = """deck = "swinger.toml"
 results = "none"
 """
 
+MESH = """$MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+1 1 "beam"
+$EndPhysicalNames
+$Entities
+2 1 0 0
+1 0 0 0 0
+2 10 0 0 0
+1 0 0 0 10 0 0 1 1 2 1 -2
+$EndEntities
+$Nodes
+3 3 1 3
+0 1 0 1
+1
+0 0 0
+0 2 0 1
+2
+10 0 0
+1 1 0 1
+3
+5 0 0
+$EndNodes
+$Elements
+1 2 1 2
+1 1 1 2
+1 1 3
+2 3 2
+$EndElements
+"""
+
 # Many cases of some milliseconds.
 MANY = """deck = "swinger.toml"
 combine = "latin-hypercube"
@@ -300,9 +333,9 @@ class Failures(BatchTest):
         os.kill(self.wait_for_workers(process, 1)[0], signal.SIGSTOP)
         self.assertEqual(process.wait(60), 3)
         self.assertEqual([(row["status"], row["reason"]) for row in self.rows()],
-                         [("time limit", "the time limit of 0.5 s was over within a step; the process was ended")])
+                         [("time limit", "the time limit of 0.5 s was over, and the step at hand or the setup took longer "
+                           "still; the process was ended")])
 
-    @unittest.skipIf(SANITIZED, "sanitizers reserve terabytes")
     def test_memory_limit(self):
         self.write("plan.toml", """deck = "swinger.toml"
 memory_limit = 0.2
@@ -434,6 +467,45 @@ class Stopping(BatchTest):
         os.killpg(process.pid, signal.SIGTERM)
         self.assertEqual(process.wait(60), 130)
 
+    def test_killed_while_it_throws_away(self):
+        self.write("plan.toml", PLAN)
+        for delay in np.linspace(0, 0.02, 8):
+            self.gxrod("batch", "plan.toml", "--quiet", "--force")
+            process = self.start("plan.toml", "--force", "--quiet", "-j", "1")
+            self.wait_for(lambda: not (self.folder / "plan" / "index.h5").exists() or process.poll() is not None,
+                          "the table's end")
+            time.sleep(delay)
+            process.kill()
+            process.wait()
+            self.gxrod("batch", "plan.toml", "--quiet")
+            self.assertEqual(len(self.rows()), 6)
+
+    def test_what_a_kill_leaves_is_taken_away(self):
+        self.write("plan.toml", PLAN)
+        (self.folder / "plan" / "cases").mkdir(parents=True)
+        for name in ("lock", "batch.json.123", "index.csv.99", "index.h5.5"):
+            self.write("plan/" + name, "torn")
+        self.gxrod("batch", "plan.toml", "--quiet")
+        self.assertEqual(sorted(os.listdir(self.folder / "plan")),
+                         ["batch.json", "cases", "index.csv", "index.h5", "lock"])
+
+    def test_interrupted_at_its_last_cases_it_is_complete(self):
+        self.write("plan.toml", PLAN.replace("time_step\" = [0.05, 0.02]", "time_step\" = [0.0005]"))
+        process = self.start("plan.toml", "-j", "3")
+        self.wait_for_workers(process, 3)
+        os.killpg(process.pid, signal.SIGINT)
+        self.assertEqual(process.wait(120), 0)
+        self.assertEqual(len(self.rows()), 3)
+
+    def test_slices_that_begin_together(self):
+        self.write("plan.toml", PLAN.replace("[collect]", "[keep]\nresults = \"none\"\n[collect]"))
+        for attempt in range(5):
+            folder = f"together{attempt}"
+            slices = [self.start("plan.toml", "-o", folder, "--only", str(case), "--quiet") for case in range(1, 7)]
+            for process in slices:
+                self.assertEqual(process.wait(120), 0, process.stderr.read())
+            self.assertEqual(len(self.rows(folder)), 6)
+
     def test_slices_share_a_folder(self):
         self.write("plan.toml", MANY.format(count=40))
         self.gxrod("batch", "plan.toml", "-o", "whole", "--quiet")
@@ -490,6 +562,64 @@ class Faults(BatchTest):
         for verb in ("run", "check"):
             self.assertEqual(self.gxrod(verb, "plan.toml", code=2).stderr,
                              "plan.toml: is the plan of a batch, not a deck; gxrod batch runs it\n")
+
+    def test_force_goes_with_the_whole_batch(self):
+        self.write("plan.toml", PLAN)
+        done = self.gxrod("batch", "plan.toml", "--only", "1..2", "--force", code=2)
+        self.assertIn("--only excludes --force", done.stderr)
+
+    def test_a_mesh_that_changes_is_noticed(self):
+        self.write("line.msh", MESH)
+        self.write("meshed.toml", SWINGER.replace("line = { from = [0, 0, 0], to = [10, 0, 0] }\nelements = 4\n",
+                                                  "mesh = { file = \"line.msh\", group = \"beam\" }\n"))
+        self.write("plan.toml", PLAN.replace("swinger.toml", "meshed.toml").replace("[100, 200, 500]", "[100, 200]"))
+        self.gxrod("batch", "plan.toml", "--quiet")
+        self.write("line.msh", MESH.replace("\n10 0 0\n", "\n12 0 0\n"))
+        done = self.gxrod("batch", "plan.toml", code=4)
+        self.assertIn("meshed.toml: its mesh line.msh is another one than that of the batch in plan", done.stderr)
+        # While it runs.
+        self.write("plan.toml", ENDLESS.replace("swinger.toml", "meshed.toml").replace("[100, 200]", "[100, 200, 300]")
+                   .replace("[vary]", "time_limit = 1\n[vary]"))
+        process = self.start("plan.toml", "-j", "1", "-o", "running")
+        self.wait_for_workers(process, 1)
+        time.sleep(0.3)
+        self.write("line.msh", MESH)
+        self.assertEqual(process.wait(60), 4)
+        self.assertRegex(process.stderr.read(), r"gxrod: running: the batch ends at case 2, which is left to be run: "
+                                                r"meshed.toml: its mesh line.msh has changed since the batch began")
+        self.assertEqual([row["case"] for row in self.rows("running")], ["1"])
+
+    def test_results_that_cannot_be_written_are_not_the_cases_fault(self):
+        self.write("plan.toml", PLAN)
+        limit = "ulimit -f 200; exec \"$0\" batch plan.toml --quiet -j 1"
+        done = subprocess.run(["bash", "-c", limit, GXROD], cwd=self.folder, text=True, capture_output=True, check=False,
+                              timeout=300)
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertIn("gxrod: plan: the batch ends at case 1, which is left to be run: plan/cases/0001.vtkhdf: ",
+                      done.stderr)
+        self.gxrod("batch", "plan.toml", "--quiet")
+        self.assertEqual({row["status"] for row in self.rows()}, {"done"})
+
+    def test_nobody_listens(self):
+        self.write("plan.toml", FAILING)
+        for closing in (">&- 2>&-", "<&- >&- 2>&-"):
+            done = subprocess.run(["bash", "-c", f"exec \"$0\" batch plan.toml --force {closing}", GXROD],
+                                  cwd=self.folder, timeout=120, check=False)
+            self.assertEqual(done.returncode, 3)
+            self.assertEqual(len(self.rows()), 3)
+            self.assertEqual((self.folder / "plan" / "lock").read_text(), "")
+        read, write = os.pipe()
+        os.close(read)
+        done = subprocess.run([GXROD, "batch", "plan.toml", "--force"], cwd=self.folder, timeout=120, check=False,
+                              stdout=write, stderr=write)
+        os.close(write)
+        self.assertEqual(done.returncode, 3)
+        self.assertEqual(len(self.rows()), 3)
+
+    def test_more_workers_than_cases(self):
+        self.write("plan.toml", PLAN)
+        self.gxrod("batch", "plan.toml", "-j", "4096", "--quiet")
+        self.assertEqual({row["status"] for row in self.rows()}, {"done"})
 
     def test_a_folder_with_other_things_is_left_alone(self):
         self.write("plan.toml", PLAN)

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "batch/batch.hpp"
+#include "batch/batch_folder.hpp"
 #include "batch/plans.hpp"
 #include "model/file_error.hpp"
 
@@ -76,6 +77,8 @@ TEST_CASE("Parts of slices go into the table", "[batch]") {
     write_case_table(folder.path(), record, {row_of(1), row_of(4, "old")});
     const std::filesystem::path part = part_path(folder.path(), {4, 6});
     CHECK(range_of_part(part) == CaseRange{4, 6});
+    for (const char* other : {"x.csv", "4.csv", "4-.csv", "4-x.csv", "6-4.csv", "0-4.csv"})
+        CHECK_FALSE(range_of_part(other));
     { TableAppender(part, record).append(row_of(4, "new")); }
     CHECK(numbers_and_reasons(read_case_rows(folder.path(), record)) == "1 4new ");
     CHECK(numbers_and_reasons(gather_rows(folder.path(), record)) == "1 4new ");

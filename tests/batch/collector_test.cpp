@@ -31,7 +31,8 @@ std::vector<double> collect(const std::string& collect) {
     const CaseList cases(plan);
     std::deque<DeckTemplate> decks;
     decks.emplace_back(plan.decks[0]);
-    return run_case({plan, cases, decks, files.folder()}, 1).collected;
+    const std::vector<MeshDigests> meshes(1);
+    return run_case({plan, cases, decks, meshes, files.folder()}, 1).row.collected;
 }
 
 }  // namespace

@@ -277,6 +277,29 @@ TEST_CASE("The columns of a table are checked", "[batch]") {
           "{ column = \"…\" }");
 }
 
+TEST_CASE("What would be lost among keys and columns is an error", "[batch]") {
+    CHECK(faults_of_vary("\"rod.r.elements\" = [2]\n\"rod.\\\"r\\\".elements\" = [3]") ==
+          "plan.toml:4:1: vary.\"rod.\"r\".elements\": \"rod.r.elements\" is varied too, and has the same "
+          "value");
+    CHECK(
+        faults_of_vary("\"load[0].force[2]\" = [1.0]\n\"load[0].force\" = [[0, 0, 1]]") ==
+        "plan.toml:4:1: vary.\"load[0].force\": \"load[0].force[2]\" is varied too, and has the same value");
+    CHECK(PlanFiles(
+              head +
+              "[vary]\ntitle = [\"a\"]\n[collect]\ntitle = { ledger = \"strain_energy\", take = \"max\" }\n")
+              .faults() ==
+          "plan.toml:5:9: collect.title: [vary] has a column of this name already; take another one");
+}
+
+TEST_CASE("What gxrod check calls an error is one of the plan", "[batch]") {
+    std::string deck = cantilever_deck;
+    const std::size_t at = deck.find("fix = ");
+    deck.replace(at, deck.find('\n', at) - at, "fix = [\"x\"]");
+    CHECK(PlanFiles(head + "[vary]\n\"parameters.EI\" = [1.0, 2.0]\n", deck)
+              .faults()
+              .starts_with("deck.toml: rod r can "));
+}
+
 TEST_CASE("A plan is told from a deck", "[batch]") {
     const PlanFiles files(head + "[vary]\n\"parameters.EI\" = [1.0]\n");
     CHECK(is_plan(files.folder() / "plan.toml"));

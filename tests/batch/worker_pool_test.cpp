@@ -1,12 +1,13 @@
 #include "batch/worker_pool.hpp"
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <map>
-#include <new>
 #include <set>
+#include <system_error>
 #include <thread>
 
 namespace gxrod::test {
@@ -17,7 +18,7 @@ std::map<long, WorkerReply> run_all(WorkerPool& pool, long count) {
     std::map<long, WorkerReply> replies;
     long next = 1;
     while (static_cast<long>(replies.size()) < count) {
-        while (next <= count && pool.has_idle_worker()) pool.hand_out(next++);
+        while (next <= count && pool.has_idle_worker()) next += pool.hand_out(next) ? 1 : 0;
         for (const WorkerReply& reply : pool.wait(1.0)) replies.emplace(reply.number, reply);
     }
     return replies;
@@ -80,21 +81,45 @@ TEST_CASE("Work that takes too long is ended", "[batch]") {
     CHECK(replies[2].kind == WorkerReply::Kind::finished);
 }
 
-#if !defined(__SANITIZE_ADDRESS__)
-TEST_CASE("A worker has so much memory and no more", "[batch]") {
-    WorkerPool pool({.workers = 1, .most_bytes = 300e6}, [](long number) {
-        try {
-            std::vector<char> room(static_cast<std::size_t>(number) * 200'000'000, 'x');
-            return std::to_string(room.size());
-        } catch (const std::bad_alloc&) {
-            return std::string("none");
-        }
+TEST_CASE("A worker whose memory grows too much is ended", "[batch]") {
+    WorkerPool pool({.workers = 1, .most_bytes = 100e6}, [](long number) {
+        const std::vector<char> room(number == 2 ? 300'000'000 : 30'000'000, 'x');
+        if (number == 2) std::this_thread::sleep_for(std::chrono::hours(1));
+        return std::to_string(room.size());
     });
-    std::map<long, WorkerReply> replies = run_all(pool, 2);
-    CHECK(replies[1].text == "200000000");
-    CHECK(replies[2].text == "none");
+    std::map<long, WorkerReply> replies = run_all(pool, 6);
+    CHECK(replies[2].kind == WorkerReply::Kind::overweight);
+    for (const long number : {1, 3, 4, 5, 6}) CHECK(replies[number].text == "30000000");
 }
-#endif
+
+TEST_CASE("How a worker ended is known where the ends of children are ignored", "[batch]") {
+    std::signal(SIGCHLD, SIG_IGN);
+    WorkerPool pool({}, [](long) -> std::string { ::_exit(7); });
+    CHECK(run_all(pool, 1).at(1).text == "the process ended with exit code 7");
+}
+
+TEST_CASE("Where no more processes can be had, there are fewer workers", "[batch]") {
+    struct rlimit before {};
+    ::getrlimit(RLIMIT_NOFILE, &before);
+    // Room for some channels.
+    const int next = ::dup(0);
+    ::close(next);
+    struct rlimit few = before;
+    few.rlim_cur = static_cast<rlim_t>(next) + 5;
+    {
+        WorkerPool pool({.workers = 50}, [](long number) { return std::to_string(number); });
+        ::setrlimit(RLIMIT_NOFILE, &few);
+        const std::map<long, WorkerReply> replies = run_all(pool, 20);
+        ::setrlimit(RLIMIT_NOFILE, &before);
+        CHECK(replies.size() == 20);
+    }
+    few.rlim_cur = static_cast<rlim_t>(next);
+    WorkerPool pool({.workers = 2}, [](long number) { return std::to_string(number); });
+    ::setrlimit(RLIMIT_NOFILE, &few);
+    CHECK_FALSE(pool.hand_out(1));
+    CHECK_THROWS_AS(pool.hand_out(1), std::system_error);
+    ::setrlimit(RLIMIT_NOFILE, &before);
+}
 
 TEST_CASE("Workers are deaf to Ctrl-C and die with the pool", "[batch]") {
     pid_t process = 0;

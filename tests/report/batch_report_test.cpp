@@ -33,7 +33,7 @@ BatchRecord make_record(long cases) {
     record.title = "A rod";
     record.combine = "grid";
     record.cases = cases;
-    record.decks = {{"rod.toml", "title = \"A rod\"\n", ""}};
+    record.decks = {{"rod.toml", "title = \"A rod\"\n", {}}};
     record.parameters = {"parameters.EI"};
     record.columns = {{"tip", "largest z of position of tip"}};
     return record;
@@ -147,7 +147,7 @@ TEST_CASE("As many cases and decks go into a page as fit", "[report]") {
         CHECK(list_left_out(story, content)[0] ==
               fmt::format("Of 5000 cases that have ended, the page has the first {}.", content.rows));
     }
-    record.decks.assign(100, {"rod.toml", std::string(10'000, 'x'), ""});
+    record.decks.assign(100, {"rod.toml", std::string(10'000, 'x'), {}});
     const BatchContent content = plan_batch(story, 400'000);
     CHECK(content.decks > 15);
     CHECK(content.decks < 20);
@@ -161,7 +161,7 @@ TEST_CASE("No text of a batch can end the script that holds it", "[report]") {
     const sample::ScratchFolder scratch;
     BatchRecord record = make_record(1);
     record.plan = record.plan_text = record.title = record.combine = evil;
-    record.decks = {{evil, evil, ""}};
+    record.decks = {{evil, evil, {}}};
     record.parameters = {evil};
     record.columns = {{evil, evil}};
     CaseRow row = make_row(1);
