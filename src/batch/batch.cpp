@@ -301,6 +301,18 @@ BatchSummary run_batch(const PreparedBatch& batch, const BatchRequest& request) 
     return BatchRun(batch, request).run();
 }
 
+void begin_batch(const PreparedBatch& batch, const fs::path& folder, bool begin_anew) {
+    check_folder(folder);
+    make_folder(folder);
+    if (begin_anew) {
+        const BatchLock lock = BatchLock::of_cases(folder, batch.all());
+        clear_folder(folder);
+    }
+    const BatchLock lock = BatchLock::of_table(folder);
+    batch.read_rows(folder);  // for what they throw
+    if (!is_batch_folder(folder)) write_batch_record(batch.record(), folder);
+}
+
 std::vector<CaseRow> gather_rows(const fs::path& folder, const BatchRecord& record) {
     const BatchLock lock = BatchLock::of_table(folder);
     // Those that are idle now get no more rows: a slice begins one under the table's lock.
