@@ -24,8 +24,6 @@ std::string list_numbers(const std::vector<long>& numbers) {
     return text;
 }
 
-std::string count_cases(std::size_t count) { return fmt::format("{} case{}", count, count == 1 ? "" : "s"); }
-
 void print_groups(std::FILE* out, const std::vector<CaseGroup>& groups, bool has_status) {
     for (std::size_t i = 0; i < std::min(groups.size(), most_groups); ++i) {
         const CaseGroup& group = groups[i];
@@ -52,6 +50,15 @@ std::string describe(const BatchProgress& progress) {
 }
 
 }  // namespace
+
+std::string count_cases(std::size_t count) { return fmt::format("{} case{}", count, count == 1 ? "" : "s"); }
+
+void print_failures(const std::vector<CaseRow>& rows) {
+    const std::vector<CaseGroup> failures = group_failures(rows);
+    if (failures.empty()) return;
+    fmt::print(stderr, "Not done:\n");
+    print_groups(stderr, failures, true);
+}
 
 void BatchTelling::show_examined(long examined, long cases) {
     if (is_quiet_) return;
@@ -118,11 +125,8 @@ void BatchTelling::show_plan(const PreparedBatch& batch, const BatchRequest& req
 void BatchTelling::show_summary(const BatchSummary& summary, const BatchRequest& request) const {
     const long cases = summary.range.last - summary.range.first + 1;
     const long done = summary.count(CaseStatus::done);
-    const std::vector<CaseGroup> failures = group_failures(summary.rows);
-    if (!failures.empty() && !is_quiet_) {
-        fmt::print(stderr, "Not done:\n");
-        print_groups(stderr, failures, true);
-    }
+    const long failed = static_cast<long>(summary.rows.size()) - done;
+    if (!is_quiet_) print_failures(summary.rows);
     const std::vector<CaseGroup> warnings = group_warnings(summary.rows);
     if (!warnings.empty() && !is_quiet_) {
         fmt::print(stderr, "Warnings:\n");
@@ -137,12 +141,11 @@ void BatchTelling::show_summary(const BatchSummary& summary, const BatchRequest&
     fmt::print("{} of {} done{}; {} run now in {}\nTable: {}\n",
                done,
                count_cases(static_cast<std::size_t>(cases)),
-               failures.empty() ? "" : fmt::format(", {} not", static_cast<long>(summary.rows.size()) - done),
+               failed == 0 ? "" : fmt::format(", {} not", failed),
                summary.run_now,
                describe_duration(summary.seconds),
                table_path(request.folder).string());
-    if (static_cast<long>(summary.rows.size()) > done && !summary.is_interrupted)
-        fmt::print("--retry-failed runs again what is not done.\n");
+    if (failed > 0 && !summary.is_interrupted) fmt::print("--retry-failed runs again what is not done.\n");
 }
 
 void write_batch_summary(const std::string& target,

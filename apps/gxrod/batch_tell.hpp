@@ -8,6 +8,12 @@
 
 namespace gxrod {
 
+// "17 cases"
+std::string count_cases(std::size_t count);
+
+// The cases that are not done, by their reasons, to standard error.
+void print_failures(const std::vector<CaseRow>& rows);
+
 // What a batch says while it runs: progress and failures on standard error, the rest on standard output.
 class BatchTelling {
   public:
