@@ -304,12 +304,14 @@ BatchSummary run_batch(const PreparedBatch& batch, const BatchRequest& request) 
 void begin_batch(const PreparedBatch& batch, const fs::path& folder, bool begin_anew) {
     check_folder(folder);
     make_folder(folder);
+    std::optional<BatchLock> cases_lock;
+    if (begin_anew) cases_lock.emplace(BatchLock::of_cases(folder, batch.all()));
+    const BatchLock table_lock = BatchLock::of_table(folder);
     if (begin_anew) {
-        const BatchLock lock = BatchLock::of_cases(folder, batch.all());
         clear_folder(folder);
+    } else {
+        batch.read_rows(folder);  // for what it throws
     }
-    const BatchLock lock = BatchLock::of_table(folder);
-    batch.read_rows(folder);  // for what they throw
     if (!is_batch_folder(folder)) write_batch_record(batch.record(), folder);
 }
 
