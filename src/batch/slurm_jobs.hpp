@@ -18,6 +18,8 @@ struct SlurmJob {
     std::vector<std::string> options;  // of sbatch
     std::vector<CaseRange> slices;     // of task 1, 2, …
     std::vector<CaseRange> retried;    // cases that had a row, and were not done
+
+    bool operator==(const SlurmJob&) const = default;
 };
 
 // Where scripts, the jobs and what tasks print are.
@@ -36,6 +38,8 @@ struct SlurmTask {
     std::string state;   // "PENDING", "RUNNING" …
     std::string reason;  // why it waits
     CaseRange slice;
+
+    bool operator==(const SlurmTask&) const = default;
 };
 
 // What squeue printed in this form for array jobs, one task a line; lines about anything else are left out.
