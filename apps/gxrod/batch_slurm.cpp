@@ -129,9 +129,8 @@ ExitCode SlurmBatch::gather() {
 
 void SlurmBatch::submit_rest(const CaseHolders& holders, const Remainder& left) const {
     if (tells() && !arguments_.retry_failed && !left.failed_again.empty()) {
-        fmt::print(
-            "{} failed again after a job was to run them once more; --retry-failed submits them too.\n",
-            count_cases(left.failed_again.size()));
+        fmt::print("{} not done that a job was to run once more; --retry-failed submits them again.\n",
+                   count_cases(left.failed_again.size()));
     }
     const std::vector<long> failed =
         arguments_.retry_failed ? merge(left.failed, left.failed_again) : left.failed;

@@ -2,9 +2,11 @@
 
 import json
 import os
+import re
+import subprocess
 import unittest
 
-from program import SPINNING_BODY, ProgramTest
+from program import GXROD, SOURCE, SPINNING_BODY, ProgramTest
 
 PLAN = """deck = "body.toml"
 [vary]
@@ -57,6 +59,20 @@ class WithoutSlurm(ClusterTest):
         self.assertIn("nothing was submitted: there is no sbatch on this machine", done.stderr)
         self.assertFalse(part.exists())
         self.batch("sweep.toml")
+        self.assertIn("12 of 12 cases done", self.batch("sweep.toml", "--gather").stdout)
+
+
+class AnotherScheduler(ClusterTest):
+    def test_the_script_of_the_page(self):
+        page = (SOURCE / "docs" / "howto" / "cluster.md").read_text()
+        [script] = re.findall(r"```bash\n(.*?)```", page, flags=re.DOTALL)
+        self.assertIn("cases=200 tasks=20", script)
+        self.write("job.sh", script.replace("cases=200 tasks=20", "cases=12 tasks=5"))
+        environment = {**os.environ, "PBS_O_WORKDIR": str(self.folder),
+                       "PATH": os.pathsep.join([os.path.dirname(GXROD), os.environ["PATH"]])}
+        for task in range(1, 6):
+            subprocess.run(["bash", "job.sh"], check=True, stdout=subprocess.DEVNULL, cwd=self.folder,
+                           env={**environment, "PBS_ARRAY_INDEX": str(task)})
         self.assertIn("12 of 12 cases done", self.batch("sweep.toml", "--gather").stdout)
 
 

@@ -3,10 +3,12 @@
 import collections
 import csv
 import json
+import re
+import shlex
 import tempfile
 import unittest
 
-from program import SPINNING_BODY, ProgramTest
+from program import SOURCE, SPINNING_BODY, ProgramTest
 from slurm_cluster import SlurmCluster, missing_commands, wait_until
 
 QUICK = 200  # steps of a case of some milliseconds
@@ -105,6 +107,18 @@ class Submitting(SlurmTest):
         # Nothing is left to do.
         self.assertIn("nothing to submit", self.batch(plan, "-o", folder, "--slurm").stdout)
         self.assertEqual(len(self.jobs(folder)), 1)
+
+    def test_the_commands_of_the_page(self):
+        page = (SOURCE / "docs" / "howto" / "cluster.md").read_text()
+        page = re.sub(r"```bash.*?```", "", page, flags=re.DOTALL)
+        commands = re.findall(r"^gxrod (batch sweep.toml .*)$", page, re.MULTILINE)
+        self.assertEqual(len(commands), 5)
+        self.write("sweep.toml", PLAN.format(steps=QUICK).replace("count = 16", "count = 30"))
+        for command in commands:
+            self.batch(*shlex.split(command), code=3 if "--gather" in command else 0)
+        self.wait_for_empty_queue()
+        self.batch("sweep.toml", "--gather")
+        self.assert_complete(cases=30)
 
     def test_what_sbatch_refuses_is_told_and_not_recorded(self):
         self.write("sweep.toml", PLAN.format(steps=QUICK))
@@ -205,12 +219,13 @@ class Failing(SlurmTest):
         done = self.batch("sweep.toml", "--gather", code=3)
         self.assertIn("3 of 4 cases done, 1 not", done.stdout)
         self.assertIn("1 case (3): ", done.stderr)
+        self.assertIn("JobState=FAILED", cluster.call("scontrol", "show", "job", f"{self.jobs()[0]['id']}_2"))
         self.assertEqual(self.jobs()[1]["slices"], [[3, 3]])
         self.assertEqual(self.jobs()[1]["retried"], [[3, 3]])
         self.wait_for_empty_queue()
         [text] = [path.read_text() for path in (self.folder / "sweep" / "slurm").glob(f"{self.jobs()[1]['id']}_*.out")]
         self.assertIn("1 run now", text)
-        self.assertIn("failed again", self.batch("sweep.toml", "--gather", code=3).stdout)
+        self.assertIn("1 case not done that a job was to run once more", self.batch("sweep.toml", "--gather", code=3).stdout)
         self.assertEqual(len(self.jobs()), 2)
         self.batch("sweep.toml", "--gather", "--retry-failed", code=3)
         self.assertEqual(len(self.jobs()), 3)
