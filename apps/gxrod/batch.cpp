@@ -98,15 +98,15 @@ int exit_code_of(const BatchSummary& summary) {
 int batch_on_cluster(const PreparedBatch& batch,
                      const BatchArguments& arguments,
                      const std::filesystem::path& folder) {
-    const SlurmArguments cluster{arguments.files,
-                                 folder,
-                                 !arguments.folder.empty(),
-                                 arguments.sbatch_options,
-                                 arguments.tasks,
-                                 arguments.retry_failed,
-                                 arguments.dry_run,
-                                 arguments.force,
-                                 arguments.quiet};
+    const SlurmArguments cluster{.files = arguments.files,
+                                 .folder = folder,
+                                 .has_folder = !arguments.folder.empty(),
+                                 .options = arguments.sbatch_options,
+                                 .tasks = arguments.tasks,
+                                 .retry_failed = arguments.retry_failed,
+                                 .dry_run = arguments.dry_run,
+                                 .begin_anew = arguments.force,
+                                 .quiet = arguments.quiet};
     return arguments.slurm ? submit_batch(batch, cluster) : gather_batch(batch, cluster);
 }
 

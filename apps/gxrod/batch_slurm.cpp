@@ -14,6 +14,7 @@ namespace gxrod {
 namespace {
 
 namespace fs = std::filesystem;
+using Options = std::vector<std::string>;  // of sbatch
 
 // --slurm or --gather of one folder.
 class SlurmBatch {
@@ -31,10 +32,12 @@ class SlurmBatch {
     void submit_rest(const CaseHolders& holders, const Remainder& left) const;
     void submit(const CaseHolders& holders,
                 const std::vector<long>& missing,
-                const std::vector<long>& failed) const;
+                const std::vector<long>& failed,
+                const Options& default_options) const;
     Submission make_submission(const CaseHolders& holders,
                                const std::vector<long>& missing,
-                               const std::vector<long>& failed) const;
+                               const std::vector<long>& failed,
+                               const Options& default_options) const;
     std::string make_job_name() const;
     std::string gather_command() const;
 
@@ -75,7 +78,7 @@ ExitCode SlurmBatch::submit() {
         arguments_.retry_failed ? merge(left.failed, left.failed_again) : std::vector<long>();
     if (left.missing.empty() && failed.empty()) return tell_of_nothing(holders, left);
     if (tells()) print_holders(holders, left.taken);
-    submit(holders, left.missing, failed);
+    submit(holders, left.missing, failed, {});
     return exit_done;
 }
 
@@ -139,7 +142,7 @@ void SlurmBatch::submit_rest(const CaseHolders& holders, const Remainder& left) 
     if (arguments_.dry_run) {
         fmt::print("{} to submit again\n", count_cases(cases));
     } else if (has_slurm()) {
-        submit(holders, left.missing, failed);
+        submit(holders, left.missing, failed, jobs_.empty() ? Options() : jobs_.back().options);
     } else {
         fmt::print(stderr, "gxrod: nothing was submitted: there is no sbatch on this machine\n");
     }
@@ -147,8 +150,9 @@ void SlurmBatch::submit_rest(const CaseHolders& holders, const Remainder& left) 
 
 void SlurmBatch::submit(const CaseHolders& holders,
                         const std::vector<long>& missing,
-                        const std::vector<long>& failed) const {
-    const Submission submission = make_submission(holders, missing, failed);
+                        const std::vector<long>& failed,
+                        const Options& default_options) const {
+    const Submission submission = make_submission(holders, missing, failed, default_options);
     if (arguments_.dry_run) {
         print_script(submission);
         return;
@@ -159,12 +163,11 @@ void SlurmBatch::submit(const CaseHolders& holders,
 
 Submission SlurmBatch::make_submission(const CaseHolders& holders,
                                        const std::vector<long>& missing,
-                                       const std::vector<long>& failed) const {
+                                       const std::vector<long>& failed,
+                                       const Options& default_options) const {
     const std::vector<long> cases = merge(missing, failed);
-    const std::vector<std::string> last_options =
-        jobs_.empty() ? std::vector<std::string>() : jobs_.back().options;
     Submission submission;
-    submission.options = arguments_.options.value_or(last_options);
+    submission.options = arguments_.options.value_or(default_options);
     submission.retried = join_numbers(failed);
     const long tasks = arguments_.tasks > 0
                            ? arguments_.tasks

@@ -13,9 +13,10 @@ namespace gxrod {
 struct SlurmArguments {
     std::vector<std::string> files;
     std::filesystem::path folder;
-    bool has_folder = false;                          // the user named it
-    std::optional<std::vector<std::string>> options;  // of sbatch; those of the last job if there are none
-    long tasks = 0;                                   // 0 for as many as suit the cases
+    bool has_folder = false;  // the user named it
+    // Of sbatch, if any were given; --gather takes those of the last job otherwise.
+    std::optional<std::vector<std::string>> options;
+    long tasks = 0;  // 0 for as many as suit the cases
     bool retry_failed = false;
     bool dry_run = false;
     bool begin_anew = false;

@@ -114,11 +114,12 @@ class Submitting(ClusterTest):
     def test_only_cases_that_nobody_has_are_submitted(self):
         self.answer("sbatch", "17")
         self.answer("squeue", "17|2|PENDING|Priority")
-        self.batch("sweep.toml", "--slurm", "--tasks", "3")
+        self.batch("sweep.toml", "--slurm", "--tasks", "3", "--", "--nice")
         self.answer("sbatch", "18")
         told = self.batch("sweep.toml", "--slurm", "--tasks", "1").stdout
         self.assertIn("Tasks of job 17: 1 PENDING (Priority)\n4 cases not done yet, left to", told)
         self.assertEqual(self.jobs()[1]["slices"], [[1, 4], [9, 12]])
+        self.assertEqual([job["options"] for job in self.jobs()], [["--nice"], []])
         told = self.batch("sweep.toml", "--gather", "--dry-run", code=3).stdout
         self.assertIn("8 cases to submit", told)
         self.assertEqual(len(self.jobs()), 2)
