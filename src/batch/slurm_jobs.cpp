@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "batch/csv_reading.hpp"
+#include "deck/text_file.hpp"
 #include "model/file_error.hpp"
 
 namespace gxrod {
@@ -61,7 +61,7 @@ std::vector<SlurmJob> read_slurm_jobs(const fs::path& folder) {
     const fs::path path = jobs_path(folder);
     std::error_code ignored;
     if (!fs::exists(path, ignored)) return {};
-    const std::string text = read_whole_file(path);
+    const std::string text = read_text_file(path);
     try {
         const Json json = Json::parse(text);
         std::vector<SlurmJob> jobs;
