@@ -18,7 +18,7 @@ def missing_commands():
     return [name for name in COMMANDS if shutil.which(name, path=SEARCH) is None]
 
 
-def wait_until(condition, what, seconds=30.0):
+def wait_until(condition, what, seconds=60.0):
     end = time.monotonic() + seconds
     while not condition():
         if time.monotonic() > end:
