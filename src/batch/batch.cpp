@@ -32,12 +32,6 @@ std::deque<DeckTemplate> read_decks(const Plan& plan) {
     return decks;
 }
 
-void make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw FileError(folder, "cannot be made", error.message());
-}
-
 bool is_empty_or_missing(const fs::path& folder) {
     std::error_code ignored;
     return !fs::exists(folder, ignored) ||

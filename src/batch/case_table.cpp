@@ -88,6 +88,12 @@ std::vector<CaseRow> read_case_rows(const fs::path& folder, const BatchRecord& r
     return sorted;
 }
 
+void make_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw FileError(folder, "cannot be made", error.message());
+}
+
 void replace_file(const fs::path& path, const std::string& text) {
     const fs::path temporary = path.string() + fmt::format(".{}", ::getpid());
     {

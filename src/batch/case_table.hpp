@@ -28,6 +28,9 @@ CaseRange range_of_part(const std::filesystem::path& part);
 // those of the table. A last line that was not completed is left out. Throws FileError.
 std::vector<CaseRow> read_case_rows(const std::filesystem::path& folder, const BatchRecord& record);
 
+// Makes a folder, and those above it. Throws FileError.
+void make_folder(const std::filesystem::path& folder);
+
 // Writes a file beside and moves it there, so that it is whole at every moment. Throws FileError.
 void replace_file(const std::filesystem::path& path, const std::string& text);
 

@@ -15,12 +15,6 @@ namespace fs = std::filesystem;
 
 std::string describe_now() { return fmt::format("{:%F %T}", fmt::localtime(std::time(nullptr))); }
 
-void make_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw FileError(folder, "cannot be made", error.message());
-}
-
 }  // namespace
 
 CaseHolders find_holders(const fs::path& folder, const std::vector<SlurmJob>& jobs, long cases) {
