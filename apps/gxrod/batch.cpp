@@ -8,6 +8,7 @@
 #include <csignal>
 #include <memory>
 
+#include "batch_slurm.hpp"
 #include "batch_tell.hpp"
 #include "exit_code.hpp"
 #include "model/file_error.hpp"
@@ -27,6 +28,10 @@ struct BatchArguments {
     bool dry_run = false;
     bool force = false;
     bool quiet = false;
+    bool slurm = false;
+    bool gather = false;
+    long tasks = 0;
+    std::optional<std::vector<std::string>> sbatch_options;
 
     bool tells() const { return !quiet && summary != "-"; }
 };
@@ -92,7 +97,28 @@ int exit_code_of(const BatchSummary& summary) {
     return summary.is_complete() ? exit_done : exit_not_converged;
 }
 
+int batch_on_cluster(const PreparedBatch& batch,
+                     const BatchArguments& arguments,
+                     const std::filesystem::path& folder) {
+    const SlurmArguments cluster{.files = arguments.files,
+                                 .folder = folder,
+                                 .has_folder = !arguments.folder.empty(),
+                                 .options = arguments.sbatch_options,
+                                 .tasks = arguments.tasks,
+                                 .retry_failed = arguments.retry_failed,
+                                 .dry_run = arguments.dry_run,
+                                 .begin_anew = arguments.force,
+                                 .quiet = arguments.quiet};
+    return arguments.slurm ? submit_batch(batch, cluster) : gather_batch(batch, cluster);
+}
+
 int batch(const BatchArguments& arguments) {
+    const bool is_on_cluster = arguments.slurm || arguments.gather;
+    if (!is_on_cluster && (arguments.sbatch_options || arguments.tasks > 0)) {
+        throw CLI::ValidationError(
+            fmt::format("{} is for jobs of a cluster; expected --slurm or --gather too",
+                        arguments.tasks > 0 ? "--tasks" : "what stands behind --"));
+    }
     BatchTelling telling(arguments.quiet, arguments.tells());
     Plan plan = read_arguments(arguments.files);
     std::optional<CaseRange> only;
@@ -103,6 +129,7 @@ int batch(const BatchArguments& arguments) {
     BatchRequest request;
     request.folder =
         arguments.folder.empty() ? default_folder(prepared.plan()) : std::filesystem::path(arguments.folder);
+    if (is_on_cluster) return batch_on_cluster(prepared, arguments, request.folder);
     request.only = only;
     request.workers = arguments.workers > 0 ? arguments.workers : count_cores();
     request.retry_failed = arguments.retry_failed;
@@ -126,8 +153,11 @@ int batch(const BatchArguments& arguments) {
 
 }  // namespace
 
-void add_batch_verb(CLI::App& program, int& exit_code) {
+void add_batch_verb(CLI::App& program,
+                    int& exit_code,
+                    std::optional<std::vector<std::string>> sbatch_options) {
     auto arguments = std::make_shared<BatchArguments>();
+    arguments->sbatch_options = std::move(sbatch_options);
     CLI::App* verb =
         program.add_subcommand("batch", "Run many variants of a deck on all cores; one table of them all");
     verb->add_option("FILES", arguments->files, "A plan (TOML; docs/plan.md lists its keys), or decks")
@@ -144,7 +174,20 @@ void add_batch_verb(CLI::App& program, int& exit_code) {
         ->excludes(only);
     verb->add_option("--summary", arguments->summary, "Write a summary as JSON to a file, or - for stdout");
     verb->add_flag("--quiet", arguments->quiet, "Say nothing unless something is wrong");
+    auto* slurm =
+        verb->add_flag("--slurm", arguments->slurm, "Submit an array job to Slurm that runs the cases");
+    auto* gather = verb->add_flag(
+        "--gather", arguments->gather, "Complete the table; submit again what jobs left missing or failed");
+    verb->add_option("--tasks", arguments->tasks, "Tasks of the array job [four cases a core, 100 at most]")
+        ->check(CLI::Range(1, 1'000'000));
+    slurm->excludes(gather);
+    for (const char* name : {"--only", "--jobs", "--summary"}) {
+        slurm->excludes(verb->get_option(name));
+        gather->excludes(verb->get_option(name));
+    }
+    gather->excludes(verb->get_option("--force"));
     verb->footer(
+        "What stands behind -- are options of sbatch: gxrod batch PLAN --slurm -- -c 8 --time 2:00:00\n"
         "The same command goes on where a batch was stopped or killed: it runs what the table lacks.\n"
         "Exit codes: 0 if every case is done, 3 if not, 130 if interrupted.");
     verb->callback([arguments, &exit_code] { exit_code = batch(*arguments); });

@@ -25,8 +25,6 @@ std::string list_numbers(const std::vector<long>& numbers) {
     return text;
 }
 
-std::string count_cases(std::size_t count) { return fmt::format("{} case{}", count, count == 1 ? "" : "s"); }
-
 void print_groups(std::FILE* out, const std::vector<CaseGroup>& groups, bool has_status) {
     for (std::size_t i = 0; i < std::min(groups.size(), most_groups); ++i) {
         const CaseGroup& group = groups[i];
@@ -53,6 +51,14 @@ std::string describe(const BatchProgress& progress) {
 }
 
 }  // namespace
+
+std::string count_cases(std::size_t count) { return fmt::format("{} case{}", count, count == 1 ? "" : "s"); }
+
+void print_failures(const std::vector<CaseGroup>& failures) {
+    if (failures.empty()) return;
+    say(stderr, "Not done:\n");
+    print_groups(stderr, failures, true);
+}
 
 void BatchTelling::show_examined(long examined, long cases) {
     if (is_quiet_) return;
@@ -127,10 +133,7 @@ void BatchTelling::show_summary(const BatchSummary& summary, const BatchRequest&
     std::erase_if(untold, [&](const CaseGroup& group) {
         return group.numbers.size() == 1 && was_told(group.numbers[0]);
     });
-    if (!untold.empty()) {
-        say(stderr, "Not done:\n");
-        print_groups(stderr, untold, true);
-    }
+    print_failures(untold);
     const std::vector<CaseGroup> warnings = group_warnings(summary.rows);
     if (!warnings.empty()) {
         say(stderr, "Warnings:\n");

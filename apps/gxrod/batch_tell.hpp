@@ -8,6 +8,12 @@
 
 namespace gxrod {
 
+// "17 cases"
+std::string count_cases(std::size_t count);
+
+// Cases that are not done, to standard error.
+void print_failures(const std::vector<CaseGroup>& failures);
+
 // What a batch says while it runs: progress and failures on standard error, the rest on standard output.
 class BatchTelling {
   public:

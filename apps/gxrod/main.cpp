@@ -32,6 +32,16 @@ void open_standard_files() {
     }
 }
 
+// What stands behind "--" of a batch is for sbatch: takes it, and that itself, from the arguments.
+std::optional<std::vector<std::string>> take_sbatch_options(int& argc, char** argv) {
+    if (argc < 2 || argv[1] != std::string("batch")) return std::nullopt;
+    char** end = argv + argc;
+    char** dashes = std::find(argv, end, std::string("--"));
+    if (dashes == end) return std::nullopt;
+    argc = static_cast<int>(dashes - argv);
+    return std::vector<std::string>(dashes + 1, end);
+}
+
 // Runs the verb; errors become a message and an exit code.
 int run_program(int argc, char** argv) {
     CLI::App program{"gxrod: geometrically exact rods and rigid bodies in motion"};
@@ -46,7 +56,7 @@ int run_program(int argc, char** argv) {
     int exit_code = gxrod::exit_done;
     gxrod::add_run_verb(program, exit_code);
     gxrod::add_resume_verb(program, exit_code);
-    gxrod::add_batch_verb(program, exit_code);
+    gxrod::add_batch_verb(program, exit_code, take_sbatch_options(argc, argv));
     gxrod::add_check_verb(program, exit_code);
     gxrod::add_export_verb(program, exit_code);
     gxrod::add_report_verb(program, exit_code);

@@ -332,6 +332,21 @@ BatchSummary run_batch(const PreparedBatch& batch, const BatchRequest& request) 
     return BatchRun(batch, request).run();
 }
 
+void begin_batch(const PreparedBatch& batch, const fs::path& folder, bool begin_anew) {
+    check_batch_folder(folder);
+    make_folder(folder);
+    std::optional<BatchLock> cases_lock;
+    if (begin_anew) cases_lock.emplace(BatchLock::of_cases(folder, batch.all()));
+    const BatchLock table_lock = BatchLock::of_table(folder);
+    remove_leftovers(folder);
+    if (begin_anew) {
+        clear_batch_folder(folder);
+    } else {
+        batch.read_rows(folder);  // for what it throws
+    }
+    if (begin_anew || !is_batch_folder(folder)) write_batch_record(batch.record(), folder);
+}
+
 std::vector<CaseRow> gather_rows(const fs::path& folder, const BatchRecord& record) {
     const BatchLock lock = BatchLock::of_table(folder);
     return gather_locked(folder, record);

@@ -95,6 +95,10 @@ struct BatchSummary {
 // was written before stays.
 BatchSummary run_batch(const PreparedBatch& batch, const BatchRequest& request);
 
+// Makes the folder of a batch that others will run, unless it is there. Throws DeckError and FileError if it
+// holds something else, which `begin_anew` throws away.
+void begin_batch(const PreparedBatch& batch, const std::filesystem::path& folder, bool begin_anew);
+
 // Makes index.csv and index.h5 of all rows that a folder has, those of parts included; removes the parts that
 // nobody writes. Throws FileError.
 std::vector<CaseRow> gather_rows(const std::filesystem::path& folder, const BatchRecord& record);

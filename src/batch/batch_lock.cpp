@@ -3,18 +3,20 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <system_error>
 #include <thread>
 #include <utility>
 
+#include "batch/plan_schema.hpp"
 #include "model/file_error.hpp"
 
 namespace gxrod {
 namespace {
 
-// Byte 0 of the file stands for the table, byte n for case n.
+// Byte 0 of the file stands for the table, byte n for case n, the one after all cases for submitting them.
 struct flock describe(off_t first, off_t count) {
     struct flock lock {};
     lock.l_type = F_WRLCK;
@@ -33,6 +35,18 @@ int open_lock(const std::filesystem::path& folder) {
     const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor < 0) throw FileError(path, "cannot be written", std::generic_category().message(errno));
     return descriptor;
+}
+
+// Adds the locked ones of the cases. The lock that the system names first need not be the first one.
+void add_running(int descriptor, const CaseRange& range, std::vector<CaseRange>& running) {
+    if (range.last < range.first) return;
+    struct flock lock = describe(range);
+    if (::fcntl(descriptor, F_OFD_GETLK, &lock) != 0 || lock.l_type == F_UNLCK) return;
+    const long last = lock.l_len == 0 ? range.last : lock.l_start + lock.l_len - 1;
+    const CaseRange found{std::max(lock.l_start, range.first), std::min(last, range.last)};
+    add_running(descriptor, {range.first, found.first - 1}, running);
+    running.push_back(found);
+    add_running(descriptor, {found.last + 1, range.last}, running);
 }
 
 [[noreturn]] void refuse(const std::filesystem::path& folder, int descriptor) {
@@ -70,12 +84,29 @@ BatchLock BatchLock::acquire(const std::filesystem::path& folder,
     return BatchLock(descriptor);
 }
 
+BatchLock BatchLock::of_submission(const std::filesystem::path& folder) {
+    const int descriptor = open_lock(folder);
+    struct flock lock = describe(largest_case_count + 1, 1);
+    if (::fcntl(descriptor, F_OFD_SETLK, &lock) == 0) return BatchLock(descriptor);
+    if (errno != EAGAIN && errno != EACCES) refuse(folder, descriptor);
+    ::close(descriptor);
+    throw FileError(folder, "another gxrod batch is submitting its cases", "wait until it has ended");
+}
+
 bool BatchLock::is_running(const std::filesystem::path& folder, const CaseRange& range) {
     const int descriptor = open_lock(folder);
     struct flock lock = describe(range);
     const bool is_known = ::fcntl(descriptor, F_OFD_GETLK, &lock) == 0;
     ::close(descriptor);
     return is_known && lock.l_type != F_UNLCK;
+}
+
+std::vector<CaseRange> BatchLock::list_running(const std::filesystem::path& folder, const CaseRange& range) {
+    const int descriptor = open_lock(folder);
+    std::vector<CaseRange> running;
+    add_running(descriptor, range, running);
+    ::close(descriptor);
+    return running;
 }
 
 BatchLock::~BatchLock() {

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <vector>
 
 #include "batch/case_table.hpp"
 
@@ -18,8 +19,13 @@ class BatchLock {
     // Of the table index.csv; waits for it, ten minutes at most. Throws FileError.
     static BatchLock of_table(const std::filesystem::path& folder);
 
+    // Of submitting cases to a cluster. Throws FileError if another process does.
+    static BatchLock of_submission(const std::filesystem::path& folder);
+
     // Whether another process runs any of the cases.
     static bool is_running(const std::filesystem::path& folder, const CaseRange& range);
+    // Those of the cases that other processes run.
+    static std::vector<CaseRange> list_running(const std::filesystem::path& folder, const CaseRange& range);
 
     ~BatchLock();
     BatchLock(BatchLock&& other) noexcept;
