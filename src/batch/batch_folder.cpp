@@ -80,26 +80,19 @@ void remove_leftovers(const fs::path& folder) {
     }
 }
 
-void replace_file(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+void replace_file(const fs::path& path, const std::string& bytes) {
     const fs::path temporary = path.string() + fmt::format(".{}", ::getpid());
+    std::ofstream file(temporary, std::ios::binary);
+    file << bytes;
+    file.close();
     std::error_code error;
-    try {
-        write(temporary);
-    } catch (...) {
+    if (!file) {
+        const int code = errno;
         fs::remove(temporary, error);
-        throw;
+        throw FileError(path, "cannot be written", std::generic_category().message(code));
     }
     fs::rename(temporary, path, error);
     if (error) throw FileError(path, "cannot be written", error.message());
-}
-
-void replace_file(const fs::path& path, const std::string& text) {
-    replace_file(path, [&](const fs::path& temporary) {
-        std::ofstream file(temporary, std::ios::binary);
-        file << text;
-        file.close();
-        if (!file) throw FileError(path, "cannot be written", std::generic_category().message(errno));
-    });
 }
 
 }  // namespace gxrod

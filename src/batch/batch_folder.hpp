@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 
 // The folder of a batch, and what of it is the batch's own.
@@ -21,9 +20,7 @@ void clear_batch_folder(const std::filesystem::path& folder);
 // Takes away what was being written when a process was killed. The table must be locked.
 void remove_leftovers(const std::filesystem::path& folder);
 
-// Has `write` write a file beside, and moves it there, so that it is whole at every moment. Throws FileError.
-void replace_file(const std::filesystem::path& path,
-                  const std::function<void(const std::filesystem::path&)>& write);
-void replace_file(const std::filesystem::path& path, const std::string& text);
+// Writes a file beside and moves it there, so that it is whole at every moment. Throws FileError.
+void replace_file(const std::filesystem::path& path, const std::string& bytes);
 
 }  // namespace gxrod

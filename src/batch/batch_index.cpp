@@ -119,14 +119,21 @@ void write_rows(const Hdf5Handle& file, const BatchRecord& record, const std::ve
         file, {"warning", "what is suspicious", "none", ""}, [](const CaseRow& row) { return row.warning; });
 }
 
-void write_file(const std::filesystem::path& path,
-                const BatchRecord& record,
-                const std::vector<CaseRow>& rows) {
-    const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "properties");
-    Hdf5Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), H5P_DEFAULT), H5Fclose, "creating");
+// The bytes of the file, made in memory: the library may crash where a file of its own cannot be written.
+std::string make_file(const BatchRecord& record, const std::vector<CaseRow>& rows) {
+    constexpr std::size_t increment = 1 << 20;
+    const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "properties");
+    check_hdf5(H5Pset_fapl_core(access.id(), increment, false), "properties");
+    Hdf5Handle file(H5Fcreate("index.h5", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "creating");
     write_attributes(file, record);
     write_rows(file, record, rows);
+    check_hdf5(H5Fflush(file.id(), H5F_SCOPE_GLOBAL), "flushing");
+    const ssize_t size = H5Fget_file_image(file.id(), nullptr, 0);
+    if (size < 0) throw Hdf5Error("taking its bytes");
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    if (H5Fget_file_image(file.id(), bytes.data(), bytes.size()) < 0) throw Hdf5Error("taking its bytes");
     check_hdf5(file.reset(), "closing");
+    return bytes;
 }
 
 }  // namespace
@@ -136,13 +143,11 @@ void write_batch_index(const std::filesystem::path& folder,
                        const std::vector<CaseRow>& rows) {
     silence_hdf5();
     const std::filesystem::path path = folder / "index.h5";
-    replace_file(path, [&](const std::filesystem::path& temporary) {
-        try {
-            write_file(temporary, record, rows);
-        } catch (const Hdf5Error& failure) {
-            throw FileError(path, std::string("cannot be written: ") + failure.what());
-        }
-    });
+    try {
+        replace_file(path, make_file(record, rows));
+    } catch (const Hdf5Error& failure) {
+        throw FileError(path, std::string("cannot be written: ") + failure.what());
+    }
 }
 
 }  // namespace gxrod
