@@ -8,6 +8,7 @@
 #include "batch/case_slices.hpp"
 #include "batch_slurm_tell.hpp"
 #include "batch_tell.hpp"
+#include "say.hpp"
 
 namespace gxrod {
 
@@ -94,14 +95,14 @@ void SlurmBatch::begin() {
 ExitCode SlurmBatch::tell_of_nothing(const CaseHolders& holders, const Remainder& left) const {
     const std::size_t failed = left.failed.size() + left.failed_again.size();
     if (left.taken == 0 && failed == 0) {
-        if (tells()) fmt::print("All cases are done; there is nothing to submit.\n");
+        if (tells()) say(stdout, "All cases are done; there is nothing to submit.\n");
         return exit_done;
     }
     if (!tells()) return exit_not_converged;
-    fmt::print("Nothing was submitted.\n");
+    say(stdout, "Nothing was submitted.\n");
     print_holders(holders, left.taken);
     if (failed > 0)
-        fmt::print("{} failed; --retry-failed submits what failed once more.\n", count_cases(failed));
+        say(stdout, "{} failed; --retry-failed submits what failed once more.\n", count_cases(failed));
     return exit_not_converged;
 }
 
@@ -125,26 +126,27 @@ ExitCode SlurmBatch::gather() {
         if (tells()) print_holders(holders, left.taken);
         submit_rest(holders, left);
     } else {
-        fmt::print(stderr, "gxrod: nothing was submitted: {}\n", fault);
+        say(stderr, "gxrod: nothing was submitted: {}\n", fault);
     }
     return exit_not_converged;
 }
 
 void SlurmBatch::submit_rest(const CaseHolders& holders, const Remainder& left) const {
     if (tells() && !arguments_.retry_failed && !left.failed_again.empty()) {
-        fmt::print("{} not done that a job was to run once more; --retry-failed submits them again.\n",
-                   count_cases(left.failed_again.size()));
+        say(stdout,
+            "{} not done that a job was to run once more; --retry-failed submits them again.\n",
+            count_cases(left.failed_again.size()));
     }
     const std::vector<long> failed =
         arguments_.retry_failed ? merge(left.failed, left.failed_again) : left.failed;
     const std::size_t cases = left.missing.size() + failed.size();
     if (cases == 0) return;
     if (arguments_.dry_run) {
-        fmt::print("{} to submit again\n", count_cases(cases));
+        say(stdout, "{} to submit again\n", count_cases(cases));
     } else if (has_slurm()) {
         submit(holders, left.missing, failed, jobs_.empty() ? Options() : jobs_.back().options);
     } else {
-        fmt::print(stderr, "gxrod: nothing was submitted: there is no sbatch on this machine\n");
+        say(stderr, "gxrod: nothing was submitted: there is no sbatch on this machine\n");
     }
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "batch_tell.hpp"
+#include "say.hpp"
 
 namespace gxrod {
 
@@ -33,19 +34,23 @@ void print_holders(const CaseHolders& holders, long taken) {
         if (std::find(jobs.begin(), jobs.end(), task.job) == jobs.end()) jobs.push_back(task.job);
     }
     for (const std::string& job : jobs)
-        fmt::print("Tasks of job {}: {}\n", job, count_states(holders.tasks, job));
+        say(stdout, "Tasks of job {}: {}\n", job, count_states(holders.tasks, job));
     if (taken == 0) return;
-    fmt::print("{} not done yet, left to {}\n",
-               count_cases(static_cast<std::size_t>(taken)),
-               jobs.empty() ? "another gxrod batch that runs" : "what is queued or running");
+    say(stdout,
+        "{} not done yet, left to {}\n",
+        count_cases(static_cast<std::size_t>(taken)),
+        jobs.empty() ? "another gxrod batch that runs" : "what is queued or running");
 }
 
 void print_script(const Submission& submission) {
     std::string command = "sbatch --parsable";
     for (const std::string& option : submission.options) command += " " + quote_for_shell(option);
     const std::filesystem::path file = slurm_folder(submission.script.folder) / submission.file;
-    fmt::print(
-        "{}\n# {} {}\n", write_slurm_script(submission.script), command, quote_for_shell(file.string()));
+    say(stdout,
+        "{}\n# {} {}\n",
+        write_slurm_script(submission.script),
+        command,
+        quote_for_shell(file.string()));
 }
 
 void print_job(const SlurmJob& job,
@@ -54,15 +59,21 @@ void print_job(const SlurmJob& job,
                const std::string& gather_command) {
     const std::filesystem::path folder = slurm_folder(submission.script.folder);
     const std::size_t tasks = job.slices.size();
-    fmt::print(
-        "Submitted as job {}: {} in {} task{}\n", job.id, count_cases(cases), tasks, tasks == 1 ? "" : "s");
-    fmt::print("Script: {}\nOutput: {}\n",
-               (folder / submission.file).string(),
-               (folder / (job.id + "_*.out")).string());
-    fmt::print("Queue: squeue{} -j {}\nTable, now or when the job has ended: {}\n",
-               job.cluster.empty() ? "" : " -M " + job.cluster,
-               job.id,
-               gather_command);
+    say(stdout,
+        "Submitted as job {}: {} in {} task{}\n",
+        job.id,
+        count_cases(cases),
+        tasks,
+        tasks == 1 ? "" : "s");
+    say(stdout,
+        "Script: {}\nOutput: {}\n",
+        (folder / submission.file).string(),
+        (folder / (job.id + "_*.out")).string());
+    say(stdout,
+        "Queue: squeue{} -j {}\nTable, now or when the job has ended: {}\n",
+        job.cluster.empty() ? "" : " -M " + job.cluster,
+        job.id,
+        gather_command);
 }
 
 void print_table(const std::filesystem::path& folder, const std::vector<CaseRow>& rows, long cases) {
@@ -71,12 +82,13 @@ void print_table(const std::filesystem::path& folder, const std::vector<CaseRow>
     const long failed = static_cast<long>(rows.size()) - done;
     const long missing = cases - static_cast<long>(rows.size());
     print_failures(group_failures(rows));
-    fmt::print("{} of {} done{}{}\nTable: {}\n",
-               done,
-               count_cases(static_cast<std::size_t>(cases)),
-               failed > 0 ? fmt::format(", {} not", failed) : "",
-               missing > 0 ? fmt::format(", {} missing", missing) : "",
-               table_path(folder).string());
+    say(stdout,
+        "{} of {} done{}{}\nTable: {}\n",
+        done,
+        count_cases(static_cast<std::size_t>(cases)),
+        failed > 0 ? fmt::format(", {} not", failed) : "",
+        missing > 0 ? fmt::format(", {} missing", missing) : "",
+        table_path(folder).string());
 }
 
 }  // namespace gxrod
