@@ -88,7 +88,7 @@ class SlurmTest(ProgramTest):
 class Submitting(SlurmTest):
     def test_an_array_job_makes_the_table_of_a_batch_on_one_machine(self):
         """In a folder whose name sbatch, Slurm and the shell each could misread."""
-        plan, folder = "my sweep.toml", "100% of it's #1"
+        plan, folder = "my sweep.toml", "100%j of it's #1"
         self.write(plan, PLAN.format(steps=QUICK))
         self.batch(plan, "-o", "here")
         told = self.batch(plan, "-o", folder, "--slurm", "--tasks", "4", "--", "-c", "1", "-J", "mine").stdout
