@@ -22,7 +22,7 @@ class BatchFolder:
         self.record = {
             "gxrod_version": "0.1.0", "plan": "sweep.toml", "plan_text": 'deck = "rod.toml"\ncombine = "grid"\n',
             "title": "A rod of many kinds", "combine": combine, "seed": 7, "cases": 0, "cases_sha256": "",
-            "decks": [{"name": "rod.toml", "sha256": "", "text": "title = 'A rod'\n", "meshes_sha256": ""}],
+            "decks": [{"name": "rod.toml", "sha256": "", "text": "title = 'A rod'\n", "meshes_sha256": {}}],
             "parameters": parameters, "columns": [{"name": name, "description": f"all of {name}"} for name in columns],
         } | record
 

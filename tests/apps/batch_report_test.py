@@ -61,7 +61,7 @@ def make_large(folder):
 
 def make_evil(folder):
     batch = BatchFolder(folder, [EVIL_TEXT, "scheme"], [EVIL_NAME], plan=EVIL_TEXT, plan_text=f"# {EVIL_TEXT}",
-                        title=EVIL_TEXT, decks=[{"name": EVIL_NAME, "sha256": "", "text": EVIL_TEXT, "meshes_sha256": ""}])
+                        title=EVIL_TEXT, decks=[{"name": EVIL_NAME, "sha256": "", "text": EVIL_TEXT, "meshes_sha256": {}}])
     for i in range(2):
         batch.add([i, EVIL_TEXT], [i], warning=EVIL_TEXT)
     batch.add([2, EVIL_NAME], ["nan"], status="crashed", reason=EVIL_TEXT)
