@@ -32,11 +32,17 @@ bool are_equal_leaves(const DeckNode& before, const DeckNode& now) {
     return write_toml_value(before) == write_toml_value(now);
 }
 
-// A value in a message; "another one" if it is long.
+bool holds_tables(const DeckNode& node) {
+    const DeckNode::Array* array = node.array();
+    return node.table() != nullptr ||
+           (array != nullptr && std::any_of(array->begin(), array->end(), holds_tables));
+}
+
+// A value in a message; "another one" if it has tables or is long.
 std::string describe(const DeckNode& node) {
     constexpr std::size_t longest = 60;
     const std::string text = write_toml_value(node);
-    return text.size() <= longest ? text : "another one";
+    return text.size() <= longest && !holds_tables(node) ? text : "another one";
 }
 
 class Comparison {

@@ -98,6 +98,7 @@ TEST_CASE("How a worker ended is known where the ends of children are ignored", 
     CHECK(run_all(pool, 1).at(1).text == "the process ended with exit code 7");
 }
 
+#if !defined(__SANITIZE_ADDRESS__)  // the sanitizers need file descriptors themselves
 TEST_CASE("Where no more processes can be had, there are fewer workers", "[batch]") {
     struct rlimit before {};
     ::getrlimit(RLIMIT_NOFILE, &before);
@@ -120,6 +121,7 @@ TEST_CASE("Where no more processes can be had, there are fewer workers", "[batch
     CHECK_THROWS_AS(pool.hand_out(1), std::system_error);
     ::setrlimit(RLIMIT_NOFILE, &before);
 }
+#endif
 
 TEST_CASE("Workers are deaf to Ctrl-C and die with the pool", "[batch]") {
     pid_t process = 0;
