@@ -10,6 +10,7 @@
 #include "analyses/model_examination.hpp"
 #include "analyses/run.hpp"
 #include "batch/collector.hpp"
+#include "batch/seconds_since.hpp"
 #include "model/file_error.hpp"
 #include "results/energy_warning.hpp"
 
@@ -20,10 +21,6 @@ using Clock = std::chrono::steady_clock;
 
 // Rows begin with a number.
 const std::string obstacle_mark = "obstacle: ";
-
-double seconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
 
 void add_warning(CaseRow& row, const std::string& warning) {
     if (warning.empty()) return;

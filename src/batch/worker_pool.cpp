@@ -18,6 +18,8 @@
 #include <fstream>
 #include <system_error>
 
+#include "batch/seconds_since.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -97,10 +99,6 @@ std::string describe_end(int status) {
         return fmt::format("the process was ended by signal {} ({})", signal, ::strsignal(signal));
     }
     return fmt::format("the process ended with exit code {}", WEXITSTATUS(status));
-}
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 }  // namespace
@@ -225,7 +223,13 @@ void WorkerPool::enforce_limits() {
 
 WorkerReply WorkerPool::receive(Worker& worker) {
     WorkerReply reply{worker.number, WorkerReply::Kind::finished, "", seconds_since(worker.begin)};
-    if (!receive_text(worker.channel, reply.text)) bury(worker, reply);
+    if (!receive_text(worker.channel, reply.text)) {
+        bury(worker, reply);
+    } else if (worker.end != WorkerReply::Kind::was_killed) {
+        // It was done just before it was killed.
+        WorkerReply ignored;
+        bury(worker, ignored);
+    }
     worker.number = 0;
     return reply;
 }
