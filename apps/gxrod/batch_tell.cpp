@@ -141,8 +141,8 @@ void BatchTelling::show_summary(const BatchSummary& summary, const BatchRequest&
     }
     if (summary.is_interrupted) {
         say(stderr,
-            "gxrod: interrupted; {} not run. The same command goes on.\n",
-            count_cases(static_cast<std::size_t>(summary.missing)));
+            "gxrod: interrupted; {} left to run. The same command goes on.\n",
+            count_cases(static_cast<std::size_t>(summary.left)));
     }
     if (!tells_) return;
     say(stdout,
@@ -172,7 +172,7 @@ void write_batch_summary(const std::string& target,
         std::replace(key.begin(), key.end(), ' ', '_');
         json[key] = summary.count(status);
     }
-    json["missing"] = summary.missing;
+    json["missing"] = summary.range.count() - static_cast<long>(summary.rows.size());
     json["run_now"] = summary.run_now;
     json["interrupted"] = summary.is_interrupted;
     json["workers"] = request.workers;

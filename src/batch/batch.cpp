@@ -13,8 +13,9 @@
 #include "batch/batch_folder.hpp"
 #include "batch/batch_index.hpp"
 #include "batch/batch_lock.hpp"
-#include "batch/case_check.hpp"
+#include "batch/gathering.hpp"
 #include "batch/machine_memory.hpp"
+#include "batch/seconds_since.hpp"
 #include "batch/worker_pool.hpp"
 #include "model/file_error.hpp"
 
@@ -24,38 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point begin) {
-    return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
-std::deque<DeckTemplate> read_decks(const Plan& plan) {
-    std::deque<DeckTemplate> decks;
-    for (const fs::path& deck : plan.decks) decks.emplace_back(deck);
-    return decks;
-}
-
-// Parts of slices that no process writes.
-std::vector<fs::path> list_idle_parts(const fs::path& folder) {
-    std::vector<fs::path> parts = list_parts(folder);
-    std::erase_if(parts,
-                  [&](const fs::path& part) { return BatchLock::is_running(folder, *range_of_part(part)); });
-    return parts;
-}
-
-// The table anew from all rows that there are; it must be locked.
-std::vector<CaseRow> gather_locked(const fs::path& folder, const BatchRecord& record) {
-    // Those that are idle now get no more rows: a slice begins one under the table's lock.
-    const std::vector<fs::path> idle_parts = list_idle_parts(folder);
-    std::vector<CaseRow> rows = read_case_rows(folder, record);
-    write_case_table(folder, record, rows);
-    write_batch_index(folder, record, rows);
-    std::error_code ignored;
-    for (const fs::path& part : idle_parts) fs::remove(part, ignored);
-    fs::remove(folder / "parts", ignored);
-    fs::remove(folder / "cases", ignored);  // if nothing was kept
-    return rows;
-}
-
 // Of a fully run batch, or a slice of it.
 class BatchRun {
   public:
@@ -63,7 +32,8 @@ class BatchRun {
         : batch_(batch),
           request_(request),
           range_(request.only.value_or(batch.all())),
-          lock_(lock_cases(request.folder, range_)) {
+          lock_(lock_cases(request.folder, range_)),
+          table_lock_(BatchLock::of_table(request.folder)) {
         begin();
     }
 
@@ -91,28 +61,18 @@ class BatchRun {
     }
 
     void begin() {
-        table_lock_.emplace(BatchLock::of_table(request_.folder));
-        remove_leftovers(request_.folder);
-        if (request_.begin_anew) {
-            clear_batch_folder(request_.folder);
-            write_batch_record(batch_.record(), request_.folder);
-        }
-        for (CaseRow& row : batch_.read_rows(request_.folder)) {
+        const fs::path& folder = request_.folder;
+        for (CaseRow& row : batch_.open_folder(folder, request_.begin_anew)) {
             if (range_.contains(row.number)) rows_.insert_or_assign(row.number, std::move(row));
         }
-        if (!is_batch_folder(request_.folder)) write_batch_record(batch_.record(), request_.folder);
-        for (const char* name : {"cases", "parts"}) make_folder(request_.folder / name);
+        if (has_idle_parts(folder, lock_)) gather_parts(folder, batch_.record(), lock_);
+        for (const char* name : {"cases", "parts"}) make_folder(folder / name);
         const std::vector<long> wanted = list_wanted_cases(rows_, range_, request_.retry_failed);
         queue_.assign(wanted.begin(), wanted.end());
         progress_.cases = static_cast<long>(queue_.size());
         // A whole batch holds the table while it runs, a slice only its part.
-        if (is_slice()) {
-            table_.emplace(part_path(request_.folder, range_), batch_.record());
-            table_lock_.reset();
-        } else {
-            merge_parts();
-            table_.emplace(table_path(request_.folder), batch_.record());
-        }
+        table_.emplace(is_slice() ? part_path(folder, range_) : table_path(folder), batch_.record());
+        if (is_slice()) table_lock_.reset();
     }
 
     void run_cases() {
@@ -135,20 +95,10 @@ class BatchRun {
 
     std::vector<CaseRow> gather() {
         table_.reset();
-        // Others may gather what is in its part from now on.
-        if (is_slice()) lock_.reset();
         if (!table_lock_) table_lock_.emplace(BatchLock::of_table(request_.folder));
-        std::vector<CaseRow> rows = gather_locked(request_.folder, batch_.record());
+        std::vector<CaseRow> rows = gather_parts(request_.folder, batch_.record(), lock_);
         std::erase_if(rows, [&](const CaseRow& row) { return !range_.contains(row.number); });
         return rows;
-    }
-
-    // What slices left, into the table that is appended to.
-    void merge_parts() const {
-        std::error_code ignored;
-        if (fs::is_empty(request_.folder / "parts", ignored)) return;
-        write_case_table(request_.folder, batch_.record(), list_rows());
-        fs::remove_all(request_.folder / "parts", ignored);
     }
 
     std::vector<CaseRow> list_rows() const {
@@ -267,7 +217,7 @@ class BatchRun {
     BatchSummary summarise(std::vector<CaseRow> rows) const {
         BatchSummary summary;
         summary.range = range_;
-        summary.missing = range_.count() - static_cast<long>(rows.size());
+        summary.left = progress_.cases - progress_.done;
         summary.rows = std::move(rows);
         summary.run_now = progress_.done;
         summary.is_interrupted = is_interrupted_;
@@ -278,7 +228,7 @@ class BatchRun {
     const PreparedBatch& batch_;
     const BatchRequest& request_;
     CaseRange range_;
-    std::optional<BatchLock> lock_;
+    BatchLock lock_;
     std::optional<BatchLock> table_lock_;
     std::optional<TableAppender> table_;
     std::map<long, CaseRow> rows_;
@@ -292,25 +242,6 @@ class BatchRun {
 };
 
 }  // namespace
-
-PreparedBatch::PreparedBatch(Plan plan,
-                             const std::optional<CaseRange>& only,
-                             const std::function<void(long, long)>& report)
-    : plan_(std::move(plan)), cases_(plan_), decks_(read_decks(plan_)) {
-    const CaseRange range = only.value_or(all());
-    CheckedCases checked = check_cases(context(""), range, [&](long examined) {
-        if (report) report(examined, range.count());
-    });
-    meshes_ = std::move(checked.meshes);
-    record_ = make_batch_record(plan_, cases_, decks_, checked.title, meshes_);
-}
-
-std::vector<CaseRow> PreparedBatch::read_rows(const fs::path& folder) const {
-    check_batch_folder(folder);
-    if (!is_batch_folder(folder)) return {};
-    check_same_batch(read_batch_record(folder), record_, plan_, decks_, folder);
-    return read_case_rows(folder, record_);
-}
 
 std::vector<long> list_wanted_cases(const std::map<long, CaseRow>& rows,
                                     const CaseRange& range,
@@ -338,18 +269,12 @@ void begin_batch(const PreparedBatch& batch, const fs::path& folder, bool begin_
     std::optional<BatchLock> cases_lock;
     if (begin_anew) cases_lock.emplace(BatchLock::of_cases(folder, batch.all()));
     const BatchLock table_lock = BatchLock::of_table(folder);
-    remove_leftovers(folder);
-    if (begin_anew) {
-        clear_batch_folder(folder);
-    } else {
-        batch.read_rows(folder);  // for what it throws
-    }
-    if (begin_anew || !is_batch_folder(folder)) write_batch_record(batch.record(), folder);
+    batch.open_folder(folder, begin_anew);
 }
 
 std::vector<CaseRow> gather_rows(const fs::path& folder, const BatchRecord& record) {
     const BatchLock lock = BatchLock::of_table(folder);
-    return gather_locked(folder, record);
+    return gather_parts(folder, record, lock);
 }
 
 }  // namespace gxrod

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -8,44 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "batch/case_row.hpp"
-#include "batch/case_run.hpp"
-#include "batch/case_table.hpp"
-#include "batch/plan.hpp"
+#include "batch/prepared_batch.hpp"
 
 // A batch: the cases of a plan, run by worker processes into a folder.
 namespace gxrod {
-
-// A plan whose cases were all read and found right.
-class PreparedBatch {
-  public:
-    // Of the cases in `only`, if that is given, which are examined alone. `report` hears how many were.
-    // Throws DeckError and FileError, as check_cases.
-    explicit PreparedBatch(Plan plan,
-                           const std::optional<CaseRange>& only = {},
-                           const std::function<void(long examined, long cases)>& report = {});
-    PreparedBatch(const PreparedBatch&) = delete;
-    PreparedBatch& operator=(const PreparedBatch&) = delete;
-
-    const Plan& plan() const { return plan_; }
-    const CaseList& cases() const { return cases_; }
-    const BatchRecord& record() const { return record_; }
-    CaseRange all() const { return {1, cases_.count()}; }
-    CaseContext context(const std::filesystem::path& folder) const {
-        return {plan_, cases_, decks_, meshes_, folder};
-    }
-
-    // The rows that a folder has of this batch; none if there is no such folder, or nothing in it. Throws
-    // DeckError and FileError if it holds something else.
-    std::vector<CaseRow> read_rows(const std::filesystem::path& folder) const;
-
-  private:
-    Plan plan_;
-    CaseList cases_;
-    std::deque<DeckTemplate> decks_;
-    std::vector<MeshDigests> meshes_;  // of each deck
-    BatchRecord record_;
-};
 
 // Cases of a range that have no row, or, if that is asked for, one that is not done.
 std::vector<long> list_wanted_cases(const std::map<long, CaseRow>& rows,
@@ -82,7 +47,7 @@ struct BatchSummary {
     CaseRange range;            // that this run was about
     std::vector<CaseRow> rows;  // of it, by case
     long run_now = 0;           // of them by this run
-    long missing = 0;           // not run
+    long left = 0;              // that this run was to do, and did not
     bool is_interrupted = false;
     double seconds = 0.0;
 
@@ -99,8 +64,8 @@ BatchSummary run_batch(const PreparedBatch& batch, const BatchRequest& request);
 // holds something else, which `begin_anew` throws away.
 void begin_batch(const PreparedBatch& batch, const std::filesystem::path& folder, bool begin_anew);
 
-// Makes index.csv and index.h5 of all rows that a folder has, those of parts included; removes the parts that
-// nobody writes. Throws FileError.
+// Makes index.csv and index.h5 of all rows that a folder has, waiting for who writes the table. Throws
+// FileError.
 std::vector<CaseRow> gather_rows(const std::filesystem::path& folder, const BatchRecord& record);
 
 }  // namespace gxrod

@@ -93,19 +93,13 @@ BatchLock BatchLock::of_submission(const std::filesystem::path& folder) {
     throw FileError(folder, "another gxrod batch is submitting its cases", "wait until it has ended");
 }
 
-bool BatchLock::is_running(const std::filesystem::path& folder, const CaseRange& range) {
-    const int descriptor = open_lock(folder);
-    struct flock lock = describe(range);
-    const bool is_known = ::fcntl(descriptor, F_OFD_GETLK, &lock) == 0;
-    ::close(descriptor);
-    return is_known && lock.l_type != F_UNLCK;
+std::vector<CaseRange> BatchLock::list_running(const std::filesystem::path& folder, const CaseRange& range) {
+    return BatchLock(open_lock(folder)).list_running(range);
 }
 
-std::vector<CaseRange> BatchLock::list_running(const std::filesystem::path& folder, const CaseRange& range) {
-    const int descriptor = open_lock(folder);
+std::vector<CaseRange> BatchLock::list_running(const CaseRange& range) const {
     std::vector<CaseRange> running;
-    add_running(descriptor, range, running);
-    ::close(descriptor);
+    add_running(descriptor_, range, running);
     return running;
 }
 

@@ -22,10 +22,9 @@ class BatchLock {
     // Of submitting cases to a cluster. Throws FileError if another process does.
     static BatchLock of_submission(const std::filesystem::path& folder);
 
-    // Whether another process runs any of the cases.
-    static bool is_running(const std::filesystem::path& folder, const CaseRange& range);
-    // Those of the cases that other processes run.
+    // Those of the cases that processes run; the second, who holds this lock leaves out what it locks itself.
     static std::vector<CaseRange> list_running(const std::filesystem::path& folder, const CaseRange& range);
+    std::vector<CaseRange> list_running(const CaseRange& range) const;
 
     ~BatchLock();
     BatchLock(BatchLock&& other) noexcept;

@@ -36,7 +36,7 @@ void check_parameters(const CaseContext& context, FaultList& faults) {
     }
 }
 
-// Where a fault was found: in the deck of a case, in the model that it makes, or in what is collected of it.
+// Where a fault was found: in the deck of a case, or in the model that it makes and what is collected of it.
 enum class Stage { reading, examining };
 
 // Faults of many cases, each once.
@@ -170,10 +170,13 @@ CheckedCases check_cases(const CaseContext& context,
         } catch (const DeckError& error) {
             case_faults.add(error, stage, number);
         }
-        report(++examined);
+        ++examined;
     };
     if (range.first > 1) check(1);
-    for (long number = range.first; number <= range.last && !case_faults.is_enough(); ++number) check(number);
+    for (long number = range.first; number <= range.last && !case_faults.is_enough(); ++number) {
+        check(number);
+        report(number - range.first + 1);
+    }
     case_faults.throw_if_any(examined, built);
     return checked;
 }

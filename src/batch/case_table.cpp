@@ -63,11 +63,6 @@ std::vector<fs::path> list_parts(const fs::path& folder) {
     for (const fs::directory_entry& entry : fs::directory_iterator(folder / "parts", ignored)) {
         if (entry.path().extension() == ".csv" && range_of_part(entry.path())) parts.push_back(entry.path());
     }
-    // The later one counts where a case was run twice.
-    std::sort(parts.begin(), parts.end(), [](const fs::path& a, const fs::path& b) {
-        std::error_code error;
-        return fs::last_write_time(a, error) < fs::last_write_time(b, error);
-    });
     return parts;
 }
 

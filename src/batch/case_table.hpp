@@ -21,12 +21,13 @@ struct CaseRange {
 std::filesystem::path table_path(const std::filesystem::path& folder);
 std::filesystem::path part_path(const std::filesystem::path& folder, const CaseRange& range);
 
-// The parts of a folder, the one written last at the end, and what a part is of, if it is one.
+// The parts of a folder, and what a part is of, if it is one.
 std::vector<std::filesystem::path> list_parts(const std::filesystem::path& folder);
 std::optional<CaseRange> range_of_part(const std::filesystem::path& part);
 
 // The rows so far, by the number of the case; of a case that has several the last one, those of parts after
-// those of the table. A last line that was not completed is left out. Throws FileError.
+// those of the table. No two parts have the same case (gathering.hpp). A last line that was not completed is
+// left out. Throws FileError.
 std::vector<CaseRow> read_case_rows(const std::filesystem::path& folder, const BatchRecord& record);
 
 // Writes index.csv anew with these rows.

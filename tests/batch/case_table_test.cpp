@@ -1,10 +1,12 @@
 #include "batch/case_table.hpp"
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <fstream>
 
 #include "batch/batch.hpp"
 #include "batch/batch_folder.hpp"
+#include "batch/gathering.hpp"
 #include "batch/plans.hpp"
 #include "model/file_error.hpp"
 
@@ -73,7 +75,7 @@ TEST_CASE("A row that was cut short is left out, and does not spoil the next", "
 TEST_CASE("Parts of slices go into the table", "[batch]") {
     const ScratchFolder folder;
     const BatchRecord record = of_cases(9);
-    std::filesystem::create_directory(folder.path() / "parts");
+    for (const char* name : {"parts", "cases"}) std::filesystem::create_directory(folder.path() / name);
     write_case_table(folder.path(), record, {row_of(1), row_of(4, "old")});
     const std::filesystem::path part = part_path(folder.path(), {4, 6});
     CHECK(range_of_part(part) == CaseRange{4, 6});
@@ -81,10 +83,44 @@ TEST_CASE("Parts of slices go into the table", "[batch]") {
         CHECK_FALSE(range_of_part(other));
     { TableAppender(part, record).append(row_of(4, "new")); }
     CHECK(numbers_and_reasons(read_case_rows(folder.path(), record)) == "1 4new ");
+    {
+        // It goes on being written.
+        const BatchLock writer = BatchLock::of_cases(folder.path(), {4, 6});
+        CHECK(numbers_and_reasons(gather_rows(folder.path(), record)) == "1 4new ");
+        CHECK(std::filesystem::exists(part));
+        CHECK(std::filesystem::exists(folder.path() / "cases"));
+        CHECK(has_idle_parts(folder.path(), writer));
+    }
     CHECK(numbers_and_reasons(gather_rows(folder.path(), record)) == "1 4new ");
-    CHECK_FALSE(std::filesystem::exists(part));
+    for (const char* name : {"parts", "cases"}) CHECK_FALSE(std::filesystem::exists(folder.path() / name));
     CHECK(numbers_and_reasons(read_case_rows(folder.path(), record)) == "1 4new ");
     CHECK(std::filesystem::exists(folder.path() / "index.h5"));
+}
+
+TEST_CASE("A row counts before those that slices left earlier", "[batch]") {
+    const PlanFiles files("deck = \"deck.toml\"\n[vary]\n\"parameters.EI\" = [100.0, 200.0, 300.0]\n");
+    const PreparedBatch batch(files.read());
+    BatchRequest request;
+    request.folder = files.folder() / "out";
+    request.only = CaseRange{3, 3};
+    run_batch(batch, request);
+    std::filesystem::create_directory(request.folder / "parts");
+    const std::filesystem::path left = part_path(request.folder, {1, 2});
+    {
+        TableAppender part(left, batch.record());
+        for (const long number : {1, 2}) part.append(row_of(number, "killed"));
+    }
+    const auto later = std::filesystem::last_write_time(left) + std::chrono::hours(1);
+    std::filesystem::last_write_time(left, later);
+    request.only = CaseRange{2, 3};
+    request.retry_failed = true;
+    run_batch(batch, request);
+    CHECK(numbers_and_reasons(batch.read_rows(request.folder)) == "1killed 2 3 ");
+    std::filesystem::create_directory(request.folder / "parts");
+    { TableAppender(left, batch.record()).append(row_of(1, "killed again")); }
+    request.only.reset();
+    run_batch(batch, request);
+    CHECK(numbers_and_reasons(batch.read_rows(request.folder)) == "1 2 3 ");
 }
 
 TEST_CASE("The table of another batch is not read", "[batch]") {

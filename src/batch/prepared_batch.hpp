@@ -1,0 +1,50 @@
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "batch/case_row.hpp"
+#include "batch/case_run.hpp"
+#include "batch/case_table.hpp"
+#include "batch/plan.hpp"
+
+namespace gxrod {
+
+// A plan whose cases were all read and found right.
+class PreparedBatch {
+  public:
+    // Of the cases in `only`, if that is given, which are examined alone. `report` hears how many were.
+    // Throws DeckError and FileError, as check_cases.
+    explicit PreparedBatch(Plan plan,
+                           const std::optional<CaseRange>& only = {},
+                           const std::function<void(long examined, long cases)>& report = {});
+    PreparedBatch(const PreparedBatch&) = delete;
+    PreparedBatch& operator=(const PreparedBatch&) = delete;
+
+    const Plan& plan() const { return plan_; }
+    const CaseList& cases() const { return cases_; }
+    const BatchRecord& record() const { return record_; }
+    CaseRange all() const { return {1, cases_.count()}; }
+    CaseContext context(const std::filesystem::path& folder) const {
+        return {plan_, cases_, decks_, meshes_, folder};
+    }
+
+    // The rows that a folder has of this batch; none if there is no such folder, or nothing in it. Throws
+    // DeckError and FileError if it holds something else.
+    std::vector<CaseRow> read_rows(const std::filesystem::path& folder) const;
+    // Makes the folder one of this batch, unless it is, and gives its rows. Its table must be locked, and all
+    // of its cases where `begin_anew` throws away what it holds. Throws as read_rows.
+    std::vector<CaseRow> open_folder(const std::filesystem::path& folder, bool begin_anew) const;
+
+  private:
+    Plan plan_;
+    CaseList cases_;
+    std::deque<DeckTemplate> decks_;
+    std::vector<MeshDigests> meshes_;  // of each deck
+    BatchRecord record_;
+};
+
+}  // namespace gxrod
