@@ -128,6 +128,48 @@ TEST_CASE("Decks do not go into the batch of a plan, nor a plan into that of dec
                       folder.string() + ": holds a batch of decks, not of a plan" + hint);
 }
 
+TEST_CASE("A batch of other decks is noticed", "[batch]") {
+    const PlanFiles files(plan_text);
+    files.write("a.toml", cantilever_deck);
+    files.write("b.toml", cantilever_deck);
+    BatchRequest request;
+    request.folder = files.folder() / "out";
+    run_batch(PreparedBatch(plan_of_decks({files.folder() / "a.toml"})), request);
+    const std::string folder = request.folder.string();
+    CHECK_THROWS_WITH(PreparedBatch(plan_of_decks({files.folder() / "a.toml", files.folder() / "b.toml"}))
+                          .read_rows(request.folder),
+                      folder + ": holds a batch of other decks; -o begins another batch, --force begins " +
+                          folder + " anew");
+}
+
+TEST_CASE("Other orders and ways of writing are noticed", "[batch]") {
+    const std::string vary_a = "\"parameters.EI\" = [100.0, 200.0]\n";
+    const std::string vary_b = "\"gravity\" = [[0, 0, -1.0]]\n";
+    const std::string column_a =
+        "a = { history = \"tip\", quantity = \"position\", component = \"z\", at = 1 }\n";
+    const std::string column_b =
+        "b = { history = \"tip\", quantity = \"position\", component = \"x\", at = 1 }\n";
+    const std::string begin = "deck = \"deck.toml\"\n[vary]\n";
+    const PlanFiles files(begin + vary_a + vary_b + "[collect]\n" + column_a + column_b);
+    run_in(files, files.folder() / "out");
+    const auto with_plan = [&](const std::string& plan) { return differences(files, plan, cantilever_deck); };
+    const std::string other = "out: holds a batch of other cases: ";
+    const std::string hint = "; -o begins another batch, --force begins out anew";
+    CHECK(with_plan(begin + vary_b + vary_a + "[collect]\n" + column_a + column_b) ==
+          other + "[vary] has its keys in another order" + hint);
+    CHECK(with_plan(begin + vary_a + vary_b + "[collect]\n" + column_b + column_a) ==
+          other + "[collect] has its columns in another order" + hint);
+    // As the record of another version of gxrod may be.
+    BatchRecord record = read_batch_record(files.folder() / "out");
+    record.cases_digest = "0";
+    write_batch_record(record, files.folder() / "out");
+    const std::string plan = begin + vary_a + vary_b + "[collect]\n" + column_a + column_b;
+    CHECK(with_plan(plan) == other + "the plan's values are written in another way" + hint);
+    record.version = "0.0.9";
+    write_batch_record(record, files.folder() / "out");
+    CHECK(with_plan(plan) == other + "gxrod 0.0.9 made them" + hint);
+}
+
 TEST_CASE("A changed table is noticed", "[batch]") {
     const std::string plan = "deck = \"deck.toml\"\ncombine = \"table\"\ntable = \"t.csv\"\n";
     const PlanFiles files(plan);

@@ -11,9 +11,9 @@ namespace {
 SlurmScript make_script() {
     return {.name = "sweep",
             .program = "/opt/gxrod/bin/gxrod",
-            .directory = "/home/ann/my work",
+            .directory = "/shared/my work",
             .files = {"sweep.toml"},
-            .folder = "/home/ann/my work/it's 5%",
+            .folder = "/shared/my work/it's 5%",
             .slices = {{1, 10}, {11, 11}},
             .retry_failed = false};
 }
@@ -25,7 +25,7 @@ TEST_CASE("The script of an array job", "[batch]") {
 # Each task runs a slice of a batch; gxrod batch --slurm wrote this.
 #SBATCH --job-name=sweep
 #SBATCH --array=1-2
-#SBATCH --output="/home/ann/my work/it's 5%%/slurm/%A_%a.out"
+#SBATCH --output="/shared/my work/it's 5%%/slurm/%A_%a.out"
 #SBATCH --open-mode=append
 
 slices=(
@@ -34,9 +34,9 @@ slices=(
 )
 slice=${slices[SLURM_ARRAY_TASK_ID]:?there is no such task}
 echo "cases $slice on ${SLURMD_NODENAME:-$(hostname)}, $(date '+%F %T')"
-cd '/home/ann/my work' || exit
+cd '/shared/my work' || exit
 exec /opt/gxrod/bin/gxrod batch sweep.toml \
-  --output '/home/ann/my work/it'\''s 5%' \
+  --output '/shared/my work/it'\''s 5%' \
   --only "$slice" --jobs "${SLURM_CPUS_PER_TASK:-1}"
 )script";
     CHECK(write_slurm_script(make_script()) == expected);
@@ -58,7 +58,7 @@ TEST_CASE("bash runs a task as it is meant", "[batch]") {
         return run_program({"bash", "-c", "unset SLURM_CPUS_PER_TASK; " + setting + "\n" + text});
     };
     const std::string arguments =
-        "batch a b.toml $HOME 'and' \"`id`\".toml --output /home/ann/my work/it's 5% --only ";
+        "batch a b.toml $HOME 'and' \"`id`\".toml --output /shared/my work/it's 5% --only ";
     CHECK_THAT(run("SLURM_ARRAY_TASK_ID=1").output, Catch::EndsWith(arguments + "1..10 --jobs 1\n"));
     CHECK_THAT(run("SLURM_ARRAY_TASK_ID=2; SLURM_CPUS_PER_TASK=8").output,
                Catch::EndsWith(arguments + "11 --jobs 8\n"));
