@@ -1,0 +1,20 @@
+# gxrod_join_sources(target source...): if GXROD_JOIN_SOURCES names the target, its sources are compiled in the groups
+# that join-sources finds, so that what they include is read, instantiated and compiled once for each group.
+function(gxrod_join_sources target)
+  if(NOT target IN_LIST GXROD_JOIN_SOURCES)
+    return()
+  endif()
+  find_program(GXROD_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
+  execute_process(COMMAND "${GXROD_PYTHON}" -B "${PROJECT_SOURCE_DIR}/cmake/join-sources" ${ARGN}
+    OUTPUT_VARIABLE groups OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  string(REPLACE "\n" ";" groups "${groups}")
+  foreach(line IN LISTS groups)
+    string(REGEX MATCH "^([0-9]+) (.*)$" line "${line}")
+    set_source_files_properties("${CMAKE_MATCH_2}" PROPERTIES UNITY_GROUP "${CMAKE_MATCH_1}")
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # Inlined otherwise and with sanitizers, g++ 12 sees values of std::optional used before they are set.
+  if(GXROD_SANITIZE)
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
+  endif()
+endfunction()
