@@ -39,7 +39,7 @@ class Operation {
     Operation(const SparsePattern& pattern, std::vector<double> values)
         : pattern_(&pattern),
           values_(std::move(values)),
-          solver_(make_linear_solver(LinearSolverKind::automatic, pattern)) {}
+          solver_(make_general_solver(pattern)) {}
 
     // False if it is singular.
     bool factorize() { return solver_->factorize(values_).regular; }

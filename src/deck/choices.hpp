@@ -36,8 +36,9 @@ inline constexpr std::array<Choice<TangentKind>, 3> tangent_choices{
      {"paper", TangentKind::paper},
      {"difference", TangentKind::difference}}};
 
-inline constexpr std::array<Choice<LinearSolverKind>, 4> linear_solver_choices{
+inline constexpr std::array<Choice<LinearSolverKind>, 5> linear_solver_choices{
     {{"auto", LinearSolverKind::automatic},
+     {"chains", LinearSolverKind::chains},
      {"klu", LinearSolverKind::klu},
      {"umfpack", LinearSolverKind::umfpack},
      {"cholmod", LinearSolverKind::cholmod}}};

@@ -22,6 +22,7 @@ enum class TangentKind {
 
 enum class LinearSolverKind {
     automatic,  // chooses by the matrix
+    chains,     // insides of chains by blocks, the junctions by one of the others
     klu,
     umfpack,
     cholmod  // static analyses whose tangent is symmetric in equilibrium

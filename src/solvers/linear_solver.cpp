@@ -1,5 +1,6 @@
 #include "solvers/linear_solver.hpp"
 
+#include "solvers/chain_solver.hpp"
 #include "solvers/cholmod_solver.hpp"
 #include "solvers/klu_solver.hpp"
 #include "solvers/umfpack_solver.hpp"
@@ -24,16 +25,25 @@ namespace {
 constexpr double flops_per_entry_for_fronts = 200.0;
 
 std::unique_ptr<LinearSolver> choose_linear_solver(const SparsePattern& pattern) {
+    auto chains = std::make_unique<ChainSolver>(pattern);
+    if (2 * chains->count_kept() <= pattern.size()) return chains;
+    chains.reset();
+    return make_general_solver(pattern);
+}
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> make_general_solver(const SparsePattern& pattern) {
     auto klu = std::make_unique<KluSolver>(pattern);
     if (klu->estimate_flops_per_entry() < flops_per_entry_for_fronts) return klu;
     klu.reset();
     return std::make_unique<UmfpackSolver>(pattern);
 }
 
-}  // namespace
-
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, const SparsePattern& pattern) {
     switch (kind) {
+        case LinearSolverKind::chains:
+            return std::make_unique<ChainSolver>(pattern);
         case LinearSolverKind::klu:
             return std::make_unique<KluSolver>(pattern);
         case LinearSolverKind::umfpack:

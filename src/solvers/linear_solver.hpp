@@ -22,7 +22,7 @@ class LinearSolver {
   public:
     virtual ~LinearSolver() = default;
 
-    // Factorizes the matrix with these values on the pattern.
+    // Factorizes the matrix with these values on the pattern; they must stay as they are until it is solved.
     virtual Factorization factorize(const std::vector<double>& values) = 0;
     // Replaces the right-hand side by the solution. After a regular factorization only.
     virtual void solve(Eigen::VectorXd& right_hand_side) = 0;
@@ -31,8 +31,11 @@ class LinearSolver {
 };
 
 // The pattern must outlive the solver. Throws std::runtime_error if memory does not suffice; so do its
-// members. `automatic` takes KLU or UMFPACK, by the pattern alone, so that a model is always solved in the
-// same way.
+// members. `automatic` takes `chains` where these are most of the unknowns, or as make_general_solver; by the
+// pattern alone, so that a model is always solved in the same way.
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, const SparsePattern& pattern);
+
+// KLU or UMFPACK, by the pattern.
+std::unique_ptr<LinearSolver> make_general_solver(const SparsePattern& pattern);
 
 }  // namespace gxrod

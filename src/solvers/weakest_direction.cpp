@@ -33,8 +33,8 @@ std::optional<WeakestDirection> find_weakest_direction(const ScaledTangent& tang
     constexpr int most_iterations = 30;
     const SparsePattern& pattern = tangent.pattern();
     if (pattern.size() == 0 || !tangent.is_finite()) return std::nullopt;
-    const auto solver = make_linear_solver(LinearSolverKind::automatic, pattern);
-    const auto transposed = make_linear_solver(solver->kind(), pattern);
+    const auto solver = make_general_solver(pattern);
+    const auto transposed = make_general_solver(pattern);
     factorize_shifted(pattern, tangent.values(), *solver);
     factorize_shifted(pattern, tangent.compute_transpose(), *transposed);
     Eigen::VectorXd x = make_start(pattern.size());

@@ -18,8 +18,10 @@ constexpr int size = 40;
 // Calls visit(solver kind) for each.
 template <class Visit>
 void for_each_solver(Visit&& visit) {
-    for (const LinearSolverKind kind :
-         {LinearSolverKind::klu, LinearSolverKind::umfpack, LinearSolverKind::cholmod}) {
+    for (const LinearSolverKind kind : {LinearSolverKind::chains,
+                                        LinearSolverKind::klu,
+                                        LinearSolverKind::umfpack,
+                                        LinearSolverKind::cholmod}) {
         INFO("solver " << static_cast<int>(kind));
         visit(kind);
     }
@@ -56,7 +58,7 @@ TEST_CASE("every solver solves a symmetric indefinite matrix as a dense LU does"
     });
 }
 
-TEST_CASE("KLU and UMFPACK solve unsymmetric matrices with zeros on the diagonal", "[solvers]") {
+TEST_CASE("KLU and UMFPACK solve unsymmetric patterns with zeros on the diagonal", "[solvers]") {
     for (const LinearSolverKind kind : {LinearSolverKind::klu, LinearSolverKind::umfpack}) {
         for (unsigned seed = 1; seed <= 20; ++seed) {
             const Eigen::MatrixXd dense = make_unsymmetric_matrix(size, seed);
@@ -177,6 +179,7 @@ TEST_CASE("a system without equations is solved", "[solvers]") {
     SparsePattern pattern;
     pattern.column_starts.push_back(0);
     for (const LinearSolverKind kind : {LinearSolverKind::automatic,
+                                        LinearSolverKind::chains,
                                         LinearSolverKind::klu,
                                         LinearSolverKind::umfpack,
                                         LinearSolverKind::cholmod}) {
@@ -188,12 +191,13 @@ TEST_CASE("a system without equations is solved", "[solvers]") {
     }
 }
 
-TEST_CASE("rods are left to KLU, nets that fill to UMFPACK", "[solvers]") {
+TEST_CASE("rods are solved as chains, nets left to KLU, or to UMFPACK where they fill", "[solvers]") {
     const auto choose = [](const SparsePattern& pattern) {
         return make_linear_solver(LinearSolverKind::automatic, pattern)->kind();
     };
-    for (const int elements : {1, 10, 100, 1000}) {
-        CHECK(choose(make_net_pattern(1, elements)) == LinearSolverKind::klu);
+    for (const int nodes : {2, 10, 100, 1000}) {
+        CHECK(choose(make_net_pattern(1, nodes)) == LinearSolverKind::chains);
+        CHECK(make_general_solver(make_net_pattern(1, nodes))->kind() == LinearSolverKind::klu);
     }
     CHECK(choose(make_net_pattern(6, 6)) == LinearSolverKind::klu);
     CHECK(choose(make_net_pattern(40, 40)) == LinearSolverKind::umfpack);
