@@ -1,0 +1,71 @@
+// Each linear solver on the tangent of a falling rod: factorization and solution.
+#include <benchmark/benchmark.h>
+
+#include "assembly/system.hpp"
+#include "benchmarks/block_tridiagonal.hpp"
+#include "benchmarks/pendulum.hpp"
+#include "solvers/linear_solver.hpp"
+
+namespace gxrod::speed {
+namespace {
+
+void per_node(benchmark::State& state, double nodes) {
+    state.counters["per_node"] = benchmark::Counter(
+        nodes, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+void solve_eigen_blocks(benchmark::State& state) {
+    BlockTridiagonal system(static_cast<int>(state.range(0)));
+    for (auto _ : state) benchmark::DoNotOptimize(system.factorize_and_solve());
+    per_node(state, static_cast<double>(state.range(0)));
+}
+BENCHMARK(solve_eigen_blocks)->RangeMultiplier(10)->Range(10, 1'000'000);
+
+void solve_rod(benchmark::State& state, LinearSolverKind kind, int order) {
+    const int nodes = static_cast<int>(state.range(0));
+    const Problem problem = make_pendulum(std::max(1, nodes / order), order, 1);
+    const System system(problem.model);
+    const State start = system.initial_state();
+    // As in a step of Newmark's method, Δt = 1 ms.
+    constexpr double per_step = 1e-3;
+    constexpr double acceleration = 4.0 / (per_step * per_step);
+    std::vector<NodeLinearization> linearizations(start.trial.size(),
+                                                  {1.0,
+                                                   2.0 / per_step,
+                                                   acceleration,
+                                                   2.0 / per_step * Mat3::Identity(),
+                                                   acceleration * Mat3::Identity()});
+    std::vector<double> values;
+    system.compute_tangent(start, 0.0, linearizations, values);
+    const auto solver = make_linear_solver(kind, system.pattern());
+    const Eigen::VectorXd load = Eigen::VectorXd::Ones(system.pattern().size());
+    Eigen::VectorXd solution;
+    for (auto _ : state) {
+        if (!solver->factorize(values).regular) state.SkipWithError("singular");
+        solution = load;
+        solver->solve(solution);
+    }
+    per_node(state, nodes);
+}
+BENCHMARK_CAPTURE(solve_rod, chains_order_1, LinearSolverKind::chains, 1)
+    ->RangeMultiplier(10)
+    ->Range(10, 1'000'000);
+BENCHMARK_CAPTURE(solve_rod, chains_order_2, LinearSolverKind::chains, 2)
+    ->RangeMultiplier(10)
+    ->Range(10, 100'000);
+BENCHMARK_CAPTURE(solve_rod, chains_order_3, LinearSolverKind::chains, 3)
+    ->RangeMultiplier(10)
+    ->Range(10, 100'000);
+BENCHMARK_CAPTURE(solve_rod, chains_order_4, LinearSolverKind::chains, 4)
+    ->RangeMultiplier(10)
+    ->Range(10, 100'000);
+BENCHMARK_CAPTURE(solve_rod, klu_order_1, LinearSolverKind::klu, 1)->RangeMultiplier(10)->Range(10, 100'000);
+BENCHMARK_CAPTURE(solve_rod, umfpack_order_1, LinearSolverKind::umfpack, 1)
+    ->RangeMultiplier(10)
+    ->Range(10, 100'000);
+BENCHMARK_CAPTURE(solve_rod, cholmod_order_1, LinearSolverKind::cholmod, 1)
+    ->RangeMultiplier(10)
+    ->Range(10, 100'000);
+
+}  // namespace
+}  // namespace gxrod::speed
