@@ -37,9 +37,7 @@ class Operation {
     using Scalar = double;
 
     Operation(const SparsePattern& pattern, std::vector<double> values)
-        : pattern_(&pattern),
-          values_(std::move(values)),
-          solver_(make_general_solver(pattern)) {}
+        : pattern_(&pattern), values_(std::move(values)), solver_(make_general_solver(pattern)) {}
 
     // False if it is singular.
     bool factorize() { return solver_->factorize(values_).regular; }

@@ -127,7 +127,8 @@ std::vector<KeySpec> scheme_keys() {
          .default_value = word_of(linear_solver_choices, defaults.linear_solver),
          .sentence =
              "chains: the insides of rods by blocks, their junctions by one of the next two. klu: sparse LU, "
-             "entry by entry. umfpack: LU by dense fronts, for nets that fill. auto: one of these three, by the "
+             "entry by entry. umfpack: LU by dense fronts, for nets that fill. auto: one of these three, by "
+             "the "
              "matrix. cholmod: L D Lᵀ of the symmetric part, where the tangent is symmetric.",
          .choices = words_of(linear_solver_choices)}};
 }

@@ -27,15 +27,16 @@ inline bool invert(int run_time_size, double* D) {
     return true;
 }
 
-template <int Fixed>
-inline void multiply_add(int p, int n, int m, double sign, const double* A, const double* B, double* C) {
+// C ← C ± A B.
+template <int Fixed, int Sign>
+inline void multiply_add(int p, int n, int m, const double* A, const double* B, double* C) {
     const int rows = Fixed > 0 ? Fixed : p;
     const int inner = Fixed > 0 ? Fixed : n;
     const int columns = Fixed > 0 && m > 1 ? Fixed : m;
     for (int j = 0; j < columns; ++j) {
         double* column = C + j * rows;
         for (int k = 0; k < inner; ++k) {
-            const double factor = sign * B[j * inner + k];
+            const double factor = Sign * B[j * inner + k];
             for (int i = 0; i < rows; ++i) column[i] += factor * A[k * rows + i];
         }
     }
@@ -50,17 +51,17 @@ bool invert_block(int n, double* D) { return n == node_size ? invert<node_size>(
 void multiply_blocks(int n, int m, const double* A, const double* B, double* C) {
     std::fill_n(C, n * m, 0.0);
     if (n == node_size && (m == node_size || m == 1)) {
-        multiply_add<node_size>(n, n, m, 1.0, A, B, C);
+        multiply_add<node_size, 1>(n, n, m, A, B, C);
     } else {
-        multiply_add<0>(n, n, m, 1.0, A, B, C);
+        multiply_add<0, 1>(n, n, m, A, B, C);
     }
 }
 
 void subtract_product(int p, int n, int m, const double* A, const double* B, double* C) {
     if (p == node_size && n == node_size && (m == node_size || m == 1)) {
-        multiply_add<node_size>(p, n, m, -1.0, A, B, C);
+        multiply_add<node_size, -1>(p, n, m, A, B, C);
     } else {
-        multiply_add<0>(p, n, m, -1.0, A, B, C);
+        multiply_add<0, -1>(p, n, m, A, B, C);
     }
 }
 
