@@ -72,9 +72,10 @@ TEST_CASE("bash runs a task as it is meant", "[batch]") {
 TEST_CASE("A folder that sbatch cannot name is refused", "[batch]") {
     SlurmScript script = make_script();
     script.folder = "/shared/a\\b";
-    CHECK_THROWS_WITH(write_slurm_script(script),
-                      "/shared/a\\b: sbatch cannot write into a folder whose name has a line end, a \" or a \\ "
-                      "(-o takes another folder)");
+    CHECK_THROWS_WITH(
+        write_slurm_script(script),
+        "/shared/a\\b: sbatch cannot write into a folder whose name has a line end, a \" or a \\ "
+        "(-o takes another folder)");
     script.folder = "/shared/a\nb";
     CHECK_THROWS_AS(write_slurm_script(script), FileError);
 }
