@@ -1,6 +1,24 @@
 #include "elements/rod/rod_element.hpp"
 
+#include "elements/rod/two_node_rod.hpp"
+
 namespace gxrod {
+
+namespace {
+
+// Calls visit with the two-node rod in the state of these motions.
+template <class Visitor>
+void visit_state(const TwoNodeRod<double>& rod,
+                 const Motions<2>& motions,
+                 const std::array<Quat, 2>& triads,
+                 Visitor&& visit) {
+    const Quat a = motions[0]->Lambda * triads[0];
+    const Quat b = motions[1]->Lambda * triads[1];
+    const HalfRotation<double> rotation = split_rotation(a.conjugate() * b);
+    visit(TwoNodeRod<double>::State(rod, rotation, a, motions[1]->r - motions[0]->r));
+}
+
+}  // namespace
 
 template <int Nodes, class Map>
 RodElement<Nodes, Map>::RodElement(const RodElementGeometry<Nodes>& geometry, const Section& section)
@@ -8,7 +26,18 @@ RodElement<Nodes, Map>::RodElement(const RodElementGeometry<Nodes>& geometry, co
       triads_(geometry.triads),
       start_(compute_start(geometry)),
       rod_(make_rod(geometry, section)),
-      inertia_(geometry, section) {}
+      inertia_(geometry, section) {
+    if constexpr (is_two_node_objective) {
+        const HalfRotation<double> rotation = split_rotation(triads_[0].conjugate() * triads_[1]);
+        const Vec3 l = geometry.positions[1] - geometry.positions[0];
+        two_node_.length = l.norm();
+        two_node_.Gamma_0 = (triads_[0] * rotation.half).conjugate() * l / two_node_.length;
+        two_node_.Kappa_0 = rotation.Phi / two_node_.length;
+        two_node_.C_NN = section.stiffness.topLeftCorner<3, 3>();
+        two_node_.C_NM = section.stiffness.topRightCorner<3, 3>();
+        two_node_.C_MM = section.stiffness.bottomRightCorner<3, 3>();
+    }
+}
 
 template <int Nodes, class Map>
 Motions<Nodes> RodElement<Nodes, Map>::point_at(const std::array<NodeMotion, Nodes>& nodal) {
@@ -65,6 +94,16 @@ template <int Nodes, class Map>
 void RodElement<Nodes, Map>::add_internal_force(const Motions<Nodes>& motions,
                                                 Histories histories,
                                                 NodalVector<Nodes>& force) const {
+    if constexpr (is_two_node_objective) {
+        visit_state(two_node_, motions, triads_, [&](const TwoNodeRod<double>::State& state) {
+            const TwoNodeRod<double>::Forces forces = state.forces();
+            force.template segment<3>(0) -= forces.n;
+            force.template segment<3>(3) += forces.moment_a;
+            force.template segment<3>(6) += forces.n;
+            force.template segment<3>(9) += forces.moment_b;
+        });
+        return;
+    }
     const Map map(motions, triads_);
     map.add_force(rod_.compute_gradient(map.local(), histories_of_points(histories)), force);
 }
@@ -74,6 +113,24 @@ void RodElement<Nodes, Map>::add_internal_tangent(const Motions<Nodes>& motions,
                                                   Histories histories,
                                                   const Linearizations<Nodes>& linearizations,
                                                   NodalMatrix<Nodes>& tangent) const {
+    if constexpr (is_two_node_objective) {
+        visit_state(two_node_, motions, triads_, [&](const TwoNodeRod<double>::State& state) {
+            const TwoNodeRod<double>::Tangents t = state.compute_tangents();
+            const double at_a = linearizations[0]->placement;
+            const double at_b = linearizations[1]->placement;
+            const auto add = [&](int row, const Mat3& by_u, const Mat3& by_a, const Mat3& by_b) {
+                tangent.template block<3, 3>(row, 0) -= at_a * by_u;
+                tangent.template block<3, 3>(row, 3) += at_a * by_a;
+                tangent.template block<3, 3>(row, 6) += at_b * by_u;
+                tangent.template block<3, 3>(row, 9) += at_b * by_b;
+            };
+            add(0, -t.n_u, -t.n_a, -t.n_b);
+            add(3, t.a_u, t.a_a, t.a_b);
+            add(6, t.n_u, t.n_a, t.n_b);
+            add(9, t.b_u, t.b_a, t.b_b);
+        });
+        return;
+    }
     const Map map(motions, triads_);
     const Histories known = histories_of_points(histories);
     map.add_tangent(rod_.compute_gradient(map.local(), known),

@@ -6,6 +6,7 @@
 #include "elements/rod/rod_geometry.hpp"
 #include "elements/rod/rod_inertia.hpp"
 #include "elements/rod/simo_map.hpp"
+#include "elements/rod/two_node_rod.hpp"
 #include "state/point_values.hpp"
 #include "state/section_values.hpp"
 
@@ -84,6 +85,10 @@ class RodElement {
     PointHistories start_;
     Rod rod_;
     RodInertia<Nodes> inertia_;
+    // That one has closed forms.
+    static constexpr bool is_two_node_objective = Nodes == 2 && std::is_same_v<Map, ObjectiveMap<2>>;
+    struct Nothing {};
+    [[no_unique_address]] std::conditional_t<is_two_node_objective, TwoNodeRod<double>, Nothing> two_node_;
 };
 
 template <int Nodes>

@@ -1,0 +1,127 @@
+#pragma once
+
+#include "elements/rod/half_rotation.hpp"
+
+// Internal force and tangent of the element `objective` with two nodes a and b, whose one force point lies
+// where the frame R is, half-way between the nodes: Γ = Rᵀ(r_b − r_a)/L − Γ₀ and K = Φ/L − K₀
+// (docs/theory/rods.md).
+//
+// Legend, spatial: l = r_b − r_a; n, M resultants; m = n × l what the shear force does to R; u = δr_b − δr_a,
+// w = ½(I + [τ]×) δφ_a + ½(I − [τ]×) δφ_b the spin of R, p = X (δφ_b − δφ_a) = δΦ seen from R.
+namespace gxrod {
+
+template <class Real>
+struct TwoNodeRod {
+    using Vec3 = Eigen::Matrix<Real, 3, 1>;
+    using Mat3 = Eigen::Matrix<Real, 3, 3>;
+    using Quat = Eigen::Quaternion<Real>;
+
+    Real length;
+    Vec3 Gamma_0, Kappa_0;
+    Mat3 C_NN, C_NM, C_MM;  // the stiffness of the section by blocks
+
+    // What the element asks of its nodes: the force n of b, −n of a, and the moments.
+    struct Forces {
+        Vec3 n, moment_a, moment_b;
+    };
+    // Derivatives of n and of the moments by u (that is, by r_b, and by r_a with the sign changed) and the
+    // spins.
+    struct Tangents {
+        Mat3 n_u, n_a, n_b;
+        Mat3 a_u, a_a, a_b;
+        Mat3 b_u, b_a, b_b;
+    };
+
+    // Everything of one state that forces and tangents share.
+    class State {
+      public:
+        State(const TwoNodeRod& rod, const HalfRotation<Real>& rotation, const Quat& axes_a, const Vec3& l)
+            : rod_(rod), rotation_(rotation), R_((axes_a * rotation.half).toRotationMatrix()), l_(l) {
+            const Vec3 Gamma = (R_.transpose() * l) / rod.length - rod.Gamma_0;
+            const Vec3 Kappa = rotation.Phi / rod.length - rod.Kappa_0;
+            n_ = R_ * (rod.C_NN * Gamma + rod.C_NM * Kappa);
+            M_ = R_ * (rod.C_NM.transpose() * Gamma + rod.C_MM * Kappa);
+            Phi_ = R_ * rotation.Phi;
+            tau_ = R_ * rotation.tau;
+            m_ = n_.cross(l_);
+            moment_b_ =
+                rotation.x * M_ + (rotation.y * Phi_.dot(M_)) * Phi_ + Real(0.5) * (m_ + tau_.cross(m_));
+        }
+
+        Forces forces() const { return {n_, m_ - moment_b_, moment_b_}; }
+        Tangents compute_tangents() const;
+
+      private:
+        static Mat3 skew(const Vec3& a) {
+            Mat3 A;
+            A << Real(0.0), -a[2], a[1], a[2], Real(0.0), -a[0], -a[1], a[0], Real(0.0);
+            return A;
+        }
+        // [a]× B and B [a]×.
+        static Mat3 cross_columns(const Vec3& a, const Mat3& B) {
+            Mat3 product;
+            for (int j = 0; j < 3; ++j) product.col(j) = a.cross(B.col(j));
+            return product;
+        }
+        static Mat3 cross_rows(const Mat3& B, const Vec3& a) {
+            Mat3 product;
+            for (int i = 0; i < 3; ++i) product.row(i) = B.row(i).cross(a);
+            return product;
+        }
+        // X A + ½(I + [τ]×) B: what changes of M and m do to the moment on b.
+        Mat3 pull(const Mat3& A, const Mat3& B) const {
+            return rotation_.x * A + (rotation_.y * Phi_) * (Phi_.transpose() * A) +
+                   Real(0.5) * (B + cross_columns(tau_, B));
+        }
+        // From derivatives by w and p to that by the spin of b; by the spin of a it is by_w less that.
+        Mat3 push(const Mat3& by_w, const Mat3& by_p) const {
+            return Real(0.5) * (by_w - cross_rows(by_w, tau_)) + rotation_.x * by_p +
+                   (rotation_.y * (by_p * Phi_)) * Phi_.transpose();
+        }
+
+        const TwoNodeRod& rod_;
+        const HalfRotation<Real>& rotation_;
+        Mat3 R_;
+        Vec3 l_, n_, M_, Phi_, tau_, m_, moment_b_;
+    };
+};
+
+template <class Real>
+auto TwoNodeRod<Real>::State::compute_tangents() const -> Tangents {
+    const Mat3 R_per_length = R_ / rod_.length;
+    const Mat3 C_nn = R_per_length * rod_.C_NN * R_.transpose();
+    const Mat3 C_nm = R_per_length * rod_.C_NM * R_.transpose();
+    const Mat3 C_mm = R_per_length * rod_.C_MM * R_.transpose();
+    const Mat3 C_mn = C_nm.transpose();
+    // δm = δn × l + n × δl, δl = u + l × w; a force or moment f turns with R: w × f.
+    const Mat3 m_u = skew(n_) - cross_columns(l_, C_nn);
+    const Mat3 m_w = cross_rows(m_u, l_);
+    const Mat3 m_p = -cross_columns(l_, C_nm);
+    const Mat3 n_w = cross_rows(C_nn, l_) - skew(n_);
+    const Mat3 b_w = pull(cross_rows(C_mn, l_), m_w) - skew(moment_b_);
+    // δX M and δτ × m add to it.
+    const Real along = Phi_.dot(M_);
+    Mat3 b_p =
+        pull(C_mm, m_p) +
+        (rotation_.x1 * M_ + (rotation_.y1 * along) * Phi_ - (Real(0.5) * rotation_.t1) * m_.cross(Phi_)) *
+            Phi_.transpose() +
+        (rotation_.y * Phi_) * M_.transpose() - skew((Real(0.5) * rotation_.t) * m_);
+    b_p.diagonal().array() += rotation_.y * along;
+    // Of both moments together, of which m is the sum.
+    const Mat3 sum_w = m_w - skew(m_);
+    const Mat3 sum_b = push(sum_w, m_p);
+
+    Tangents tangents;
+    tangents.n_u = C_nn;
+    tangents.n_b = push(n_w, C_nm);
+    tangents.n_a = n_w - tangents.n_b;
+    tangents.b_u = pull(C_mn, m_u);
+    tangents.b_b = push(b_w, b_p);
+    tangents.b_a = b_w - tangents.b_b;
+    tangents.a_u = m_u - tangents.b_u;
+    tangents.a_b = sum_b - tangents.b_b;
+    tangents.a_a = sum_w - sum_b - tangents.b_a;
+    return tangents;
+}
+
+}  // namespace gxrod
