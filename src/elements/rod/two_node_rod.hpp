@@ -6,8 +6,9 @@
 // where the frame R is, half-way between the nodes: Γ = Rᵀ(r_b − r_a)/L − Γ₀ and K = Φ/L − K₀
 // (docs/theory/rods.md).
 //
-// Legend, spatial: l = r_b − r_a; n, M resultants; m = n × l what the shear force does to R; u = δr_b − δr_a,
-// w = ½(I + [τ]×) δφ_a + ½(I − [τ]×) δφ_b the spin of R, p = X (δφ_b − δφ_a) = δΦ seen from R.
+// Legend, spatial: l = r_b − r_a; n, M resultants (moment_), phi = R Φ; m = n × l what the shear force does
+// to R; u = δr_b − δr_a, w = ½(I + [τ]×) δφ_a + ½(I − [τ]×) δφ_b the spin of R, p = X (δφ_b − δφ_a) = δΦ seen
+// from R.
 namespace gxrod {
 
 template <class Real>
@@ -36,16 +37,16 @@ struct TwoNodeRod {
     class State {
       public:
         State(const TwoNodeRod& rod, const HalfRotation<Real>& rotation, const Quat& axes_a, const Vec3& l)
-            : rod_(rod), rotation_(rotation), R_((axes_a * rotation.half).toRotationMatrix()), l_(l) {
-            const Vec3 Gamma = (R_.transpose() * l) / rod.length - rod.Gamma_0;
+            : rod_(rod), rotation_(rotation), frame_((axes_a * rotation.half).toRotationMatrix()), l_(l) {
+            const Vec3 Gamma = (frame_.transpose() * l) / rod.length - rod.Gamma_0;
             const Vec3 Kappa = rotation.Phi / rod.length - rod.Kappa_0;
-            n_ = R_ * (rod.C_NN * Gamma + rod.C_NM * Kappa);
-            M_ = R_ * (rod.C_NM.transpose() * Gamma + rod.C_MM * Kappa);
-            Phi_ = R_ * rotation.Phi;
-            tau_ = R_ * rotation.tau;
+            n_ = frame_ * (rod.C_NN * Gamma + rod.C_NM * Kappa);
+            moment_ = frame_ * (rod.C_NM.transpose() * Gamma + rod.C_MM * Kappa);
+            phi_ = frame_ * rotation.Phi;
+            tau_ = frame_ * rotation.tau;
             m_ = n_.cross(l_);
-            moment_b_ =
-                rotation.x * M_ + (rotation.y * Phi_.dot(M_)) * Phi_ + Real(0.5) * (m_ + tau_.cross(m_));
+            moment_b_ = rotation.x * moment_ + (rotation.y * phi_.dot(moment_)) * phi_ +
+                        Real(0.5) * (m_ + tau_.cross(m_));
         }
 
         Forces forces() const { return {n_, m_ - moment_b_, moment_b_}; }
@@ -70,28 +71,28 @@ struct TwoNodeRod {
         }
         // X A + ½(I + [τ]×) B: what changes of M and m do to the moment on b.
         Mat3 pull(const Mat3& A, const Mat3& B) const {
-            return rotation_.x * A + (rotation_.y * Phi_) * (Phi_.transpose() * A) +
+            return rotation_.x * A + (rotation_.y * phi_) * (phi_.transpose() * A) +
                    Real(0.5) * (B + cross_columns(tau_, B));
         }
         // From derivatives by w and p to that by the spin of b; by the spin of a it is by_w less that.
         Mat3 push(const Mat3& by_w, const Mat3& by_p) const {
             return Real(0.5) * (by_w - cross_rows(by_w, tau_)) + rotation_.x * by_p +
-                   (rotation_.y * (by_p * Phi_)) * Phi_.transpose();
+                   (rotation_.y * (by_p * phi_)) * phi_.transpose();
         }
 
         const TwoNodeRod& rod_;
         const HalfRotation<Real>& rotation_;
-        Mat3 R_;
-        Vec3 l_, n_, M_, Phi_, tau_, m_, moment_b_;
+        Mat3 frame_;
+        Vec3 l_, n_, moment_, phi_, tau_, m_, moment_b_;
     };
 };
 
 template <class Real>
 auto TwoNodeRod<Real>::State::compute_tangents() const -> Tangents {
-    const Mat3 R_per_length = R_ / rod_.length;
-    const Mat3 C_nn = R_per_length * rod_.C_NN * R_.transpose();
-    const Mat3 C_nm = R_per_length * rod_.C_NM * R_.transpose();
-    const Mat3 C_mm = R_per_length * rod_.C_MM * R_.transpose();
+    const Mat3 R_per_length = frame_ / rod_.length;
+    const Mat3 C_nn = R_per_length * rod_.C_NN * frame_.transpose();
+    const Mat3 C_nm = R_per_length * rod_.C_NM * frame_.transpose();
+    const Mat3 C_mm = R_per_length * rod_.C_MM * frame_.transpose();
     const Mat3 C_mn = C_nm.transpose();
     // δm = δn × l + n × δl, δl = u + l × w; a force or moment f turns with R: w × f.
     const Mat3 m_u = skew(n_) - cross_columns(l_, C_nn);
@@ -100,12 +101,12 @@ auto TwoNodeRod<Real>::State::compute_tangents() const -> Tangents {
     const Mat3 n_w = cross_rows(C_nn, l_) - skew(n_);
     const Mat3 b_w = pull(cross_rows(C_mn, l_), m_w) - skew(moment_b_);
     // δX M and δτ × m add to it.
-    const Real along = Phi_.dot(M_);
-    Mat3 b_p =
-        pull(C_mm, m_p) +
-        (rotation_.x1 * M_ + (rotation_.y1 * along) * Phi_ - (Real(0.5) * rotation_.t1) * m_.cross(Phi_)) *
-            Phi_.transpose() +
-        (rotation_.y * Phi_) * M_.transpose() - skew((Real(0.5) * rotation_.t) * m_);
+    const Real along = phi_.dot(moment_);
+    Mat3 b_p = pull(C_mm, m_p) +
+               (rotation_.x1 * moment_ + (rotation_.y1 * along) * phi_ -
+                (Real(0.5) * rotation_.t1) * m_.cross(phi_)) *
+                   phi_.transpose() +
+               (rotation_.y * phi_) * moment_.transpose() - skew((Real(0.5) * rotation_.t) * m_);
     b_p.diagonal().array() += rotation_.y * along;
     // Of both moments together, of which m is the sum.
     const Mat3 sum_w = m_w - skew(m_);
