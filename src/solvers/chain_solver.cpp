@@ -1,7 +1,6 @@
 #include "solvers/chain_solver.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <map>
 

@@ -1,7 +1,9 @@
 #include "solvers/elimination_order.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <queue>
+#include <span>
 #include <unordered_set>
 
 namespace gxrod {

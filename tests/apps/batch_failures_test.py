@@ -81,7 +81,8 @@ results = "none"
         self.assertRegex(rows[0]["reason"], "the process was ended by signal (11|6)")
 
     def test_a_worker_that_is_killed_has_its_case_run_again(self):
-        self.write("plan.toml", MANY.format(count=COUNT))
+        count = 5 * COUNT
+        self.write("plan.toml", MANY.format(count=count))
         process = self.start("plan.toml", "-j", "2")
         killed = 0
         while process.poll() is None and killed < 3:
@@ -93,7 +94,7 @@ results = "none"
         self.assertEqual(process.wait(300), 0)
         self.assertEqual(killed, 3)
         rows = self.rows()
-        self.assertEqual([int(row["case"]) for row in rows], list(range(1, COUNT + 1)))
+        self.assertEqual([int(row["case"]) for row in rows], list(range(1, count + 1)))
         self.assertEqual({row["status"] for row in rows}, {"done"})
 
     def test_a_case_whose_worker_is_killed_twice_is_told(self):

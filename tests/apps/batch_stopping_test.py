@@ -14,28 +14,31 @@ from batches import COUNT, ENDLESS, MANY, PLAN, BatchTest
 
 class Stopping(BatchTest):
     def test_killed_at_any_moment_and_completed(self):
-        self.write("plan.toml", MANY.format(count=COUNT))
+        count = 5 * COUNT
+        self.write("plan.toml", MANY.format(count=count))
         self.gxrod("batch", "plan.toml", "-o", "whole", "--quiet")
         kept = {}
+        ends = []
         for _ in range(6):
             process = self.start("plan.toml", "-j", "2", "--quiet")
             lines = self.count_lines("plan")
             self.wait_for(lambda lines=lines: self.count_lines("plan") > lines + COUNT // 10
                           or process.poll() is not None, "rows")
-            os.kill(process.pid, signal.SIGKILL)
-            process.wait()
+            process.kill()
+            ends.append(process.wait())
             rows = {row["case"]: row for row in self.rows() if row["warning"] is not None}
             # Nothing that was written is lost or run again.
             for number, row in kept.items():
                 self.assertEqual(rows[number], row)
             kept = rows
+        self.assertIn(-signal.SIGKILL, ends)
         self.gxrod("batch", "plan.toml", "--quiet")
         self.assertEqual(self.table("plan"), self.table("whole"))
         rows = {row["case"]: row for row in self.rows()}
         for number, row in kept.items():
             self.assertEqual(rows[number], row)
         with h5py.File(self.folder / "plan" / "index.h5") as file:
-            self.assertEqual(len(file["case"]), COUNT)
+            self.assertEqual(len(file["case"]), count)
 
     def test_workers_die_with_the_batch(self):
         self.write("plan.toml", ENDLESS)
@@ -53,7 +56,8 @@ class Stopping(BatchTest):
             return False
 
     def test_interrupted_once_it_finishes_the_cases_at_hand(self):
-        self.write("plan.toml", MANY.format(count=COUNT))
+        count = 5 * COUNT
+        self.write("plan.toml", MANY.format(count=count))
         process = self.start("plan.toml", "-j", "2")
         self.wait_for(lambda: self.count_lines("plan") > 5, "rows")
         os.killpg(process.pid, signal.SIGINT)
@@ -62,10 +66,10 @@ class Stopping(BatchTest):
         self.assertRegex(errors, r"gxrod: ends after the \d cases? at hand; Ctrl-C again leaves them")
         self.assertRegex(errors, r"gxrod: interrupted; \d+ cases left to run\. The same command goes on\.")
         rows = self.rows()
-        self.assertLess(len(rows), COUNT)
+        self.assertLess(len(rows), count)
         self.assertEqual({row["status"] for row in rows}, {"done"})
         self.gxrod("batch", "plan.toml", "--quiet")
-        self.assertEqual(len(self.rows()), COUNT)
+        self.assertEqual(len(self.rows()), count)
 
     def test_interrupted_twice_it_leaves_them(self):
         self.write("plan.toml", ENDLESS)

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double microseconds = 1e6;
 
-// `steps` are those for ten elements; more elements make fewer.
+// More elements make fewer steps.
 void run_pendulum(benchmark::State& state) {
     const int order = static_cast<int>(state.range(0));
     const int elements = static_cast<int>(state.range(1));

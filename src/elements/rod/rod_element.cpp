@@ -102,10 +102,10 @@ void RodElement<Nodes, Map>::add_internal_force(const Motions<Nodes>& motions,
             force.template segment<3>(6) += forces.n;
             force.template segment<3>(9) += forces.moment_b;
         });
-        return;
+    } else {
+        const Map map(motions, triads_);
+        map.add_force(rod_.compute_gradient(map.local(), histories_of_points(histories)), force);
     }
-    const Map map(motions, triads_);
-    map.add_force(rod_.compute_gradient(map.local(), histories_of_points(histories)), force);
 }
 
 template <int Nodes, class Map>
@@ -129,14 +129,14 @@ void RodElement<Nodes, Map>::add_internal_tangent(const Motions<Nodes>& motions,
             add(6, t.n_u, t.n_a, t.n_b);
             add(9, t.b_u, t.b_a, t.b_b);
         });
-        return;
+    } else {
+        const Map map(motions, triads_);
+        const Histories known = histories_of_points(histories);
+        map.add_tangent(rod_.compute_gradient(map.local(), known),
+                        rod_.compute_hessian(map.local(), known),
+                        linearizations,
+                        tangent);
     }
-    const Map map(motions, triads_);
-    const Histories known = histories_of_points(histories);
-    map.add_tangent(rod_.compute_gradient(map.local(), known),
-                    rod_.compute_hessian(map.local(), known),
-                    linearizations,
-                    tangent);
 }
 
 template <int Nodes, class Map>

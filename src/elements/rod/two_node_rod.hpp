@@ -1,6 +1,6 @@
 #pragma once
 
-#include "elements/rod/half_rotation.hpp"
+#include "rotation/half_rotation.hpp"
 
 // Internal force and tangent of the element `objective` with two nodes a and b, whose one force point lies
 // where the frame R is, half-way between the nodes: Γ = Rᵀ(r_b − r_a)/L − Γ₀ and K = Φ/L − K₀

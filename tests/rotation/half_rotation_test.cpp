@@ -1,4 +1,4 @@
-#include "elements/rod/half_rotation.hpp"
+#include "rotation/half_rotation.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -29,7 +29,7 @@ Coefficients compute_slopes(long double theta) {
 
 }  // namespace
 
-TEST_CASE("Halves of a rotation follow their closed forms at every angle", "[elements]") {
+TEST_CASE("Halves of a rotation follow their closed forms at every angle", "[rotation]") {
     RandomValues random(1);
     for (const double theta : {0.05, 0.2, 0.5, 0.505, 0.506, 0.51, 0.6, 1.0, 2.0, 3.0, 3.14}) {
         CAPTURE(theta);
@@ -49,7 +49,7 @@ TEST_CASE("Halves of a rotation follow their closed forms at every angle", "[ele
     }
 }
 
-TEST_CASE("Halves of no rotation, and of a quaternion of either sign", "[elements]") {
+TEST_CASE("Halves of no rotation, and of a quaternion of either sign", "[rotation]") {
     for (const double theta : {0.0, 1e-200, 1e-9}) {
         const HalfRotation<double> rotation = split_rotation(exp_quaternion(Vec3(0.0, theta, 0.0)));
         CHECK(rotation.Phi == Vec3(0.0, theta, 0.0));
