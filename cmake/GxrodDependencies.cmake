@@ -10,6 +10,7 @@ endmacro()
 
 gxrod_find(Eigen3 libeigen3-dev 3.4 NO_MODULE)
 gxrod_find(Spectra libspectra-dev)
+gxrod_find(xsimd libxsimd-dev 8.1)
 gxrod_find(SuiteSparse libsuitesparse-dev COMPONENTS KLU UMFPACK CHOLMOD BTF AMD COLAMD SuiteSparseConfig)
 gxrod_find(HDF5 libhdf5-dev COMPONENTS C)
 gxrod_find(Nettle nettle-dev)

@@ -71,10 +71,18 @@ LoadedElement make_loaded_element(const Model& model, const DistributedLoad& loa
 
 }  // namespace
 
-System::System(const Model& model) : model_(&model), supports_(model), equations_(supports_) {
+System::System(const Model& model) : System(model, find_kernels(find_instruction_set())) {}
+
+System::System(const Model& model, const Kernels& kernels)
+    : model_(&model),
+      supports_(model),
+      equations_(supports_),
+      two_node_batches_(kernels),
+      rotary_batches_(kernels, equations_) {
     build_blocks();
     build_loads();
     build_pattern();
+    build_batches();
     measure();
 }
 
@@ -128,17 +136,29 @@ void System::build_pattern() {
     for_each_block(blocks_, [this](auto& block) {
         constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
         for (const auto& element : block.elements) {
-            block.slots.push_back(compute_slots<node_count>(element.nodes, equations_, pattern_));
+            block.places.push_back(find_places<node_count>(element.nodes, equations_, pattern_));
         }
     });
     for (const NodalLoad& load : model_->loads) {
-        load_slots_.push_back(compute_slots<1>({load.node}, equations_, pattern_));
+        load_places_.push_back(find_places<1>({load.node}, equations_, pattern_));
     }
     for (const LoadedElement& element : loaded_elements_) {
         const std::size_t size = 6 * element.nodes.size();
         loaded_element_slots_.emplace_back(size * size);
         find_slots(element.nodes, equations_, pattern_, loaded_element_slots_.back());
     }
+}
+
+void System::build_batches() {
+    const auto& block = std::get<TwoNodeBatches::Block>(blocks_);
+    two_node_batches_.build(block, equations_);
+    for (std::size_t e = 0; e < block.elements.size(); ++e) {
+        if (!two_node_batches_.has(block, e)) continue;
+        const auto& element = block.elements[e];
+        for (int i = 0; i < 2; ++i)
+            rotary_batches_.add(element.nodes[i], element.inertia().rotary_inertia(i));
+    }
+    rotary_batches_.lay_out(pattern_);
 }
 
 void System::measure() {

@@ -18,7 +18,7 @@ struct ElementBlock {
     static constexpr bool has_section = E::has_section;
 
     std::vector<E> elements;
-    std::vector<ElementSlots<node_count>> slots;
+    std::vector<ElementPlaces<node_count>> places;
     std::size_t first_history = 0;   // of this block in State::sections
     std::vector<int> section_index;  // of a rod element among all rod elements of the model
     bool is_damped = false;          // whether any element is

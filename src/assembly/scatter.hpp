@@ -19,16 +19,43 @@ void find_slots(std::span<const int> nodes,
                 const SparsePattern& pattern,
                 std::span<std::int64_t> slots);
 
+// Where an element's matrix goes among the values: a block for each pair of its nodes or, where a support
+// holds or turns some of their unknowns, entry by entry.
 template <int Nodes>
-using ElementSlots = std::array<std::int64_t, 36 * Nodes * Nodes>;
+struct ElementPlaces {
+    struct Block {
+        std::int64_t first;   // of the entry in the block's first row and column
+        std::int64_t stride;  // from column to column
+    };
+    std::array<Block, Nodes * Nodes> blocks;  // column by column
+    std::vector<std::int64_t> slots;          // column by column; empty if the blocks say it all
+};
 
 template <int Nodes>
-ElementSlots<Nodes> compute_slots(const std::array<int, Nodes>& nodes,
-                                  const EquationNumbers& equations,
-                                  const SparsePattern& pattern) {
-    ElementSlots<Nodes> slots;
-    find_slots(nodes, equations, pattern, slots);
-    return slots;
+ElementPlaces<Nodes> find_places(const std::array<int, Nodes>& nodes,
+                                 const EquationNumbers& equations,
+                                 const SparsePattern& pattern) {
+    constexpr int size = 6 * Nodes;
+    ElementPlaces<Nodes> places{};
+    places.slots.resize(size * size);
+    find_slots(nodes, equations, pattern, places.slots);
+    const auto slot = [&](int row, int column) { return places.slots[column * size + row]; };
+    for (const int node : nodes) {
+        if (equations.supports().has_own_axes(node)) return places;
+    }
+    for (int pair = 0; pair < Nodes * Nodes; ++pair) {
+        const int row = 6 * (pair % Nodes);
+        const int column = 6 * (pair / Nodes);
+        places.blocks[pair] = {slot(row, column), slot(row, column + 1) - slot(row, column)};
+        for (int entry = 0; entry < 36; ++entry) {
+            const auto [first, stride] = places.blocks[pair];
+            const std::int64_t expected = first + entry % 6 + entry / 6 * stride;
+            const std::int64_t found = slot(row + entry % 6, column + entry / 6);
+            if (found < 0 || found != expected) return places;
+        }
+    }
+    places.slots = {};
+    return places;
 }
 
 // Turns the rows and columns of nodes whose supports have their own axes into those.
@@ -52,6 +79,21 @@ inline void add_to_values(const double* matrix,
                           std::vector<double>& values) {
     for (std::size_t entry = 0; entry < slots.size(); ++entry) {
         if (slots[entry] >= 0) values[slots[entry]] += matrix[entry];
+    }
+}
+
+template <int Nodes>
+void add_to_values(const NodalMatrix<Nodes>& matrix,
+                   const ElementPlaces<Nodes>& places,
+                   std::vector<double>& values) {
+    if (!places.slots.empty()) return add_to_values(matrix.data(), places.slots, values);
+    for (int pair = 0; pair < Nodes * Nodes; ++pair) {
+        const auto [first, stride] = places.blocks[pair];
+        for (int column = 0; column < 6; ++column) {
+            double* target = &values[first + column * stride];
+            const double* source = &matrix.coeffRef(6 * (pair % Nodes), 6 * (pair / Nodes) + column);
+            for (int row = 0; row < 6; ++row) target[row] += source[row];
+        }
     }
 }
 

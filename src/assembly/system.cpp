@@ -1,23 +1,10 @@
 #include "assembly/system.hpp"
 
-#include <algorithm>
-
 #include "loads/nodal_load.hpp"
 
 namespace gxrod {
 
 namespace {
-
-// Raises the scales to what a force on one node, or a stack of them, holds.
-template <class Vector>
-void raise_scales(const Vector& force, Residual& residual) {
-    for (int i = 0; i < force.size(); i += 6) {
-        residual.force_scale =
-            std::max(residual.force_scale, force.template segment<3>(i).template lpNorm<Eigen::Infinity>());
-        residual.moment_scale = std::max(residual.moment_scale,
-                                         force.template segment<3>(i + 3).template lpNorm<Eigen::Infinity>());
-    }
-}
 
 // What accelerations alone ask of an element's nodes.
 template <Element E>
@@ -103,16 +90,20 @@ void System::compute_residual(const State& state, double time, Residual& residua
     residual.nodal.assign(state.trial.size(), Vec6::Zero());
     residual.force_scale = residual.moment_scale = 0.0;
     const Vec3 gravity = model_->gravity(time);
+    two_node_batches_.add_forces(state.trial, gravity, residual);
+    rotary_batches_.add_forces(state.trial, residual);
     for_each_block(blocks_, [&](const auto& block) {
         using Force = NodalVector<std::remove_cvref_t<decltype(block)>::node_count>;
         for (std::size_t e = 0; e < block.elements.size(); ++e) {
+            const bool is_alone = !two_node_batches_.has(block, e);
+            if (!is_alone && !block.is_damped) continue;
             const auto& element = block.elements[e];
             const auto motions = block.motions(state.trial, e);
             Force internal = Force::Zero();
             Force inertial = Force::Zero();
-            element.add_internal_force(motions, block.histories(state, e), internal);
+            if (is_alone) element.add_internal_force(motions, block.histories(state, e), internal);
             if (block.is_damped) element.add_damping_force(motions, block.histories(state, e), internal);
-            element.add_inertial_force(motions, gravity, inertial);
+            if (is_alone) element.add_inertial_force(motions, gravity, inertial);
             raise_scales(internal, residual);
             raise_scales(inertial, residual);
             // With nothing internal, inertia balances itself and its sum vanishes: its terms are the scale.
@@ -135,7 +126,7 @@ void System::add_load_tangents(const State& state,
         const Vec6 force = compute_load(load, state.trial[load.node], time);
         Mat6 tangent = -compute_load_tangent(load, force, linearizations[load.node]);
         turn_to_own_axes(std::span(&load.node, 1), equations_, tangent);
-        add_to_values(tangent.data(), load_slots_[i], values);
+        add_to_values<1>(tangent, load_places_[i], values);
     }
     for (std::size_t i = 0; i < loaded_elements_.size(); ++i) {
         const LoadedElement& element = loaded_elements_[i];
@@ -152,19 +143,24 @@ void System::compute_tangent(const State& state,
                              std::vector<double>& values) const {
     values.assign(pattern_.rows.size(), 0.0);
     const Vec3 gravity = model_->gravity(time);
+    two_node_batches_.add_tangents(state.trial, linearizations, values);
+    rotary_batches_.add_tangents(state.trial, linearizations, values);
     for_each_block(blocks_, [&](const auto& block) {
-        using Tangent = NodalMatrix<std::remove_cvref_t<decltype(block)>::node_count>;
+        constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
+        using Tangent = NodalMatrix<node_count>;
         for (std::size_t e = 0; e < block.elements.size(); ++e) {
+            const bool is_alone = !two_node_batches_.has(block, e);
+            if (!is_alone && !block.is_damped) continue;
             const auto& element = block.elements[e];
             const auto motions = block.motions(state.trial, e);
             const auto nodal = block.point_at(linearizations, element.nodes);
             const Histories histories = block.histories(state, e);
             Tangent tangent = Tangent::Zero();
-            element.add_internal_tangent(motions, histories, nodal, tangent);
+            if (is_alone) element.add_internal_tangent(motions, histories, nodal, tangent);
             if (block.is_damped) element.add_damping_tangent(motions, histories, nodal, tangent);
-            element.add_inertial_tangent(motions, gravity, nodal, tangent);
+            if (is_alone) element.add_inertial_tangent(motions, gravity, nodal, tangent);
             turn_to_own_axes(std::span<const int>(element.nodes), equations_, tangent);
-            add_to_values(tangent.data(), block.slots[e], values);
+            add_to_values<node_count>(tangent, block.places[e], values);
         }
     });
     add_load_tangents(state, time, linearizations, values);

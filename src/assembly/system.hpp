@@ -5,7 +5,10 @@
 
 #include "assembly/element_block.hpp"
 #include "assembly/equation_numbers.hpp"
+#include "assembly/residual.hpp"
+#include "assembly/rotary_batches.hpp"
 #include "assembly/sparse_pattern.hpp"
+#include "assembly/two_node_batches.hpp"
 #include "constraints/supports.hpp"
 #include "loads/distributed_load.hpp"
 #include "model/model.hpp"
@@ -14,15 +17,6 @@
 #include "state/state.hpp"
 
 namespace gxrod {
-
-// What is out of balance at every node: internal + damping + inertial − external.
-struct Residual {
-    std::vector<Vec6> nodal;  // held components hold the force that the support exerts
-    // The largest force and moment that one element or load puts on a node, and of bodies the part due to
-    // accelerations; a residual is small against these.
-    double force_scale = 0.0;
-    double moment_scale = 0.0;
-};
 
 // Sums over the model, all of the trial motions.
 struct Balance {
@@ -49,6 +43,7 @@ class System {
   public:
     // The model must outlive the system.
     explicit System(const Model& model);
+    System(const Model& model, const Kernels& kernels);
     System(const System&) = delete;  // its parts point at each other
     System& operator=(const System&) = delete;
 
@@ -101,6 +96,7 @@ class System {
     void build_blocks();
     void build_loads();
     void build_pattern();
+    void build_batches();
     void measure();
     void add_loads(const State& state, double time, Residual& residual) const;
     void add_load_tangents(const State& state,
@@ -111,12 +107,14 @@ class System {
 
     const Model* model_;
     Supports supports_;
+    EquationNumbers equations_;
     ElementBlocks blocks_;
+    TwoNodeBatches two_node_batches_;
+    RotaryBatches rotary_batches_;
     std::vector<LoadedElement> loaded_elements_;
     std::vector<std::size_t> first_loaded_element_;  // of each distributed load
-    EquationNumbers equations_;
     SparsePattern pattern_;
-    std::vector<ElementSlots<1>> load_slots_;  // of each load's node
+    std::vector<ElementPlaces<1>> load_places_;  // of each load's node
     std::vector<std::vector<std::int64_t>> loaded_element_slots_;
     double length_scale_ = 1.0;
     std::size_t history_count_ = 0;

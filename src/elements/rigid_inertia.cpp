@@ -1,5 +1,6 @@
 #include "elements/rigid_inertia.hpp"
 
+#include "elements/rotary_inertia.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
@@ -8,12 +9,11 @@ namespace {
 
 struct SpatialInertia {
     Vec3 s;
-    Mat3 J;
+    RotaryInertia<double> rotary;
 };
 
 SpatialInertia turn(const RigidInertia& body, const NodeMotion& motion) {
-    const Mat3 Lambda = motion.Lambda.toRotationMatrix();
-    return {Lambda * body.first_moment, Lambda * body.inertia * Lambda.transpose()};
+    return {motion.Lambda * body.first_moment, {body.inertia, motion.Lambda}};
 }
 
 }  // namespace
@@ -28,12 +28,12 @@ RigidInertia compute_rigid_inertia(double mass,
 }
 
 Vec6 compute_inertial_force(const RigidInertia& body, const NodeMotion& motion, const Vec3& gravity) {
-    const auto [s, J] = turn(body, motion);
+    const auto [s, rotary] = turn(body, motion);
     const Vec3 a = motion.a - gravity;
     const Vec3& omega = motion.omega;
     Vec6 force;
     force << body.mass * a + motion.alpha.cross(s) + omega.cross(omega.cross(s)),
-        J * motion.alpha + omega.cross(J * omega) + s.cross(a);
+        rotary.compute_moment(omega, motion.alpha) + s.cross(a);
     return force;
 }
 
@@ -41,15 +41,10 @@ Mat6 compute_inertial_tangent(const RigidInertia& body,
                               const NodeMotion& motion,
                               const NodeLinearization& linearization,
                               const Vec3& gravity) {
-    const auto [s, J] = turn(body, motion);
+    const auto [s, rotary] = turn(body, motion);
     const Mat3 spin_s = spin(s);
     const Mat3 spin_omega = spin(motion.omega);
     const Mat3 spin_alpha = spin(motion.alpha);
-    const Mat3 gyroscopic = -spin(J * motion.omega) + spin_omega * J;
-    // What turning the body does to its inertial moment: A of (5.6).
-    const Mat3 A = -spin(J * motion.alpha) + J * spin_alpha +
-                   spin_omega * (-spin(J * motion.omega) + J * spin_omega) +
-                   spin(motion.a - gravity) * spin_s;
     Mat6 tangent;
     tangent.topLeftCorner<3, 3>() = Mat3::Identity() * (body.mass * linearization.acceleration);
     tangent.bottomLeftCorner<3, 3>() = spin_s * linearization.acceleration;
@@ -57,21 +52,25 @@ Mat6 compute_inertial_tangent(const RigidInertia& body,
         -spin_s * linearization.d_alpha -
         (spin(motion.omega.cross(s)) + spin_omega * spin_s) * linearization.d_omega -
         linearization.placement * (spin_alpha + spin_omega * spin_omega) * spin_s;
-    tangent.bottomRightCorner<3, 3>() =
-        J * linearization.d_alpha + gyroscopic * linearization.d_omega + linearization.placement * A;
+    tangent.bottomRightCorner<3, 3>() = rotary.compute_tangent(motion.omega,
+                                                               motion.alpha,
+                                                               linearization.placement,
+                                                               linearization.d_omega,
+                                                               linearization.d_alpha) +
+                                        linearization.placement * spin(motion.a - gravity) * spin_s;
     return tangent;
 }
 
 double compute_kinetic_energy(const RigidInertia& body, const NodeMotion& motion) {
-    const auto [s, J] = turn(body, motion);
+    const auto [s, rotary] = turn(body, motion);
     return 0.5 * body.mass * motion.v.squaredNorm() + motion.v.dot(motion.omega.cross(s)) +
-           0.5 * motion.omega.dot(J * motion.omega);
+           0.5 * motion.omega.dot(rotary.J * motion.omega);
 }
 
 Momentum compute_momentum(const RigidInertia& body, const NodeMotion& motion) {
-    const auto [s, J] = turn(body, motion);
+    const auto [s, rotary] = turn(body, motion);
     const Vec3 linear = body.mass * motion.v + motion.omega.cross(s);
-    return {linear, motion.r.cross(linear) + s.cross(motion.v) + J * motion.omega};
+    return {linear, motion.r.cross(linear) + s.cross(motion.v) + rotary.J * motion.omega};
 }
 
 double compute_gravity_potential(const RigidInertia& body, const NodeMotion& motion, const Vec3& gravity) {

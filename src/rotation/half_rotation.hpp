@@ -114,34 +114,22 @@ void fill_small(const Eigen::Quaternion<Real>& q, HalfRotation<Real>& rotation) 
     rotation.t1 = series::evaluate<Real>(series::t1_series, z);
 }
 
-// The same for larger angles.
-inline void fill_large(const Eigen::Quaterniond& q, HalfRotation<double>& rotation) {
-    const double sine = q.vec().norm();
-    const double h = std::atan2(sine, q.w());
-    const double z = 4.0 * h * h;
-    rotation.x = h / sine;
-    rotation.Phi = (2.0 * rotation.x) * q.vec();
-    rotation.y = (1.0 - rotation.x) / z;
-    rotation.t = 0.5 * sine / (1.0 + q.w()) / h;
-    rotation.x1 = rotation.x * (1.0 - h * q.w() / sine) / z;
-    rotation.y1 = -(rotation.x1 + 2.0 * rotation.y) / z;
-    rotation.t1 = (0.25 * (1.0 + rotation.tau.squaredNorm()) - rotation.t) / z;
+// τ and exp(Φ/2), of a unit quaternion with w ≥ 0.
+template <class Real>
+void split_half(const Eigen::Quaternion<Real>& q, HalfRotation<Real>& rotation) {
+    using std::sqrt;
+    const Real cosine = sqrt(Real(0.5) * (Real(1.0) + q.w()));  // of θ/4
+    rotation.tau = q.vec() / (Real(1.0) + q.w());
+    rotation.half.w() = cosine;
+    rotation.half.vec() = q.vec() * (Real(0.5) / cosine);
 }
 
 // The rotation of a unit quaternion of either sign.
-inline HalfRotation<double> split_rotation(Eigen::Quaterniond q) {
-    if (q.w() < 0.0) q.coeffs() = -q.coeffs();
-    HalfRotation<double> rotation;
-    const double cosine = std::sqrt(0.5 * (1.0 + q.w()));  // of θ/4
-    rotation.tau = q.vec() / (1.0 + q.w());
-    rotation.half.w() = cosine;
-    rotation.half.vec() = q.vec() * (0.5 / cosine);
-    if (q.vec().squaredNorm() < half_rotation::largest_square) {
-        fill_small(q, rotation);
-    } else {
-        fill_large(q, rotation);
-    }
-    return rotation;
-}
+HalfRotation<double> split_rotation(Eigen::Quaterniond q);
+
+// For kernels that work on several rotations at once: Φ, x, y, t, x1, y1, t1 of one of them, a unit
+// quaternion (x, y, z, w) with w ≥ 0. From value to value it is `stride` to the next, in both.
+inline constexpr int half_rotation_values = 9;
+void fill_lane(const double* quaternion, int stride, double* values);
 
 }  // namespace gxrod

@@ -1,6 +1,7 @@
 #include "solvers/block_kernels.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gxrod {
 namespace {
@@ -42,6 +43,28 @@ inline void multiply_add(int p, int n, int m, const double* A, const double* B, 
     }
 }
 
+template <int Fixed>
+inline void copy(const BlockView& block, double* target) {
+    const int rows = Fixed > 0 ? Fixed : block.rows;
+    for (int j = 0; j < block.columns; ++j) {
+        const double* column = block.entries + j * block.stride;
+        for (int i = 0; i < rows; ++i) target[j * rows + i] = column[i];
+    }
+}
+
+template <int Fixed>
+inline void subtract_and_sum(const BlockView& A, const double* x, double* y, double* magnitudes) {
+    const int rows = Fixed > 0 ? Fixed : A.rows;
+    for (int j = 0; j < A.columns; ++j) {
+        const double* column = A.entries + j * A.stride;
+        for (int i = 0; i < rows; ++i) {
+            const double product = column[i] * x[j];
+            y[i] -= product;
+            magnitudes[i] += std::abs(product);
+        }
+    }
+}
+
 constexpr int node_size = 6;
 
 }  // namespace
@@ -55,6 +78,15 @@ void multiply_blocks(int n, int m, const double* A, const double* B, double* C) 
     } else {
         multiply_add<0, 1>(n, n, m, A, B, C);
     }
+}
+
+void copy_block(const BlockView& block, double* target) {
+    block.rows == node_size ? copy<node_size>(block, target) : copy<0>(block, target);
+}
+
+void subtract_with_magnitudes(const BlockView& A, const double* x, double* y, double* magnitudes) {
+    A.rows == node_size ? subtract_and_sum<node_size>(A, x, y, magnitudes)
+                        : subtract_and_sum<0>(A, x, y, magnitudes);
 }
 
 void subtract_product(int p, int n, int m, const double* A, const double* B, double* C) {

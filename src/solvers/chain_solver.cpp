@@ -200,10 +200,8 @@ void ChainSolver::lay_out_junctions(const BlockPartition& partition,
 Factorization ChainSolver::factorize(const std::vector<double>& values) {
     values_ = &values;
     for (const Source& source : sources_) {
-        for (int j = 0; j < source.columns; ++j)
-            std::copy_n(&values[source.first + j * source.stride],
-                        source.rows,
-                        &blocks_[source.block + j * static_cast<std::int64_t>(source.rows)]);
+        copy_block({source.rows, source.columns, source.stride, &values[source.first]},
+                   &blocks_[source.block]);
     }
     for (const Step& step : steps_) {
         if (!step.fills) continue;
@@ -303,14 +301,10 @@ Eigen::VectorXd ChainSolver::compute_residual(const Eigen::VectorXd& right_hand_
     Eigen::VectorXd residual = right_hand_side;
     magnitudes_ = right_hand_side.cwiseAbs();
     for (const Source& source : sources_) {
-        for (int j = 0; j < source.columns; ++j) {
-            const double* column = &(*values_)[source.first + j * source.stride];
-            const double factor = x[source.column + j];
-            for (int i = 0; i < source.rows; ++i) {
-                residual[source.row + i] -= column[i] * factor;
-                magnitudes_[source.row + i] += std::abs(column[i] * factor);
-            }
-        }
+        subtract_with_magnitudes({source.rows, source.columns, source.stride, &(*values_)[source.first]},
+                                 &x[source.column],
+                                 &residual[source.row],
+                                 &magnitudes_[source.row]);
     }
     return residual;
 }

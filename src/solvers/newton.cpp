@@ -136,10 +136,10 @@ class Newton {
     }
 
     // The largest |δr| relative to its scale, or |δφ|.
-    double measure(const Eigen::VectorXd& increment) const {
+    double measure(const std::vector<Vec6>& increments) const {
         double largest = 0.0;
-        for (int node = 0; node < static_cast<int>(state_.trial.size()); ++node) {
-            const Vec6 delta = system_.equations().increment_of(node, increment);
+        for (std::size_t node = 0; node < increments.size(); ++node) {
+            const Vec6& delta = increments[node];
             const double scale = std::max(system_.length_scale(), state_.trial[node].r.norm());
             largest = std::max({largest,
                                 delta.head<3>().lpNorm<Eigen::Infinity>() / scale,
@@ -152,18 +152,20 @@ class Newton {
     bool apply(const Eigen::VectorXd& increment) {
         const PhaseTimer timer(workspace_.seconds.update);
         increment_before_ = last_increment_;
-        last_increment_ = measure(increment);
+        std::vector<Vec6> increments(state_.trial.size());
         std::vector<Vec3> spins(state_.trial.size());
-        for (int node = 0; node < static_cast<int>(state_.trial.size()); ++node) {
-            spins[node] = system_.equations().increment_of(node, increment).tail<3>();
+        for (int node = 0; node < static_cast<int>(increments.size()); ++node) {
+            increments[node] = system_.equations().increment_of(node, increment);
+            spins[node] = increments[node].tail<3>();
         }
+        last_increment_ = measure(increments);
         const bool places_supports = moves_supports_ && report_.iterations == 1;
         if (places_supports) add_support_spins(spins);
         if (!check_rotations(state_.trial, spins)) return false;
-        for (int node = 0; node < static_cast<int>(state_.trial.size()); ++node) {
-            const Vec3 delta_r = system_.equations().increment_of(node, increment).head<3>();
+        for (std::size_t node = 0; node < increments.size(); ++node) {
+            const Vec3 delta_r = increments[node].head<3>();
+            const Vec3 delta_phi = increments[node].tail<3>();
             NodeMotion& trial = state_.trial[node];
-            const Vec3 delta_phi = system_.equations().increment_of(node, increment).tail<3>();
             if (settings_.tangent == TangentKind::paper) {
                 place(state_.previous[node], trial.r + delta_r, trial.theta + delta_phi, trial);
             } else {

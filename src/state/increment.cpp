@@ -19,6 +19,13 @@ void turn_beyond_half(const NodeMotion& previous, const Vec3& delta_phi, NodeMot
     if (log(step).norm() > close) trial.theta = log_nearest(step, trial.theta);
 }
 
+// The vector of `step` that is nearest to θ + T(θ)⁻¹ δφ. Of small rotations it is the shortest.
+Vec3 find_rotation(const Quat& step, const Vec3& theta, const Vec3& delta_phi) {
+    constexpr double small = 1.0;
+    if (theta.norm() + delta_phi.norm() < small) return log(step);
+    return log_nearest(step, theta + tangent_map_inverse(theta) * delta_phi);
+}
+
 }  // namespace
 
 void apply_spin(const NodeMotion& previous, const Vec3& delta_r, const Vec3& delta_phi, NodeMotion& trial) {
@@ -27,11 +34,10 @@ void apply_spin(const NodeMotion& previous, const Vec3& delta_r, const Vec3& del
         turn_beyond_half(previous, delta_phi, trial);
         return;
     }
-    const Vec3 guess = trial.theta + tangent_map_inverse(trial.theta) * delta_phi;
     // Composed from θ rather than from Λ Λₙᵀ, a small rotation keeps its relative accuracy; rates divide it
     // by Δt².
     const Quat step = (exp_quaternion(delta_phi) * exp_quaternion(trial.theta)).normalized();
-    trial.theta = log_nearest(step, guess);
+    trial.theta = find_rotation(step, trial.theta, delta_phi);
     trial.Lambda = (step * previous.Lambda).normalized();
 }
 

@@ -43,7 +43,7 @@ TEST_CASE("scattered element matrices make the sum that dense assembly makes", "
     Dense dense = Dense::Zero(6 * node_count, 6 * node_count);
     for (const auto& nodes : elements) {
         const NodalMatrix<2> matrix = random.matrix<12>();
-        add_to_values(matrix.data(), compute_slots<2>(nodes, equations, pattern), values);
+        add_to_values<2>(matrix, find_places<2>(nodes, equations, pattern), values);
         for (int i = 0; i < 2; ++i) {
             for (int j = 0; j < 2; ++j) {
                 dense.block<6, 6>(6 * nodes[i], 6 * nodes[j]) += matrix.block<6, 6>(6 * i, 6 * j);

@@ -204,7 +204,15 @@ double RodElement<Nodes, Map>::largest_relative_rotation(const Motions<Nodes>& m
 
 template <int Nodes, class Map>
 double RodElement<Nodes, Map>::strain_energy(const Motions<Nodes>& motions, Histories histories) const {
-    return rod_.strain_energy(Map(motions, triads_).local(), histories_of_points(histories));
+    if constexpr (is_two_node_objective) {
+        double energy = 0.0;
+        visit_state(two_node_, motions, triads_, [&](const TwoNodeRod<double>::State& state) {
+            energy = state.energy();
+        });
+        return energy;
+    } else {
+        return rod_.strain_energy(Map(motions, triads_).local(), histories_of_points(histories));
+    }
 }
 
 template <int Nodes, class Map>

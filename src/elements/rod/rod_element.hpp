@@ -24,6 +24,11 @@ class RodElement {
 
     RodElement(const RodElementGeometry<Nodes>& geometry, const Section& section);
 
+    const std::array<Quat, Nodes>& triads() const { return triads_; }
+    const RodInertia<Nodes>& inertia() const { return inertia_; }
+    // Of the element that has closed forms.
+    const auto& two_node_rod() const { return two_node_; }
+
     void add_internal_force(const Motions<Nodes>& motions,
                             Histories histories,
                             NodalVector<Nodes>& force) const;

@@ -29,6 +29,12 @@ class RodInertia {
                              const Linearizations<Nodes>& linearizations,
                              NodalMatrix<Nodes>& tangent) const;
 
+    // ∫ ρA N_I N_J ds.
+    const Eigen::Matrix<double, Nodes, Nodes>& mass() const { return mass_; }
+    bool has_offset() const { return has_offset_; }
+    // The rotary inertia that is lumped to a node, in the global axes of t = 0.
+    const Mat3& rotary_inertia(int node) const { return rotary_[node].inertia; }
+
     double kinetic_energy(const Motions<Nodes>& motions) const;
     double gravity_potential(const Motions<Nodes>& motions, const Vec3& gravity) const;
     Momentum momentum(const Motions<Nodes>& motions) const;
@@ -45,8 +51,8 @@ class RodInertia {
                                    const Vec3& gravity,
                                    const Columns3& d) const;
 
-    Eigen::Matrix<double, Nodes, Nodes> mass_;  // ∫ ρA N_I N_J ds
-    Columns3 offsets_;                          // at t = 0
+    Eigen::Matrix<double, Nodes, Nodes> mass_;
+    Columns3 offsets_;  // at t = 0
     bool has_offset_;
     std::array<RigidInertia, Nodes> rotary_;  // about the centres of mass; no mass
     double mass_proportional_;

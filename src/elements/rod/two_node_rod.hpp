@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rotation/cross_products.hpp"
 #include "rotation/half_rotation.hpp"
 
 // Internal force and tangent of the element `objective` with two nodes a and b, whose one force point lies
@@ -38,8 +39,8 @@ struct TwoNodeRod {
       public:
         State(const TwoNodeRod& rod, const HalfRotation<Real>& rotation, const Quat& axes_a, const Vec3& l)
             : rod_(rod), rotation_(rotation), frame_((axes_a * rotation.half).toRotationMatrix()), l_(l) {
-            const Vec3 Gamma = (frame_.transpose() * l) / rod.length - rod.Gamma_0;
-            const Vec3 Kappa = rotation.Phi / rod.length - rod.Kappa_0;
+            const Vec3 Gamma = compute_Gamma();
+            const Vec3 Kappa = compute_Kappa();
             n_ = frame_ * (rod.C_NN * Gamma + rod.C_NM * Kappa);
             moment_ = frame_ * (rod.C_NM.transpose() * Gamma + rod.C_MM * Kappa);
             phi_ = frame_ * rotation.Phi;
@@ -49,26 +50,16 @@ struct TwoNodeRod {
                         Real(0.5) * (m_ + tau_.cross(m_));
         }
 
+        Real energy() const {
+            return Real(0.5) * rod_.length *
+                   (n_.dot(frame_ * compute_Gamma()) + moment_.dot(frame_ * compute_Kappa()));
+        }
         Forces forces() const { return {n_, m_ - moment_b_, moment_b_}; }
         Tangents compute_tangents() const;
 
       private:
-        static Mat3 skew(const Vec3& a) {
-            Mat3 A;
-            A << Real(0.0), -a[2], a[1], a[2], Real(0.0), -a[0], -a[1], a[0], Real(0.0);
-            return A;
-        }
-        // [a]× B and B [a]×.
-        static Mat3 cross_columns(const Vec3& a, const Mat3& B) {
-            Mat3 product;
-            for (int j = 0; j < 3; ++j) product.col(j) = a.cross(B.col(j));
-            return product;
-        }
-        static Mat3 cross_rows(const Mat3& B, const Vec3& a) {
-            Mat3 product;
-            for (int i = 0; i < 3; ++i) product.row(i) = B.row(i).cross(a);
-            return product;
-        }
+        Vec3 compute_Gamma() const { return (frame_.transpose() * l_) / rod_.length - rod_.Gamma_0; }
+        Vec3 compute_Kappa() const { return rotation_.Phi / rod_.length - rod_.Kappa_0; }
         // X A + ½(I + [τ]×) B: what changes of M and m do to the moment on b.
         Mat3 pull(const Mat3& A, const Mat3& B) const {
             return rotation_.x * A + (rotation_.y * phi_) * (phi_.transpose() * A) +
@@ -95,21 +86,22 @@ auto TwoNodeRod<Real>::State::compute_tangents() const -> Tangents {
     const Mat3 C_mm = R_per_length * rod_.C_MM * frame_.transpose();
     const Mat3 C_mn = C_nm.transpose();
     // δm = δn × l + n × δl, δl = u + l × w; a force or moment f turns with R: w × f.
-    const Mat3 m_u = skew(n_) - cross_columns(l_, C_nn);
+    const Mat3 m_u = cross_matrix(n_) - cross_columns(l_, C_nn);
     const Mat3 m_w = cross_rows(m_u, l_);
     const Mat3 m_p = -cross_columns(l_, C_nm);
-    const Mat3 n_w = cross_rows(C_nn, l_) - skew(n_);
-    const Mat3 b_w = pull(cross_rows(C_mn, l_), m_w) - skew(moment_b_);
+    const Mat3 n_w = cross_rows(C_nn, l_) - cross_matrix(n_);
+    const Mat3 b_w = pull(cross_rows(C_mn, l_), m_w) - cross_matrix(moment_b_);
     // δX M and δτ × m add to it.
     const Real along = phi_.dot(moment_);
     Mat3 b_p = pull(C_mm, m_p) +
                (rotation_.x1 * moment_ + (rotation_.y1 * along) * phi_ -
                 (Real(0.5) * rotation_.t1) * m_.cross(phi_)) *
                    phi_.transpose() +
-               (rotation_.y * phi_) * moment_.transpose() - skew((Real(0.5) * rotation_.t) * m_);
+               (rotation_.y * phi_) * moment_.transpose() -
+               cross_matrix<Real>((Real(0.5) * rotation_.t) * m_);
     b_p.diagonal().array() += rotation_.y * along;
     // Of both moments together, of which m is the sum.
-    const Mat3 sum_w = m_w - skew(m_);
+    const Mat3 sum_w = m_w - cross_matrix(m_);
     const Mat3 sum_b = push(sum_w, m_p);
 
     Tangents tangents;

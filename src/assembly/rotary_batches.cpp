@@ -1,0 +1,101 @@
+#include "assembly/rotary_batches.hpp"
+
+#include "assembly/lane_column.hpp"
+
+namespace gxrod {
+
+RotaryBatches::RotaryBatches(const Kernels& kernels, const EquationNumbers& equations)
+    : width_(kernels.width),
+      kernels_(kernels.rotary),
+      equations_(&equations),
+      index_(equations.node_count(), -1) {}
+
+void RotaryBatches::add(int node, const Mat3& inertia) {
+    if (index_[node] < 0) {
+        index_[node] = static_cast<int>(inertias_.size());
+        inertias_.push_back({node, Mat3::Zero()});
+    }
+    inertias_[index_[node]].inertia += inertia;
+}
+
+void RotaryBatches::lay_out(const SparsePattern& pattern) {
+    if (inertias_.empty()) return;
+    for (const NodeInertia& at : inertias_)
+        places_.push_back(find_places<1>({at.node}, *equations_, pattern));
+    const std::size_t batches = (inertias_.size() + width_ - 1) / width_;
+    constants_.resize(batches * RotaryKernels::constant_rows * width_);
+    for (std::size_t lane = 0; lane < batches * width_; ++lane) {
+        const Mat3& inertia = inertias_[std::min(lane, inertias_.size() - 1)].inertia;
+        LaneColumn(&constants_[lane / width_ * RotaryKernels::constant_rows * width_],
+                   static_cast<int>(lane % width_),
+                   width_)
+            .write(inertia);
+    }
+}
+
+void RotaryBatches::add_forces(const std::vector<NodeMotion>& motions, Residual& residual) const {
+    alignas(64) std::array<double, RotaryKernels::motion_rows * most_lanes> rows;
+    alignas(64) std::array<double, RotaryKernels::moment_rows * most_lanes> moments;
+    for (std::size_t first = 0; first < inertias_.size(); first += width_) {
+        for (int lane = 0; lane < width_; ++lane) {
+            const NodeMotion& motion = motions[node_of(first + lane)];
+            LaneColumn column(rows.data(), lane, width_);
+            column.write(motion.Lambda);
+            column.write(motion.omega);
+            column.write(motion.alpha);
+        }
+        kernels_.compute_moments(
+            &constants_[first * RotaryKernels::constant_rows], rows.data(), moments.data());
+        for (int lane = 0; lane < width_ && first + lane < inertias_.size(); ++lane) {
+            const Vec3 moment(moments[lane], moments[width_ + lane], moments[2 * width_ + lane]);
+            residual.moment_scale = std::max(residual.moment_scale, moment.lpNorm<Eigen::Infinity>());
+            residual.nodal[node_of(first + lane)].tail<3>() += moment;
+        }
+    }
+}
+
+void RotaryBatches::add_tangents(const std::vector<NodeMotion>& motions,
+                                 const std::vector<NodeLinearization>& linearizations,
+                                 std::vector<double>& values) const {
+    alignas(64) std::array<double, RotaryKernels::linearization_rows * most_lanes> rows;
+    alignas(64) std::array<double, RotaryKernels::tangent_rows * most_lanes> tangents;
+    for (std::size_t first = 0; first < inertias_.size(); first += width_) {
+        for (int lane = 0; lane < width_; ++lane) {
+            const int node = node_of(first + lane);
+            LaneColumn column(rows.data(), lane, width_);
+            column.write(motions[node].Lambda);
+            column.write(motions[node].omega);
+            column.write(motions[node].alpha);
+            column.write(linearizations[node].placement);
+            column.write(linearizations[node].d_omega);
+            column.write(linearizations[node].d_alpha);
+        }
+        kernels_.compute_tangents(
+            &constants_[first * RotaryKernels::constant_rows], rows.data(), tangents.data());
+        for (int lane = 0; lane < width_ && first + lane < inertias_.size(); ++lane) {
+            add_tangent(&tangents[lane], first + lane, values);
+        }
+    }
+}
+
+void RotaryBatches::add_tangent(const double* tangents, std::size_t lane, std::vector<double>& values) const {
+    const ElementPlaces<1>& place = places_[lane];
+    Mat3 by_spin;
+    for (int entry = 0; entry < RotaryKernels::tangent_rows; ++entry)
+        by_spin.data()[entry] = tangents[entry * width_];
+    if (place.slots.empty()) {
+        const auto [first, stride] = place.blocks[0];
+        for (int column = 0; column < 3; ++column) {
+            double* target = &values[first + (column + 3) * stride + 3];
+            for (int row = 0; row < 3; ++row) target[row] += by_spin(row, column);
+        }
+        return;
+    }
+    const int node = node_of(lane);
+    Mat6 tangent = Mat6::Zero();
+    tangent.bottomRightCorner<3, 3>() = by_spin;
+    turn_to_own_axes(std::span(&node, 1), *equations_, tangent);
+    add_to_values<1>(tangent, place, values);
+}
+
+}  // namespace gxrod

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "assembly/element_block.hpp"
+#include "assembly/residual.hpp"
+#include "elements/lanes/kernels.hpp"
+
+namespace gxrod {
+
+// The rotary inertia that rods lump to their nodes, summed over the elements of a node and evaluated for
+// several nodes at once.
+class RotaryBatches {
+  public:
+    // The equations must outlive this.
+    RotaryBatches(const Kernels& kernels, const EquationNumbers& equations);
+
+    // `inertia` is in the global axes of t = 0. All of it before lay_out.
+    void add(int node, const Mat3& inertia);
+    void lay_out(const SparsePattern& pattern);
+
+    // Adds inertial moments.
+    void add_forces(const std::vector<NodeMotion>& motions, Residual& residual) const;
+    // Adds the derivatives of these.
+    void add_tangents(const std::vector<NodeMotion>& motions,
+                      const std::vector<NodeLinearization>& linearizations,
+                      std::vector<double>& values) const;
+
+  private:
+    struct NodeInertia {
+        int node;
+        Mat3 inertia;
+    };
+
+    // The node of a lane; the last node fills the lanes that are left.
+    int node_of(std::size_t lane) const { return inertias_[std::min(lane, inertias_.size() - 1)].node; }
+    void add_tangent(const double* tangents, std::size_t lane, std::vector<double>& values) const;
+
+    int width_;
+    RotaryKernels kernels_;
+    const EquationNumbers* equations_;
+    std::vector<int> index_;  // of each node among the inertias, −1 of none
+    std::vector<NodeInertia> inertias_;
+    std::vector<ElementPlaces<1>> places_;  // of each of these
+    std::vector<double> constants_;         // of each batch, by rows
+};
+
+}  // namespace gxrod

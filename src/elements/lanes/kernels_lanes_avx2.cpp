@@ -1,0 +1,17 @@
+#include "elements/lanes/kernels_of_sets.hpp"
+
+#ifdef __AVX2__
+#include "elements/lanes/make_kernels.hpp"
+
+namespace gxrod {
+
+Kernels make_kernels_avx2() { return make_kernels<xsimd::avx2>(); }
+
+}  // namespace gxrod
+#else
+namespace gxrod {
+
+Kernels make_kernels_avx2() { return make_kernels_baseline(); }
+
+}  // namespace gxrod
+#endif

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "elements/lanes/kernels.hpp"
+#include "elements/lanes/rotary_lanes.hpp"
+#include "elements/lanes/two_node_lanes.hpp"
+
+// For the sources of instruction sets; see lanes.hpp.
+namespace gxrod {
+
+template <class Arch>
+Kernels make_kernels() {
+    using Real = xsimd::batch<double, Arch>;
+    static_assert(Real::size <= most_lanes);
+    return {
+        static_cast<int>(Real::size), TwoNodeLanes<Real>::make_kernels(), RotaryLanes<Real>::make_kernels()};
+}
+
+}  // namespace gxrod
