@@ -87,6 +87,7 @@ struct Assembled {
             NodeMotion motion;
             motion.r = node.position + random.vector(0.1);
             motion.Lambda = exp_quaternion(random.vector(spread)) * common;
+            if (motions.size() % 3 == 0) motion.Lambda.coeffs() *= -1.0;  // the same rotation
             motion.a = random.vector();
             motion.omega = random.vector();
             motion.alpha = random.vector();
