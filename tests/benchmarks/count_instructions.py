@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Counts the instructions that gxrod takes for an element and a Newton iteration, and compares them with those recorded.
+"""Counts the instructions of an element and a Newton iteration, and compares them with those recorded.
 
 Times depend on the machine and on what else it does; counts of one compiler's program hardly do. Valgrind's callgrind
 counts two runs of pendulum.toml that differ in their number of steps: the difference is free of what it takes to start,
@@ -163,9 +163,9 @@ def compare(counts, compiler):
         print(f"All within {TOLERANCE:.0%} of the record.")
         return 0
     print("\n".join(differences))
-    print(f"More than {TOLERANCE:.0%} off the record. What grew without a reason is to be made fast again; what fell, or "
-          "grew for a good reason, is to\nbe recorded with the change, or a later loss would go unseen:\n\n"
-          f"    {pathlib.Path(__file__).name} PROGRAM --record")
+    print(f"More than {TOLERANCE:.0%} off the record. What grew without a good reason is to be made fast again. "
+          "What fell, or grew for a\ngood reason, is to be recorded with its change, or a later loss would go unseen:\n\n"
+          "    tests/benchmarks/count_instructions.py build/release/gxrod --record")
     return 1
 
 

@@ -31,7 +31,7 @@ void count_run(benchmark::State& state, const RunSummary& summary) {
     state.counters["solve"] = phases.solve * unit;
     state.counters["update"] = phases.update * unit;
     state.counters["setup_us_per_el"] = microseconds * phases.setup / elements;
-    state.counters["iterations"] = iterations;
+    state.counters["newton_iterations"] = iterations;
     state.counters["it_per_step"] = iterations / static_cast<double>(totals.steps);
     const double per_node = seconds * microseconds / (nodes * iterations);
     state.counters["us_per_node_it"] = per_node;
