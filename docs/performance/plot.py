@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws times.png and errors.png from times.json and errors.json, which measure.py writes, and peers.json.
 
-Prints the rows of the tables of ../performance.md.
+Renews the tables of ../performance.md, too; numbers in its sentences are to be read again.
 """
 
 import json
@@ -16,6 +16,7 @@ sys.path.insert(0, str(FOLDER.parents[1] / "apps"))
 from gxrod_plot import style  # noqa: E402 — after the path to it
 
 STEPS = 1000  # of the whole motion
+SPAN = 10  # elements between two crossings of a net
 COLOURS = {1: style.BLUE, 2: style.GREEN, 3: style.ORANGE, 4: style.PURPLE}
 PEER_MARKERS = {"Exudyn 1.13.6": "s", "Exudyn 1.13.6, modified Newton": "D", "OpenSees 3.7.1": "^",
                 "PyElastica 1.0": "v", "MuJoCo 3.17": "P", "SHARPy (xbeam)": "X"}
@@ -113,19 +114,56 @@ def draw_errors(errors, peers):
     finish(figure, axes, "errors.png")
 
 
-def print_tables(benchmarks):
-    """Rows in Markdown: of the pendulum by order and elements, of other runs by their names."""
-    columns = ("it_per_step", "assembly", "solve", "update", "us_per_el_it", "times_blocks")
-    for row in (row for row in benchmarks if "us_per_el_it" in row):
-        match = PENDULUM.match(row["name"])
-        names = match.groups() if match else [row["name"].removesuffix("/iterations:1")]
-        memory = f"{1e-3 * row['bytes_per_node']:.1f} kB" if "bytes_per_node" in row else ""
-        print("|", " | ".join([*names, *(f"{row[column]:.3g}" for column in columns), memory]), "|")
+def cells_of_run(row):
+    """What the tables tell of a run."""
+    columns = ("assembly", "solve", "update", "us_per_el_it", "times_blocks")
+    memory = f"{1e-3 * row['bytes_per_node']:.1f} kB" if "bytes_per_node" in row else ""
+    return [*(f"{row[column]:.3g}" for column in columns), memory]
+
+
+def rows_of_pendulum(benchmarks):
+    found = [(*map(int, match.groups()), row) for row in benchmarks if (match := PENDULUM.match(row["name"]))]
+    return [[str(order), f"{elements:,}", f"{row['it_per_step']:.2f}", *cells_of_run(row)]
+            for order, elements, row in sorted(found, key=lambda each: each[:2])]
+
+
+def rows_of_nets(benchmarks):
+    rows = []
+    for row in benchmarks:
+        if match := re.match(r"run_net/rods:(\d+)/", row["name"]):
+            rods = int(match[1])
+            rows.append([f"{rods} × {rods}", f"{2 * rods * (rods - 1) * SPAN:,}", *cells_of_run(row)])
+    return rows
+
+
+def rows_of_solvers(benchmarks):
+    """Of the rod of 1000 nodes."""
+    names = {row["name"]: row for row in benchmarks if row["name"].endswith("/1000") and "per_node" in row}
+    return [[re.sub(r"solve_(rod/)?(.*)/1000", r"\2", name).replace("_", " "), f"{1e6 * row['per_node']:.2f}"]
+            for name, row in names.items()]
+
+
+def renew_table(page, header, rows):
+    """The page with these rows below the table's header and the line beneath it."""
+    lines = page.splitlines(keepends=True)
+    first = next(number for number, line in enumerate(lines) if line.startswith(header)) + 2
+    last = next(number for number in range(first, len(lines)) if not lines[number].startswith("|"))
+    lines[first:last] = [f"| {' | '.join(row)} |\n".replace("|  |", "| |") for row in rows]
+    return "".join(lines)
+
+
+def renew_tables(benchmarks):
+    path = FOLDER.parent / "performance.md"
+    page = path.read_text()
+    for header, rows in (("| order | elements |", rows_of_pendulum), ("| rods | elements |", rows_of_nets),
+                         ("| solver |", rows_of_solvers)):
+        page = renew_table(page, header, rows(benchmarks))
+    path.write_text(page)
 
 
 def main():
     peers, times = read("peers.json"), read("times.json")
-    print_tables(times["benchmarks"])
+    renew_tables(times["benchmarks"])
     draw_times(times, peers)
     draw_errors(read("errors.json"), peers)
 
