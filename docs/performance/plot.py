@@ -109,6 +109,7 @@ def draw_errors(errors, peers):
                           textcoords="offset points", fontsize=7.5, color=COLOURS[order])
     draw_peers(axes, peers, "tip", lambda row: (row["seconds"], distance(row["tip"], exact)))
     axes.axhline(distance(reference, exact), color=style.BLACK, ls=":", lw=1.0, label="error of the step, Δt = 1 ms")
+    axes.margins(0.08)
     axes.set(xlabel="seconds", ylabel="error of the tip at t = 1 s (m)",
              title="Error and time; the numbers are elements")
     finish(figure, axes, "errors.png")
