@@ -3,7 +3,7 @@
 
 #include "assembly/system.hpp"
 #include "benchmarks/block_tridiagonal.hpp"
-#include "benchmarks/pendulum.hpp"
+#include "benchmarks/problems.hpp"
 #include "solvers/linear_solver.hpp"
 
 namespace gxrod::speed {
