@@ -77,7 +77,7 @@ System::System(const Model& model, const Kernels& kernels)
     : model_(&model),
       supports_(model),
       equations_(supports_),
-      two_node_batches_(kernels),
+      rod_batches_(kernels, kernels, kernels, kernels),
       rotary_batches_(kernels, equations_) {
     build_blocks();
     build_loads();
@@ -150,14 +150,17 @@ void System::build_pattern() {
 }
 
 void System::build_batches() {
-    const auto& block = std::get<TwoNodeBatches::Block>(blocks_);
-    two_node_batches_.build(block, equations_);
-    for (std::size_t e = 0; e < block.elements.size(); ++e) {
-        if (!two_node_batches_.has(block, e)) continue;
-        const auto& element = block.elements[e];
-        for (int i = 0; i < 2; ++i)
-            rotary_batches_.add(element.nodes[i], element.inertia().rotary_inertia(i));
-    }
+    for_each_block(blocks_, [this]<class E>(const ElementBlock<E>& block) {
+        if constexpr (std::is_same_v<E, ObjectiveElement<E::node_count>>) {
+            std::get<RodBatches<E::node_count>>(rod_batches_).build(block, equations_);
+            for (std::size_t e = 0; e < block.elements.size(); ++e) {
+                if (!is_in_batch(rod_batches_, block, e)) continue;
+                const E& element = block.elements[e];
+                for (int i = 0; i < E::node_count; ++i)
+                    rotary_batches_.add(element.nodes[i], element.inertia().rotary_inertia(i));
+            }
+        }
+    });
     rotary_batches_.lay_out(pattern_);
 }
 

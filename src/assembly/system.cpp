@@ -90,12 +90,13 @@ void System::compute_residual(const State& state, double time, Residual& residua
     residual.nodal.assign(state.trial.size(), Vec6::Zero());
     residual.force_scale = residual.moment_scale = 0.0;
     const Vec3 gravity = model_->gravity(time);
-    two_node_batches_.add_forces(state.trial, gravity, residual);
+    for_each_block(rod_batches_,
+                   [&](const auto& batches) { batches.add_forces(state.trial, gravity, residual); });
     rotary_batches_.add_forces(state.trial, residual);
     for_each_block(blocks_, [&](const auto& block) {
         using Force = NodalVector<std::remove_cvref_t<decltype(block)>::node_count>;
         for (std::size_t e = 0; e < block.elements.size(); ++e) {
-            const bool is_alone = !two_node_batches_.has(block, e);
+            const bool is_alone = !is_in_batch(rod_batches_, block, e);
             if (!is_alone && !block.is_damped) continue;
             const auto& element = block.elements[e];
             const auto motions = block.motions(state.trial, e);
@@ -143,13 +144,14 @@ void System::compute_tangent(const State& state,
                              std::vector<double>& values) const {
     values.assign(pattern_.rows.size(), 0.0);
     const Vec3 gravity = model_->gravity(time);
-    two_node_batches_.add_tangents(state.trial, linearizations, values);
+    for_each_block(rod_batches_,
+                   [&](const auto& batches) { batches.add_tangents(state.trial, linearizations, values); });
     rotary_batches_.add_tangents(state.trial, linearizations, values);
     for_each_block(blocks_, [&](const auto& block) {
         constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
         using Tangent = NodalMatrix<node_count>;
         for (std::size_t e = 0; e < block.elements.size(); ++e) {
-            const bool is_alone = !two_node_batches_.has(block, e);
+            const bool is_alone = !is_in_batch(rod_batches_, block, e);
             if (!is_alone && !block.is_damped) continue;
             const auto& element = block.elements[e];
             const auto motions = block.motions(state.trial, e);

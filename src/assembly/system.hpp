@@ -6,9 +6,9 @@
 #include "assembly/element_block.hpp"
 #include "assembly/equation_numbers.hpp"
 #include "assembly/residual.hpp"
+#include "assembly/rod_batches.hpp"
 #include "assembly/rotary_batches.hpp"
 #include "assembly/sparse_pattern.hpp"
-#include "assembly/two_node_batches.hpp"
 #include "constraints/supports.hpp"
 #include "loads/distributed_load.hpp"
 #include "model/model.hpp"
@@ -109,7 +109,7 @@ class System {
     Supports supports_;
     EquationNumbers equations_;
     ElementBlocks blocks_;
-    TwoNodeBatches two_node_batches_;
+    AllRodBatches rod_batches_;
     RotaryBatches rotary_batches_;
     std::vector<LoadedElement> loaded_elements_;
     std::vector<std::size_t> first_loaded_element_;  // of each distributed load

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "rotation/series.hpp"
+
 // a, b, c are Σ (−1)^k x^k/(2k + m)! with x = Φ² and m = 1, 3, 2, and D is 2 d/dx. So every derivative is
 // again an alternating power series, which loses no digit at small angles and begins to lose some between 2
 // and 5. The closed forms cancel at small angles and are clean from there on, over any number of turns. Each
@@ -12,36 +14,13 @@
 namespace gxrod::coefficients {
 namespace {
 
-template <std::size_t terms>
-double evaluate_polynomial(const std::array<double, terms>& factors, double x) {
-    double sum = factors[terms - 1];
-    for (std::size_t k = terms - 1; k-- > 0;) sum = sum * x + factors[k];
-    return sum;
-}
-
-// Factors of D^order Σ (−1)^k x^k/(2k + offset)!, rounded once: long double holds every factorial used here
-// to more digits than double.
-template <int offset, int order, std::size_t terms>
-constexpr std::array<double, terms> make_series() {
-    std::array<double, terms> factors{};
-    for (std::size_t j = 0; j < terms; ++j) {
-        const int k = static_cast<int>(j) + order;
-        long double numerator = k % 2 == 0 ? 1.0L : -1.0L;
-        for (int i = 0; i < order; ++i) numerator *= 2 * (k - i);
-        long double factorial = 1.0L;
-        for (int i = 2; i <= 2 * k + offset; ++i) factorial *= i;
-        factors[j] = static_cast<double>(numerator / factorial);
-    }
-    return factors;
-}
-
-constexpr auto b_series = make_series<3, 0, 11>();
-constexpr auto a1_series = make_series<1, 1, 12>();
-constexpr auto b1_series = make_series<3, 1, 14>();
-constexpr auto c1_series = make_series<2, 1, 14>();
-constexpr auto a2_series = make_series<1, 2, 14>();
-constexpr auto b2_series = make_series<3, 2, 16>();
-constexpr auto c2_series = make_series<2, 2, 15>();
+constexpr auto b_series = make_alternating_series<3, 0, 11>();
+constexpr auto a1_series = make_alternating_series<1, 1, 12>();
+constexpr auto b1_series = make_alternating_series<3, 1, 14>();
+constexpr auto c1_series = make_alternating_series<2, 1, 14>();
+constexpr auto a2_series = make_alternating_series<1, 2, 14>();
+constexpr auto b2_series = make_alternating_series<3, 2, 16>();
+constexpr auto c2_series = make_alternating_series<2, 2, 15>();
 
 // d = Σ_{k≥1} 2/((2πk)² − x), a sum of positive terms while Φ < 2π. The first term, whose pole is the near
 // one, is kept as it stands. The others are a power series that converges for Φ < 4π; its factor of x^j is 2
@@ -82,7 +61,7 @@ double a(double angle) { return sine_over_argument(angle); }
 
 double b(double angle) {
     const double x = angle * angle;
-    if (angle < switches.b) return evaluate_polynomial(b_series, x);
+    if (angle < switches.b) return evaluate_series<double>(b_series, x);
     return (angle - std::sin(angle)) / (angle * x);
 }
 
@@ -93,43 +72,43 @@ double c(double angle) {
 
 double a1(double angle) {
     const double x = angle * angle;
-    if (angle < switches.a1) return evaluate_polynomial(a1_series, x);
+    if (angle < switches.a1) return evaluate_series<double>(a1_series, x);
     return (std::cos(angle) - a(angle)) / x;
 }
 
 double b1(double angle) {
     const double x = angle * angle;
-    if (angle < switches.b1) return evaluate_polynomial(b1_series, x);
+    if (angle < switches.b1) return evaluate_series<double>(b1_series, x);
     return (3.0 * a(angle) - (2.0 + std::cos(angle))) / (x * x);
 }
 
 double c1(double angle) {
     const double x = angle * angle;
-    if (angle < switches.c1) return evaluate_polynomial(c1_series, x);
+    if (angle < switches.c1) return evaluate_series<double>(c1_series, x);
     return (a(angle) - 2.0 * c(angle)) / x;
 }
 
 double a2(double angle) {
     const double x = angle * angle;
-    if (angle < switches.a2) return evaluate_polynomial(a2_series, x);
+    if (angle < switches.a2) return evaluate_series<double>(a2_series, x);
     return -(a(angle) + 3.0 * a1(angle)) / x;
 }
 
 double b2(double angle) {
     const double x = angle * angle;
-    if (angle < switches.b2) return evaluate_polynomial(b2_series, x);
+    if (angle < switches.b2) return evaluate_series<double>(b2_series, x);
     return -(a2(angle) + 4.0 * b1(angle)) / x;
 }
 
 double c2(double angle) {
     const double x = angle * angle;
-    if (angle < switches.c2) return evaluate_polynomial(c2_series, x);
+    if (angle < switches.c2) return evaluate_series<double>(c2_series, x);
     return (a1(angle) - 4.0 * c1(angle)) / x;
 }
 
 double d(double angle) {
     const double x = angle * angle;
-    if (angle < switches.d) return 2.0 / distance_to_first_pole(x) + evaluate_polynomial(d_series, x);
+    if (angle < switches.d) return 2.0 / distance_to_first_pole(x) + evaluate_series<double>(d_series, x);
     const double half = 0.5 * angle;
     return (1.0 - half / std::tan(half)) / x;
 }
@@ -138,7 +117,7 @@ double d1(double angle) {
     const double x = angle * angle;
     if (angle < switches.d1) {
         const double distance = distance_to_first_pole(x);
-        return 4.0 / (distance * distance) + evaluate_polynomial(d1_series, x);
+        return 4.0 / (distance * distance) + evaluate_series<double>(d1_series, x);
     }
     const double half = 0.5 * angle;
     const double sine = std::sin(half);

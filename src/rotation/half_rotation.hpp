@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "rotation/series.hpp"
+
 // A rotation exp(Φ) in two halves, and how they follow a change of it: all that an element with two nodes
 // needs of finite rotations. Real is double, or several of them that are worked on at once.
 //
@@ -91,27 +93,20 @@ inline constexpr auto y1_series = derive(y_series);
 inline constexpr auto t_series = make_t_series<10>();
 inline constexpr auto t1_series = derive(t_series);
 
-template <class Real, std::size_t terms>
-Real evaluate(const std::array<double, terms>& factors, const Real& argument) {
-    Real sum(factors[terms - 1]);
-    for (std::size_t k = terms - 1; k-- > 0;) sum = sum * argument + Real(factors[k]);
-    return sum;
-}
-
 }  // namespace half_rotation
 
 // Of exp(Φ) as a unit quaternion with w ≥ 0, for θ < 0.51.
 template <class Real>
 void fill_small(const Eigen::Quaternion<Real>& q, HalfRotation<Real>& rotation) {
     namespace series = half_rotation;
-    rotation.x = series::evaluate<Real>(series::arcsine_series, q.vec().squaredNorm());
+    rotation.x = evaluate_series<Real>(series::arcsine_series, q.vec().squaredNorm());
     rotation.Phi = (Real(2.0) * rotation.x) * q.vec();
     const Real z = rotation.Phi.squaredNorm();
-    rotation.y = series::evaluate<Real>(series::y_series, z);
-    rotation.t = series::evaluate<Real>(series::t_series, z);
-    rotation.x1 = series::evaluate<Real>(series::x1_series, z);
-    rotation.y1 = series::evaluate<Real>(series::y1_series, z);
-    rotation.t1 = series::evaluate<Real>(series::t1_series, z);
+    rotation.y = evaluate_series<Real>(series::y_series, z);
+    rotation.t = evaluate_series<Real>(series::t_series, z);
+    rotation.x1 = evaluate_series<Real>(series::x1_series, z);
+    rotation.y1 = evaluate_series<Real>(series::y1_series, z);
+    rotation.t1 = evaluate_series<Real>(series::t1_series, z);
 }
 
 // τ and exp(Φ/2), of a unit quaternion with w ≥ 0.

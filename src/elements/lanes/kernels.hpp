@@ -1,5 +1,7 @@
 #pragma once
 
+#include <tuple>
+
 #include "elements/lanes/instruction_set.hpp"
 
 // Kernels that work on several elements or nodes at once, a lane each. Except where it is said, what they
@@ -9,22 +11,27 @@ namespace gxrod {
 
 constexpr int most_lanes = 4;
 
-// Elements `objective` with two nodes (two_node_rod.hpp), and the consistent mass of their translation.
-struct TwoNodeKernels {
-    // One entry each, all lanes alike: the blocks C_NN, C_NM, C_MM of the stiffness.
-    static constexpr int section_rows = 27;
-    // L, Γ₀, K₀, triads of a and b, masses ∫ρA N_I N_J ds of (a, a), (a, b), (b, b).
-    static constexpr int constant_rows = 18;
-    // Λ of a and b, r_b − r_a, accelerations less gravity of a and b.
-    static constexpr int motion_rows = 17;
-    // Force and moment of a and b, then the largest component of a force and of a moment, be they of
+// Elements `objective`, and the consistent mass of their translation.
+template <int Nodes>
+struct RodKernels {
+    static constexpr int point_count = Nodes - 1;
+    // One entry each, all lanes alike: the blocks C_NN, C_NM, C_MM of the stiffness; with more than two nodes
+    // the weights of the quadrature, shape functions at each point, and their slopes dN_I/dξ.
+    static constexpr int section_rows = 27 + (Nodes > 2 ? point_count * (1 + 2 * Nodes) : 0);
+    // Of each point ds/dξ (of two nodes: the length), Γ₀, K₀; triads of the nodes; masses ∫ρA N_I N_J ds, J ≥
+    // I.
+    static constexpr int constant_rows = 7 * point_count + 4 * Nodes + Nodes * (Nodes + 1) / 2;
+    // Λ_I; r_I − r of the first node, of the others; accelerations less gravity.
+    static constexpr int motion_rows = 10 * Nodes - 3;
+    // Force and moment of each node, then the largest component of a force and of a moment, be they of
     // stiffness or of inertia.
-    static constexpr int force_rows = 14;
-    // Λ of a and b, r_b − r_a; `placement` and `acceleration` of the linearizations of a and b.
-    static constexpr int linearization_rows = 15;
-    static constexpr int tangent_rows = 144;
+    static constexpr int force_rows = 6 * Nodes + 2;
+    // Λ_I, r_I − r of the first node; `placement`, then `acceleration` of the linearizations.
+    static constexpr int linearization_rows = 9 * Nodes - 3;
+    static constexpr int tangent_rows = 36 * Nodes * Nodes;
 
-    using Kernel = void (*)(const double* section,
+    // False, with no result, if a node is turned too far for a kernel from the frame of its element.
+    using Kernel = bool (*)(const double* section,
                             const double* constants,
                             const double* motions,
                             double* results);
@@ -50,7 +57,7 @@ struct RotaryKernels {
 
 struct Kernels {
     int width;
-    TwoNodeKernels two_node;
+    std::tuple<RodKernels<2>, RodKernels<3>, RodKernels<4>, RodKernels<5>> rods;
     RotaryKernels rotary;
 };
 

@@ -22,6 +22,12 @@ struct NumTraits<xsimd::batch<double, Arch>> : NumTraits<double> {
 
 namespace gxrod {
 
+// The largest component in each lane.
+template <class Real>
+Real largest(const Eigen::Matrix<Real, 3, 1>& a) {
+    return xsimd::max(xsimd::max(xsimd::abs(a[0]), xsimd::abs(a[1])), xsimd::abs(a[2]));
+}
+
 // Rows of quantities, each with an entry a lane: quantity k of element l is at [k · width + l].
 template <class Real>
 class LaneReader {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "elements/lanes/kernels.hpp"
+#include "elements/lanes/objective_lanes.hpp"
 #include "elements/lanes/rotary_lanes.hpp"
 #include "elements/lanes/two_node_lanes.hpp"
 
@@ -11,8 +12,12 @@ template <class Arch>
 Kernels make_kernels() {
     using Real = xsimd::batch<double, Arch>;
     static_assert(Real::size <= most_lanes);
-    return {
-        static_cast<int>(Real::size), TwoNodeLanes<Real>::make_kernels(), RotaryLanes<Real>::make_kernels()};
+    return {static_cast<int>(Real::size),
+            {TwoNodeLanes<Real>::make_kernels(),
+             ObjectiveLanes<3, Real>::make_kernels(),
+             ObjectiveLanes<4, Real>::make_kernels(),
+             ObjectiveLanes<5, Real>::make_kernels()},
+            RotaryLanes<Real>::make_kernels()};
 }
 
 }  // namespace gxrod

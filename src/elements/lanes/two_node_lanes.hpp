@@ -9,7 +9,7 @@ namespace gxrod {
 template <class Real>
 class TwoNodeLanes {
   public:
-    static TwoNodeKernels make_kernels() { return {compute_forces, compute_tangents}; }
+    static RodKernels<2> make_kernels() { return {compute_forces, compute_tangents}; }
 
   private:
     using Vec3 = Eigen::Matrix<Real, 3, 1>;
@@ -64,11 +64,7 @@ class TwoNodeLanes {
             *value = read.scalar();
     }
 
-    static Real largest(const Vec3& a) {
-        return xsimd::max(xsimd::max(xsimd::abs(a[0]), xsimd::abs(a[1])), xsimd::abs(a[2]));
-    }
-
-    static void compute_forces(const double* section,
+    static bool compute_forces(const double* section,
                                const double* constants,
                                const double* motions,
                                double* forces) {
@@ -91,9 +87,10 @@ class TwoNodeLanes {
         write.matrix(internal.moment_b);
         write.scalar(xsimd::max(largest(internal.n), xsimd::max(largest(inertial_a), largest(inertial_b))));
         write.scalar(xsimd::max(largest(internal.moment_a), largest(internal.moment_b)));
+        return true;
     }
 
-    static void compute_tangents(const double* section,
+    static bool compute_tangents(const double* section,
                                  const double* constants,
                                  const double* motions,
                                  double* tangents) {
@@ -121,6 +118,7 @@ class TwoNodeLanes {
         write_columns(write, u_ab, placement_b * t.a_u, u_bb, placement_b * t.b_u);
         write_columns(
             write, -placement_b * t.n_b, placement_b * t.a_b, placement_b * t.n_b, placement_b * t.b_b);
+        return true;
     }
 
     static Mat3 add_mass(Mat3 stiffness, const Real& mass) {

@@ -23,6 +23,12 @@ InterpolatedRod<Nodes>::InterpolatedRod(const LocalMotion<Nodes>& reference,
 }
 
 template <int Nodes>
+auto InterpolatedRod<Nodes>::reference(int point) const -> ReferencePoint {
+    const auto rule = compute_gauss_rule<point_count>();
+    return {points_[point].weight / rule[point].weight, points_[point].reference};
+}
+
+template <int Nodes>
 SectionFields InterpolatedRod<Nodes>::interpolate(const ForcePoint& point, const LocalMotion<Nodes>& motion) {
     return {motion.r * point.slope, motion.theta * point.shape, motion.theta * point.slope};
 }

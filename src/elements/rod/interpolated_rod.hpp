@@ -30,6 +30,13 @@ class InterpolatedRod {
                     const Section& section);
 
     bool is_damped() const { return kelvin_voigt_ > 0.0; }
+    const Mat6& stiffness() const { return stiffness_; }
+    // ds/dξ and the strains of the reference shape at a point of the quadrature.
+    struct ReferencePoint {
+        double jacobian;
+        ReferenceStrain strain;
+    };
+    ReferencePoint reference(int point) const;
     double strain_energy(const LocalMotion<Nodes>& motion, Histories histories) const;
     // ∂W/∂(r_I, θ_I).
     NodalVector<Nodes> compute_gradient(const LocalMotion<Nodes>& motion, Histories histories) const;

@@ -40,6 +40,55 @@ RodElement<Nodes, Map>::RodElement(const RodElementGeometry<Nodes>& geometry, co
 }
 
 template <int Nodes, class Map>
+auto RodElement<Nodes, Map>::section_rows() const -> std::array<double, RodKernels<Nodes>::section_rows> {
+    std::array<double, RodKernels<Nodes>::section_rows> rows;
+    const Mat6& C = rod_.stiffness();
+    double* target = rows.data();
+    for (const Mat3& block : {Mat3(C.template topLeftCorner<3, 3>()),
+                              Mat3(C.template topRightCorner<3, 3>()),
+                              Mat3(C.template bottomRightCorner<3, 3>())}) {
+        target = std::copy_n(block.data(), 9, target);
+    }
+    if constexpr (Nodes > 2) {
+        const auto rule = compute_gauss_rule<Nodes - 1>();
+        for (const auto& point : rule) *target++ = point.weight;
+        for (const auto& point : rule) {
+            const NodeValues<Nodes> shape = compute_shape_functions<Nodes>(point.xi);
+            target = std::copy_n(shape.data(), Nodes, target);
+        }
+        for (const auto& point : rule) {
+            const NodeValues<Nodes> slope = compute_shape_slopes<Nodes>(point.xi);
+            target = std::copy_n(slope.data(), Nodes, target);
+        }
+    }
+    return rows;
+}
+
+template <int Nodes, class Map>
+auto RodElement<Nodes, Map>::constant_rows() const -> std::array<double, RodKernels<Nodes>::constant_rows> {
+    std::array<double, RodKernels<Nodes>::constant_rows> rows;
+    double* target = rows.data();
+    const auto write = [&target](double jacobian, const Vec3& Gamma_0, const Vec3& Kappa_0) {
+        *target++ = jacobian;
+        target = std::copy_n(Gamma_0.data(), 3, target);
+        target = std::copy_n(Kappa_0.data(), 3, target);
+    };
+    if constexpr (is_two_node_objective) {
+        write(two_node_.length, two_node_.Gamma_0, two_node_.Kappa_0);
+    } else {
+        for (int p = 0; p < Nodes - 1; ++p) {
+            const auto [jacobian, strain] = rod_.reference(p);
+            write(jacobian, strain.Gamma, strain.Kappa);
+        }
+    }
+    for (const Quat& triad : triads_) target = std::copy_n(triad.coeffs().data(), 4, target);
+    for (int i = 0; i < Nodes; ++i) {
+        for (int j = i; j < Nodes; ++j) *target++ = inertia_.mass()(i, j);
+    }
+    return rows;
+}
+
+template <int Nodes, class Map>
 Motions<Nodes> RodElement<Nodes, Map>::point_at(const std::array<NodeMotion, Nodes>& nodal) {
     Motions<Nodes> pointers;
     for (int i = 0; i < Nodes; ++i) pointers[i] = &nodal[i];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "elements/element.hpp"
+#include "elements/lanes/kernels.hpp"
 #include "elements/rod/interpolated_rod.hpp"
 #include "elements/rod/objective_map.hpp"
 #include "elements/rod/rod_geometry.hpp"
@@ -24,10 +25,10 @@ class RodElement {
 
     RodElement(const RodElementGeometry<Nodes>& geometry, const Section& section);
 
-    const std::array<Quat, Nodes>& triads() const { return triads_; }
     const RodInertia<Nodes>& inertia() const { return inertia_; }
-    // Of the element that has closed forms.
-    const auto& two_node_rod() const { return two_node_; }
+    // Of the element `objective`: what kernels need to know of its section, and of itself.
+    std::array<double, RodKernels<Nodes>::section_rows> section_rows() const;
+    std::array<double, RodKernels<Nodes>::constant_rows> constant_rows() const;
 
     void add_internal_force(const Motions<Nodes>& motions,
                             Histories histories,

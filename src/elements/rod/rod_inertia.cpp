@@ -82,14 +82,34 @@ template <int Nodes>
 void RodInertia<Nodes>::add_force(const Motions<Nodes>& motions,
                                   const Vec3& gravity,
                                   NodalVector<Nodes>& force) const {
+    add_translational_force(motions, gravity, force);
+    for (int i = 0; i < Nodes; ++i) {
+        force.template segment<3>(6 * i + 3) +=
+            compute_inertial_force(rotary_[i], *motions[i], gravity).template tail<3>();
+    }
+}
+
+template <int Nodes>
+void RodInertia<Nodes>::add_translational_force(const Motions<Nodes>& motions,
+                                                const Vec3& gravity,
+                                                NodalVector<Nodes>& force) const {
     const Columns3 d = compute_offsets(motions);
     const Columns3 F = compute_accelerations(motions, gravity, d) * mass_;
     for (int i = 0; i < Nodes; ++i) {
         const Vec3 F_i = F.col(i);
         force.template segment<3>(6 * i) += F_i;
-        force.template segment<3>(6 * i + 3) +=
-            compute_inertial_force(rotary_[i], *motions[i], gravity).template tail<3>() +
-            Vec3(d.col(i)).cross(F_i);
+        force.template segment<3>(6 * i + 3) += Vec3(d.col(i)).cross(F_i);
+    }
+}
+
+template <int Nodes>
+void RodInertia<Nodes>::add_translational_tangent(const Linearizations<Nodes>& linearizations,
+                                                  NodalMatrix<Nodes>& tangent) const {
+    for (int i = 0; i < Nodes; ++i) {
+        for (int j = 0; j < Nodes; ++j) {
+            tangent.template block<3, 3>(6 * i, 6 * j).diagonal().array() +=
+                mass_(i, j) * linearizations[j]->acceleration;
+        }
     }
 }
 
@@ -98,11 +118,8 @@ void RodInertia<Nodes>::add_tangent(const Motions<Nodes>& motions,
                                     const Vec3& gravity,
                                     const Linearizations<Nodes>& linearizations,
                                     NodalMatrix<Nodes>& tangent) const {
+    add_translational_tangent(linearizations, tangent);
     for (int i = 0; i < Nodes; ++i) {
-        for (int j = 0; j < Nodes; ++j) {
-            tangent.template block<3, 3>(6 * i, 6 * j).diagonal().array() +=
-                mass_(i, j) * linearizations[j]->acceleration;
-        }
         tangent.template block<6, 6>(6 * i, 6 * i) +=
             compute_inertial_tangent(rotary_[i], *motions[i], *linearizations[i], gravity);
     }

@@ -17,10 +17,18 @@ class RodInertia {
     RodInertia(const RodElementGeometry<Nodes>& geometry, const Section& section);
 
     void add_force(const Motions<Nodes>& motions, const Vec3& gravity, NodalVector<Nodes>& force) const;
+    // That of the centres of mass alone, without rotary inertia.
+    void add_translational_force(const Motions<Nodes>& motions,
+                                 const Vec3& gravity,
+                                 NodalVector<Nodes>& force) const;
     void add_tangent(const Motions<Nodes>& motions,
                      const Vec3& gravity,
                      const Linearizations<Nodes>& linearizations,
                      NodalMatrix<Nodes>& tangent) const;
+
+    // That of the centres of mass alone, where none has an offset.
+    void add_translational_tangent(const Linearizations<Nodes>& linearizations,
+                                   NodalMatrix<Nodes>& tangent) const;
 
     // Forces and couples that are mass_proportional times the momenta.
     bool is_damped() const { return mass_proportional_ > 0.0; }

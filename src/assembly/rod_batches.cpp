@@ -1,0 +1,158 @@
+#include "assembly/rod_batches.hpp"
+
+#include "assembly/lane_column.hpp"
+
+namespace gxrod {
+
+template <int Nodes>
+void RodBatches<Nodes>::build(const Block& block, const EquationNumbers& equations) {
+    block_ = &block;
+    equations_ = &equations;
+    is_member_.assign(block.elements.size(), false);
+    for (std::size_t e = 0; e < block.elements.size(); ++e) {
+        if (block.elements[e].inertia().has_offset()) continue;
+        is_member_[e] = true;
+        add_to_batches(static_cast<int>(e));
+    }
+    write_constants();
+}
+
+template <int Nodes>
+void RodBatches<Nodes>::add_to_batches(int element) {
+    const Section section = block_->elements[element].section_rows();
+    const bool is_same = !sections_.empty() && sections_.back() == section;
+    if (!is_same) sections_.push_back(section);
+    if (!is_same || batches_.back().count == width_) {
+        batches_.push_back({.section = sections_.size() - 1, .count = 0, .elements = {}, .nodes = {}});
+    }
+    Batch& batch = batches_.back();
+    for (int lane = batch.count++; lane < width_; ++lane) {
+        batch.elements[lane] = element;
+        batch.nodes[lane] = block_->elements[element].nodes;
+    }
+}
+
+template <int Nodes>
+void RodBatches<Nodes>::write_constants() {
+    const std::size_t batch_size = static_cast<std::size_t>(Rows::constant_rows) * width_;
+    constants_.resize(batches_.size() * batch_size);
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+        for (int lane = 0; lane < width_; ++lane) {
+            LaneColumn column(&constants_[b * batch_size], lane, width_);
+            for (const double constant : block_->elements[batches_[b].elements[lane]].constant_rows()) {
+                column.write(constant);
+            }
+        }
+    }
+}
+
+template <int Nodes>
+void RodBatches<Nodes>::add_forces(const std::vector<NodeMotion>& motions,
+                                   const Vec3& gravity,
+                                   Residual& residual) const {
+    alignas(64) std::array<double, Rows::motion_rows * most_lanes> rows;
+    alignas(64) std::array<double, Rows::force_rows * most_lanes> forces;
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+        const Batch& batch = batches_[b];
+        for (int lane = 0; lane < width_; ++lane) {
+            const std::array<int, Nodes>& nodes = batch.nodes[lane];
+            LaneColumn column(rows.data(), lane, width_);
+            for (const int node : nodes) column.write(motions[node].Lambda);
+            for (int i = 1; i < Nodes; ++i) column.write(Vec3(motions[nodes[i]].r - motions[nodes[0]].r));
+            for (const int node : nodes) column.write(Vec3(motions[node].a - gravity));
+        }
+        if (!kernels_.compute_forces(
+                sections_[batch.section].data(), constants(b), rows.data(), forces.data())) {
+            add_forces_alone(batch, motions, gravity, residual);
+            continue;
+        }
+        for (int lane = 0; lane < batch.count; ++lane) {
+            const double* force = &forces[lane];
+            for (const int node : batch.nodes[lane]) {
+                for (int i = 0; i < 6; ++i, force += width_) residual.nodal[node][i] += *force;
+            }
+            residual.force_scale = std::max(residual.force_scale, force[0]);
+            residual.moment_scale = std::max(residual.moment_scale, force[width_]);
+        }
+    }
+}
+
+template <int Nodes>
+void RodBatches<Nodes>::add_forces_alone(const Batch& batch,
+                                         const std::vector<NodeMotion>& motions,
+                                         const Vec3& gravity,
+                                         Residual& residual) const {
+    for (int lane = 0; lane < batch.count; ++lane) {
+        const ObjectiveElement<Nodes>& element = block_->elements[batch.elements[lane]];
+        const Motions<Nodes> nodal = block_->point_at(motions, element.nodes);
+        NodalVector<Nodes> internal = NodalVector<Nodes>::Zero();
+        NodalVector<Nodes> inertial = NodalVector<Nodes>::Zero();
+        element.add_internal_force(nodal, {}, internal);
+        element.inertia().add_translational_force(nodal, gravity, inertial);
+        raise_scales(internal, residual);
+        raise_scales(inertial, residual);
+        add_to_nodes<Nodes>(internal + inertial, element.nodes, residual.nodal);
+    }
+}
+
+template <int Nodes>
+void RodBatches<Nodes>::add_tangents(const std::vector<NodeMotion>& motions,
+                                     const std::vector<NodeLinearization>& linearizations,
+                                     std::vector<double>& values) const {
+    alignas(64) std::array<double, Rows::linearization_rows * most_lanes> rows;
+    alignas(64) std::array<double, Rows::tangent_rows * most_lanes> tangents;
+    NodalMatrix<Nodes> tangent;
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+        const Batch& batch = batches_[b];
+        for (int lane = 0; lane < width_; ++lane) {
+            const std::array<int, Nodes>& nodes = batch.nodes[lane];
+            LaneColumn column(rows.data(), lane, width_);
+            for (const int node : nodes) column.write(motions[node].Lambda);
+            for (int i = 1; i < Nodes; ++i) column.write(Vec3(motions[nodes[i]].r - motions[nodes[0]].r));
+            for (const int node : nodes) column.write(linearizations[node].placement);
+            for (const int node : nodes) column.write(linearizations[node].acceleration);
+        }
+        if (!kernels_.compute_tangents(
+                sections_[batch.section].data(), constants(b), rows.data(), tangents.data())) {
+            add_tangents_alone(batch, motions, linearizations, values);
+            continue;
+        }
+        for (int lane = 0; lane < batch.count; ++lane) {
+            for (int entry = 0; entry < Rows::tangent_rows; ++entry) {
+                tangent.data()[entry] = tangents[static_cast<std::size_t>(entry * width_ + lane)];
+            }
+            add_tangent(tangent, batch.elements[lane], values);
+        }
+    }
+}
+
+template <int Nodes>
+void RodBatches<Nodes>::add_tangents_alone(const Batch& batch,
+                                           const std::vector<NodeMotion>& motions,
+                                           const std::vector<NodeLinearization>& linearizations,
+                                           std::vector<double>& values) const {
+    for (int lane = 0; lane < batch.count; ++lane) {
+        const ObjectiveElement<Nodes>& element = block_->elements[batch.elements[lane]];
+        const Motions<Nodes> nodal = block_->point_at(motions, element.nodes);
+        const Linearizations<Nodes> following = block_->point_at(linearizations, element.nodes);
+        NodalMatrix<Nodes> tangent = NodalMatrix<Nodes>::Zero();
+        element.add_internal_tangent(nodal, {}, following, tangent);
+        element.inertia().add_translational_tangent(following, tangent);
+        add_tangent(tangent, batch.elements[lane], values);
+    }
+}
+
+template <int Nodes>
+void RodBatches<Nodes>::add_tangent(NodalMatrix<Nodes>& tangent,
+                                    int element,
+                                    std::vector<double>& values) const {
+    turn_to_own_axes(std::span<const int>(block_->elements[element].nodes), *equations_, tangent);
+    add_to_values<Nodes>(tangent, block_->places[element], values);
+}
+
+template class RodBatches<2>;
+template class RodBatches<3>;
+template class RodBatches<4>;
+template class RodBatches<5>;
+
+}  // namespace gxrod

@@ -1,0 +1,238 @@
+#include "assembly/rod_batches.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "assembly/rotary_batches.hpp"
+#include "rotation/rotation_map.hpp"
+#include "tools/random_values.hpp"
+#include "tools/rod_models.hpp"
+
+using namespace gxrod;
+using namespace gxrod::tools;
+
+namespace {
+
+const Vec3 gravity(0.3, -9.0, 1.0);
+
+Section make_random_section(RandomValues& random) {
+    Section section{"section", random.positive_definite<6>(), Mat6::Zero()};
+    section.mass.topLeftCorner<3, 3>() = random.number(0.5, 2.0) * Mat3::Identity();
+    section.mass.bottomRightCorner<3, 3>() = random.positive_definite<3>();
+    return section;
+}
+
+// Two curved rods of seven and five elements that share a node, of two sections, held by a ball joint and by
+// a roller with its own axes. They make batches with lanes left over.
+Model make_two_rods(int order) {
+    RandomValues random(5);
+    const Line arc = [](double s) {
+        return Placement{Vec3(std::sin(s), 1.0 - std::cos(s), 0.2 * s),
+                         exp_quaternion(s * Vec3(0.2, 0.0, 1.0))};
+    };
+    const Line helix = [](double s) {
+        return Placement{Vec3(s, std::cos(2.0 * s), std::sin(2.0 * s)),
+                         exp_quaternion(s * Vec3(2.0, 0.3, 0.0))};
+    };
+    Model model = make_rod_model(arc, 1.4, {7, order}, make_random_section(random));
+    const Model second = make_rod_model(helix, 0.6, {5, order}, make_random_section(random));
+    const int first_new = static_cast<int>(model.nodes.size());
+    const int shared = 3;
+    Rod rod = second.rods[0];
+    for (std::vector<int>* nodes : {&rod.nodes, &rod.element_nodes}) {
+        for (int& node : *nodes) node = node == 0 ? shared : first_new + node - 1;
+    }
+    rod.section = 1;
+    model.nodes.insert(model.nodes.end(), second.nodes.begin() + 1, second.nodes.end());
+    model.rods.push_back(rod);
+    model.sections.push_back(second.sections[0]);
+    model.supports.push_back({.node = 0, .fixed = {true, true, true}});
+    model.supports.push_back({.node = 5, .fixed = {false, true}, .axes = random.rotation()});
+    return model;
+}
+
+template <int Nodes>
+struct Batches {
+    RodBatches<Nodes> elements;
+    RotaryBatches nodes;
+};
+
+// The elements of a model, one by one and in batches.
+template <int Nodes>
+struct Assembled {
+    using Block = typename RodBatches<Nodes>::Block;
+
+    Supports supports;
+    EquationNumbers equations;
+    Block block;
+    SparsePattern pattern;
+    std::vector<NodeMotion> motions;
+    std::vector<NodeLinearization> linearizations;
+
+    // `spread` is how far nodes turn against each other.
+    Assembled(const Model& model, double spread) : supports(model), equations(supports) {
+        std::vector<NodeGroup> groups;
+        for (const Rod& rod : model.rods) {
+            for (int e = 0; e < rod.element_count(); ++e) {
+                RodElementGeometry<Nodes> geometry;
+                for (int i = 0; i < Nodes; ++i) {
+                    geometry.nodes[i] = rod.element_nodes[Nodes * e + i];
+                    geometry.positions[i] = model.nodes[geometry.nodes[i]].position;
+                    geometry.triads[i] = rod.triads[Nodes * e + i];
+                }
+                block.elements.emplace_back(geometry, model.sections[rod.section]);
+                groups.emplace_back(geometry.nodes.begin(), geometry.nodes.end());
+            }
+        }
+        pattern = compute_pattern(equations, groups);
+        for (const auto& element : block.elements)
+            block.places.push_back(find_places<Nodes>(element.nodes, equations, pattern));
+        RandomValues random(9);
+        const Quat common = random.rotation();
+        for (const Node& node : model.nodes) {
+            NodeMotion motion;
+            motion.r = node.position + random.vector(0.1);
+            motion.Lambda = exp_quaternion(random.vector(spread)) * common;
+            if (motions.size() % 3 == 0) motion.Lambda.coeffs() *= -1.0;  // the same rotation
+            motion.a = random.vector();
+            motion.omega = random.vector();
+            motion.alpha = random.vector();
+            motions.push_back(motion);
+            linearizations.push_back({random.number(0.5, 2.0),
+                                      random.number(1.0, 9.0),
+                                      random.number(10.0, 90.0),
+                                      random.matrix<3>(),
+                                      random.matrix<3>()});
+        }
+    }
+
+    Batches<Nodes> make_batches(InstructionSet set) const {
+        const Kernels kernels = find_kernels(set);
+        Batches<Nodes> batches{RodBatches<Nodes>(kernels), RotaryBatches(kernels, equations)};
+        batches.elements.build(block, equations);
+        for (const auto& element : block.elements) {
+            for (int i = 0; i < Nodes; ++i)
+                batches.nodes.add(element.nodes[i], element.inertia().rotary_inertia(i));
+        }
+        batches.nodes.lay_out(pattern);
+        return batches;
+    }
+    Residual compute_forces(const Batches<Nodes>& batches) const {
+        Residual residual;
+        residual.nodal.assign(motions.size(), Vec6::Zero());
+        batches.elements.add_forces(motions, gravity, residual);
+        batches.nodes.add_forces(motions, residual);
+        return residual;
+    }
+    std::vector<double> compute_tangents(const Batches<Nodes>& batches) const {
+        std::vector<double> values(pattern.rows.size(), 0.0);
+        batches.elements.add_tangents(motions, linearizations, values);
+        batches.nodes.add_tangents(motions, linearizations, values);
+        return values;
+    }
+    Residual compute_forces_one_by_one() const {
+        Residual residual;
+        residual.nodal.assign(motions.size(), Vec6::Zero());
+        for (std::size_t e = 0; e < block.elements.size(); ++e) {
+            NodalVector<Nodes> force = NodalVector<Nodes>::Zero();
+            block.elements[e].add_internal_force(block.motions(motions, e), {}, force);
+            block.elements[e].add_inertial_force(block.motions(motions, e), gravity, force);
+            add_to_nodes<Nodes>(force, block.elements[e].nodes, residual.nodal);
+        }
+        return residual;
+    }
+    std::vector<double> compute_tangents_one_by_one() const {
+        std::vector<double> values(pattern.rows.size(), 0.0);
+        for (std::size_t e = 0; e < block.elements.size(); ++e) {
+            const auto& element = block.elements[e];
+            const auto nodal = block.point_at(linearizations, element.nodes);
+            NodalMatrix<Nodes> tangent = NodalMatrix<Nodes>::Zero();
+            element.add_internal_tangent(block.motions(motions, e), {}, nodal, tangent);
+            element.add_inertial_tangent(block.motions(motions, e), gravity, nodal, tangent);
+            turn_to_own_axes(std::span<const int>(element.nodes), equations, tangent);
+            add_to_values<Nodes>(tangent, block.places[e], values);
+        }
+        return values;
+    }
+};
+
+double largest(const std::vector<double>& values) {
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))
+        .lpNorm<Eigen::Infinity>();
+}
+
+std::vector<double> subtract(std::vector<double> a, const std::vector<double>& b) {
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+    return a;
+}
+
+template <class Check>
+void for_each_order(Check&& check) {
+    check(std::integral_constant<int, 2>());
+    check(std::integral_constant<int, 3>());
+    check(std::integral_constant<int, 4>());
+    check(std::integral_constant<int, 5>());
+}
+
+// Nodes that are little turned against each other, and so much that the kernels for small rotations give up
+// for some elements, or for all.
+constexpr std::array<double, 4> spreads{0.01, 0.1, 0.25, 0.9};
+
+}  // namespace
+
+TEST_CASE("Batches of elements give what their elements give", "[assembly]") {
+    for_each_order([](auto nodes) {
+        for (const double spread : spreads) {
+            const Assembled<nodes> assembled(make_two_rods(nodes - 1), spread);
+            const Residual expected = assembled.compute_forces_one_by_one();
+            const std::vector<double> tangents = assembled.compute_tangents_one_by_one();
+            for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2}) {
+                if (set > find_instruction_set()) continue;
+                CAPTURE(nodes, spread, static_cast<int>(set));
+                const Batches<nodes> batches = assembled.make_batches(set);
+                const Residual residual = assembled.compute_forces(batches);
+                for (std::size_t node = 0; node < residual.nodal.size(); ++node) {
+                    const Vec6 error = residual.nodal[node] - expected.nodal[node];
+                    CHECK(error.head<3>().lpNorm<Eigen::Infinity>() < 1e-13 * residual.force_scale);
+                    CHECK(error.tail<3>().lpNorm<Eigen::Infinity>() < 1e-13 * residual.moment_scale);
+                }
+                CHECK(largest(subtract(assembled.compute_tangents(batches), tangents)) <
+                      1e-14 * largest(tangents));
+            }
+        }
+    });
+}
+
+TEST_CASE("Every instruction set gives the same bits", "[assembly]") {
+    if (find_instruction_set() == InstructionSet::baseline) return;
+    for_each_order([](auto nodes) {
+        // A kernel gives up for all elements of its batch, so the widths differ where it does.
+        for (const double spread : {0.01, 0.05}) {
+            const Assembled<nodes> assembled(make_two_rods(nodes - 1), spread);
+            const Batches<nodes> narrow = assembled.make_batches(InstructionSet::baseline);
+            const Batches<nodes> wide = assembled.make_batches(InstructionSet::avx2);
+            const Residual by_two = assembled.compute_forces(narrow);
+            const Residual by_four = assembled.compute_forces(wide);
+            CHECK(by_two.nodal == by_four.nodal);
+            CHECK(by_two.force_scale == by_four.force_scale);
+            CHECK(by_two.moment_scale == by_four.moment_scale);
+            CHECK(assembled.compute_tangents(narrow) == assembled.compute_tangents(wide));
+        }
+    });
+}
+
+TEST_CASE("An element whose centre of mass lies beside its line is in no batch", "[assembly]") {
+    Model model = make_two_rods(2);
+    Section& section = model.sections.back();
+    section.mass.topRightCorner<3, 3>() = -section.mass(0, 0) * spin(Vec3(0.0, 0.1, 0.0));
+    section.mass.bottomLeftCorner<3, 3>() = section.mass.topRightCorner<3, 3>().transpose();
+    const Assembled<3> assembled(model, 0.1);
+    AllRodBatches batches{find_kernels(InstructionSet::baseline),
+                          find_kernels(InstructionSet::baseline),
+                          find_kernels(InstructionSet::baseline),
+                          find_kernels(InstructionSet::baseline)};
+    std::get<RodBatches<3>>(batches).build(assembled.block, assembled.equations);
+    for (std::size_t e = 0; e < assembled.block.elements.size(); ++e) {
+        CHECK(is_in_batch(batches, assembled.block, e) == (e < 7));
+    }
+    CHECK_FALSE(is_in_batch(batches, ElementBlock<SimoElement<3>>(), 0));
+}

@@ -1,0 +1,43 @@
+#include "rotation/small_rotation.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "rotation/rotation_map.hpp"
+#include "rotation/tangent_map.hpp"
+#include "tools/random_values.hpp"
+
+using namespace gxrod;
+using namespace gxrod::tools;
+
+namespace {
+
+void check(const Mat3& value, const Mat3& expected) {
+    CHECK((value - expected).lpNorm<Eigen::Infinity>() <=
+          2e-15 * std::max(1.0, expected.lpNorm<Eigen::Infinity>()));
+}
+
+}  // namespace
+
+TEST_CASE("Series of small rotations agree with the coefficients for any", "[rotation]") {
+    RandomValues random(3);
+    for (const double angle : {0.0, 1e-9, 1e-3, 0.1, 0.3, 0.6, 0.9, 1.0}) {
+        CAPTURE(angle);
+        const Vec3 phi = angle * random.direction();
+        const Vec3 u = random.vector();
+        const Vec3 v = random.vector();
+        const SmallRotation<double> rotation(phi);
+        check(rotation.exp(), exp_matrix(phi));
+        check(rotation.tangent_map(), tangent_map(phi));
+        check(rotation.tangent_map_derivative(v), tangent_map_derivative(phi, v));
+        check(rotation.tangent_map_transpose_derivative(v), tangent_map_transpose_derivative(phi, v));
+        check(rotation.tangent_map_hessian(u, v), tangent_map_hessian(phi, u, v));
+        // The derivative of T(φ) w along u, for three w.
+        Mat3 slope;
+        for (int k = 0; k < 3; ++k) slope.col(k) = tangent_map_derivative(phi, Vec3::Unit(k)) * u;
+        check(rotation.tangent_map_slope(u), slope);
+        const SmallInverseRotation<double> inverse(phi);
+        check(inverse.tangent_map_inverse(), tangent_map_inverse(phi));
+        check(inverse.tangent_map_inverse_transpose_derivative(v),
+              tangent_map_inverse_transpose_derivative(phi, v));
+    }
+}
