@@ -19,6 +19,7 @@ class RodElement {
   public:
     static constexpr int node_count = Nodes;
     static constexpr int history_count = Map::history_count;
+    static constexpr int point_count = InterpolatedRod<Nodes>::point_count;
     static constexpr bool has_section = true;
     std::array<int, Nodes> nodes;
 
@@ -31,6 +32,17 @@ class RodElement {
                               Histories histories,
                               const Linearizations<Nodes>& linearizations,
                               NodalMatrix<Nodes>& tangent) const;
+    // The same with `resultants` of its own in the place of C E wherever these turn with the motion.
+    void add_mixed_tangent(const Motions<Nodes>& motions,
+                           Histories histories,
+                           Resultants resultants,
+                           const Linearizations<Nodes>& linearizations,
+                           NodalMatrix<Nodes>& tangent) const;
+    // Sets them to what they are after the increment (δr, δφ) to first order: C (E + δE).
+    void advance_resultants(const Motions<Nodes>& motions,
+                            Histories histories,
+                            const NodalVector<Nodes>& increment,
+                            std::span<Vec6> resultants) const;
     void add_inertial_force(const Motions<Nodes>& motions,
                             const Vec3& gravity,
                             NodalVector<Nodes>& force) const;
