@@ -152,6 +152,7 @@ void System::compute_tangent(const State& state,
                              std::vector<double>& values) const {
     values.assign(pattern_.rows.size(), 0.0);
     const Vec3 gravity = model_->gravity(time);
+    const bool is_mixed = !state.resultants.empty();
     for_each_block(blocks_, [&](const auto& block) {
         using Tangent = NodalMatrix<std::remove_cvref_t<decltype(block)>::node_count>;
         for (std::size_t e = 0; e < block.elements.size(); ++e) {
@@ -160,7 +161,11 @@ void System::compute_tangent(const State& state,
             const auto nodal = block.point_at(linearizations, element.nodes);
             const Histories histories = block.histories(state, e);
             Tangent tangent = Tangent::Zero();
-            element.add_internal_tangent(motions, histories, nodal, tangent);
+            if (is_mixed) {
+                element.add_mixed_tangent(motions, histories, block.resultants(state, e), nodal, tangent);
+            } else {
+                element.add_internal_tangent(motions, histories, nodal, tangent);
+            }
             if (block.is_damped) element.add_damping_tangent(motions, histories, nodal, tangent);
             element.add_inertial_tangent(motions, gravity, nodal, tangent);
             turn_to_own_axes(std::span<const int>(element.nodes), equations_, tangent);
@@ -168,6 +173,30 @@ void System::compute_tangent(const State& state,
         }
     });
     add_load_tangents(state, time, linearizations, values);
+}
+
+void System::start_resultants(State& state) const {
+    state.resultants.resize(point_count_);
+    advance_resultants(std::vector<Vec6>(state.trial.size(), Vec6::Zero()), state);
+}
+
+void System::advance_resultants(const std::vector<Vec6>& increments, State& state) const {
+    for_each_block(blocks_, [&](const auto& block) {
+        using Block = std::remove_cvref_t<decltype(block)>;
+        if constexpr (Block::point_count > 0) {
+            for (std::size_t e = 0; e < block.elements.size(); ++e) {
+                const auto& element = block.elements[e];
+                NodalVector<Block::node_count> increment;
+                for (int i = 0; i < Block::node_count; ++i) {
+                    increment.template segment<6>(6 * i) = increments[element.nodes[i]];
+                }
+                element.advance_resultants(block.motions(state.trial, e),
+                                           block.histories(std::as_const(state), e),
+                                           increment,
+                                           block.resultants(state, e));
+            }
+        }
+    });
 }
 
 void System::commit(State& state, double time) const {
