@@ -16,6 +16,7 @@ enum class Scheme { newmark_simplified, newmark_ibrahimbegovic, generalized_alph
 
 enum class TangentKind {
     consistent,  // the exact derivative
+    mixed,       // its geometric part by resultants that are unknowns of their own (Magisano et al. 2017)
     paper,       // Rubin (2007), (5.6), with its additive update; rigid bodies under newmark_simplified
     difference   // central differences of the residual
 };

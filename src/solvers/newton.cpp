@@ -36,6 +36,7 @@ class Newton {
 
     EquilibriumReport solve() {
         predict();
+        start_resultants();
         if (!check_rotations(state_.previous, predicted_spins()) || !check_step_rotations()) return report_;
         compute_residual();
         while (!is_done()) {
@@ -58,6 +59,12 @@ class Newton {
         if (integrator_.is_static()) return;
         system_.supports().place(time_, state_);
         update_trial_rates(system_, integrator_, stage_, state_);
+    }
+
+    void start_resultants() {
+        const PhaseTimer timer(workspace_.seconds.assembly);
+        state_.resultants.clear();
+        if (settings_.tangent == TangentKind::mixed) system_.start_resultants(state_);
     }
 
     std::vector<Vec3> predicted_spins() const {
@@ -99,6 +106,7 @@ class Newton {
         const PhaseTimer timer(workspace_.seconds.assembly);
         workspace_.linearizations.resize(state_.trial.size());
         switch (settings_.tangent) {
+            case TangentKind::mixed:  // the state holds resultants
             case TangentKind::consistent:
                 integrator_.linearize(state_, stage_, workspace_.linearizations);
                 system_.compute_tangent(state_, time_, workspace_.linearizations, workspace_.values);
@@ -153,17 +161,19 @@ class Newton {
         const PhaseTimer timer(workspace_.seconds.update);
         increment_before_ = last_increment_;
         last_increment_ = measure(increment);
-        std::vector<Vec3> spins(state_.trial.size());
+        std::vector<Vec6> deltas(state_.trial.size());
         for (int node = 0; node < static_cast<int>(state_.trial.size()); ++node) {
-            spins[node] = system_.equations().increment_of(node, increment).tail<3>();
+            deltas[node] = system_.equations().increment_of(node, increment);
         }
         const bool places_supports = moves_supports_ && report_.iterations == 1;
-        if (places_supports) add_support_spins(spins);
-        if (!check_rotations(state_.trial, spins)) return false;
-        for (int node = 0; node < static_cast<int>(state_.trial.size()); ++node) {
-            const Vec3 delta_r = system_.equations().increment_of(node, increment).head<3>();
+        std::vector<Vec6> with_supports = deltas;
+        if (places_supports) add_support_motion(with_supports);
+        if (!check_rotations(state_.trial, spins_of(with_supports))) return false;
+        if (settings_.tangent == TangentKind::mixed) system_.advance_resultants(with_supports, state_);
+        for (std::size_t node = 0; node < state_.trial.size(); ++node) {
+            const Vec3 delta_r = deltas[node].head<3>();
+            const Vec3 delta_phi = deltas[node].tail<3>();
             NodeMotion& trial = state_.trial[node];
-            const Vec3 delta_phi = system_.equations().increment_of(node, increment).tail<3>();
             if (settings_.tangent == TangentKind::paper) {
                 place(state_.previous[node], trial.r + delta_r, trial.theta + delta_phi, trial);
             } else {
@@ -175,8 +185,15 @@ class Newton {
         return check_step_rotations();
     }
 
-    // By how much moving supports will turn their nodes, from the last equilibrium.
-    void add_support_spins(std::vector<Vec3>& spins) {
+    static std::vector<Vec3> spins_of(const std::vector<Vec6>& deltas) {
+        std::vector<Vec3> spins;
+        spins.reserve(deltas.size());
+        for (const Vec6& delta : deltas) spins.push_back(delta.tail<3>());
+        return spins;
+    }
+
+    // By how much moving supports will shift and turn their nodes, from the last equilibrium.
+    void add_support_motion(std::vector<Vec6>& deltas) {
         std::vector<NodeMotion> before;
         for (const Support* support : system_.supports().moving()) {
             before.push_back(state_.trial[support->node]);
@@ -185,7 +202,8 @@ class Newton {
         auto kept = before.begin();
         for (const Support* support : system_.supports().moving()) {
             NodeMotion& trial = state_.trial[support->node];
-            spins[support->node] += trial.theta - kept->theta;
+            deltas[support->node].head<3>() += trial.r - kept->r;
+            deltas[support->node].tail<3>() += trial.theta - kept->theta;
             trial = *kept++;
         }
     }
