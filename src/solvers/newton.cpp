@@ -76,6 +76,7 @@ class Newton {
 
     void compute_residual() {
         const PhaseTimer timer(workspace_.seconds.assembly);
+        residual_before_ = report_.iterations > 0 ? report_.residual : residual_before_;
         system_.compute_residual(state_, time_, workspace_.residual);
         measure_residual(system_, workspace_.residual, report_);
     }
@@ -95,11 +96,16 @@ class Newton {
     }
 
     // Whether round-off is all that is left of the increments: far below the tolerance, a few units of the
-    // last place, or small and no longer shrinking.
+    // last place, or small and no longer shrinking; or the next one would be, going by the last two, and the
+    // residual no longer falls.
     bool has_reached_round_off() const {
         constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
-        if (last_increment_ <= std::max(1e-4 * settings_.tolerance, rounding)) return true;
-        return last_increment_ <= 1e-10 && last_increment_ >= 0.5 * increment_before_;
+        const double nothing = std::max(1e-4 * settings_.tolerance, rounding);
+        if (last_increment_ <= nothing) return true;
+        if (last_increment_ <= 1e-10 && last_increment_ >= 0.5 * increment_before_) return true;
+        if (report_.iterations < 2) return false;
+        const double next_increment = last_increment_ * (last_increment_ / increment_before_);
+        return next_increment <= nothing && report_.residual >= 0.5 * residual_before_;
     }
 
     void compute_tangent() {
@@ -250,6 +256,7 @@ class Newton {
     // The largest |δr| relative to its scale, or |δφ|, of the last two iterations.
     double last_increment_ = std::numeric_limits<double>::infinity();
     double increment_before_ = std::numeric_limits<double>::infinity();
+    double residual_before_ = std::numeric_limits<double>::infinity();  // the last iteration's
     // No relative rotation of an element's nodes is larger; at first that is not known.
     double relative_rotation_bound_ = half_turn;
 };
