@@ -60,7 +60,7 @@ struct DynamicSettings {
 // Equilibria while the load factor t runs from 0 to 1.
 struct StaticSettings {
     long steps = 10;  // equal ones, cut where Newton's method fails
-    NewtonSettings newton;
+    NewtonSettings newton{.tangent = TangentKind::mixed};
     LinearSolverKind linear_solver = LinearSolverKind::automatic;
 };
 
