@@ -56,6 +56,7 @@ struct SolverWorkspace {
 };
 
 // Newton's method for the equilibrium of one stage of an implicit scheme, from the integrator's prediction.
+// Where the mixed tangent fails, the consistent one is tried from the same prediction.
 //
 // Converged when the largest residual force and moment are below tolerance times the largest force and moment
 // that an element or load puts on a node; or, where round-off hides that, when the last increment was below

@@ -269,7 +269,19 @@ EquilibriumReport solve_equilibrium(const System& system,
                                     const Stage& stage,
                                     SolverWorkspace& workspace,
                                     State& state) {
-    return Newton(system, integrator, settings, stage, workspace, state).solve();
+    if (settings.tangent != TangentKind::mixed) {
+        return Newton(system, integrator, settings, stage, workspace, state).solve();
+    }
+    const State start = state;
+    const EquilibriumReport mixed = Newton(system, integrator, settings, stage, workspace, state).solve();
+    if (mixed.converged()) return mixed;
+    // Past a limit point the consistent tangent's wilder increments may find a way.
+    state = start;
+    NewtonSettings other = settings;
+    other.tangent = TangentKind::consistent;
+    EquilibriumReport report = Newton(system, integrator, other, stage, workspace, state).solve();
+    if (report.converged()) report.iterations += mixed.iterations;
+    return report;
 }
 
 }  // namespace gxrod

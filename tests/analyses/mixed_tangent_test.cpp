@@ -1,5 +1,6 @@
 // What the mixed tangent is for: large steps in few iterations, to the same equilibria.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <numbers>
 
 #include "analyses/dynamic.hpp"
@@ -171,6 +172,27 @@ TEST_CASE("the mixed tangent moves damped rods as the consistent one does", "[an
             }
         }
     }
+}
+
+TEST_CASE("an arch snaps through with the mixed tangent too, by way of the consistent one",
+          "[analyses][static][mixed]") {
+    const double radius = 25.25;  // 0.5 high over 10
+    const Line arc = [=](double s) {
+        const double angle = std::asin(5.0 / radius) - s / radius;
+        return Placement{radius * Vec3(-std::sin(angle), 0.0, std::cos(angle)),
+                         exp_quaternion(-angle * Vec3::UnitY())};
+    };
+    const double length = 2.0 * radius * std::asin(5.0 / radius);
+    Model model = make_rod_model(arc, length, {20, 1}, make_section({1e5, 1e5, 1e5, 10.0, 10.0, 10.0}));
+    for (const int node : {0, last_node(model)}) {
+        model.supports.push_back({.node = node, .fixed = {true, true, true, true, false, true}});
+    }
+    add_ramp(model, 10, Vec3(0.0, 0.0, -300.0), Vec3::Zero());
+    const StaticRun consistent = run_static(model, with_tangent(TangentKind::consistent, 10));
+    const StaticRun mixed = run_static(model, with_tangent(TangentKind::mixed, 10));
+    CHECK(consistent.node(10).r.z() < radius - 1.0);
+    CHECK((mixed.node(10).r - consistent.node(10).r).norm() < 1e-6);
+    CHECK(mixed.rejected_steps == 0);
 }
 
 TEST_CASE("a step that is cut leaves nothing behind in the resultants", "[analyses][static][mixed]") {
