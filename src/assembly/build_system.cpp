@@ -108,6 +108,8 @@ void System::build_blocks() {
     for_each_block(blocks_, [this](auto& block) {
         block.first_history = history_count_;
         history_count_ += block.elements.size() * block.history_count;
+        block.first_point = point_count_;
+        point_count_ += block.elements.size() * block.point_count;
         block.is_damped = std::any_of(
             block.elements.begin(), block.elements.end(), [](const auto& e) { return e.is_damped(); });
         is_damped_ = is_damped_ || block.is_damped;

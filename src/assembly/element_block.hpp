@@ -15,11 +15,13 @@ template <Element E>
 struct ElementBlock {
     static constexpr int node_count = E::node_count;
     static constexpr int history_count = E::history_count;
+    static constexpr int point_count = E::point_count;
     static constexpr bool has_section = E::has_section;
 
     std::vector<E> elements;
     std::vector<ElementPlaces<node_count>> places;
     std::size_t first_history = 0;   // of this block in State::sections
+    std::size_t first_point = 0;     // in State::resultants
     std::vector<int> section_index;  // of a rod element among all rod elements of the model
     bool is_damped = false;          // whether any element is
 
@@ -28,6 +30,12 @@ struct ElementBlock {
     }
     std::span<SectionHistory> histories(State& state, std::size_t element) const {
         return {state.sections.data() + first_history + element * history_count, history_count};
+    }
+    Resultants resultants(const State& state, std::size_t element) const {
+        return {state.resultants.data() + first_point + element * point_count, point_count};
+    }
+    std::span<Vec6> resultants(State& state, std::size_t element) const {
+        return {state.resultants.data() + first_point + element * point_count, point_count};
     }
     Motions<node_count> motions(const std::vector<NodeMotion>& nodes, std::size_t element) const {
         return point_at(nodes, elements[element].nodes);

@@ -1,6 +1,7 @@
 #include "assembly/rod_batches.hpp"
 
 #include "assembly/lane_column.hpp"
+#include "elements/lanes/kernel_rows.hpp"
 
 namespace gxrod {
 
@@ -19,7 +20,7 @@ void RodBatches<Nodes>::build(const Block& block, const EquationNumbers& equatio
 
 template <int Nodes>
 void RodBatches<Nodes>::add_to_batches(int element) {
-    const Section section = block_->elements[element].section_rows();
+    const Section section = make_section_rows<Nodes>(block_->elements[element]);
     const bool is_same = !sections_.empty() && sections_.back() == section;
     if (!is_same) sections_.push_back(section);
     if (!is_same || batches_.back().count == width_) {
@@ -39,7 +40,8 @@ void RodBatches<Nodes>::write_constants() {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         for (int lane = 0; lane < width_; ++lane) {
             LaneColumn column(&constants_[b * batch_size], lane, width_);
-            for (const double constant : block_->elements[batches_[b].elements[lane]].constant_rows()) {
+            for (const double constant :
+                 make_constant_rows<Nodes>(block_->elements[batches_[b].elements[lane]])) {
                 column.write(constant);
             }
         }

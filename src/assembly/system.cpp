@@ -144,21 +144,29 @@ void System::compute_tangent(const State& state,
                              std::vector<double>& values) const {
     values.assign(pattern_.rows.size(), 0.0);
     const Vec3 gravity = model_->gravity(time);
-    for_each_block(rod_batches_,
-                   [&](const auto& batches) { batches.add_tangents(state.trial, linearizations, values); });
-    rotary_batches_.add_tangents(state.trial, linearizations, values);
+    const bool is_mixed = !state.resultants.empty();
+    if (!is_mixed) {
+        for_each_block(rod_batches_, [&](const auto& batches) {
+            batches.add_tangents(state.trial, linearizations, values);
+        });
+        rotary_batches_.add_tangents(state.trial, linearizations, values);
+    }
     for_each_block(blocks_, [&](const auto& block) {
         constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
         using Tangent = NodalMatrix<node_count>;
         for (std::size_t e = 0; e < block.elements.size(); ++e) {
-            const bool is_alone = !is_in_batch(rod_batches_, block, e);
+            const bool is_alone = is_mixed || !is_in_batch(rod_batches_, block, e);
             if (!is_alone && !block.is_damped) continue;
             const auto& element = block.elements[e];
             const auto motions = block.motions(state.trial, e);
             const auto nodal = block.point_at(linearizations, element.nodes);
             const Histories histories = block.histories(state, e);
             Tangent tangent = Tangent::Zero();
-            if (is_alone) element.add_internal_tangent(motions, histories, nodal, tangent);
+            if (is_mixed) {
+                element.add_mixed_tangent(motions, histories, block.resultants(state, e), nodal, tangent);
+            } else if (is_alone) {
+                element.add_internal_tangent(motions, histories, nodal, tangent);
+            }
             if (block.is_damped) element.add_damping_tangent(motions, histories, nodal, tangent);
             if (is_alone) element.add_inertial_tangent(motions, gravity, nodal, tangent);
             turn_to_own_axes(std::span<const int>(element.nodes), equations_, tangent);
@@ -166,6 +174,30 @@ void System::compute_tangent(const State& state,
         }
     });
     add_load_tangents(state, time, linearizations, values);
+}
+
+void System::start_resultants(State& state) const {
+    state.resultants.resize(point_count_);
+    advance_resultants(std::vector<Vec6>(state.trial.size(), Vec6::Zero()), state);
+}
+
+void System::advance_resultants(const std::vector<Vec6>& increments, State& state) const {
+    for_each_block(blocks_, [&](const auto& block) {
+        using Block = std::remove_cvref_t<decltype(block)>;
+        if constexpr (Block::point_count > 0) {
+            for (std::size_t e = 0; e < block.elements.size(); ++e) {
+                const auto& element = block.elements[e];
+                NodalVector<Block::node_count> increment;
+                for (int i = 0; i < Block::node_count; ++i) {
+                    increment.template segment<6>(6 * i) = increments[element.nodes[i]];
+                }
+                element.advance_resultants(block.motions(state.trial, e),
+                                           block.histories(std::as_const(state), e),
+                                           increment,
+                                           block.resultants(state, e));
+            }
+        }
+    });
 }
 
 void System::commit(State& state, double time) const {

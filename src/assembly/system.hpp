@@ -65,11 +65,17 @@ class System {
 
     // Of the trial motions, with loads at `time`.
     void compute_residual(const State& state, double time, Residual& residual) const;
-    // The derivative of the residual by the linearizations, as values on the pattern.
+    // The derivative of the residual by the linearizations, as values on the pattern; the mixed tangent
+    // instead if the state holds resultants.
     void compute_tangent(const State& state,
                          double time,
                          const std::vector<NodeLinearization>& linearizations,
                          std::vector<double>& values) const;
+
+    // Sets the state's resultants, of the mixed tangent, to those of the strains of the trial motions, or to
+    // what these become by increments (δr, δφ) of the nodes, to first order.
+    void start_resultants(State& state) const;
+    void advance_resultants(const std::vector<Vec6>& increments, State& state) const;
 
     // Makes the trial motions the last accepted step, at `time`.
     void commit(State& state, double time) const;
@@ -118,6 +124,7 @@ class System {
     std::vector<std::vector<std::int64_t>> loaded_element_slots_;
     double length_scale_ = 1.0;
     std::size_t history_count_ = 0;
+    std::size_t point_count_ = 0;
     int rod_element_count_ = 0;
     bool is_damped_ = false;
 };

@@ -89,17 +89,18 @@ void check_paper_tangent(const CheckedTable& newton, const std::string& user, co
     }
 }
 
-NewtonSettings build_newton(const CheckedTable& analysis,
-                            const std::string& user,
-                            const BuildContext& context) {
-    NewtonSettings newton;
-    if (!analysis.gives("newton")) return newton;
+// Sets what the deck gives.
+void read_newton(const CheckedTable& analysis,
+                 const std::string& user,
+                 const BuildContext& context,
+                 NewtonSettings& newton) {
+    if (!analysis.gives("newton")) return;
     const CheckedTable& table = analysis.tables("newton").front();
     newton.tolerance = table.get<double>("tolerance");
     newton.max_iterations = static_cast<int>(table.get<long>("max_iterations"));
+    if (!table.gives("tangent")) return;
     newton.tangent = value_of(tangent_choices, table.get<std::string>("tangent"));
     if (newton.tangent == TangentKind::paper) check_paper_tangent(table, user, context);
-    return newton;
 }
 
 LinearSolverKind find_linear_solver(const CheckedTable& table) {
@@ -118,7 +119,7 @@ DynamicSettings build_dynamic(const CheckedTable& table, const BuildContext& con
     if (settings.adaptive) note_first_step(settings, table, context);
     const bool is_papers_scheme = settings.scheme == Scheme::newmark_simplified;
     const std::string user = "\"" + word_of(scheme_choices, settings.scheme) + "\"";
-    settings.newton = build_newton(table, is_papers_scheme ? "" : user, context);
+    read_newton(table, is_papers_scheme ? "" : user, context, settings.newton);
     settings.linear_solver = find_linear_solver(table);
     return settings;
 }
@@ -126,7 +127,7 @@ DynamicSettings build_dynamic(const CheckedTable& table, const BuildContext& con
 StaticSettings build_static(const CheckedTable& table, const BuildContext& context) {
     StaticSettings settings;
     if (table.gives("steps")) settings.steps = table.get<long>("steps");
-    settings.newton = build_newton(table, "static analyses", context);
+    read_newton(table, "static analyses", context, settings.newton);
     settings.linear_solver = find_linear_solver(table);
     return settings;
 }

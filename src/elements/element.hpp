@@ -26,6 +26,8 @@ using Linearizations = std::array<const NodeLinearization*, Nodes>;
 
 // The histories of an element's force points, one after the other.
 using Histories = std::span<const SectionHistory>;
+// Resultants (N, M) at an element's force points, material; those of the mixed tangent.
+using Resultants = std::span<const Vec6>;
 
 template <class E>
 concept Element = requires(const E& element,
@@ -33,15 +35,20 @@ concept Element = requires(const E& element,
                            const Linearizations<E::node_count>& linearizations,
                            Histories histories,
                            std::span<SectionHistory> writable,
+                           Resultants resultants,
+                           std::span<Vec6> writable_resultants,
                            const Vec3& gravity,
                            NodalVector<E::node_count>& force,
                            NodalMatrix<E::node_count>& tangent) {
     { E::node_count } -> std::convertible_to<int>;
     { E::history_count } -> std::convertible_to<int>;
+    { E::point_count } -> std::convertible_to<int>;
     { E::has_section } -> std::convertible_to<bool>;
     { element.nodes } -> std::convertible_to<std::array<int, E::node_count>>;
     element.add_internal_force(motions, histories, force);
     element.add_internal_tangent(motions, histories, linearizations, tangent);
+    element.add_mixed_tangent(motions, histories, resultants, linearizations, tangent);
+    element.advance_resultants(motions, histories, force, writable_resultants);
     element.add_inertial_force(motions, gravity, force);
     element.add_inertial_tangent(motions, gravity, linearizations, tangent);
     { element.is_damped() } -> std::same_as<bool>;

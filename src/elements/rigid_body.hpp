@@ -10,6 +10,7 @@ class RigidBody {
   public:
     static constexpr int node_count = 1;
     static constexpr int history_count = 0;
+    static constexpr int point_count = 0;
     static constexpr bool has_section = false;
     std::array<int, 1> nodes;
 
@@ -18,6 +19,9 @@ class RigidBody {
     void add_internal_force(const Motions<1>&, Histories, NodalVector<1>&) const {}
     void add_internal_tangent(const Motions<1>&, Histories, const Linearizations<1>&, NodalMatrix<1>&) const {
     }
+    void add_mixed_tangent(
+        const Motions<1>&, Histories, Resultants, const Linearizations<1>&, NodalMatrix<1>&) const {}
+    void advance_resultants(const Motions<1>&, Histories, const NodalVector<1>&, std::span<Vec6>) const {}
     void add_inertial_force(const Motions<1>& motions, const Vec3& gravity, NodalVector<1>& force) const;
     void add_inertial_tangent(const Motions<1>& motions,
                               const Vec3& gravity,

@@ -16,6 +16,7 @@ enum class Scheme { newmark_simplified, newmark_ibrahimbegovic, generalized_alph
 
 enum class TangentKind {
     consistent,  // the exact derivative
+    mixed,       // its geometric part by resultants that are unknowns of their own (Magisano et al. 2017)
     paper,       // Rubin (2007), (5.6), with its additive update; rigid bodies under newmark_simplified
     difference   // central differences of the residual
 };
@@ -59,7 +60,7 @@ struct DynamicSettings {
 // Equilibria while the load factor t runs from 0 to 1.
 struct StaticSettings {
     long steps = 10;  // equal ones, cut where Newton's method fails
-    NewtonSettings newton;
+    NewtonSettings newton{.tangent = TangentKind::mixed};
     LinearSolverKind linear_solver = LinearSolverKind::automatic;
 };
 

@@ -36,6 +36,7 @@ class Newton {
 
     EquilibriumReport solve() {
         predict();
+        start_resultants();
         if (!check_rotations(state_.previous, predicted_spins()) || !check_step_rotations()) return report_;
         compute_residual();
         while (!is_done()) {
@@ -60,6 +61,12 @@ class Newton {
         update_trial_rates(system_, integrator_, stage_, state_);
     }
 
+    void start_resultants() {
+        const PhaseTimer timer(workspace_.seconds.assembly);
+        state_.resultants.clear();
+        if (settings_.tangent == TangentKind::mixed) system_.start_resultants(state_);
+    }
+
     std::vector<Vec3> predicted_spins() const {
         std::vector<Vec3> spins;
         spins.reserve(state_.trial.size());
@@ -69,6 +76,7 @@ class Newton {
 
     void compute_residual() {
         const PhaseTimer timer(workspace_.seconds.assembly);
+        residual_before_ = report_.iterations > 0 ? report_.residual : residual_before_;
         system_.compute_residual(state_, time_, workspace_.residual);
         measure_residual(system_, workspace_.residual, report_);
     }
@@ -88,17 +96,23 @@ class Newton {
     }
 
     // Whether round-off is all that is left of the increments: far below the tolerance, a few units of the
-    // last place, or small and no longer shrinking.
+    // last place, or small and no longer shrinking; or the next one would be, going by the last two, and the
+    // residual no longer falls.
     bool has_reached_round_off() const {
         constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
-        if (last_increment_ <= std::max(1e-4 * settings_.tolerance, rounding)) return true;
-        return last_increment_ <= 1e-10 && last_increment_ >= 0.5 * increment_before_;
+        const double nothing = std::max(1e-4 * settings_.tolerance, rounding);
+        if (last_increment_ <= nothing) return true;
+        if (last_increment_ <= 1e-10 && last_increment_ >= 0.5 * increment_before_) return true;
+        if (report_.iterations < 2) return false;
+        const double next_increment = last_increment_ * (last_increment_ / increment_before_);
+        return next_increment <= nothing && report_.residual >= 0.5 * residual_before_;
     }
 
     void compute_tangent() {
         const PhaseTimer timer(workspace_.seconds.assembly);
         workspace_.linearizations.resize(state_.trial.size());
         switch (settings_.tangent) {
+            case TangentKind::mixed:  // the state holds resultants
             case TangentKind::consistent:
                 integrator_.linearize(state_, stage_, workspace_.linearizations);
                 system_.compute_tangent(state_, time_, workspace_.linearizations, workspace_.values);
@@ -136,10 +150,10 @@ class Newton {
     }
 
     // The largest |δr| relative to its scale, or |δφ|.
-    double measure(const std::vector<Vec6>& increments) const {
+    double measure(const std::vector<Vec6>& deltas) const {
         double largest = 0.0;
-        for (std::size_t node = 0; node < increments.size(); ++node) {
-            const Vec6& delta = increments[node];
+        for (std::size_t node = 0; node < deltas.size(); ++node) {
+            const Vec6& delta = deltas[node];
             const double scale = std::max(system_.length_scale(), state_.trial[node].r.norm());
             largest = std::max({largest,
                                 delta.head<3>().lpNorm<Eigen::Infinity>() / scale,
@@ -152,19 +166,19 @@ class Newton {
     bool apply(const Eigen::VectorXd& increment) {
         const PhaseTimer timer(workspace_.seconds.update);
         increment_before_ = last_increment_;
-        std::vector<Vec6> increments(state_.trial.size());
-        std::vector<Vec3> spins(state_.trial.size());
-        for (int node = 0; node < static_cast<int>(increments.size()); ++node) {
-            increments[node] = system_.equations().increment_of(node, increment);
-            spins[node] = increments[node].tail<3>();
+        std::vector<Vec6> deltas(state_.trial.size());
+        for (int node = 0; node < static_cast<int>(state_.trial.size()); ++node) {
+            deltas[node] = system_.equations().increment_of(node, increment);
         }
-        last_increment_ = measure(increments);
+        last_increment_ = measure(deltas);
         const bool places_supports = moves_supports_ && report_.iterations == 1;
-        if (places_supports) add_support_spins(spins);
-        if (!check_rotations(state_.trial, spins)) return false;
-        for (std::size_t node = 0; node < increments.size(); ++node) {
-            const Vec3 delta_r = increments[node].head<3>();
-            const Vec3 delta_phi = increments[node].tail<3>();
+        std::vector<Vec6> with_supports = deltas;
+        if (places_supports) add_support_motion(with_supports);
+        if (!check_rotations(state_.trial, spins_of(with_supports))) return false;
+        if (settings_.tangent == TangentKind::mixed) system_.advance_resultants(with_supports, state_);
+        for (std::size_t node = 0; node < state_.trial.size(); ++node) {
+            const Vec3 delta_r = deltas[node].head<3>();
+            const Vec3 delta_phi = deltas[node].tail<3>();
             NodeMotion& trial = state_.trial[node];
             if (settings_.tangent == TangentKind::paper) {
                 place(state_.previous[node], trial.r + delta_r, trial.theta + delta_phi, trial);
@@ -177,8 +191,15 @@ class Newton {
         return check_step_rotations();
     }
 
-    // By how much moving supports will turn their nodes, from the last equilibrium.
-    void add_support_spins(std::vector<Vec3>& spins) {
+    static std::vector<Vec3> spins_of(const std::vector<Vec6>& deltas) {
+        std::vector<Vec3> spins;
+        spins.reserve(deltas.size());
+        for (const Vec6& delta : deltas) spins.push_back(delta.tail<3>());
+        return spins;
+    }
+
+    // By how much moving supports will shift and turn their nodes, from the last equilibrium.
+    void add_support_motion(std::vector<Vec6>& deltas) {
         std::vector<NodeMotion> before;
         for (const Support* support : system_.supports().moving()) {
             before.push_back(state_.trial[support->node]);
@@ -187,7 +208,8 @@ class Newton {
         auto kept = before.begin();
         for (const Support* support : system_.supports().moving()) {
             NodeMotion& trial = state_.trial[support->node];
-            spins[support->node] += trial.theta - kept->theta;
+            deltas[support->node].head<3>() += trial.r - kept->r;
+            deltas[support->node].tail<3>() += trial.theta - kept->theta;
             trial = *kept++;
         }
     }
@@ -234,6 +256,7 @@ class Newton {
     // The largest |δr| relative to its scale, or |δφ|, of the last two iterations.
     double last_increment_ = std::numeric_limits<double>::infinity();
     double increment_before_ = std::numeric_limits<double>::infinity();
+    double residual_before_ = std::numeric_limits<double>::infinity();  // the last iteration's
     // No relative rotation of an element's nodes is larger; at first that is not known.
     double relative_rotation_bound_ = half_turn;
 };
@@ -246,7 +269,19 @@ EquilibriumReport solve_equilibrium(const System& system,
                                     const Stage& stage,
                                     SolverWorkspace& workspace,
                                     State& state) {
-    return Newton(system, integrator, settings, stage, workspace, state).solve();
+    if (settings.tangent != TangentKind::mixed) {
+        return Newton(system, integrator, settings, stage, workspace, state).solve();
+    }
+    const State start = state;
+    const EquilibriumReport mixed = Newton(system, integrator, settings, stage, workspace, state).solve();
+    if (mixed.converged()) return mixed;
+    // Past a limit point the consistent tangent's wilder increments may find a way.
+    state = start;
+    NewtonSettings other = settings;
+    other.tangent = TangentKind::consistent;
+    EquilibriumReport report = Newton(system, integrator, other, stage, workspace, state).solve();
+    if (report.converged()) report.iterations += mixed.iterations;
+    return report;
 }
 
 }  // namespace gxrod

@@ -33,6 +33,8 @@ struct State {
     std::vector<NodeMotion> previous;      // per node, at the last accepted step
     std::vector<NodeMotion> trial;         // per node, where equilibrium is asked
     std::vector<SectionHistory> sections;  // per force point, in element order
+    // Resultants (N, M) per force point, material, that the mixed tangent is made of; empty with any other.
+    std::vector<Vec6> resultants;
     std::vector<AlgorithmicAcceleration> algorithmic_previous,
         algorithmic_trial;                        // per node; generalized-α only
     std::vector<std::vector<StageRates>> stages;  // [stage][node]; Runge-Kutta schemes only

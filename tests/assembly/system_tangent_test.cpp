@@ -8,6 +8,7 @@
 #include "integrators/newmark_simplified.hpp"
 #include "solvers/difference_tangent.hpp"
 #include "solvers/trial_rates.hpp"
+#include "state/increment.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;
@@ -52,6 +53,56 @@ TEST_CASE("tangents of turned models are derivatives of the residual", "[assembl
             check_tangent(system, NewmarkSimplified({}), seed);
         }
         check_tangent(system, GeneralizedAlpha(0.5), 3);
+    });
+}
+
+TEST_CASE("with the resultants of the strains, tangents of turned models stay what they are",
+          "[assembly][mixed]") {
+    for_each_turned_model([](const Model& model) {
+        const System system(model);
+        State state = make_turned_state(system, 5);
+        std::vector<NodeLinearization> linearizations(state.trial.size());
+        LoadStepping().linearize(state, stage, linearizations);
+        std::vector<double> consistent, mixed;
+        system.compute_tangent(state, now, linearizations, consistent);
+        system.start_resultants(state);
+        system.compute_tangent(state, now, linearizations, mixed);
+        CHECK(relative_difference(make_dense(system.pattern(), mixed),
+                                  make_dense(system.pattern(), consistent)) < 1e-15);
+        for (Vec6& resultants : state.resultants) resultants *= 1.5;
+        system.compute_tangent(state, now, linearizations, mixed);
+        CHECK(relative_difference(make_dense(system.pattern(), mixed),
+                                  make_dense(system.pattern(), consistent)) > 1e-3);
+    });
+}
+
+TEST_CASE("resultants of a model advance with its nodes", "[assembly][mixed]") {
+    for_each_turned_model([](const Model& model) {
+        const System system(model);
+        State state = make_turned_state(system, 6);
+        RandomValues random(61);
+        std::vector<Vec6> increments(state.trial.size());
+        for (Vec6& increment : increments) increment << random.vector(), random.vector();
+        const auto resultants_after = [&](double amount) {
+            State moved = state;
+            for (std::size_t i = 0; i < increments.size(); ++i) {
+                const Vec6 delta = amount * increments[i];
+                apply_spin(state.previous[i], delta.head<3>(), delta.tail<3>(), moved.trial[i]);
+            }
+            system.start_resultants(moved);
+            Eigen::VectorXd stacked(6 * moved.resultants.size());
+            for (std::size_t p = 0; p < moved.resultants.size(); ++p)
+                stacked.segment<6>(6 * static_cast<Eigen::Index>(p)) = moved.resultants[p];
+            return stacked;
+        };
+        const Eigen::VectorXd expected = resultants_after(0.0) + differentiate(resultants_after, 2e-3);
+        system.start_resultants(state);
+        system.advance_resultants(increments, state);
+        REQUIRE(expected.size() == static_cast<Eigen::Index>(6 * state.resultants.size()));
+        for (std::size_t p = 0; p < state.resultants.size(); ++p) {
+            const Vec6 of_point = expected.segment<6>(6 * static_cast<Eigen::Index>(p));
+            CHECK(relative_difference(state.resultants[p], of_point) < 1e-8);
+        }
     });
 }
 

@@ -37,6 +37,9 @@ TEST_CASE("A static analysis has steps of the load factor", "[deck]") {
     };
     CHECK(settings("").steps == 10);
     CHECK(settings("").newton.tolerance == NewtonSettings{}.tolerance);
+    CHECK(settings("").newton.tangent == TangentKind::mixed);
+    CHECK(settings("newton = { tolerance = 1e-5 }\n").newton.tangent == TangentKind::mixed);
+    CHECK(settings("newton = { tangent = \"consistent\" }\n").newton.tangent == TangentKind::consistent);
     const StaticSettings given = settings(
         "steps = 7\nnewton = { tolerance = 1e-5, max_iterations = 8, tangent = \"difference\" }\n"
         "linear_solver = \"klu\"\n");
@@ -74,6 +77,8 @@ TEST_CASE("Every integrator, tangent and solver has its word", "[deck]") {
     CHECK(analysis("integrator = \"generalized-alpha\"").scheme == Scheme::generalized_alpha);
     CHECK(analysis("integrator = \"sdirk-4\"").scheme == Scheme::sdirk_4);
     CHECK(analysis("integrator = \"runge-kutta-4\"").scheme == Scheme::runge_kutta_4);
+    CHECK(analysis("").newton.tangent == TangentKind::consistent);
+    CHECK(analysis("newton.tangent = \"mixed\"").newton.tangent == TangentKind::mixed);
     CHECK(analysis("newton.tangent = \"consistent\"").newton.tangent == TangentKind::consistent);
     CHECK(analysis("newton.tangent = \"difference\"").newton.tangent == TangentKind::difference);
     CHECK(analysis("linear_solver = \"auto\"").linear_solver == LinearSolverKind::automatic);

@@ -115,6 +115,19 @@ TEST_CASE("Newton's method converges quadratically with the consistent tangent",
     }
 }
 
+TEST_CASE("Newton's method converges quadratically with the mixed tangent", "[solvers][mixed]") {
+    for (const SchemeSample& scheme : all_schemes()) {
+        if (scheme.settings.scheme == Scheme::runge_kutta_4 || scheme.settings.beta < 0.25) continue;
+        for (const Start& start : make_starts(scheme.settings)) {
+            const auto residuals = measure_residuals(start, scheme.settings, TangentKind::mixed);
+            INFO(scheme.name << ", " << start.name << ": " << print(residuals));
+            CHECK(residuals.back() < 1e-11);
+            CHECK(residuals.size() <= 6);
+            CHECK(compute_order(residuals) > 1.75);
+        }
+    }
+}
+
 TEST_CASE("Newton's method converges linearly with the paper's tangent", "[solvers]") {
     const SchemeSample& scheme = all_schemes().front();
     const Start start = make_starts(scheme.settings).front();

@@ -70,6 +70,18 @@ void InterpolatedRod<Nodes>::add_matrix(const ForcePoint& point,
 }
 
 template <int Nodes>
+void InterpolatedRod<Nodes>::add_hessian(const ForcePoint& point,
+                                         const SectionFields& fields,
+                                         const SectionHistory& history,
+                                         const Vec6& resultants,
+                                         NodalMatrix<Nodes>& hessian) const {
+    const StrainGradient E_u = compute_strain_gradient(fields, history);
+    const StrainGradient C_E_u = stiffness_ * E_u;
+    add_matrix(
+        point, E_u.transpose() * C_E_u + compute_geometric_hessian(fields, history, resultants), hessian);
+}
+
+template <int Nodes>
 double InterpolatedRod<Nodes>::strain_energy(const LocalMotion<Nodes>& motion, Histories histories) const {
     double energy = 0.0;
     for (int p = 0; p < point_count; ++p) {
@@ -101,13 +113,44 @@ NodalMatrix<Nodes> InterpolatedRod<Nodes>::compute_hessian(const LocalMotion<Nod
         const ForcePoint& point = points_[p];
         const SectionFields fields = interpolate(point, motion);
         const Vec6 resultants = stiffness_ * compute_strain(fields, histories[p], point.reference);
-        const StrainGradient E_u = compute_strain_gradient(fields, histories[p]);
-        const StrainGradient C_E_u = stiffness_ * E_u;
-        add_matrix(point,
-                   E_u.transpose() * C_E_u + compute_geometric_hessian(fields, histories[p], resultants),
-                   hessian);
+        add_hessian(point, fields, histories[p], resultants, hessian);
     }
     return hessian;
+}
+
+template <int Nodes>
+NodalVector<Nodes> InterpolatedRod<Nodes>::compute_force_of(const LocalMotion<Nodes>& motion,
+                                                            Histories histories,
+                                                            Resultants resultants) const {
+    NodalVector<Nodes> force = NodalVector<Nodes>::Zero();
+    for (int p = 0; p < point_count; ++p) {
+        const StrainGradient E_u = compute_strain_gradient(interpolate(points_[p], motion), histories[p]);
+        add_force(points_[p], E_u.transpose() * resultants[p], force);
+    }
+    return force;
+}
+
+template <int Nodes>
+NodalMatrix<Nodes> InterpolatedRod<Nodes>::compute_mixed_hessian(const LocalMotion<Nodes>& motion,
+                                                                 Histories histories,
+                                                                 Resultants resultants) const {
+    NodalMatrix<Nodes> hessian = NodalMatrix<Nodes>::Zero();
+    for (int p = 0; p < point_count; ++p) {
+        add_hessian(points_[p], interpolate(points_[p], motion), histories[p], resultants[p], hessian);
+    }
+    return hessian;
+}
+
+template <int Nodes>
+void InterpolatedRod<Nodes>::advance_resultants(const LocalMotion<Nodes>& motion,
+                                                const LocalMotion<Nodes>& increment,
+                                                Histories histories,
+                                                std::span<Vec6> resultants) const {
+    for (int p = 0; p < point_count; ++p) {
+        const ForcePoint& point = points_[p];
+        const Vec6 strain = compute_strain(interpolate(point, motion), histories[p], point.reference);
+        resultants[p] = stiffness_ * (strain + compute_strain_rates(point, motion, increment, histories[p]));
+    }
 }
 
 template <int Nodes>

@@ -43,6 +43,20 @@ class InterpolatedRod {
     // ∂²W/∂(r_I, θ_I)², symmetric.
     NodalMatrix<Nodes> compute_hessian(const LocalMotion<Nodes>& motion, Histories histories) const;
 
+    // Σ Eᵀ S of resultants S of the points, whatever the strains, in the place of the gradient; and
+    // Σ (Eᵀ C E + G(S)) in the place of the hessian (docs/theory/rods.md, (R34)).
+    NodalVector<Nodes> compute_force_of(const LocalMotion<Nodes>& motion,
+                                        Histories histories,
+                                        Resultants resultants) const;
+    NodalMatrix<Nodes> compute_mixed_hessian(const LocalMotion<Nodes>& motion,
+                                             Histories histories,
+                                             Resultants resultants) const;
+    // C (E + E_u δu): the resultants after an increment δu of the motion, to first order.
+    void advance_resultants(const LocalMotion<Nodes>& motion,
+                            const LocalMotion<Nodes>& increment,
+                            Histories histories,
+                            std::span<Vec6> resultants) const;
+
     // The generalised force of the resultants τ C Ė (Kelvin & Voigt), Ė the strain rates at these `rates`.
     NodalVector<Nodes> compute_damping_force(const LocalMotion<Nodes>& motion,
                                              const LocalMotion<Nodes>& rates,
@@ -91,6 +105,11 @@ class InterpolatedRod {
                                        Histories histories) const;
     static void add_force(const ForcePoint& point, const Vec9& density, NodalVector<Nodes>& force);
     static void add_matrix(const ForcePoint& point, const Mat9& density, NodalMatrix<Nodes>& matrix);
+    void add_hessian(const ForcePoint& point,
+                     const SectionFields& fields,
+                     const SectionHistory& history,
+                     const Vec6& resultants,
+                     NodalMatrix<Nodes>& hessian) const;
     Vec6 compute_strain_rates(const ForcePoint& point,
                               const LocalMotion<Nodes>& motion,
                               const LocalMotion<Nodes>& rates,

@@ -18,6 +18,35 @@ void visit_state(const TwoNodeRod<double>& rod,
     visit(TwoNodeRod<double>::State(rod, rotation, a, motions[1]->r - motions[0]->r));
 }
 
+void add_tangents(const TwoNodeRod<double>::Tangents& t,
+                  const Linearizations<2>& linearizations,
+                  NodalMatrix<2>& tangent) {
+    const double at_a = linearizations[0]->placement;
+    const double at_b = linearizations[1]->placement;
+    const auto add = [&](int row, const Mat3& by_u, const Mat3& by_a, const Mat3& by_b) {
+        tangent.block<3, 3>(row, 0) -= at_a * by_u;
+        tangent.block<3, 3>(row, 3) += at_a * by_a;
+        tangent.block<3, 3>(row, 6) += at_b * by_u;
+        tangent.block<3, 3>(row, 9) += at_b * by_b;
+    };
+    add(0, -t.n_u, -t.n_a, -t.n_b);
+    add(3, t.a_u, t.a_a, t.a_b);
+    add(6, t.n_u, t.n_a, t.n_b);
+    add(9, t.b_u, t.b_a, t.b_b);
+}
+
+// The rates of the map follow nodal rates as its motion follows increments.
+template <int Nodes>
+std::array<NodeMotion, Nodes> with_rates(const Motions<Nodes>& motions, const NodalVector<Nodes>& rates) {
+    std::array<NodeMotion, Nodes> moving;
+    for (int i = 0; i < Nodes; ++i) {
+        moving[i] = *motions[i];
+        moving[i].v = rates.template segment<3>(6 * i);
+        moving[i].omega = rates.template segment<3>(6 * i + 3);
+    }
+    return moving;
+}
+
 }  // namespace
 
 template <int Nodes, class Map>
@@ -37,55 +66,6 @@ RodElement<Nodes, Map>::RodElement(const RodElementGeometry<Nodes>& geometry, co
         two_node_.C_NM = section.stiffness.topRightCorner<3, 3>();
         two_node_.C_MM = section.stiffness.bottomRightCorner<3, 3>();
     }
-}
-
-template <int Nodes, class Map>
-auto RodElement<Nodes, Map>::section_rows() const -> std::array<double, RodKernels<Nodes>::section_rows> {
-    std::array<double, RodKernels<Nodes>::section_rows> rows;
-    const Mat6& C = rod_.stiffness();
-    double* target = rows.data();
-    for (const Mat3& block : {Mat3(C.template topLeftCorner<3, 3>()),
-                              Mat3(C.template topRightCorner<3, 3>()),
-                              Mat3(C.template bottomRightCorner<3, 3>())}) {
-        target = std::copy_n(block.data(), 9, target);
-    }
-    if constexpr (Nodes > 2) {
-        const auto rule = compute_gauss_rule<Nodes - 1>();
-        for (const auto& point : rule) *target++ = point.weight;
-        for (const auto& point : rule) {
-            const NodeValues<Nodes> shape = compute_shape_functions<Nodes>(point.xi);
-            target = std::copy_n(shape.data(), Nodes, target);
-        }
-        for (const auto& point : rule) {
-            const NodeValues<Nodes> slope = compute_shape_slopes<Nodes>(point.xi);
-            target = std::copy_n(slope.data(), Nodes, target);
-        }
-    }
-    return rows;
-}
-
-template <int Nodes, class Map>
-auto RodElement<Nodes, Map>::constant_rows() const -> std::array<double, RodKernels<Nodes>::constant_rows> {
-    std::array<double, RodKernels<Nodes>::constant_rows> rows;
-    double* target = rows.data();
-    const auto write = [&target](double jacobian, const Vec3& Gamma_0, const Vec3& Kappa_0) {
-        *target++ = jacobian;
-        target = std::copy_n(Gamma_0.data(), 3, target);
-        target = std::copy_n(Kappa_0.data(), 3, target);
-    };
-    if constexpr (is_two_node_objective) {
-        write(two_node_.length, two_node_.Gamma_0, two_node_.Kappa_0);
-    } else {
-        for (int p = 0; p < Nodes - 1; ++p) {
-            const auto [jacobian, strain] = rod_.reference(p);
-            write(jacobian, strain.Gamma, strain.Kappa);
-        }
-    }
-    for (const Quat& triad : triads_) target = std::copy_n(triad.coeffs().data(), 4, target);
-    for (int i = 0; i < Nodes; ++i) {
-        for (int j = i; j < Nodes; ++j) *target++ = inertia_.mass()(i, j);
-    }
-    return rows;
 }
 
 template <int Nodes, class Map>
@@ -164,19 +144,7 @@ void RodElement<Nodes, Map>::add_internal_tangent(const Motions<Nodes>& motions,
                                                   NodalMatrix<Nodes>& tangent) const {
     if constexpr (is_two_node_objective) {
         visit_state(two_node_, motions, triads_, [&](const TwoNodeRod<double>::State& state) {
-            const TwoNodeRod<double>::Tangents t = state.compute_tangents();
-            const double at_a = linearizations[0]->placement;
-            const double at_b = linearizations[1]->placement;
-            const auto add = [&](int row, const Mat3& by_u, const Mat3& by_a, const Mat3& by_b) {
-                tangent.template block<3, 3>(row, 0) -= at_a * by_u;
-                tangent.template block<3, 3>(row, 3) += at_a * by_a;
-                tangent.template block<3, 3>(row, 6) += at_b * by_u;
-                tangent.template block<3, 3>(row, 9) += at_b * by_b;
-            };
-            add(0, -t.n_u, -t.n_a, -t.n_b);
-            add(3, t.a_u, t.a_a, t.a_b);
-            add(6, t.n_u, t.n_a, t.n_b);
-            add(9, t.b_u, t.b_a, t.b_b);
+            add_tangents(state.compute_tangents(), linearizations, tangent);
         });
     } else {
         const Map map(motions, triads_);
@@ -185,6 +153,48 @@ void RodElement<Nodes, Map>::add_internal_tangent(const Motions<Nodes>& motions,
                         rod_.compute_hessian(map.local(), known),
                         linearizations,
                         tangent);
+    }
+}
+
+template <int Nodes, class Map>
+void RodElement<Nodes, Map>::add_mixed_tangent(const Motions<Nodes>& motions,
+                                               Histories histories,
+                                               Resultants resultants,
+                                               const Linearizations<Nodes>& linearizations,
+                                               NodalMatrix<Nodes>& tangent) const {
+    if constexpr (is_two_node_objective) {
+        visit_state(two_node_, motions, triads_, [&](TwoNodeRod<double>::State state) {
+            state.set_resultants({resultants[0].head<3>(), resultants[0].tail<3>()});
+            add_tangents(state.compute_tangents(), linearizations, tangent);
+        });
+    } else {
+        const Map map(motions, triads_);
+        const Histories known = histories_of_points(histories);
+        map.add_tangent(rod_.compute_force_of(map.local(), known, resultants),
+                        rod_.compute_mixed_hessian(map.local(), known, resultants),
+                        linearizations,
+                        tangent);
+    }
+}
+
+template <int Nodes, class Map>
+void RodElement<Nodes, Map>::advance_resultants(const Motions<Nodes>& motions,
+                                                Histories histories,
+                                                const NodalVector<Nodes>& increment,
+                                                std::span<Vec6> resultants) const {
+    if constexpr (is_two_node_objective) {
+        visit_state(two_node_, motions, triads_, [&](const TwoNodeRod<double>::State& state) {
+            const auto [N, M] =
+                state.advance_resultants(increment.template segment<3>(6) - increment.template segment<3>(0),
+                                         increment.template segment<3>(3),
+                                         increment.template segment<3>(9));
+            resultants[0] << N, M;
+        });
+    } else {
+        const Map map(motions, triads_);
+        const std::array<NodeMotion, Nodes> moving = with_rates<Nodes>(motions, increment);
+        rod_.advance_resultants(
+            map.local(), map.compute_rates(point_at(moving)), histories_of_points(histories), resultants);
     }
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "elements/element.hpp"
-#include "elements/lanes/kernels.hpp"
 #include "elements/rod/interpolated_rod.hpp"
 #include "elements/rod/objective_map.hpp"
 #include "elements/rod/rod_geometry.hpp"
@@ -20,15 +19,15 @@ class RodElement {
   public:
     static constexpr int node_count = Nodes;
     static constexpr int history_count = Map::history_count;
+    static constexpr int point_count = InterpolatedRod<Nodes>::point_count;
     static constexpr bool has_section = true;
     std::array<int, Nodes> nodes;
 
     RodElement(const RodElementGeometry<Nodes>& geometry, const Section& section);
 
     const RodInertia<Nodes>& inertia() const { return inertia_; }
-    // Of the element `objective`: what kernels need to know of its section, and of itself.
-    std::array<double, RodKernels<Nodes>::section_rows> section_rows() const;
-    std::array<double, RodKernels<Nodes>::constant_rows> constant_rows() const;
+    const InterpolatedRod<Nodes>& interpolated_rod() const { return rod_; }
+    const std::array<Quat, Nodes>& triads() const { return triads_; }
 
     void add_internal_force(const Motions<Nodes>& motions,
                             Histories histories,
@@ -37,6 +36,17 @@ class RodElement {
                               Histories histories,
                               const Linearizations<Nodes>& linearizations,
                               NodalMatrix<Nodes>& tangent) const;
+    // The same with `resultants` of its own in the place of C E wherever these turn with the motion.
+    void add_mixed_tangent(const Motions<Nodes>& motions,
+                           Histories histories,
+                           Resultants resultants,
+                           const Linearizations<Nodes>& linearizations,
+                           NodalMatrix<Nodes>& tangent) const;
+    // Sets them to what they are after the increment (δr, δφ) to first order: C (E + δE).
+    void advance_resultants(const Motions<Nodes>& motions,
+                            Histories histories,
+                            const NodalVector<Nodes>& increment,
+                            std::span<Vec6> resultants) const;
     void add_inertial_force(const Motions<Nodes>& motions,
                             const Vec3& gravity,
                             NodalVector<Nodes>& force) const;

@@ -22,6 +22,10 @@ struct TwoNodeRod {
     Vec3 Gamma_0, Kappa_0;
     Mat3 C_NN, C_NM, C_MM;  // the stiffness of the section by blocks
 
+    // At the force point, material.
+    struct Resultants {
+        Vec3 N, M;
+    };
     // What the element asks of its nodes: the force n of b, −n of a, and the moments.
     struct Forces {
         Vec3 n, moment_a, moment_b;
@@ -39,14 +43,30 @@ struct TwoNodeRod {
       public:
         State(const TwoNodeRod& rod, const HalfRotation<Real>& rotation, const Quat& axes_a, const Vec3& l)
             : rod_(rod), rotation_(rotation), frame_((axes_a * rotation.half).toRotationMatrix()), l_(l) {
-            const Vec3 Gamma = compute_Gamma();
-            const Vec3 Kappa = compute_Kappa();
-            n_ = frame_ * (rod.C_NN * Gamma + rod.C_NM * Kappa);
-            moment_ = frame_ * (rod.C_NM.transpose() * Gamma + rod.C_MM * Kappa);
             phi_ = frame_ * rotation.Phi;
             tau_ = frame_ * rotation.tau;
+            set_resultants(compute_resultants());
+        }
+
+        Resultants compute_resultants(const Vec3& Gamma, const Vec3& Kappa) const {
+            return {rod_.C_NN * Gamma + rod_.C_NM * Kappa, rod_.C_NM.transpose() * Gamma + rod_.C_MM * Kappa};
+        }
+        // Those of the strains.
+        Resultants compute_resultants() const { return compute_resultants(compute_Gamma(), compute_Kappa()); }
+        // The resultants after an increment, to first order: u, and the spins of a and b.
+        Resultants advance_resultants(const Vec3& u, const Vec3& spin_a, const Vec3& spin_b) const {
+            const Vec3 difference = spin_b - spin_a;
+            const Vec3 w = Real(0.5) * (spin_a + spin_b - tau_.cross(difference));
+            const Vec3 p = rotation_.x * difference + (rotation_.y * phi_.dot(difference)) * phi_;
+            return compute_resultants(compute_Gamma() + frame_.transpose() * (u + l_.cross(w)) / rod_.length,
+                                      compute_Kappa() + frame_.transpose() * p / rod_.length);
+        }
+        // Has forces and tangents made of these instead of the resultants of the strains.
+        void set_resultants(const Resultants& resultants) {
+            n_ = frame_ * resultants.N;
+            moment_ = frame_ * resultants.M;
             m_ = n_.cross(l_);
-            moment_b_ = rotation.x * moment_ + (rotation.y * phi_.dot(moment_)) * phi_ +
+            moment_b_ = rotation_.x * moment_ + (rotation_.y * phi_.dot(moment_)) * phi_ +
                         Real(0.5) * (m_ + tau_.cross(m_));
         }
 

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "elements/lanes/kernels.hpp"
+#include "elements/rod/rod_element.hpp"
+
+namespace gxrod {
+
+// What kernels need to know of an element's section, and of the element itself.
+template <int Nodes>
+std::array<double, RodKernels<Nodes>::section_rows> make_section_rows(const ObjectiveElement<Nodes>& element);
+template <int Nodes>
+std::array<double, RodKernels<Nodes>::constant_rows> make_constant_rows(
+    const ObjectiveElement<Nodes>& element);
+
+}  // namespace gxrod
