@@ -16,6 +16,11 @@ SpatialInertia turn(const RigidInertia& body, const NodeMotion& motion) {
     return {motion.Lambda * body.first_moment, {body.inertia, motion.Lambda}};
 }
 
+// J ω, without J.
+Vec3 compute_spin_momentum(const RigidInertia& body, const NodeMotion& motion) {
+    return motion.Lambda * (body.inertia * (motion.Lambda.conjugate() * motion.omega));
+}
+
 }  // namespace
 
 RigidInertia compute_rigid_inertia(double mass,
@@ -62,15 +67,15 @@ Mat6 compute_inertial_tangent(const RigidInertia& body,
 }
 
 double compute_kinetic_energy(const RigidInertia& body, const NodeMotion& motion) {
-    const auto [s, rotary] = turn(body, motion);
+    const Vec3 s = motion.Lambda * body.first_moment;
     return 0.5 * body.mass * motion.v.squaredNorm() + motion.v.dot(motion.omega.cross(s)) +
-           0.5 * motion.omega.dot(rotary.J * motion.omega);
+           0.5 * motion.omega.dot(compute_spin_momentum(body, motion));
 }
 
 Momentum compute_momentum(const RigidInertia& body, const NodeMotion& motion) {
-    const auto [s, rotary] = turn(body, motion);
+    const Vec3 s = motion.Lambda * body.first_moment;
     const Vec3 linear = body.mass * motion.v + motion.omega.cross(s);
-    return {linear, motion.r.cross(linear) + s.cross(motion.v) + rotary.J * motion.omega};
+    return {linear, motion.r.cross(linear) + s.cross(motion.v) + compute_spin_momentum(body, motion)};
 }
 
 double compute_gravity_potential(const RigidInertia& body, const NodeMotion& motion, const Vec3& gravity) {

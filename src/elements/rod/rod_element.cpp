@@ -1,6 +1,7 @@
 #include "elements/rod/rod_element.hpp"
 
 #include "elements/rod/two_node_rod.hpp"
+#include "rotation/rotation_map.hpp"
 
 namespace gxrod {
 
@@ -258,7 +259,12 @@ void RodElement<Nodes, Map>::commit(const Motions<Nodes>& motions,
 
 template <int Nodes, class Map>
 double RodElement<Nodes, Map>::largest_relative_rotation(const Motions<Nodes>& motions) const {
-    return Map(motions, triads_).largest_relative_rotation();
+    if constexpr (is_two_node_objective) {
+        const Quat a = motions[0]->Lambda * triads_[0];
+        return log(a.conjugate() * (motions[1]->Lambda * triads_[1])).norm();
+    } else {
+        return Map(motions, triads_).largest_relative_rotation();
+    }
 }
 
 template <int Nodes, class Map>
