@@ -100,27 +100,33 @@ std::optional<double> find_largest(Operation& K, Operation& M) {
     return solver.eigenvalues()[0];
 }
 
-// The smallest λ but `rigid` ones that vanish, by their distances from σ.
-std::optional<double> find_smallest_from(double sigma, Operation& K, Operation& M, int rigid) {
-    const int wanted = rigid + 1;
-    if (!K.factorize_sum(-sigma, M)) return std::nullopt;
+// Some λ nearest to σ; of a multiple one perhaps a single copy. Empty if they are not found.
+Vector find_near(double sigma, Operation& K, Operation& M, int wanted) {
+    if (!K.factorize_sum(-sigma, M)) return {};
     Inverse inverse(K);
     Spectra::SymGEigsShiftSolver<Inverse, Operation, Spectra::GEigsMode::ShiftInvert> solver(
         inverse, M, wanted, subspace(K.rows(), wanted), sigma);
     solver.init();
-    if (solver.compute(Spectra::SortRule::LargestMagn, most_restarts, tolerance) < wanted)
-        return std::nullopt;
-    return solver.eigenvalues().maxCoeff();
+    if (solver.compute(Spectra::SortRule::LargestMagn, most_restarts, tolerance) < wanted) return {};
+    return solver.eigenvalues();
 }
 
-// `largest` is the largest λ.
+// The smallest λ but `rigid` ones that vanish. `largest` is the largest.
 std::optional<double> find_smallest(Operation& K, Operation& M, int rigid, double largest) {
-    if (rigid > most_rigid_motions || rigid + 1 >= K.rows()) return std::nullopt;
-    if (rigid == 0) return find_smallest_from(0.0, K, M, rigid);
-    // Far enough from zero for K − σM to have an inverse. So near to the rigid motions these drown the
-    // vibration in round-off; seen from its own distance it is as large as they are.
-    const std::optional<double> guess = find_smallest_from(-1e-12 * largest, K, M, rigid);
-    return guess && *guess > 0.0 ? find_smallest_from(-*guess, K, M, rigid) : guess;
+    const int wanted = rigid + 1;
+    if (rigid > most_rigid_motions || wanted >= K.rows()) return std::nullopt;
+    // Near enough to the smallest, far enough from zero for K − σM to have an inverse.
+    const Vector first = find_near(rigid == 0 ? 0.0 : -1e-12 * largest, K, M, wanted);
+    if (first.size() == 0) return std::nullopt;
+    const double guess = first.maxCoeff();
+    if (rigid == 0 || guess <= 0.0) return guess;
+    // So near to the rigid motions these drown the vibration in round-off; from its own distance it is as
+    // large as they are.
+    const Vector second = find_near(-guess, K, M, wanted);
+    if (second.size() == 0) return guess;
+    Eigen::Index nearest = 0;
+    (second.array() - guess).abs().minCoeff(&nearest);
+    return second[nearest];
 }
 
 int count_rigid_motions(const Model& model) {
