@@ -5,6 +5,23 @@
 
 namespace gxrod {
 
+namespace {
+
+// Adds the matrix of one lane of rows `width` wide to the values of the global one.
+template <int Nodes, int width>
+void add_lane(const double* tangents, const ElementPlaces<Nodes>& places, std::vector<double>& values) {
+    for (int pair = 0; pair < Nodes * Nodes; ++pair) {
+        const auto [first, stride] = places.blocks[pair];
+        const double* source = tangents + width * (36 * Nodes * (pair / Nodes) + 6 * (pair % Nodes));
+        for (int column = 0; column < 6; ++column) {
+            double* target = &values[first + column * stride];
+            for (int row = 0; row < 6; ++row) target[row] += source[width * (6 * Nodes * column + row)];
+        }
+    }
+}
+
+}  // namespace
+
 template <int Nodes>
 void RodBatches<Nodes>::build(const Block& block, const EquationNumbers& equations) {
     block_ = &block;
@@ -103,7 +120,6 @@ void RodBatches<Nodes>::add_tangents(const std::vector<NodeMotion>& motions,
                                      std::vector<double>& values) const {
     alignas(64) std::array<double, Rows::linearization_rows * most_lanes> rows;
     alignas(64) std::array<double, Rows::tangent_rows * most_lanes> tangents;
-    NodalMatrix<Nodes> tangent;
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         const Batch& batch = batches_[b];
         for (int lane = 0; lane < width_; ++lane) {
@@ -120,12 +136,25 @@ void RodBatches<Nodes>::add_tangents(const std::vector<NodeMotion>& motions,
             continue;
         }
         for (int lane = 0; lane < batch.count; ++lane) {
-            for (int entry = 0; entry < Rows::tangent_rows; ++entry) {
-                tangent.data()[entry] = tangents[static_cast<std::size_t>(entry * width_ + lane)];
-            }
-            add_tangent(tangent, batch.elements[lane], values);
+            add_tangent_of_lane(&tangents[lane], batch.elements[lane], values);
         }
     }
+}
+
+template <int Nodes>
+void RodBatches<Nodes>::add_tangent_of_lane(const double* tangents,
+                                            int element,
+                                            std::vector<double>& values) const {
+    const ElementPlaces<Nodes>& places = block_->places[element];
+    if (places.slots.empty()) {
+        static_assert(most_lanes == 4);
+        width_ == 4 ? add_lane<Nodes, 4>(tangents, places, values)
+                    : add_lane<Nodes, 2>(tangents, places, values);
+        return;
+    }
+    NodalMatrix<Nodes> tangent;
+    for (int entry = 0; entry < Rows::tangent_rows; ++entry) tangent.data()[entry] = tangents[entry * width_];
+    add_tangent(tangent, element, values);
 }
 
 template <int Nodes>

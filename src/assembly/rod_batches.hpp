@@ -54,6 +54,7 @@ class RodBatches {
                             const std::vector<NodeMotion>& motions,
                             const std::vector<NodeLinearization>& linearizations,
                             std::vector<double>& values) const;
+    void add_tangent_of_lane(const double* tangents, int element, std::vector<double>& values) const;
     void add_tangent(NodalMatrix<Nodes>& tangent, int element, std::vector<double>& values) const;
 
     int width_;
