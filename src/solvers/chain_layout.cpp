@@ -85,9 +85,14 @@ class Builder {
             for (int i = 0; i < count_neighbours(s); ++i) {
                 const int other = order_.steps[s].neighbours[i];
                 ChainCoupling coupling{};
-                coupling.to = take(block, other);
                 if (is_changed_[s][i]) coupling.column.first = take(other, block);
                 layout_.couplings.push_back(coupling);
+            }
+        }
+        for (std::size_t s = 0; s < order_.steps.size(); ++s) {
+            for (int i = 0; i < count_neighbours(s); ++i) {
+                const int other = order_.steps[s].neighbours[i];
+                layout_.couplings[first_couplings_[s] + i].to = take(order_.steps[s].block, other);
             }
         }
         for (const int block : order_.kept) layout_.kept_blocks[{block, block}] = take(block, block);
