@@ -76,6 +76,8 @@ struct ChainSweeps : BlockKernels<Arch> {
     }
 
     static void go_backward(const ChainSteps& chain, const double* blocks, double* x) {
+        constexpr std::int64_t ahead = 512;
+        constexpr int line = 8;
         const ChainCoupling* u = chain.couplings;
         for (std::int64_t s = 0; s < chain.count; ++s) u += chain.steps[s].couplings;
         for (std::int64_t s = chain.count - 1; s >= 0; --s) {
@@ -83,6 +85,11 @@ struct ChainSweeps : BlockKernels<Arch> {
             const int n = step.size;
             for (int i = 0; i < step.couplings; ++i) {
                 --u;
+                // Processors do not see soon enough what is read from the end to the start.
+                if (u->to >= ahead) {
+                    for (int k = 0; k < n * u->size; k += line)
+                        __builtin_prefetch(blocks + u->to - ahead + k);
+                }
                 Blocks::subtract_product(
                     n, u->size, 1, {blocks + u->to, n}, {x + u->first, u->size}, {x + step.first, n});
             }
