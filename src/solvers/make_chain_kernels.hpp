@@ -96,6 +96,17 @@ struct ChainSweeps : BlockKernels<Arch> {
         }
     }
 
+    static void add_absolute(double& sum, double number) { sum += number < 0.0 ? -number : number; }
+    static void add_absolute(TwoNumbers& sum, const TwoNumbers& numbers) {
+        using Bits = long long __attribute__((vector_size(16)));
+        sum += reinterpret_cast<TwoNumbers>(reinterpret_cast<Bits>(numbers) & all_but_sign);
+    }
+    static void add_absolute(FourNumbers& sum, const FourNumbers& numbers) {
+        using Bits = long long __attribute__((vector_size(32)));
+        sum += reinterpret_cast<FourNumbers>(reinterpret_cast<Bits>(numbers) & all_but_sign);
+    }
+    static constexpr long long all_but_sign = 0x7fffffffffffffff;
+
     template <class Numbers>
     static void subtract_rows(
         const EntryRun& run, const double* values, const double* x, double* y, double* sums) {
@@ -105,7 +116,7 @@ struct ChainSweeps : BlockKernels<Arch> {
             const Numbers entries = *reinterpret_cast<const Numbers*>(values + j * std::int64_t{run.stride});
             const Numbers product = entries * x[j];
             left -= product;
-            sum += product < 0.0 ? -product : product;
+            add_absolute(sum, product);
         }
         *reinterpret_cast<Numbers*>(y) = left;
         *reinterpret_cast<Numbers*>(sums) = sum;
