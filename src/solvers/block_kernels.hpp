@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "solvers/chain_kernels.hpp"
+
 // Arithmetic of small dense blocks, for sources that are compiled for one instruction set: `Arch` puts its
 // name into that of each function. Columns lie `stride` apart. Blocks whose sizes are multiples of a node's
 // six unknowns are worked on in tiles of 6 × 6. The operations on an entry are the same in all sets, and so
@@ -221,8 +223,7 @@ struct BlockKernels {
     }
 
     static void multiply_any(int n, int m, const double* A, const View& B, double* C) {
-        constexpr int most = 30;
-        double b[most];
+        double b[largest_chain_block];
         for (int j = 0; j < m; ++j) {
             for (int i = 0; i < n; ++i) b[i] = B.entries[j * B.stride + i];
             double* c = C + j * n;

@@ -7,6 +7,9 @@
 // The sweeps of ChainSolver over its steps. Blocks are dense, column by column.
 namespace gxrod {
 
+// As an element of the highest order that nothing else is tied to.
+constexpr int largest_chain_block = 30;
+
 // Where a block of the matrix is: among the values that were given, or among the blocks that are worked on.
 struct BlockPlace {
     std::int64_t first;

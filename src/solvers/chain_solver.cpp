@@ -9,9 +9,6 @@
 namespace gxrod {
 namespace {
 
-// As an element of the highest order that nothing else is tied to.
-constexpr int largest_block = 30;
-
 // What is left of a solution is round-off if its residual is so small against |A| |x| + |b|.
 constexpr double round_off = 1e-13;
 
@@ -28,11 +25,12 @@ bool has_diagonal(const SparsePattern& pattern) {
 
 ChainSolver::ChainSolver(const SparsePattern& pattern)
     : pattern_(&pattern), kernels_(find_chain_kernels(find_instruction_set())) {
+    // Steps count unknowns in 32 bits; a block has fewer rows and columns than there are unknowns.
     if (pattern.size() > std::numeric_limits<std::int32_t>::max() || !has_diagonal(pattern)) return;
     std::int64_t size = 0;
     {
         const BlockPartition partition(pattern);
-        const EliminationOrder order(partition, largest_block);
+        const EliminationOrder order(partition, largest_chain_block);
         if (order.steps.empty()) return;
         ChainLayout layout(pattern, partition, order);
         lay_out_junctions(partition, order, layout);
