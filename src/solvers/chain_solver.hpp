@@ -1,9 +1,12 @@
 #pragma once
 
+#include "solvers/chain_kernels.hpp"
 #include "solvers/elimination_order.hpp"
 #include "solvers/linear_solver.hpp"
 
 namespace gxrod {
+
+struct ChainLayout;
 
 // Eliminates the insides of chains block by block, by the order that EliminationOrder finds, and leaves the
 // system of the junctions, if there are any, to a general solver. Pivots are sought within no block; instead
@@ -22,44 +25,28 @@ class ChainSolver : public LinearSolver {
     std::int64_t count_kept() const { return steps_.empty() ? pattern_->size() : junctions_.size(); }
 
   private:
-    // A block of the matrix and where it is worked on.
-    struct Source {
-        std::int64_t first;        // its first entry among the values
-        std::int64_t stride;       // from column to column there
-        std::int64_t block;        // among blocks_
-        std::int64_t row, column;  // its first ones
-        int rows, columns;
-    };
-    // How a block is coupled to a neighbour that remains, by A_tu and A_ut, and where that one's diagonal is.
-    struct Coupling {
-        std::int64_t to, from, diagonal;
-        std::int64_t row;  // first one of the neighbour
-        int size = 0;      // 0: no neighbour
-    };
-    struct Step {
-        std::int64_t diagonal, row;
-        int size;
-        std::array<Coupling, 2> neighbours;
-        std::int64_t across, back;  // A_uv and A_vu of the two neighbours
-        bool fills;                 // these were zero
-    };
-
-    class Layout;
-
-    void lay_out_junctions(const BlockPartition& partition, const EliminationOrder& order, Layout& layout);
-    bool eliminate();
-    bool eliminate(const Step& step);
+    void lay_out_junctions(const BlockPartition& partition,
+                           const EliminationOrder& order,
+                           const ChainLayout& layout);
+    ChainSteps chain() const {
+        return {steps_.data(), static_cast<std::int64_t>(steps_.size()), couplings_.data(), copies_.data()};
+    }
     bool factorize_junctions();
     Factorization factorize_generally();
-    Eigen::VectorXd solve_by_blocks(Eigen::VectorXd vector);
-    Eigen::VectorXd compute_residual(const Eigen::VectorXd& right_hand_side, const Eigen::VectorXd& x);
-    bool is_round_off(const Eigen::VectorXd& residual) const;
+    void solve_by_blocks(Eigen::VectorXd& x);
+    void compute_residual(const Eigen::VectorXd& right_hand_side);
+    bool is_round_off() const;
 
     const SparsePattern* pattern_;
     const std::vector<double>* values_ = nullptr;
-    std::vector<Source> sources_;
-    std::vector<Step> steps_;
+    ChainKernels kernels_;
+    std::vector<ChainStep> steps_;
+    std::vector<ChainCoupling> couplings_;
+    std::vector<BlockCopy> copies_;
+    std::vector<EntryRun> runs_;
     std::vector<double> blocks_;
+    Eigen::VectorXd solution_;
+    Eigen::VectorXd residual_;    // b − A x
     Eigen::VectorXd magnitudes_;  // |A| |x| + |b|
 
     SparsePattern junctions_{{0}, {}};
@@ -70,6 +57,7 @@ class ChainSolver : public LinearSolver {
     std::vector<JunctionBlock> junction_blocks_;
     std::vector<std::int64_t> junction_rows_;  // of each unknown of the junctions, that of the whole system
     std::vector<double> junction_values_;
+    Eigen::VectorXd junction_vector_;
     std::unique_ptr<LinearSolver> junction_solver_;
 
     std::unique_ptr<LinearSolver> general_;

@@ -1,4 +1,4 @@
-// Each linear solver on the tangent of a falling rod: factorization and solution.
+// Each linear solver on the tangents of a falling rod and a net: factorization and solution.
 #include <benchmark/benchmark.h>
 
 #include "assembly/system.hpp"
@@ -21,10 +21,8 @@ void solve_eigen_blocks(benchmark::State& state) {
 }
 BENCHMARK(solve_eigen_blocks)->RangeMultiplier(10)->Range(10, 1'000'000);
 
-void solve_rod(benchmark::State& state, LinearSolverKind kind, int order) {
-    const int nodes = static_cast<int>(state.range(0));
-    const Problem problem = make_pendulum(std::max(1, nodes / order), order, 1);
-    const System system(problem.model);
+void solve(benchmark::State& state, LinearSolverKind kind, const Model& model) {
+    const System system(model);
     const State start = system.initial_state();
     // As in a step of Newmark's method, Δt = 1 ms.
     constexpr double per_step = 1e-3;
@@ -45,6 +43,11 @@ void solve_rod(benchmark::State& state, LinearSolverKind kind, int order) {
         solution = load;
         solver->solve(solution);
     }
+}
+
+void solve_rod(benchmark::State& state, LinearSolverKind kind, int order) {
+    const int nodes = static_cast<int>(state.range(0));
+    solve(state, kind, make_pendulum(std::max(1, nodes / order), order, 1).model);
     per_node(state, nodes);
 }
 BENCHMARK_CAPTURE(solve_rod, chains_order_1, LinearSolverKind::chains, 1)
@@ -66,6 +69,16 @@ BENCHMARK_CAPTURE(solve_rod, umfpack_order_1, LinearSolverKind::umfpack, 1)
 BENCHMARK_CAPTURE(solve_rod, cholmod_order_1, LinearSolverKind::cholmod, 1)
     ->RangeMultiplier(10)
     ->Range(10, 100'000);
+
+// Ten elements between two crossings.
+void solve_net(benchmark::State& state, LinearSolverKind kind) {
+    constexpr int elements = 10;
+    const Problem problem = make_net(static_cast<int>(state.range(0)), elements, 1);
+    solve(state, kind, problem.model);
+    per_node(state, static_cast<double>(problem.model.nodes.size()));
+}
+BENCHMARK_CAPTURE(solve_net, chains, LinearSolverKind::chains)->ArgName("rods")->Arg(20);
+BENCHMARK_CAPTURE(solve_net, klu, LinearSolverKind::klu)->ArgName("rods")->Arg(20);
 
 }  // namespace
 }  // namespace gxrod::speed
