@@ -52,14 +52,17 @@ struct TwoNodeRod {
             return {rod_.C_NN * Gamma + rod_.C_NM * Kappa, rod_.C_NM.transpose() * Gamma + rod_.C_MM * Kappa};
         }
         // Those of the strains.
-        Resultants compute_resultants() const { return compute_resultants(compute_Gamma(), compute_Kappa()); }
+        Resultants compute_resultants() const {
+            return compute_resultants(compute_force_strain(), compute_moment_strain());
+        }
         // The resultants after an increment, to first order: u, and the spins of a and b.
         Resultants advance_resultants(const Vec3& u, const Vec3& spin_a, const Vec3& spin_b) const {
             const Vec3 difference = spin_b - spin_a;
             const Vec3 w = Real(0.5) * (spin_a + spin_b - tau_.cross(difference));
             const Vec3 p = rotation_.x * difference + (rotation_.y * phi_.dot(difference)) * phi_;
-            return compute_resultants(compute_Gamma() + frame_.transpose() * (u + l_.cross(w)) / rod_.length,
-                                      compute_Kappa() + frame_.transpose() * p / rod_.length);
+            return compute_resultants(
+                compute_force_strain() + frame_.transpose() * (u + l_.cross(w)) / rod_.length,
+                compute_moment_strain() + frame_.transpose() * p / rod_.length);
         }
         // Has forces and tangents made of these instead of the resultants of the strains.
         void set_resultants(const Resultants& resultants) {
@@ -72,14 +75,14 @@ struct TwoNodeRod {
 
         Real energy() const {
             return Real(0.5) * rod_.length *
-                   (n_.dot(frame_ * compute_Gamma()) + moment_.dot(frame_ * compute_Kappa()));
+                   (n_.dot(frame_ * compute_force_strain()) + moment_.dot(frame_ * compute_moment_strain()));
         }
         Forces forces() const { return {n_, m_ - moment_b_, moment_b_}; }
         Tangents compute_tangents() const;
 
       private:
-        Vec3 compute_Gamma() const { return (frame_.transpose() * l_) / rod_.length - rod_.Gamma_0; }
-        Vec3 compute_Kappa() const { return rotation_.Phi / rod_.length - rod_.Kappa_0; }
+        Vec3 compute_force_strain() const { return (frame_.transpose() * l_) / rod_.length - rod_.Gamma_0; }
+        Vec3 compute_moment_strain() const { return rotation_.Phi / rod_.length - rod_.Kappa_0; }
         // X A + ½(I + [τ]×) B: what changes of M and m do to the moment on b.
         Mat3 pull(const Mat3& A, const Mat3& B) const {
             return rotation_.x * A + (rotation_.y * phi_) * (phi_.transpose() * A) +
