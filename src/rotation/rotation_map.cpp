@@ -46,7 +46,7 @@ Vec3 log(const Quat& q) {
 Vec3 log_nearest(const Quat& q, const Vec3& guess) {
     constexpr double half_turn = std::numbers::pi;
     constexpr double turn = 2.0 * half_turn;
-    const Vec3 principal = log(q);
+    Vec3 principal = log(q);
     if ((guess - principal).squaredNorm() < half_turn * half_turn) return principal;
     const bool has_axis = principal.norm() > smallest_angle_with_axis;
     const Vec3 axis = (has_axis ? principal : guess).stableNormalized();

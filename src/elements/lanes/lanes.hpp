@@ -15,6 +15,7 @@ struct NumTraits<xsimd::batch<double, Arch>> : NumTraits<double> {
     using NonInteger = Real;
     using Nested = Real;
     using Literal = double;
+    // NOLINTNEXTLINE(readability-identifier-naming): Eigen's names
     enum { RequireInitialization = 0, ReadCost = 1, AddCost = 1, MulCost = 1 };
 };
 

@@ -68,7 +68,7 @@ class ObjectiveState {
     // Of the nodes' section axes and positions.
     ObjectiveState(const std::array<Quat, Nodes>& axes, const std::array<Vec3, Nodes>& r) {
         const Quat frame = find_frame(axes);
-        R_ = frame.toRotationMatrix();
+        frame_matrix_ = frame.toRotationMatrix();
         for (int i = 0; i < Nodes; ++i) {
             rho_[i] = r[i] - r[a];
             if (i != a && i != b) psi_[i] = find_rotation(axes[i] * frame.conjugate());
@@ -166,7 +166,7 @@ class ObjectiveState {
     }
 
     bool is_small_ = true;
-    Mat3 R_;
+    Mat3 frame_matrix_;
     std::array<Vec3, Nodes> rho_, psi_;
     Vec3 tau_;  // of a pair, as tau_gradient_ = ∂τ/∂Φ
     Mat3 tau_gradient_;

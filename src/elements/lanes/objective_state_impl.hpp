@@ -21,7 +21,7 @@ auto ObjectiveState<Nodes, Real>::evaluate(const Constants& constants, int p) co
     }
     const SmallRotation<Real> rotation(psi);
     const Mat3 T = rotation.tangent_map();
-    const Mat3 Lambda = rotation.exp() * R_;
+    const Mat3 Lambda = rotation.exp() * frame_matrix_;
     const Vec3 Gamma = Lambda.transpose() * r_prime - Gamma_0;
     const Vec3 Kappa = Lambda.transpose() * (T * psi_prime) - Kappa_0;
     const Vec3 n = Lambda * (constants.C_NN * Gamma + constants.C_NM * Kappa);
@@ -192,7 +192,7 @@ void ObjectiveState<Nodes, Real>::compute_tangent(const Constants& constants, Ta
     for (int p = 0; p < point_count; ++p) {
         const Point point = evaluate(constants, p);
         add_forces(point, forces);
-        add_stiffness(constants, R_, point, rows);
+        add_stiffness(constants, frame_matrix_, point, rows);
     }
     for (int j = 0; j < Nodes; ++j) {
         for (int i = 0; i < Nodes; ++i) {
