@@ -1,5 +1,6 @@
 """gxrod resume: killed, interrupted and finished runs go on as if they had never stopped."""
 
+import os
 import signal
 import subprocess
 import time
@@ -10,7 +11,7 @@ import numpy as np
 
 from program import GXROD, SPINNING_BODY, ProgramTest
 
-STEPS = 40000
+STEPS = 40000 if os.environ.get("GXROD_SANITIZED") == "1" else 200000
 LONG = SPINNING_BODY.replace("steps = 100", f"steps = {STEPS}").replace("every = 10", "every = 7")
 PROVENANCE = ("restart", "deck")
 
@@ -20,9 +21,9 @@ class Resume(ProgramTest):
         super().setUp()
         self.write("body.toml", SPINNING_BODY)
 
-    def start_long_run(self):
-        """A run of some seconds, when it has written its first steps."""
-        self.write("long.toml", LONG)
+    def start_long_run(self, deck=LONG):
+        """A run of a second or more, when it has written its first steps."""
+        self.write("long.toml", deck)
         process = subprocess.Popen([GXROD, "run", "long.toml"], cwd=self.folder, stdout=subprocess.DEVNULL,
                                    stderr=subprocess.PIPE, text=True)
         self.addCleanup(process.wait)
@@ -94,7 +95,7 @@ class Resume(ProgramTest):
             self.assertEqual(file.attrs["status"], "complete")
 
     def test_a_running_job_is_left_alone(self):
-        process = self.start_long_run()
+        process = self.start_long_run(LONG.replace(f"steps = {STEPS}", "steps = 50000000"))
         done = self.gxrod("resume", "long.vtkhdf", code=4)
         self.assertIn("long.vtkhdf: another process is writing it", done.stderr)
         done = self.gxrod("run", "body.toml", "-o", "long.vtkhdf", "--force", code=4)
