@@ -36,9 +36,18 @@ RodElementGeometry<Nodes> find_geometry(const Model& model, const Rod& rod, int 
     return geometry;
 }
 
+// Room for exactly these where they are most of all, and for growth by halves where they are few.
+template <class T>
+void reserve_more(int count, std::vector<T>& entries) {
+    const std::size_t size = entries.size() + static_cast<std::size_t>(count);
+    if (size > entries.capacity()) entries.reserve(std::max(size, entries.size() + entries.size() / 2));
+}
+
 template <class E>
 void add_rod(const Model& model, const Rod& rod, int first_element, ElementBlock<E>& block) {
     const Section& section = model.sections[rod.section];
+    reserve_more(rod.element_count(), block.elements);
+    reserve_more(rod.element_count(), block.section_index);
     for (int e = 0; e < rod.element_count(); ++e) {
         block.elements.emplace_back(find_geometry<E::node_count>(model, rod, e), section);
         block.section_index.push_back(first_element + e);
@@ -130,6 +139,7 @@ void System::build_loads() {
 
 void System::build_pattern() {
     std::vector<NodeGroup> groups;
+    groups.reserve(element_count());
     for_each_block(blocks_, [&](const auto& block) {
         for (const auto& element : block.elements)
             groups.emplace_back(element.nodes.begin(), element.nodes.end());
@@ -137,6 +147,7 @@ void System::build_pattern() {
     pattern_ = compute_pattern(equations_, groups);
     for_each_block(blocks_, [this](auto& block) {
         constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
+        block.places.reserve(block.elements.size());
         for (const auto& element : block.elements) {
             block.places.push_back(find_places<node_count>(element.nodes, equations_, pattern_));
         }

@@ -20,6 +20,7 @@ void RotaryBatches::add(int node, const Mat3& inertia) {
 
 void RotaryBatches::lay_out(const SparsePattern& pattern) {
     if (inertias_.empty()) return;
+    places_.reserve(inertias_.size());
     for (const NodeInertia& at : inertias_)
         places_.push_back(find_places<1>({at.node}, *equations_, pattern));
     const std::size_t batches = (inertias_.size() + width_ - 1) / width_;

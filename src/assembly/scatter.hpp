@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -37,12 +38,11 @@ ElementPlaces<Nodes> find_places(const std::array<int, Nodes>& nodes,
                                  const SparsePattern& pattern) {
     constexpr int size = 6 * Nodes;
     ElementPlaces<Nodes> places{};
-    places.slots.resize(size * size);
-    find_slots(nodes, equations, pattern, places.slots);
-    const auto slot = [&](int row, int column) { return places.slots[column * size + row]; };
-    for (const int node : nodes) {
-        if (equations.supports().has_own_axes(node)) return places;
-    }
+    std::array<std::int64_t, size * size> slots;
+    find_slots(nodes, equations, pattern, slots);
+    const auto slot = [&](int row, int column) { return slots[column * size + row]; };
+    bool is_regular = std::none_of(
+        nodes.begin(), nodes.end(), [&](int node) { return equations.supports().has_own_axes(node); });
     for (int pair = 0; pair < Nodes * Nodes; ++pair) {
         const int row = 6 * (pair % Nodes);
         const int column = 6 * (pair / Nodes);
@@ -51,10 +51,10 @@ ElementPlaces<Nodes> find_places(const std::array<int, Nodes>& nodes,
             const auto [first, stride] = places.blocks[pair];
             const std::int64_t expected = first + entry % 6 + entry / 6 * stride;
             const std::int64_t found = slot(row + entry % 6, column + entry / 6);
-            if (found < 0 || found != expected) return places;
+            is_regular = is_regular && found >= 0 && found == expected;
         }
     }
-    places.slots = {};
+    if (!is_regular) places.slots.assign(slots.begin(), slots.end());
     return places;
 }
 

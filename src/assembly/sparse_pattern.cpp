@@ -34,7 +34,19 @@ std::int64_t SparsePattern::slot(std::int64_t row, std::int64_t column) const {
 
 SparsePattern compute_pattern(const EquationNumbers& equations, std::span<const NodeGroup> groups) {
     const auto neighbours = compute_neighbours(equations.node_count(), groups);
+    const auto count_equations = [&](int node) {
+        const auto& numbers = equations.of_node(node);
+        return std::count_if(numbers.begin(), numbers.end(), [](std::int64_t row) { return row >= 0; });
+    };
+    std::int64_t nonzeros = 0;
+    for (std::size_t node = 0; node < neighbours.size(); ++node) {
+        std::int64_t rows = 0;
+        for (const int other : neighbours[node]) rows += count_equations(other);
+        nonzeros += rows * count_equations(static_cast<int>(node));
+    }
     SparsePattern pattern;
+    pattern.rows.reserve(static_cast<std::size_t>(nonzeros));
+    pattern.column_starts.reserve(static_cast<std::size_t>(equations.count()) + 1);
     pattern.column_starts.push_back(0);
     for (const auto& unknown : equations.unknowns()) {
         for (const int node : neighbours[unknown.node]) {

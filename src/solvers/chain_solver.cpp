@@ -11,6 +11,8 @@ namespace {
 
 // What is left of a solution is round-off if its residual is so small against |A| |x| + |b|.
 constexpr double round_off = 1e-13;
+// So is what has decayed along a chain until numbers have fewer digits.
+constexpr double smallest = 1e-290;
 
 bool has_diagonal(const SparsePattern& pattern) {
     for (std::int64_t column = 0; column < pattern.size(); ++column) {
@@ -83,7 +85,9 @@ Factorization ChainSolver::factorize(const std::vector<double>& values) {
     values_ = &values;
     is_general_ = steps_.empty() || !kernels_.eliminate(chain(), values.data(), blocks_.data()) ||
                   !factorize_junctions();
-    return is_general_ ? factorize_generally() : Factorization{};
+    if (is_general_) return factorize_generally();
+    general_.reset();  // a rare need's memory, of the size of all the rest
+    return {};
 }
 
 bool ChainSolver::factorize_junctions() {
@@ -143,7 +147,7 @@ void ChainSolver::compute_residual(const Eigen::VectorXd& right_hand_side) {
 bool ChainSolver::is_round_off() const {
     Eigen::Index above = 0;
     for (Eigen::Index i = 0; i < residual_.size(); ++i) {
-        above += std::abs(residual_[i]) <= round_off * magnitudes_[i] ? 0 : 1;
+        above += std::abs(residual_[i]) <= round_off * magnitudes_[i] + smallest ? 0 : 1;
     }
     return above == 0;
 }
