@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <new>
+#include <stdexcept>
 
 #include "deck/fault.hpp"
 #include "deck/suggestion.hpp"
+#include "elements/lanes/instruction_set.hpp"
 #include "exit_code.hpp"
 #include "model/file_error.hpp"
 #include "model/version.hpp"
@@ -23,6 +25,15 @@ void check_verb(const CLI::App& program, int argc, char** argv) {
     for (const CLI::App* known : program.get_subcommands({})) verbs.push_back(known->get_name());
     if (std::find(verbs.begin(), verbs.end(), verb) != verbs.end()) return;
     throw CLI::ValidationError("gxrod has no verb '" + verb + "'" + gxrod::did_you_mean(verb, verbs));
+}
+
+// Throws if the environment asks for an instruction set that there is not.
+void check_instruction_set() {
+    try {
+        gxrod::find_instruction_set();
+    } catch (const std::invalid_argument& error) {
+        throw CLI::ValidationError(error.what());
+    }
 }
 
 // Where one of them is closed, a file of ours would take its number, and what is told would go into it.
@@ -64,6 +75,7 @@ int run_program(int argc, char** argv) {
     gxrod::add_schema_verb(program, exit_code);
     try {
         check_verb(program, argc, argv);
+        check_instruction_set();
         program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return program.exit(error) == 0 ? gxrod::exit_done : gxrod::exit_bad_input;

@@ -26,6 +26,13 @@ class Run(ProgramTest):
         super().setUp()
         self.write("body.toml", SPINNING_BODY)
 
+    def test_an_instruction_set_that_there_is_not_is_a_usage_error(self):
+        done = subprocess.run([GXROD, "run", "body.toml"], cwd=self.folder, text=True, capture_output=True, check=False,
+                              env={**os.environ, "GXROD_INSTRUCTION_SET": "avx9"})
+        self.assertEqual(done.returncode, 2)
+        self.assertEqual(done.stderr.splitlines()[0],
+                         'gxrod: GXROD_INSTRUCTION_SET: expected "baseline" or "avx2"')
+
     def test_leaves_results_under_the_name_of_the_deck(self):
         done = self.gxrod("run", "body.toml")
         self.assertIn("100 steps to t = 1", done.stdout)
