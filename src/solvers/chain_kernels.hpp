@@ -32,6 +32,7 @@ struct ChainCoupling {
     BlockPlace row, column;  // A_tu and A_ut
     std::int32_t first;      // unknown of the neighbour
     std::int32_t size;
+    std::int32_t apart;  // where substitution adds to the neighbour, if apart from it; −1: to the unknowns
 };
 
 struct ChainStep {
@@ -51,10 +52,12 @@ struct EntryRun {
     std::int32_t rows, columns;
 };
 
+// Steps of one task.
 struct ChainSteps {
     const ChainStep* steps;
     std::int64_t count;
     const ChainCoupling* couplings;
+    std::int64_t coupling_count;
     const BlockCopy* copies;
 };
 
@@ -63,8 +66,9 @@ struct ChainKernels {
     // Makes the copies, factorizes each D_t and eliminates it: A_uv ← A_uv − A_ut D_t⁻¹ A_tv. False if a
     // pivot vanishes.
     bool (*eliminate)(const ChainSteps& chain, const double* values, double* blocks);
-    // x_t ← D_t⁻¹ x_t, x_u ← x_u − A_ut x_t, step by step.
-    void (*go_forward)(const ChainSteps& chain, const double* values, const double* blocks, double* x);
+    // x_t ← D_t⁻¹ x_t, x_u ← x_u − A_ut x_t, step by step; or of an x_u apart.
+    void (*go_forward)(
+        const ChainSteps& chain, const double* values, const double* blocks, double* x, double* apart);
     // x_t ← x_t − D_t⁻¹ A_tu x_u, from the last step to the first.
     void (*go_backward)(const ChainSteps& chain, const double* blocks, double* x);
     // y ← y − A x and magnitudes ← magnitudes + |A| |x|.

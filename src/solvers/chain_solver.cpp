@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#include "solvers/chain_layout.hpp"
-
 namespace gxrod {
 namespace {
 
-// What is left of a solution is round-off if its residual is so small against |A| |x| + |b|.
-constexpr double round_off = 1e-13;
+// A solution is as good as it gets if its residual is so small against |A| |x| + |b|: without pivoting it may
+// be worse, which costs statics of slender rods an iteration. Refined once, it is good enough at the second.
+constexpr double round_off = 5e-15;
+constexpr double good_enough = 1e-13;
 // So is what has decayed along a chain until numbers have fewer digits.
 constexpr double smallest = 1e-290;
 
@@ -23,25 +23,54 @@ bool has_diagonal(const SparsePattern& pattern) {
     return true;
 }
 
+void copy_block(const BlockCopy& copy, const double* values, double* blocks) {
+    for (int column = 0; column < copy.columns; ++column) {
+        double* to = blocks + copy.to + column * copy.rows;
+        if (copy.from < 0) {
+            std::fill_n(to, copy.rows, 0.0);
+        } else {
+            std::copy_n(values + copy.from + column * std::int64_t{copy.stride}, copy.rows, to);
+        }
+    }
+}
+
+// Runs that change different rows may be worked on at once; rows count by eights.
+WorkPhases find_run_phases(const std::vector<EntryRun>& runs, std::int64_t rows) {
+    constexpr int together = 8;
+    return {
+        runs.size(), static_cast<std::size_t>(rows / together + 1), [&](std::size_t run, const auto& mark) {
+            const int last = (runs[run].row + runs[run].rows - 1) / together;
+            for (int row = runs[run].row / together; row <= last; ++row) mark(row);
+        }};
+}
+
 }  // namespace
 
-ChainSolver::ChainSolver(const SparsePattern& pattern)
-    : pattern_(&pattern), kernels_(find_chain_kernels(find_instruction_set())) {
+ChainSolver::ChainSolver(const SparsePattern& pattern, const ThreadTeam& team)
+    : pattern_(&pattern), team_(&team), kernels_(find_chain_kernels(find_instruction_set())) {
     // Steps count unknowns in 32 bits; a block has fewer rows and columns than there are unknowns.
     if (pattern.size() > std::numeric_limits<std::int32_t>::max() || !has_diagonal(pattern)) return;
     std::int64_t size = 0;
     {
         const BlockPartition partition(pattern);
-        const EliminationOrder order(partition, largest_chain_block);
+        EliminationOrder order(partition, largest_chain_block);
         if (order.steps.empty()) return;
-        ChainLayout layout(pattern, partition, order);
+        const EliminationTasks tasks(partition, order.steps);
+        ChainLayout layout(pattern, partition, order, tasks);
         lay_out_junctions(partition, order, layout);
         runs_ = find_entry_runs(pattern, partition);
         steps_ = std::move(layout.steps);
         couplings_ = std::move(layout.couplings);
         copies_ = std::move(layout.copies);
+        tasks_ = std::move(layout.tasks);
+        level_starts_ = std::move(layout.level_starts);
+        first_copies_ = std::move(layout.first_copies);
+        merges_ = std::move(layout.merges);
+        vector_merges_ = std::move(layout.vector_merges);
+        apart_.resize(static_cast<std::size_t>(layout.apart));
         size = layout.size;
     }
+    run_phases_ = find_run_phases(runs_, pattern.size());
     blocks_.resize(static_cast<std::size_t>(size));
 }
 
@@ -83,11 +112,32 @@ void ChainSolver::lay_out_junctions(const BlockPartition& partition,
 
 Factorization ChainSolver::factorize(const std::vector<double>& values) {
     values_ = &values;
-    is_general_ = steps_.empty() || !kernels_.eliminate(chain(), values.data(), blocks_.data()) ||
-                  !factorize_junctions();
+    is_general_ = steps_.empty() || !eliminate() || !factorize_junctions();
     if (is_general_) return factorize_generally();
     general_.reset();  // a rare need's memory, of the size of all the rest
     return {};
+}
+
+bool ChainSolver::eliminate() {
+    std::vector<char> is_regular(tasks_.size(), 1);
+    for (std::size_t level = 0; level + 1 < level_starts_.size(); ++level) {
+        const std::size_t first = level_starts_[level];
+        team_->for_each(level_starts_[level + 1] - first, [&](std::size_t task) {
+            is_regular[first + task] = eliminate(tasks_[first + task]) ? 1 : 0;
+        });
+        if (std::count(is_regular.begin(), is_regular.end(), 0) > 0) return false;
+    }
+    return true;
+}
+
+bool ChainSolver::eliminate(const ChainTask& task) {
+    for (std::int64_t i = 0; i < task.first_copies.count; ++i)
+        copy_block(first_copies_[task.first_copies.first + i], values_->data(), blocks_.data());
+    for (std::int64_t i = 0; i < task.merges.count; ++i) {
+        const auto [from, to, size] = merges_[task.merges.first + i];
+        for (std::int32_t k = 0; k < size; ++k) blocks_[to + k] += blocks_[from + k];
+    }
+    return kernels_.eliminate(steps_of(task), values_->data(), blocks_.data());
 }
 
 bool ChainSolver::factorize_junctions() {
@@ -112,17 +162,21 @@ void ChainSolver::solve(Eigen::VectorXd& right_hand_side) {
     solution_ = right_hand_side;
     solve_by_blocks(solution_);
     compute_residual(right_hand_side);
-    if (!is_round_off()) {
+    if (!is_solved(round_off)) {
         solve_by_blocks(residual_);
         solution_ += residual_;
         compute_residual(right_hand_side);
-        if (!is_round_off() && factorize_generally().regular) return general_->solve(right_hand_side);
+        if (!is_solved(good_enough) && factorize_generally().regular) return general_->solve(right_hand_side);
     }
     right_hand_side.swap(solution_);
 }
 
 void ChainSolver::solve_by_blocks(Eigen::VectorXd& x) {
-    kernels_.go_forward(chain(), values_->data(), blocks_.data(), x.data());
+    for (std::size_t level = 0; level + 1 < level_starts_.size(); ++level) {
+        const std::size_t first = level_starts_[level];
+        team_->for_each(level_starts_[level + 1] - first,
+                        [&](std::size_t task) { go_forward(tasks_[first + task], x.data()); });
+    }
     if (junction_solver_) {
         const auto count = static_cast<std::int64_t>(junction_rows_.size());
         junction_vector_.resize(count);
@@ -130,26 +184,53 @@ void ChainSolver::solve_by_blocks(Eigen::VectorXd& x) {
         junction_solver_->solve(junction_vector_);
         for (std::int64_t i = 0; i < count; ++i) x[junction_rows_[i]] = junction_vector_[i];
     }
-    kernels_.go_backward(chain(), blocks_.data(), x.data());
+    for (std::size_t level = level_starts_.size() - 1; level-- > 0;) {
+        const std::size_t first = level_starts_[level];
+        team_->for_each(level_starts_[level + 1] - first, [&](std::size_t task) {
+            kernels_.go_backward(steps_of(tasks_[first + task]), blocks_.data(), x.data());
+        });
+    }
+}
+
+void ChainSolver::go_forward(const ChainTask& task, double* x) {
+    for (std::int64_t i = 0; i < task.vector_merges.count; ++i) {
+        const auto [from, to, size] = vector_merges_[task.vector_merges.first + i];
+        for (std::int32_t k = 0; k < size; ++k) x[to + k] += apart_[from + k];
+    }
+    std::fill_n(apart_.data() + task.apart.first, task.apart.count, 0.0);
+    kernels_.go_forward(steps_of(task), values_->data(), blocks_.data(), x, apart_.data());
 }
 
 void ChainSolver::compute_residual(const Eigen::VectorXd& right_hand_side) {
-    residual_ = right_hand_side;
-    magnitudes_ = right_hand_side.cwiseAbs();
-    kernels_.subtract(runs_.data(),
-                      static_cast<std::int64_t>(runs_.size()),
-                      values_->data(),
-                      solution_.data(),
-                      residual_.data(),
-                      magnitudes_.data());
+    const auto size = static_cast<std::size_t>(right_hand_side.size());
+    residual_.resize(right_hand_side.size());
+    magnitudes_.resize(right_hand_side.size());
+    team_->for_each_range(size, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            residual_[i] = right_hand_side[i];
+            magnitudes_[i] = std::abs(right_hand_side[i]);
+        }
+    });
+    run_phases_.run(*team_, [&](std::size_t part) {
+        kernels_.subtract(&runs_[run_phases_.first(part)],
+                          static_cast<std::int64_t>(run_phases_.last(part) - run_phases_.first(part)),
+                          values_->data(),
+                          solution_.data(),
+                          residual_.data(),
+                          magnitudes_.data());
+    });
 }
 
-bool ChainSolver::is_round_off() const {
-    Eigen::Index above = 0;
-    for (Eigen::Index i = 0; i < residual_.size(); ++i) {
-        above += std::abs(residual_[i]) <= round_off * magnitudes_[i] + smallest ? 0 : 1;
-    }
-    return above == 0;
+bool ChainSolver::is_solved(double tolerance) const {
+    const auto size = static_cast<std::size_t>(residual_.size());
+    const auto count_above = [&](std::size_t first, std::size_t last) {
+        int above = 0;
+        for (std::size_t i = first; i < last; ++i)
+            above += std::abs(residual_[i]) <= tolerance * magnitudes_[i] + smallest ? 0 : 1;
+        return above;
+    };
+    const std::vector<int> above = team_->collect<int>(size, count_above);
+    return std::all_of(above.begin(), above.end(), [](int count) { return count == 0; });
 }
 
 }  // namespace gxrod

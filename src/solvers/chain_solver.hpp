@@ -1,12 +1,11 @@
 #pragma once
 
+#include "parallel/work_phases.hpp"
 #include "solvers/chain_kernels.hpp"
-#include "solvers/elimination_order.hpp"
+#include "solvers/chain_layout.hpp"
 #include "solvers/linear_solver.hpp"
 
 namespace gxrod {
-
-struct ChainLayout;
 
 // Eliminates the insides of chains block by block, by the order that EliminationOrder finds, and leaves the
 // system of the junctions, if there are any, to a general solver. Pivots are sought within no block; instead
@@ -15,7 +14,7 @@ struct ChainLayout;
 // what is singular. The values that were factorized must stay until the last solution.
 class ChainSolver : public LinearSolver {
   public:
-    explicit ChainSolver(const SparsePattern& pattern);
+    explicit ChainSolver(const SparsePattern& pattern, const ThreadTeam& team = ThreadTeam::alone());
 
     Factorization factorize(const std::vector<double>& values) override;
     void solve(Eigen::VectorXd& right_hand_side) override;
@@ -28,23 +27,38 @@ class ChainSolver : public LinearSolver {
     void lay_out_junctions(const BlockPartition& partition,
                            const EliminationOrder& order,
                            const ChainLayout& layout);
-    ChainSteps chain() const {
-        return {steps_.data(), static_cast<std::int64_t>(steps_.size()), couplings_.data(), copies_.data()};
+    ChainSteps steps_of(const ChainTask& task) const {
+        return {steps_.data() + task.steps.first,
+                task.steps.count,
+                couplings_.data() + task.couplings.first,
+                task.couplings.count,
+                copies_.data() + task.copies.first};
     }
+    bool eliminate();
+    bool eliminate(const ChainTask& task);
+    void go_forward(const ChainTask& task, double* x);
     bool factorize_junctions();
     Factorization factorize_generally();
     void solve_by_blocks(Eigen::VectorXd& x);
     void compute_residual(const Eigen::VectorXd& right_hand_side);
-    bool is_round_off() const;
+    bool is_solved(double tolerance) const;
 
     const SparsePattern* pattern_;
+    const ThreadTeam* team_;
     const std::vector<double>* values_ = nullptr;
     ChainKernels kernels_;
     std::vector<ChainStep> steps_;
     std::vector<ChainCoupling> couplings_;
     std::vector<BlockCopy> copies_;
+    std::vector<ChainTask> tasks_;
+    std::vector<std::size_t> level_starts_;
+    std::vector<BlockCopy> first_copies_;
+    std::vector<BlockMerge> merges_;
+    std::vector<VectorMerge> vector_merges_;
     std::vector<EntryRun> runs_;
+    WorkPhases run_phases_;
     std::vector<double> blocks_;
+    std::vector<double> apart_;  // of right-hand sides
     Eigen::VectorXd solution_;
     Eigen::VectorXd residual_;    // b − A x
     Eigen::VectorXd magnitudes_;  // |A| |x| + |b|

@@ -78,26 +78,21 @@ class Graph {
 
 EliminationOrder::EliminationOrder(const BlockPartition& blocks, int largest) {
     Graph graph(blocks);
-    std::vector<int> ends;       // with one neighbour or none, the one found last on top
+    std::queue<int> ends;        // with one neighbour or none
     std::queue<int> between;     // with two, perhaps coupled
     std::vector<int> in_chains;  // with two that were not coupled when last seen
     const auto sort_in = [&](int block) {
         if (graph.is_gone(block) || blocks.size(block) > largest) return;
-        if (graph.degree(block) <= 1) ends.push_back(block);
+        if (graph.degree(block) <= 1) ends.push(block);
         if (graph.degree(block) == 2) between.push(block);
     };
-    for (int block = blocks.count() - 1; block >= 0; --block) {
-        if (graph.degree(block) <= 1) sort_in(block);
-    }
-    for (int block = 0; block < blocks.count(); ++block) {
-        if (graph.degree(block) == 2) sort_in(block);
-    }
+    for (int block = 0; block < blocks.count(); ++block) sort_in(block);
     const auto eliminate = [&](int block) {
-        Step step{block, graph.neighbours(block), false};
+        const Step step{block, graph.neighbours(block)};
         graph.remove(block);
         const auto [a, b] = step.neighbours;
         if (b >= 0 && !graph.are_coupled(a, b)) {
-            step.fills = true;
+            ++fills;
             graph.couple(a, b);
         }
         steps.push_back(step);
@@ -106,11 +101,7 @@ EliminationOrder::EliminationOrder(const BlockPartition& blocks, int largest) {
         }
     };
     while (true) {
-        if (!ends.empty()) {
-            const int block = ends.back();
-            ends.pop_back();
-            if (!graph.is_gone(block)) eliminate(block);
-        } else if (!between.empty()) {
+        if (!between.empty()) {
             const int block = between.front();
             between.pop();
             if (graph.is_gone(block) || graph.degree(block) != 2) continue;
@@ -120,6 +111,10 @@ EliminationOrder::EliminationOrder(const BlockPartition& blocks, int largest) {
             } else {
                 in_chains.push_back(block);
             }
+        } else if (!ends.empty()) {
+            const int block = ends.front();
+            ends.pop();
+            if (!graph.is_gone(block)) eliminate(block);
         } else if (!in_chains.empty()) {
             const int block = in_chains.back();
             in_chains.pop_back();

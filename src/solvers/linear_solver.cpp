@@ -24,8 +24,8 @@ namespace {
 //   lattice of 10 × 10 × 10, 4 elements              54594           539   0.9         0.4
 constexpr double flops_per_entry_for_fronts = 200.0;
 
-std::unique_ptr<LinearSolver> choose_linear_solver(const SparsePattern& pattern) {
-    auto chains = std::make_unique<ChainSolver>(pattern);
+std::unique_ptr<LinearSolver> choose_linear_solver(const SparsePattern& pattern, const ThreadTeam& team) {
+    auto chains = std::make_unique<ChainSolver>(pattern, team);
     if (2 * chains->count_kept() <= pattern.size()) return chains;
     chains.reset();
     return make_general_solver(pattern);
@@ -40,10 +40,12 @@ std::unique_ptr<LinearSolver> make_general_solver(const SparsePattern& pattern) 
     return std::make_unique<UmfpackSolver>(pattern);
 }
 
-std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, const SparsePattern& pattern) {
+std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
+                                                 const SparsePattern& pattern,
+                                                 const ThreadTeam& team) {
     switch (kind) {
         case LinearSolverKind::chains:
-            return std::make_unique<ChainSolver>(pattern);
+            return std::make_unique<ChainSolver>(pattern, team);
         case LinearSolverKind::klu:
             return std::make_unique<KluSolver>(pattern);
         case LinearSolverKind::umfpack:
@@ -53,7 +55,7 @@ std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, const Sp
         case LinearSolverKind::automatic:
             break;
     }
-    return choose_linear_solver(pattern);
+    return choose_linear_solver(pattern, team);
 }
 
 }  // namespace gxrod

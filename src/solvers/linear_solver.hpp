@@ -8,6 +8,7 @@
 
 #include "assembly/sparse_pattern.hpp"
 #include "model/settings.hpp"
+#include "parallel/thread_team.hpp"
 
 namespace gxrod {
 
@@ -32,8 +33,11 @@ class LinearSolver {
 
 // The pattern must outlive the solver. Throws std::runtime_error if memory does not suffice; so do its
 // members. `automatic` takes `chains` where these are most of the unknowns, or as make_general_solver; by the
-// pattern alone, so that a model is always solved in the same way.
-std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind, const SparsePattern& pattern);
+// pattern alone, so that a model is always solved in the same way. Of the team, whose number of threads
+// changes no result, `chains` makes use.
+std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
+                                                 const SparsePattern& pattern,
+                                                 const ThreadTeam& team = ThreadTeam::alone());
 
 // KLU or UMFPACK, by the pattern.
 std::unique_ptr<LinearSolver> make_general_solver(const SparsePattern& pattern);

@@ -49,11 +49,28 @@ struct ChainSweeps : BlockKernels<Arch> {
         return true;
     }
 
+    // Processors do not see soon enough what is read from the end to the start. Of a coupling some steps
+    // ahead, the columns of A_ut, and with them the diagonal that follows.
+    static void fetch_ahead(const ChainSteps& chain, const ChainCoupling* at, const double* values) {
+        constexpr int ahead = 4;
+        constexpr int line = 8;
+        if (at - chain.couplings + ahead >= chain.coupling_count) return;
+        const ChainCoupling& u = at[ahead];
+        if (!u.column.is_given) return;
+        const double* column = values + u.column.first;
+        for (int i = 0; i < smallest_block; ++i, column += u.column.stride) {
+            __builtin_prefetch(column);
+            __builtin_prefetch(column + line);
+        }
+    }
+    static constexpr int smallest_block = 6;
+
     static bool eliminate(const ChainSteps& chain, const double* values, double* blocks) {
         const ChainCoupling* couplings = chain.couplings;
         const BlockCopy* copies = chain.copies;
         for (std::int64_t s = 0; s < chain.count; ++s) {
             const ChainStep& step = chain.steps[s];
+            fetch_ahead(chain, couplings, values);
             for (int i = 0; i < step.copies; ++i) copy_from_values(*copies++, values, blocks);
             if (!eliminate_step(step, couplings, values, blocks)) return false;
             couplings += step.couplings;
@@ -61,16 +78,19 @@ struct ChainSweeps : BlockKernels<Arch> {
         return true;
     }
 
-    static void go_forward(const ChainSteps& chain, const double* values, const double* blocks, double* x) {
+    static void go_forward(
+        const ChainSteps& chain, const double* values, const double* blocks, double* x, double* apart) {
         const ChainCoupling* u = chain.couplings;
         for (std::int64_t s = 0; s < chain.count; ++s) {
             const ChainStep& step = chain.steps[s];
             const int n = step.size;
             double* x_t = x + step.first;
+            fetch_ahead(chain, u, values);
             Blocks::solve(n, 1, blocks + step.diagonal, {x_t, n}, x_t);
             for (int i = 0; i < step.couplings; ++i, ++u) {
                 const View A = view(u->column, values, blocks);
-                Blocks::subtract_product(u->size, n, 1, A, {x_t, n}, {x + u->first, u->size});
+                double* x_u = u->apart < 0 ? x + u->first : apart + u->apart;
+                Blocks::subtract_product(u->size, n, 1, A, {x_t, n}, {x_u, u->size});
             }
         }
     }
@@ -78,14 +98,13 @@ struct ChainSweeps : BlockKernels<Arch> {
     static void go_backward(const ChainSteps& chain, const double* blocks, double* x) {
         constexpr std::int64_t ahead = 512;
         constexpr int line = 8;
-        const ChainCoupling* u = chain.couplings;
-        for (std::int64_t s = 0; s < chain.count; ++s) u += chain.steps[s].couplings;
+        const ChainCoupling* u = chain.couplings + chain.coupling_count;
         for (std::int64_t s = chain.count - 1; s >= 0; --s) {
             const ChainStep& step = chain.steps[s];
             const int n = step.size;
             for (int i = 0; i < step.couplings; ++i) {
                 --u;
-                // Processors do not see soon enough what is read from the end to the start.
+                // See fetch_ahead.
                 if (u->to >= ahead) {
                     for (int k = 0; k < n * u->size; k += line)
                         __builtin_prefetch(blocks + u->to - ahead + k);

@@ -45,6 +45,7 @@ class OneStep {
             coupling.column = {first, total_, true};
             coupling.first = first;
             coupling.size = other;
+            coupling.apart = -1;
             couplings_.push_back(coupling);
             first += other;
         }
@@ -56,7 +57,13 @@ class OneStep {
         step_.copies = static_cast<int>(copies_.size());
     }
 
-    ChainSteps chain() const { return {&step_, 1, couplings_.data(), copies_.data()}; }
+    ChainSteps chain() const {
+        return {&step_, 1, couplings_.data(), static_cast<std::int64_t>(couplings_.size()), copies_.data()};
+    }
+    // Substitution adds to the neighbours apart from their unknowns.
+    void add_apart() {
+        for (ChainCoupling& coupling : couplings_) coupling.apart = coupling.first - step_.size;
+    }
     std::vector<double> make_blocks() const { return std::vector<double>(blocks_, 0.0); }
 
     // What the neighbours' blocks have become.
@@ -133,7 +140,15 @@ TEST_CASE("A step's solution is that of a dense LU, in the same bits by all sets
             std::vector<double> blocks = problem.make_blocks();
             REQUIRE(kernels.eliminate(problem.chain(), A.data(), blocks.data()));
             Eigen::VectorXd x = load;
-            kernels.go_forward(problem.chain(), A.data(), blocks.data(), x.data());
+            kernels.go_forward(problem.chain(), A.data(), blocks.data(), x.data(), nullptr);
+            OneStep other = problem;
+            other.add_apart();
+            Eigen::VectorXd y = load;
+            Eigen::VectorXd apart = Eigen::VectorXd::Zero(A.rows() - n);
+            kernels.go_forward(other.chain(), A.data(), blocks.data(), y.data(), apart.data());
+            CHECK(y.head(n) == x.head(n));
+            CHECK(y.tail(A.rows() - n) == load.tail(A.rows() - n));
+            CHECK((y.tail(A.rows() - n) + apart - x.tail(A.rows() - n)).norm() <= 1e-14 * x.norm());
             const Eigen::MatrixXd remainder = problem.remainder(blocks);
             if (remainder.size() > 0)
                 x.tail(A.rows() - n) = remainder.lu().solve(x.tail(A.rows() - n)).eval();

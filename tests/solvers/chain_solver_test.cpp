@@ -65,6 +65,14 @@ std::int64_t solve(const SparsePattern& pattern) {
     REQUIRE(klu->factorize(values).regular);
     klu->solve(expected);
     CHECK(relative_difference(x, expected) < 1e-12);
+    for (const int threads : {2, 3}) {
+        const ThreadTeam team(threads);
+        ChainSolver shared(pattern, team);
+        REQUIRE(shared.factorize(values).regular);
+        Eigen::VectorXd again = load;
+        shared.solve(again);
+        CHECK(again == x);
+    }
     return solver.count_kept();
 }
 
@@ -100,6 +108,57 @@ TEST_CASE("Trees, closed loops and loops that share a node vanish", "[solvers]")
         add_rod(4, 5, 3, order, next_node, groups);
         add_rod(4, 5, 2, order, next_node, groups);
         CHECK(solve(make_pattern(groups, {2})) == 0);
+    }
+}
+
+// Longer than what one thread takes alone.
+TEST_CASE("Long rods, trees and closed loops are shared by threads", "[solvers]") {
+    for (const int order : {1, 2}) {
+        CAPTURE(order);
+        constexpr int elements = 400;
+        std::vector<NodeGroup> groups;
+        int next_node = 2;
+        add_rod(0, 1, elements, order, next_node, groups);
+        CHECK(solve(make_pattern(groups, {0})) == 0);
+        groups.clear();
+        next_node = 6;
+        for (const int branch : {1, 2, 3}) add_rod(0, branch, elements, order, next_node, groups);
+        for (const int branch : {4, 5}) add_rod(3, branch, elements, order, next_node, groups);
+        CHECK(solve(make_pattern(groups, {1})) == 0);
+        add_rod(2, 2, elements, order, next_node, groups);
+        CHECK(solve(make_pattern(groups)) == 0);
+        // Two ways between the same nodes, and a loop between these ways.
+        add_rod(4, 5, elements, order, next_node, groups);
+        add_rod(4, 5, elements, order, next_node, groups);
+        CHECK(solve(make_pattern(groups)) == 0);
+        add_rod(groups[5 * elements + 50].front(),
+                groups[6 * elements + 60].back(),
+                elements,
+                order,
+                next_node,
+                groups);
+        add_rod(groups[5 * elements + 90].front(),
+                groups[6 * elements + 9].back(),
+                elements,
+                order,
+                next_node,
+                groups);
+        solve(make_pattern(groups));
+    }
+}
+
+TEST_CASE("Members of a net are shared by threads", "[solvers]") {
+    for (const int elements : {5, 60, 200}) {
+        CAPTURE(elements);
+        constexpr int width = 4;
+        std::vector<NodeGroup> groups;
+        int next_node = width * width;
+        for (int a = 0; a < width * width; ++a) {
+            for (int b = 0; b < a; ++b) {
+                if ((a + 3 * b) % 4 != 0) add_rod(a, b, elements, 1, next_node, groups);
+            }
+        }
+        CHECK(solve(make_pattern(groups)) == 6 * width * width);
     }
 }
 
