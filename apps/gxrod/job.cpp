@@ -76,8 +76,11 @@ bool examine(const JobOptions& options, const Problem& problem) {
 }  // namespace
 
 void add_job_options(CLI::App& verb, JobOptions& options) {
-    verb.add_option("--threads", options.threads, "Threads; this version runs on one")
-        ->check(CLI::Range(1, 1));
+    constexpr int most_threads = 1024;
+    verb.add_option("--threads",
+                    options.threads,
+                    "Threads that share the work of one run, of which none changes a result; 1 unless told")
+        ->check(CLI::Range(1, most_threads));
     verb.add_option(
         "--summary", options.summary, "Write a summary of the run as JSON to a file, or - for stdout");
     verb.add_flag("--quiet", options.quiet, "Say nothing unless something is wrong");
@@ -111,6 +114,7 @@ int run_job(const Problem& problem, const JobOptions& options, ResumableFile* re
         };
     }
     request.is_interrupted = [] { return interrupt_signal != 0; };
+    request.threads = options.threads;
     const RunSummary summary = run_analysis(request);
     line.finish();
     tell(options, summary, resumed != nullptr);

@@ -45,7 +45,7 @@ void write_summary(const std::string& target,
           {"solve", summary.phases.solve},
           {"update", summary.phases.update},
           {"output", summary.phases.output}}},
-        {"threads", 1},
+        {"threads", summary.threads},
         {"version", version},
     };
     write_json(target, json);

@@ -2,8 +2,9 @@
 
 namespace gxrod {
 
-DynamicAnalysis::DynamicAnalysis(const Model& model, const DynamicSettings& settings)
+DynamicAnalysis::DynamicAnalysis(const Model& model, const DynamicSettings& settings, int threads)
     : SteppedAnalysis(model,
+                      threads,
                       make_integrator(settings),
                       settings.newton,
                       settings.linear_solver,

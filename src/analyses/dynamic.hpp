@@ -9,7 +9,7 @@ namespace gxrod {
 class DynamicAnalysis : public SteppedAnalysis {
   public:
     // The model must outlive the analysis.
-    DynamicAnalysis(const Model& model, const DynamicSettings& settings);
+    DynamicAnalysis(const Model& model, const DynamicSettings& settings, int threads = 1);
 
     // Solves for the initial accelerations.
     EquilibriumReport start() override;

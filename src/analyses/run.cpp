@@ -27,6 +27,7 @@ class Run {
         summary_.nodes = static_cast<long>(request.model.nodes.size());
         summary_.elements = static_cast<long>(analysis_->system().element_count());
         summary_.unknowns = analysis_->system().equations().count();
+        summary_.threads = analysis_->system().team().size();
     }
 
     void run() {
@@ -54,7 +55,7 @@ class Run {
   private:
     static std::unique_ptr<SteppedAnalysis> build(const RunRequest& request, double& seconds) {
         const PhaseTimer timer(seconds);
-        return make_analysis(request.model, request.analysis);
+        return make_analysis(request.model, request.analysis, request.threads);
     }
 
     [[noreturn]] void explain_no_step(const std::filesystem::path& path, double time) const {

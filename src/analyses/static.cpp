@@ -14,8 +14,9 @@ constexpr int halvings = 30;
 
 }  // namespace
 
-StaticAnalysis::StaticAnalysis(const Model& model, const StaticSettings& settings)
+StaticAnalysis::StaticAnalysis(const Model& model, const StaticSettings& settings, int threads)
     : SteppedAnalysis(model,
+                      threads,
                       std::make_unique<LoadStepping>(),
                       settings.newton,
                       settings.linear_solver,
@@ -31,11 +32,13 @@ EquilibriumReport StaticAnalysis::start() {
     return {};
 }
 
-std::unique_ptr<SteppedAnalysis> make_analysis(const Model& model, const AnalysisSettings& settings) {
+std::unique_ptr<SteppedAnalysis> make_analysis(const Model& model,
+                                               const AnalysisSettings& settings,
+                                               int threads) {
     if (const auto* dynamic = std::get_if<DynamicSettings>(&settings)) {
-        return std::make_unique<DynamicAnalysis>(model, *dynamic);
+        return std::make_unique<DynamicAnalysis>(model, *dynamic, threads);
     }
-    return std::make_unique<StaticAnalysis>(model, std::get<StaticSettings>(settings));
+    return std::make_unique<StaticAnalysis>(model, std::get<StaticSettings>(settings), threads);
 }
 
 }  // namespace gxrod

@@ -26,11 +26,13 @@ bool may_come_from_weakness(Outcome outcome) {
 }  // namespace
 
 SteppedAnalysis::SteppedAnalysis(const Model& model,
+                                 int threads,
                                  std::unique_ptr<Integrator> integrator,
                                  const NewtonSettings& newton,
                                  LinearSolverKind linear_solver,
                                  std::unique_ptr<StepSequence> steps)
-    : system_(model),
+    : team_(threads),
+      system_(model, team_),
       integrator_(std::move(integrator)),
       newton_(newton),
       linear_solver_(linear_solver),
@@ -131,8 +133,7 @@ std::string SteppedAnalysis::find_weakness() {
     const Failure::Phase phase = failure_phase();
     if (phase == Failure::Phase::implicit_step || phase == Failure::Phase::load_step) {
         const Stage stage{0, steps_->time(), steps_->time_step(), steps_->next_time()};
-        workspace_.linearizations.resize(state_.trial.size());
-        integrator_->linearize(state_, stage, workspace_.linearizations);
+        integrator_->linearize(state_, stage, workspace_.linearizations, team_);
         system_.compute_tangent(state_, steps_->time(), workspace_.linearizations, workspace_.values);
     }
     const std::optional<Weakness> weakness = describe_weakness(system_, state_, workspace_.values);

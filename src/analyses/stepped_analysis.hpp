@@ -47,8 +47,9 @@ class SteppedAnalysis {
     Snapshot snapshot(bool with_elements = true);
 
   protected:
-    // The model must outlive the analysis.
+    // The model must outlive the analysis; so many threads share its work.
     SteppedAnalysis(const Model& model,
+                    int threads,
                     std::unique_ptr<Integrator> integrator,
                     const NewtonSettings& newton,
                     LinearSolverKind linear_solver,
@@ -57,6 +58,7 @@ class SteppedAnalysis {
     // Takes the trial motions for the state at t = 0; the workspace has their residual.
     void accept_start();
 
+    ThreadTeam team_;
     System system_;
     std::unique_ptr<Integrator> integrator_;
     NewtonSettings newton_;

@@ -80,10 +80,12 @@ LoadedElement make_loaded_element(const Model& model, const DistributedLoad& loa
 
 }  // namespace
 
-System::System(const Model& model) : System(model, find_kernels(find_instruction_set())) {}
+System::System(const Model& model, const ThreadTeam& team)
+    : System(model, find_kernels(find_instruction_set()), team) {}
 
-System::System(const Model& model, const Kernels& kernels)
+System::System(const Model& model, const Kernels& kernels, const ThreadTeam& team)
     : model_(&model),
+      team_(&team),
       supports_(model),
       equations_(supports_),
       rod_batches_(kernels, kernels, kernels, kernels),
@@ -122,6 +124,10 @@ void System::build_blocks() {
         block.is_damped = std::any_of(
             block.elements.begin(), block.elements.end(), [](const auto& e) { return e.is_damped(); });
         is_damped_ = is_damped_ || block.is_damped;
+        block.phases = WorkPhases(
+            block.elements.size(), model_->nodes.size(), [&](std::size_t element, const auto& mark) {
+                for (const int node : block.elements[element].nodes) mark(node);
+            });
     });
 }
 

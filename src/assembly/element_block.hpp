@@ -7,6 +7,7 @@
 #include "elements/element.hpp"
 #include "elements/rigid_body.hpp"
 #include "elements/rod/rod_element.hpp"
+#include "parallel/work_phases.hpp"
 
 namespace gxrod {
 
@@ -24,6 +25,7 @@ struct ElementBlock {
     std::size_t first_point = 0;     // in State::resultants
     std::vector<int> section_index;  // of a rod element among all rod elements of the model
     bool is_damped = false;          // whether any element is
+    WorkPhases phases;               // of the elements
 
     Histories histories(const State& state, std::size_t element) const {
         return {state.sections.data() + first_history + element * history_count, history_count};

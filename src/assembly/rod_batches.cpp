@@ -27,12 +27,19 @@ void RodBatches<Nodes>::build(const Block& block, const EquationNumbers& equatio
     block_ = &block;
     equations_ = &equations;
     is_member_.assign(block.elements.size(), false);
-    for (std::size_t e = 0; e < block.elements.size(); ++e) {
-        if (block.elements[e].inertia().has_offset()) continue;
+    for (std::size_t part = 0; part < block.phases.part_count(); ++part) add_part(part);
+    first_batch_.push_back(batches_.size());
+    write_constants();
+}
+
+template <int Nodes>
+void RodBatches<Nodes>::add_part(std::size_t part) {
+    first_batch_.push_back(batches_.size());
+    for (std::size_t e = block_->phases.first(part); e < block_->phases.last(part); ++e) {
+        if (block_->elements[e].inertia().has_offset()) continue;
         is_member_[e] = true;
         add_to_batches(static_cast<int>(e));
     }
-    write_constants();
 }
 
 template <int Nodes>
@@ -40,7 +47,7 @@ void RodBatches<Nodes>::add_to_batches(int element) {
     const Section section = make_section_rows<Nodes>(block_->elements[element]);
     const bool is_same = !sections_.empty() && sections_.back() == section;
     if (!is_same) sections_.push_back(section);
-    if (!is_same || batches_.back().count == width_) {
+    if (!is_same || batches_.size() == first_batch_.back() || batches_.back().count == width_) {
         batches_.push_back({.section = sections_.size() - 1, .count = 0, .elements = {}, .nodes = {}});
     }
     Batch& batch = batches_.back();
@@ -66,12 +73,14 @@ void RodBatches<Nodes>::write_constants() {
 }
 
 template <int Nodes>
-void RodBatches<Nodes>::add_forces(const std::vector<NodeMotion>& motions,
+void RodBatches<Nodes>::add_forces(std::size_t part,
+                                   const std::vector<NodeMotion>& motions,
                                    const Vec3& gravity,
-                                   Residual& residual) const {
+                                   std::vector<Vec6>& nodal,
+                                   ForceScales& scales) const {
     alignas(64) std::array<double, Rows::motion_rows * most_lanes> rows;
     alignas(64) std::array<double, Rows::force_rows * most_lanes> forces;
-    for (std::size_t b = 0; b < batches_.size(); ++b) {
+    for (std::size_t b = first_batch_[part]; b < first_batch_[part + 1]; ++b) {
         const Batch& batch = batches_[b];
         for (int lane = 0; lane < width_; ++lane) {
             const std::array<int, Nodes>& nodes = batch.nodes[lane];
@@ -82,16 +91,15 @@ void RodBatches<Nodes>::add_forces(const std::vector<NodeMotion>& motions,
         }
         if (!kernels_.compute_forces(
                 sections_[batch.section].data(), constants(b), rows.data(), forces.data())) {
-            add_forces_alone(batch, motions, gravity, residual);
+            add_forces_alone(batch, motions, gravity, nodal, scales);
             continue;
         }
         for (int lane = 0; lane < batch.count; ++lane) {
             const double* force = &forces[lane];
             for (const int node : batch.nodes[lane]) {
-                for (int i = 0; i < 6; ++i, force += width_) residual.nodal[node][i] += *force;
+                for (int i = 0; i < 6; ++i, force += width_) nodal[node][i] += *force;
             }
-            residual.force_scale = std::max(residual.force_scale, force[0]);
-            residual.moment_scale = std::max(residual.moment_scale, force[width_]);
+            scales.raise(force[0], force[width_]);
         }
     }
 }
@@ -100,27 +108,29 @@ template <int Nodes>
 void RodBatches<Nodes>::add_forces_alone(const Batch& batch,
                                          const std::vector<NodeMotion>& motions,
                                          const Vec3& gravity,
-                                         Residual& residual) const {
+                                         std::vector<Vec6>& nodal,
+                                         ForceScales& scales) const {
     for (int lane = 0; lane < batch.count; ++lane) {
         const ObjectiveElement<Nodes>& element = block_->elements[batch.elements[lane]];
-        const Motions<Nodes> nodal = block_->point_at(motions, element.nodes);
+        const Motions<Nodes> nodes = block_->point_at(motions, element.nodes);
         NodalVector<Nodes> internal = NodalVector<Nodes>::Zero();
         NodalVector<Nodes> inertial = NodalVector<Nodes>::Zero();
-        element.add_internal_force(nodal, {}, internal);
-        element.inertia().add_translational_force(nodal, gravity, inertial);
-        raise_scales(internal, residual);
-        raise_scales(inertial, residual);
-        add_to_nodes<Nodes>(internal + inertial, element.nodes, residual.nodal);
+        element.add_internal_force(nodes, {}, internal);
+        element.inertia().add_translational_force(nodes, gravity, inertial);
+        scales.raise(internal);
+        scales.raise(inertial);
+        add_to_nodes<Nodes>(internal + inertial, element.nodes, nodal);
     }
 }
 
 template <int Nodes>
-void RodBatches<Nodes>::add_tangents(const std::vector<NodeMotion>& motions,
+void RodBatches<Nodes>::add_tangents(std::size_t part,
+                                     const std::vector<NodeMotion>& motions,
                                      const std::vector<NodeLinearization>& linearizations,
                                      std::vector<double>& values) const {
     alignas(64) std::array<double, Rows::linearization_rows * most_lanes> rows;
     alignas(64) std::array<double, Rows::tangent_rows * most_lanes> tangents;
-    for (std::size_t b = 0; b < batches_.size(); ++b) {
+    for (std::size_t b = first_batch_[part]; b < first_batch_[part + 1]; ++b) {
         const Batch& batch = batches_[b];
         for (int lane = 0; lane < width_; ++lane) {
             const std::array<int, Nodes>& nodes = batch.nodes[lane];

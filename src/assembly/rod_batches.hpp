@@ -21,10 +21,15 @@ class RodBatches {
     void build(const Block& block, const EquationNumbers& equations);
     bool has(std::size_t element) const { return is_member_[element]; }
 
-    // Adds internal and inertial forces.
-    void add_forces(const std::vector<NodeMotion>& motions, const Vec3& gravity, Residual& residual) const;
+    // Adds internal and inertial forces of one part of the block's elements.
+    void add_forces(std::size_t part,
+                    const std::vector<NodeMotion>& motions,
+                    const Vec3& gravity,
+                    std::vector<Vec6>& nodal,
+                    ForceScales& scales) const;
     // Adds the derivatives of these.
-    void add_tangents(const std::vector<NodeMotion>& motions,
+    void add_tangents(std::size_t part,
+                      const std::vector<NodeMotion>& motions,
                       const std::vector<NodeLinearization>& linearizations,
                       std::vector<double>& values) const;
 
@@ -32,7 +37,7 @@ class RodBatches {
     using Rows = RodKernels<Nodes>;
     using Section = std::array<double, Rows::section_rows>;
 
-    // Elements with the same section; the last one fills the lanes that are left.
+    // Elements of one part with the same section; the last one fills the lanes that are left.
     struct Batch {
         std::size_t section;
         int count;
@@ -40,6 +45,7 @@ class RodBatches {
         std::array<std::array<int, Nodes>, most_lanes> nodes;
     };
 
+    void add_part(std::size_t part);
     void add_to_batches(int element);
     void write_constants();
     const double* constants(std::size_t batch) const {
@@ -49,7 +55,8 @@ class RodBatches {
     void add_forces_alone(const Batch& batch,
                           const std::vector<NodeMotion>& motions,
                           const Vec3& gravity,
-                          Residual& residual) const;
+                          std::vector<Vec6>& nodal,
+                          ForceScales& scales) const;
     void add_tangents_alone(const Batch& batch,
                             const std::vector<NodeMotion>& motions,
                             const std::vector<NodeLinearization>& linearizations,
@@ -64,7 +71,8 @@ class RodBatches {
     std::vector<bool> is_member_;
     std::vector<Section> sections_;
     std::vector<Batch> batches_;
-    std::vector<double> constants_;  // of each batch, by rows
+    std::vector<std::size_t> first_batch_;  // of each part, and the number of batches
+    std::vector<double> constants_;         // of each batch, by rows
 };
 
 using AllRodBatches = std::tuple<RodBatches<2>, RodBatches<3>, RodBatches<4>, RodBatches<5>>;

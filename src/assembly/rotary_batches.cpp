@@ -34,10 +34,13 @@ void RotaryBatches::lay_out(const SparsePattern& pattern) {
     }
 }
 
-void RotaryBatches::add_forces(const std::vector<NodeMotion>& motions, Residual& residual) const {
+void RotaryBatches::add_forces(std::size_t part,
+                               const std::vector<NodeMotion>& motions,
+                               std::vector<Vec6>& nodal,
+                               ForceScales& scales) const {
     alignas(64) std::array<double, RotaryKernels::motion_rows * most_lanes> rows;
     alignas(64) std::array<double, RotaryKernels::moment_rows * most_lanes> moments;
-    for (std::size_t first = 0; first < inertias_.size(); first += width_) {
+    for (std::size_t first = part * part_size; first < last_of(part); first += width_) {
         for (int lane = 0; lane < width_; ++lane) {
             const NodeMotion& motion = motions[node_of(first + lane)];
             LaneColumn column(rows.data(), lane, width_);
@@ -49,18 +52,19 @@ void RotaryBatches::add_forces(const std::vector<NodeMotion>& motions, Residual&
             &constants_[first * RotaryKernels::constant_rows], rows.data(), moments.data());
         for (int lane = 0; lane < width_ && first + lane < inertias_.size(); ++lane) {
             const Vec3 moment(moments[lane], moments[width_ + lane], moments[2 * width_ + lane]);
-            residual.moment_scale = std::max(residual.moment_scale, moment.lpNorm<Eigen::Infinity>());
-            residual.nodal[node_of(first + lane)].tail<3>() += moment;
+            scales.raise(0.0, moment.lpNorm<Eigen::Infinity>());
+            nodal[node_of(first + lane)].tail<3>() += moment;
         }
     }
 }
 
-void RotaryBatches::add_tangents(const std::vector<NodeMotion>& motions,
+void RotaryBatches::add_tangents(std::size_t part,
+                                 const std::vector<NodeMotion>& motions,
                                  const std::vector<NodeLinearization>& linearizations,
                                  std::vector<double>& values) const {
     alignas(64) std::array<double, RotaryKernels::linearization_rows * most_lanes> rows;
     alignas(64) std::array<double, RotaryKernels::tangent_rows * most_lanes> tangents;
-    for (std::size_t first = 0; first < inertias_.size(); first += width_) {
+    for (std::size_t first = part * part_size; first < last_of(part); first += width_) {
         for (int lane = 0; lane < width_; ++lane) {
             const int node = node_of(first + lane);
             LaneColumn column(rows.data(), lane, width_);

@@ -3,6 +3,7 @@
 #include "assembly/element_block.hpp"
 #include "assembly/residual.hpp"
 #include "elements/lanes/kernels.hpp"
+#include "parallel/work_phases.hpp"
 
 namespace gxrod {
 
@@ -17,19 +18,29 @@ class RotaryBatches {
     void add(int node, const Mat3& inertia);
     void lay_out(const SparsePattern& pattern);
 
-    // Adds inertial moments.
-    void add_forces(const std::vector<NodeMotion>& motions, Residual& residual) const;
+    // Each node is in one of the parts.
+    std::size_t part_count() const { return (inertias_.size() + part_size - 1) / part_size; }
+
+    // Adds inertial moments of the nodes of a part.
+    void add_forces(std::size_t part,
+                    const std::vector<NodeMotion>& motions,
+                    std::vector<Vec6>& nodal,
+                    ForceScales& scales) const;
     // Adds the derivatives of these.
-    void add_tangents(const std::vector<NodeMotion>& motions,
+    void add_tangents(std::size_t part,
+                      const std::vector<NodeMotion>& motions,
                       const std::vector<NodeLinearization>& linearizations,
                       std::vector<double>& values) const;
 
   private:
+    static constexpr std::size_t part_size = WorkPhases::part_size;  // whole batches of any width
+
     struct NodeInertia {
         int node;
         Mat3 inertia;
     };
 
+    std::size_t last_of(std::size_t part) const { return std::min(inertias_.size(), (part + 1) * part_size); }
     // The node of a lane; the last node fills the lanes that are left.
     int node_of(std::size_t lane) const { return inertias_[std::min(lane, inertias_.size() - 1)].node; }
     void add_tangent(const double* tangents, std::size_t lane, std::vector<double>& values) const;

@@ -17,15 +17,19 @@ void find_slots(std::span<const int> nodes,
     }
 }
 
-Eigen::VectorXd gather(const std::vector<Vec6>& nodal, const EquationNumbers& equations) {
+Eigen::VectorXd gather(const std::vector<Vec6>& nodal,
+                       const EquationNumbers& equations,
+                       const ThreadTeam& team) {
     Eigen::VectorXd vector(equations.count());
-    for (int node = 0; node < static_cast<int>(nodal.size()); ++node) {
-        const Vec6 own = equations.to_own_axes(node, nodal[node]);
-        const std::array<std::int64_t, 6>& numbers = equations.of_node(node);
-        for (int i = 0; i < 6; ++i) {
-            if (numbers[i] >= 0) vector[numbers[i]] = own[i];
+    team.for_each_range(nodal.size(), [&](std::size_t first, std::size_t last) {
+        for (int node = static_cast<int>(first); node < static_cast<int>(last); ++node) {
+            const Vec6 own = equations.to_own_axes(node, nodal[node]);
+            const std::array<std::int64_t, 6>& numbers = equations.of_node(node);
+            for (int i = 0; i < 6; ++i) {
+                if (numbers[i] >= 0) vector[numbers[i]] = own[i];
+            }
         }
-    }
+    });
     return vector;
 }
 

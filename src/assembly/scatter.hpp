@@ -9,6 +9,7 @@
 #include "assembly/equation_numbers.hpp"
 #include "assembly/sparse_pattern.hpp"
 #include "elements/element.hpp"
+#include "parallel/thread_team.hpp"
 
 // From an element's matrix to the global one, and from nodal vectors to equations and back.
 namespace gxrod {
@@ -106,6 +107,8 @@ void add_to_nodes(const NodalVector<Nodes>& force,
 }
 
 // The components that have equations, in the axes of those.
-Eigen::VectorXd gather(const std::vector<Vec6>& nodal, const EquationNumbers& equations);
+Eigen::VectorXd gather(const std::vector<Vec6>& nodal,
+                       const EquationNumbers& equations,
+                       const ThreadTeam& team = ThreadTeam::alone());
 
 }  // namespace gxrod

@@ -1,5 +1,7 @@
 #include "assembly/system.hpp"
 
+#include <algorithm>
+
 #include "loads/nodal_load.hpp"
 
 namespace gxrod {
@@ -40,6 +42,15 @@ NodalVector<E::node_count> compute_gravity_force(const E& element,
 
 }  // namespace
 
+Balance& Balance::operator+=(const Balance& other) {
+    kinetic_energy += other.kinetic_energy;
+    strain_energy += other.strain_energy;
+    gravity_potential += other.gravity_potential;
+    momentum.linear += other.momentum.linear;
+    momentum.angular += other.momentum.angular;
+    return *this;
+}
+
 std::size_t System::element_count() const {
     return static_cast<std::size_t>(rod_element_count_) + model_->bodies.size();
 }
@@ -72,7 +83,7 @@ State System::initial_state() const {
 void System::add_loads(const State& state, double time, Residual& residual) const {
     for (const NodalLoad& load : model_->loads) {
         const Vec6 force = compute_load(load, state.trial[load.node], time);
-        raise_scales(force, residual);
+        residual.raise(force);
         residual.nodal[load.node] -= force;
     }
     if (loaded_elements_.empty()) return;
@@ -81,39 +92,63 @@ void System::add_loads(const State& state, double time, Residual& residual) cons
         add_distributed_load(element, state.trial, time, distributed);
     }
     for (std::size_t i = 0; i < distributed.size(); ++i) {
-        raise_scales(distributed[i], residual);
+        residual.raise(distributed[i]);
         residual.nodal[i] -= distributed[i];
     }
 }
 
+template <class E>
+void System::add_forces(const ElementBlock<E>& block,
+                        std::size_t part,
+                        const State& state,
+                        const Vec3& gravity,
+                        std::vector<Vec6>& nodal,
+                        ForceScales& scales) const {
+    if constexpr (std::is_same_v<E, ObjectiveElement<E::node_count>>) {
+        batches_of(block).add_forces(part, state.trial, gravity, nodal, scales);
+    }
+    using Force = NodalVector<E::node_count>;
+    for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
+        const bool is_alone = !is_in_batch(rod_batches_, block, e);
+        if (!is_alone && !block.is_damped) continue;
+        const E& element = block.elements[e];
+        const auto motions = block.motions(state.trial, e);
+        Force internal = Force::Zero();
+        Force inertial = Force::Zero();
+        if (is_alone) element.add_internal_force(motions, block.histories(state, e), internal);
+        if (block.is_damped) element.add_damping_force(motions, block.histories(state, e), internal);
+        if (is_alone) element.add_inertial_force(motions, gravity, inertial);
+        scales.raise(internal);
+        scales.raise(inertial);
+        // With nothing internal, inertia balances itself and its sum vanishes: its terms are the scale.
+        if constexpr (!E::has_section) scales.raise(compute_acceleration_force(element, motions));
+        add_to_nodes<E::node_count>(internal + inertial, element.nodes, nodal);
+    }
+}
+
 void System::compute_residual(const State& state, double time, Residual& residual) const {
-    residual.nodal.assign(state.trial.size(), Vec6::Zero());
+    residual.nodal.resize(state.trial.size());
+    team_->for_each_range(residual.nodal.size(), [&](std::size_t first, std::size_t last) {
+        std::fill(residual.nodal.begin() + first, residual.nodal.begin() + last, Vec6::Zero());
+    });
     residual.force_scale = residual.moment_scale = 0.0;
     const Vec3 gravity = model_->gravity(time);
-    for_each_block(rod_batches_,
-                   [&](const auto& batches) { batches.add_forces(state.trial, gravity, residual); });
-    rotary_batches_.add_forces(state.trial, residual);
+    std::vector<ForceScales> scales;
+    const auto raise_by_all = [&] {
+        for (const ForceScales& part : scales) residual.raise(part.force_scale, part.moment_scale);
+    };
     for_each_block(blocks_, [&](const auto& block) {
-        using Force = NodalVector<std::remove_cvref_t<decltype(block)>::node_count>;
-        for (std::size_t e = 0; e < block.elements.size(); ++e) {
-            const bool is_alone = !is_in_batch(rod_batches_, block, e);
-            if (!is_alone && !block.is_damped) continue;
-            const auto& element = block.elements[e];
-            const auto motions = block.motions(state.trial, e);
-            Force internal = Force::Zero();
-            Force inertial = Force::Zero();
-            if (is_alone) element.add_internal_force(motions, block.histories(state, e), internal);
-            if (block.is_damped) element.add_damping_force(motions, block.histories(state, e), internal);
-            if (is_alone) element.add_inertial_force(motions, gravity, inertial);
-            raise_scales(internal, residual);
-            raise_scales(inertial, residual);
-            // With nothing internal, inertia balances itself and its sum vanishes: its terms are the scale.
-            if constexpr (!std::remove_cvref_t<decltype(block)>::has_section) {
-                raise_scales(compute_acceleration_force(element, motions), residual);
-            }
-            add_to_nodes<Force::RowsAtCompileTime / 6>(internal + inertial, element.nodes, residual.nodal);
-        }
+        scales.assign(block.phases.part_count(), {});
+        block.phases.run(*team_, [&](std::size_t part) {
+            add_forces(block, part, state, gravity, residual.nodal, scales[part]);
+        });
+        raise_by_all();
     });
+    scales.assign(rotary_batches_.part_count(), {});
+    team_->for_each(scales.size(), [&](std::size_t part) {
+        rotary_batches_.add_forces(part, state.trial, residual.nodal, scales[part]);
+    });
+    raise_by_all();
     add_loads(state, time, residual);
 }
 
@@ -138,41 +173,57 @@ void System::add_load_tangents(const State& state,
     }
 }
 
+template <class E>
+void System::add_tangents(const ElementBlock<E>& block,
+                          std::size_t part,
+                          const State& state,
+                          const Vec3& gravity,
+                          const std::vector<NodeLinearization>& linearizations,
+                          std::vector<double>& values) const {
+    const bool is_mixed = !state.resultants.empty();
+    if constexpr (std::is_same_v<E, ObjectiveElement<E::node_count>>) {
+        if (!is_mixed) batches_of(block).add_tangents(part, state.trial, linearizations, values);
+    }
+    using Tangent = NodalMatrix<E::node_count>;
+    for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
+        const bool is_alone = is_mixed || !is_in_batch(rod_batches_, block, e);
+        if (!is_alone && !block.is_damped) continue;
+        const E& element = block.elements[e];
+        const auto motions = block.motions(state.trial, e);
+        const auto nodal = block.point_at(linearizations, element.nodes);
+        const Histories histories = block.histories(state, e);
+        Tangent tangent = Tangent::Zero();
+        if (is_mixed) {
+            element.add_mixed_tangent(motions, histories, block.resultants(state, e), nodal, tangent);
+        } else if (is_alone) {
+            element.add_internal_tangent(motions, histories, nodal, tangent);
+        }
+        if (block.is_damped) element.add_damping_tangent(motions, histories, nodal, tangent);
+        if (is_alone) element.add_inertial_tangent(motions, gravity, nodal, tangent);
+        turn_to_own_axes(std::span<const int>(element.nodes), equations_, tangent);
+        add_to_values<E::node_count>(tangent, block.places[e], values);
+    }
+}
+
 void System::compute_tangent(const State& state,
                              double time,
                              const std::vector<NodeLinearization>& linearizations,
                              std::vector<double>& values) const {
-    values.assign(pattern_.rows.size(), 0.0);
-    const Vec3 gravity = model_->gravity(time);
-    const bool is_mixed = !state.resultants.empty();
-    if (!is_mixed) {
-        for_each_block(rod_batches_, [&](const auto& batches) {
-            batches.add_tangents(state.trial, linearizations, values);
-        });
-        rotary_batches_.add_tangents(state.trial, linearizations, values);
-    }
-    for_each_block(blocks_, [&](const auto& block) {
-        constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
-        using Tangent = NodalMatrix<node_count>;
-        for (std::size_t e = 0; e < block.elements.size(); ++e) {
-            const bool is_alone = is_mixed || !is_in_batch(rod_batches_, block, e);
-            if (!is_alone && !block.is_damped) continue;
-            const auto& element = block.elements[e];
-            const auto motions = block.motions(state.trial, e);
-            const auto nodal = block.point_at(linearizations, element.nodes);
-            const Histories histories = block.histories(state, e);
-            Tangent tangent = Tangent::Zero();
-            if (is_mixed) {
-                element.add_mixed_tangent(motions, histories, block.resultants(state, e), nodal, tangent);
-            } else if (is_alone) {
-                element.add_internal_tangent(motions, histories, nodal, tangent);
-            }
-            if (block.is_damped) element.add_damping_tangent(motions, histories, nodal, tangent);
-            if (is_alone) element.add_inertial_tangent(motions, gravity, nodal, tangent);
-            turn_to_own_axes(std::span<const int>(element.nodes), equations_, tangent);
-            add_to_values<node_count>(tangent, block.places[e], values);
-        }
+    values.resize(pattern_.rows.size());
+    team_->for_each_range(values.size(), [&](std::size_t first, std::size_t last) {
+        std::fill(values.begin() + first, values.begin() + last, 0.0);
     });
+    const Vec3 gravity = model_->gravity(time);
+    for_each_block(blocks_, [&](const auto& block) {
+        block.phases.run(*team_, [&](std::size_t part) {
+            add_tangents(block, part, state, gravity, linearizations, values);
+        });
+    });
+    if (state.resultants.empty()) {
+        team_->for_each(rotary_batches_.part_count(), [&](std::size_t part) {
+            rotary_batches_.add_tangents(part, state.trial, linearizations, values);
+        });
+    }
     add_load_tangents(state, time, linearizations, values);
 }
 
@@ -185,17 +236,19 @@ void System::advance_resultants(const std::vector<Vec6>& increments, State& stat
     for_each_block(blocks_, [&](const auto& block) {
         using Block = std::remove_cvref_t<decltype(block)>;
         if constexpr (Block::point_count > 0) {
-            for (std::size_t e = 0; e < block.elements.size(); ++e) {
-                const auto& element = block.elements[e];
-                NodalVector<Block::node_count> increment;
-                for (int i = 0; i < Block::node_count; ++i) {
-                    increment.template segment<6>(6 * i) = increments[element.nodes[i]];
+            team_->for_each_range(block.elements.size(), [&](std::size_t first, std::size_t last) {
+                for (std::size_t e = first; e < last; ++e) {
+                    const auto& element = block.elements[e];
+                    NodalVector<Block::node_count> increment;
+                    for (int i = 0; i < Block::node_count; ++i) {
+                        increment.template segment<6>(6 * i) = increments[element.nodes[i]];
+                    }
+                    element.advance_resultants(block.motions(state.trial, e),
+                                               block.histories(std::as_const(state), e),
+                                               increment,
+                                               block.resultants(state, e));
                 }
-                element.advance_resultants(block.motions(state.trial, e),
-                                           block.histories(std::as_const(state), e),
-                                           increment,
-                                           block.resultants(state, e));
-            }
+            });
         }
     });
 }
@@ -203,16 +256,20 @@ void System::advance_resultants(const std::vector<Vec6>& increments, State& stat
 void System::commit(State& state, double time) const {
     for_each_block(blocks_, [&](const auto& block) {
         if constexpr (std::remove_cvref_t<decltype(block)>::history_count > 0) {
-            for (std::size_t e = 0; e < block.elements.size(); ++e) {
-                block.elements[e].commit(block.motions(state.trial, e), block.histories(state, e));
-            }
+            team_->for_each_range(block.elements.size(), [&](std::size_t first, std::size_t last) {
+                for (std::size_t e = first; e < last; ++e)
+                    block.elements[e].commit(block.motions(state.trial, e), block.histories(state, e));
+            });
         }
     });
-    for (NodeMotion& motion : state.trial) {
-        motion.Lambda.normalize();
-        motion.theta.setZero();
-    }
-    state.previous = state.trial;
+    state.previous.resize(state.trial.size());
+    team_->for_each_range(state.trial.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            state.trial[i].Lambda.normalize();
+            state.trial[i].theta.setZero();
+            state.previous[i] = state.trial[i];
+        }
+    });
     state.algorithmic_previous = state.algorithmic_trial;
     state.time = time;
 }
@@ -221,17 +278,20 @@ Balance System::compute_balance(const State& state, double time) const {
     Balance balance;
     const bool has_potential = model_->gravity.is_constant();
     const Vec3 gravity = has_potential ? model_->gravity(time) : Vec3::Zero();
+    std::vector<Balance> parts;
     for_each_block(blocks_, [&](const auto& block) {
-        for (std::size_t e = 0; e < block.elements.size(); ++e) {
-            const auto& element = block.elements[e];
-            const auto motions = block.motions(state.trial, e);
-            balance.kinetic_energy += element.kinetic_energy(motions);
-            balance.strain_energy += element.strain_energy(motions, block.histories(state, e));
-            balance.gravity_potential += element.gravity_potential(motions, gravity);
-            const Momentum momentum = element.momentum(motions);
-            balance.momentum.linear += momentum.linear;
-            balance.momentum.angular += momentum.angular;
-        }
+        parts.assign(block.phases.part_count(), {});
+        team_->for_each(parts.size(), [&](std::size_t part) {
+            for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
+                const auto& element = block.elements[e];
+                const auto motions = block.motions(state.trial, e);
+                parts[part] += {.kinetic_energy = element.kinetic_energy(motions),
+                                .strain_energy = element.strain_energy(motions, block.histories(state, e)),
+                                .gravity_potential = element.gravity_potential(motions, gravity),
+                                .momentum = element.momentum(motions)};
+            }
+        });
+        for (const Balance& part : parts) balance += part;
     });
     return balance;
 }
@@ -253,23 +313,26 @@ WorkingForces System::compute_working_forces(const State& state,
         forces.driving[support->node] += equations_.to_global_axes(support->node, exerted);
     }
     const bool gravity_works = !model_->gravity.is_constant();
+    const Vec3 gravity = model_->gravity(time);
     if (is_damped_) forces.damping.assign(state.trial.size(), Vec6::Zero());
     for_each_block(blocks_, [&](const auto& block) {
         constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
-        for (std::size_t e = 0; e < block.elements.size(); ++e) {
-            const auto& element = block.elements[e];
-            const auto motions = block.motions(state.trial, e);
-            if (gravity_works) {
-                add_to_nodes<node_count>(compute_gravity_force(element, motions, model_->gravity(time)),
-                                         element.nodes,
-                                         forces.driving);
+        if (!gravity_works && !block.is_damped) return;
+        block.phases.run(*team_, [&](std::size_t part) {
+            for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
+                const auto& element = block.elements[e];
+                const auto motions = block.motions(state.trial, e);
+                if (gravity_works) {
+                    add_to_nodes<node_count>(
+                        compute_gravity_force(element, motions, gravity), element.nodes, forces.driving);
+                }
+                if (block.is_damped) {
+                    NodalVector<node_count> force = NodalVector<node_count>::Zero();
+                    element.add_damping_force(motions, block.histories(state, e), force);
+                    add_to_nodes<node_count>(force, element.nodes, forces.damping);
+                }
             }
-            if (block.is_damped) {
-                NodalVector<node_count> force = NodalVector<node_count>::Zero();
-                element.add_damping_force(motions, block.histories(state, e), force);
-                add_to_nodes<node_count>(force, element.nodes, forces.damping);
-            }
-        }
+        });
     });
     return forces;
 }
@@ -290,10 +353,12 @@ std::vector<SectionValues> System::compute_section_values(const State& state) co
     std::vector<SectionValues> values(static_cast<std::size_t>(rod_element_count_));
     for_each_block(blocks_, [&](const auto& block) {
         if constexpr (std::remove_cvref_t<decltype(block)>::has_section) {
-            for (std::size_t e = 0; e < block.section_index.size(); ++e) {
-                values[block.section_index[e]] = block.elements[e].section_values(
-                    block.motions(state.trial, e), block.histories(state, e));
-            }
+            team_->for_each_range(block.elements.size(), [&](std::size_t first, std::size_t last) {
+                for (std::size_t e = first; e < last; ++e) {
+                    values[block.section_index[e]] = block.elements[e].section_values(
+                        block.motions(state.trial, e), block.histories(state, e));
+                }
+            });
         }
     });
     return values;
@@ -305,16 +370,22 @@ RelativeRotation System::bound_relative_rotation(const std::vector<NodeMotion>& 
     for_each_block(blocks_, [&](const auto& block) {
         using Block = std::remove_cvref_t<decltype(block)>;
         if constexpr (Block::has_section && Block::history_count == 0) {
-            for (std::size_t e = 0; e < block.elements.size(); ++e) {
-                const auto& nodes = block.elements[e].nodes;
-                double added = 0.0;
-                for (int i = 0; i < Block::node_count; ++i) {
-                    for (int j = 0; j < i; ++j)
-                        added = std::max(added, (spins[nodes[i]] - spins[nodes[j]]).norm());
+            std::vector<RelativeRotation> parts(block.phases.part_count());
+            team_->for_each(parts.size(), [&](std::size_t part) {
+                for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
+                    const auto& nodes = block.elements[e].nodes;
+                    double added = 0.0;
+                    for (int i = 0; i < Block::node_count; ++i) {
+                        for (int j = 0; j < i; ++j)
+                            added = std::max(added, (spins[nodes[i]] - spins[nodes[j]]).norm());
+                    }
+                    const double angle =
+                        added + block.elements[e].largest_relative_rotation(block.motions(motions, e));
+                    if (angle > parts[part].angle) parts[part] = {angle, nodes[0]};
                 }
-                const double angle =
-                    added + block.elements[e].largest_relative_rotation(block.motions(motions, e));
-                if (angle > largest.angle) largest = {angle, nodes[0]};
+            });
+            for (const RelativeRotation& part : parts) {
+                if (part.angle > largest.angle) largest = part;
             }
         }
     });

@@ -24,6 +24,8 @@ struct Balance {
     double strain_energy = 0.0;
     double gravity_potential = 0.0;  // 0 where gravity changes with time
     Momentum momentum;
+
+    Balance& operator+=(const Balance& other);
 };
 
 // Forces and moments per node that do work, of the trial motions.
@@ -41,13 +43,15 @@ struct RelativeRotation {
 // The model as one system of equations: what the parts become together. Holds no state.
 class System {
   public:
-    // The model must outlive the system.
-    explicit System(const Model& model);
-    System(const Model& model, const Kernels& kernels);
+    // The model must outlive the system, and so must the threads that share its work, of which none change
+    // any result.
+    explicit System(const Model& model, const ThreadTeam& team = ThreadTeam::alone());
+    System(const Model& model, const Kernels& kernels, const ThreadTeam& team = ThreadTeam::alone());
     System(const System&) = delete;  // its parts point at each other
     System& operator=(const System&) = delete;
 
     const Model& model() const { return *model_; }
+    const ThreadTeam& team() const { return *team_; }
     const Supports& supports() const { return supports_; }
     const EquationNumbers& equations() const { return equations_; }
     const SparsePattern& pattern() const { return pattern_; }
@@ -104,6 +108,25 @@ class System {
     void build_pattern();
     void build_batches();
     void measure();
+    template <class E>
+    const RodBatches<E::node_count>& batches_of(const ElementBlock<E>&) const {
+        return std::get<RodBatches<E::node_count>>(rod_batches_);
+    }
+    // Of one part of a block's elements.
+    template <class E>
+    void add_forces(const ElementBlock<E>& block,
+                    std::size_t part,
+                    const State& state,
+                    const Vec3& gravity,
+                    std::vector<Vec6>& nodal,
+                    ForceScales& scales) const;
+    template <class E>
+    void add_tangents(const ElementBlock<E>& block,
+                      std::size_t part,
+                      const State& state,
+                      const Vec3& gravity,
+                      const std::vector<NodeLinearization>& linearizations,
+                      std::vector<double>& values) const;
     void add_loads(const State& state, double time, Residual& residual) const;
     void add_load_tangents(const State& state,
                            double time,
@@ -112,6 +135,7 @@ class System {
     PointValues compute_point_value(const State& state, double time, const RodPlace& place) const;
 
     const Model* model_;
+    const ThreadTeam* team_;
     Supports supports_;
     EquationNumbers equations_;
     ElementBlocks blocks_;

@@ -18,9 +18,9 @@ void GeneralizedAlpha::start(State& state) const {
     state.algorithmic_previous = state.algorithmic_trial;
 }
 
-void GeneralizedAlpha::begin_stage(State& state, const Stage& stage) const {
+void GeneralizedAlpha::place_nodes(State& state, const Stage& stage, NodeRange nodes) const {
     const double dt = stage.time_step;
-    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+    for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const NodeMotion& previous = state.previous[i];
         const AlgorithmicAcceleration& A = state.algorithmic_previous[i];
         place(previous,
@@ -28,16 +28,16 @@ void GeneralizedAlpha::begin_stage(State& state, const Stage& stage) const {
               dt * previous.omega + (0.5 * dt * dt) * A.alpha,
               state.trial[i]);
     }
-    update_rates(state, stage);
+    update_nodes(state, stage, nodes);
 }
 
-void GeneralizedAlpha::update_rates(State& state, const Stage& stage) const {
+void GeneralizedAlpha::update_nodes(State& state, const Stage& stage, NodeRange nodes) const {
     const double dt = stage.time_step;
     // α from A, A_n and α_n.
     const auto accelerate = [this](const Vec3& A, const Vec3& A_n, const Vec3& alpha_n) -> Vec3 {
         return ((1.0 - alpha_m_) * A + alpha_m_ * A_n - alpha_f_ * alpha_n) / (1.0 - alpha_f_);
     };
-    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+    for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const NodeMotion& previous = state.previous[i];
         const AlgorithmicAcceleration& A_n = state.algorithmic_previous[i];
         AlgorithmicAcceleration& A = state.algorithmic_trial[i];
@@ -51,13 +51,14 @@ void GeneralizedAlpha::update_rates(State& state, const Stage& stage) const {
     }
 }
 
-void GeneralizedAlpha::linearize(const State& state,
-                                 const Stage& stage,
-                                 std::vector<NodeLinearization>& linearizations) const {
+void GeneralizedAlpha::linearize_nodes(const State& state,
+                                       const Stage& stage,
+                                       NodeRange nodes,
+                                       std::vector<NodeLinearization>& linearizations) const {
     const double rate = newmark_.rate(stage.time_step);
     const double acceleration =
         newmark_.acceleration_rate(stage.time_step) * (1.0 - alpha_m_) / (1.0 - alpha_f_);
-    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+    for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const Mat3 T_inverse = tangent_map_inverse(state.trial[i].theta);
         linearizations[i] = {1.0, rate, acceleration, rate * T_inverse, acceleration * T_inverse};
     }

@@ -15,11 +15,14 @@ class GeneralizedAlpha : public Integrator {
 
     bool has_algorithmic_accelerations() const override { return true; }
     void start(State& state) const override;
-    void begin_stage(State& state, const Stage& stage) const override;
-    void update_rates(State& state, const Stage& stage) const override;
-    void linearize(const State& state,
-                   const Stage& stage,
-                   std::vector<NodeLinearization>& linearizations) const override;
+
+  protected:
+    void place_nodes(State& state, const Stage& stage, NodeRange nodes) const override;
+    void update_nodes(State& state, const Stage& stage, NodeRange nodes) const override;
+    void linearize_nodes(const State& state,
+                         const Stage& stage,
+                         NodeRange nodes,
+                         std::vector<NodeLinearization>& linearizations) const override;
 
   private:
     double alpha_m_;

@@ -25,11 +25,57 @@ std::unique_ptr<Integrator> make_integrator(const DynamicSettings& settings) {
     return std::make_unique<NewmarkSimplified>(newmark);
 }
 
-std::vector<NodeLinearization> mass_linearizations(std::size_t node_count) {
+void Integrator::begin_stage(State& state, const Stage& stage, const ThreadTeam& team) const {
+    if (kept_stages() > 0) {
+        state.stages.resize(kept_stages());
+        for (std::vector<StageRates>& rates : state.stages) rates.resize(state.trial.size());
+    }
+    team.for_each_range(state.trial.size(), [&](std::size_t first, std::size_t last) {
+        place_nodes(state, stage, {first, last});
+    });
+}
+
+void Integrator::update_rates(State& state, const Stage& stage, const ThreadTeam& team) const {
+    team.for_each_range(state.trial.size(), [&](std::size_t first, std::size_t last) {
+        update_nodes(state, stage, {first, last});
+    });
+}
+
+void Integrator::linearize(const State& state,
+                           const Stage& stage,
+                           std::vector<NodeLinearization>& linearizations,
+                           const ThreadTeam& team) const {
+    linearizations.resize(state.trial.size());
+    team.for_each_range(linearizations.size(), [&](std::size_t first, std::size_t last) {
+        linearize_nodes(state, stage, {first, last}, linearizations);
+    });
+}
+
+void Integrator::linearize_as_paper(const State& state,
+                                    const Stage& stage,
+                                    std::vector<NodeLinearization>& linearizations,
+                                    const ThreadTeam& team) const {
+    linearizations.resize(state.trial.size());
+    team.for_each_range(linearizations.size(), [&](std::size_t first, std::size_t last) {
+        linearize_nodes_as_paper(state, stage, {first, last}, linearizations);
+    });
+}
+
+void Integrator::end_stage(State& state, const Stage& stage, const ThreadTeam& team) const {
+    team.for_each_range(state.trial.size(), [&](std::size_t first, std::size_t last) {
+        finish_nodes(state, stage, {first, last});
+    });
+}
+
+NodeLinearization mass_linearization() {
     NodeLinearization mass;
     mass.acceleration = 1.0;
     mass.d_alpha.setIdentity();
-    return std::vector<NodeLinearization>(node_count, mass);
+    return mass;
+}
+
+std::vector<NodeLinearization> mass_linearizations(std::size_t node_count) {
+    return std::vector<NodeLinearization>(node_count, mass_linearization());
 }
 
 }  // namespace gxrod

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "model/settings.hpp"
+#include "parallel/thread_team.hpp"
 #include "state/state.hpp"
 
 namespace gxrod {
@@ -25,10 +26,16 @@ struct StepError {
     int component = -1;
 };
 
+// Nodes first … last − 1.
+struct NodeRange {
+    std::size_t first, last;
+};
+
 // How time advances. A step is a sequence of stages; for each, begin_stage places the trial motions and the
 // solver then makes them satisfy equilibrium at stage_time: an implicit scheme by moving (r, Λ) and calling
 // update_rates, an explicit one by finding the accelerations at the given motions. The last stage leaves the
-// motion at the end of the step. Integrators hold no state and never see an element.
+// motion at the end of the step. Integrators hold no state and never see an element. What they do to one node
+// depends on no other, so the work is shared by a team of threads.
 class Integrator {
   public:
     virtual ~Integrator() = default;
@@ -52,18 +59,22 @@ class Integrator {
     virtual void start(State&) const {}
     // Places the trial motions: an implicit scheme predicts, an explicit one sets what the accelerations are
     // for.
-    virtual void begin_stage(State& state, const Stage& stage) const = 0;
+    void begin_stage(State& state, const Stage& stage, const ThreadTeam& team = ThreadTeam::alone()) const;
     // Velocities and accelerations of the trial from its r, Λ and θ. Implicit schemes only.
-    virtual void update_rates(State& state, const Stage& stage) const = 0;
+    void update_rates(State& state, const Stage& stage, const ThreadTeam& team = ThreadTeam::alone()) const;
     // How the trial motions follow (δr, δφ).
-    virtual void linearize(const State& state,
-                           const Stage& stage,
-                           std::vector<NodeLinearization>& linearizations) const = 0;
+    void linearize(const State& state,
+                   const Stage& stage,
+                   std::vector<NodeLinearization>& linearizations,
+                   const ThreadTeam& team = ThreadTeam::alone()) const;
     // The paper's linearization (5.6), in δθ with T(θ) taken as I; only where has_paper_tangent.
     virtual bool has_paper_tangent() const { return false; }
-    virtual void linearize_as_paper(const State&, const Stage&, std::vector<NodeLinearization>&) const {}
+    void linearize_as_paper(const State& state,
+                            const Stage& stage,
+                            std::vector<NodeLinearization>& linearizations,
+                            const ThreadTeam& team = ThreadTeam::alone()) const;
     // After the stage's equilibrium is found.
-    virtual void end_stage(State&, const Stage&) const {}
+    void end_stage(State& state, const Stage& stage, const ThreadTeam& team = ThreadTeam::alone()) const;
 
     // The power of Δt by which estimate_error falls; 0 for a scheme that has no estimate.
     virtual int error_order() const { return 0; }
@@ -76,12 +87,29 @@ class Integrator {
     // work of the loads to the scheme's order. Empty for one-stage schemes, whose work is the mean load times
     // displacement.
     virtual std::vector<double> power_weights() const { return {}; }
+
+  protected:
+    // How many stages' rates of a step State::stages holds.
+    virtual int kept_stages() const { return 0; }
+    // The same for some of the nodes; the vectors have their sizes.
+    virtual void place_nodes(State& state, const Stage& stage, NodeRange nodes) const = 0;
+    virtual void update_nodes(State& state, const Stage& stage, NodeRange nodes) const = 0;
+    virtual void linearize_nodes(const State& state,
+                                 const Stage& stage,
+                                 NodeRange nodes,
+                                 std::vector<NodeLinearization>& linearizations) const = 0;
+    virtual void linearize_nodes_as_paper(const State&,
+                                          const Stage&,
+                                          NodeRange,
+                                          std::vector<NodeLinearization>&) const {}
+    virtual void finish_nodes(State&, const Stage&, NodeRange) const {}
 };
 
 // The integrator that the settings name, with their parameters.
 std::unique_ptr<Integrator> make_integrator(const DynamicSettings& settings);
 
 // The linearization that leaves a mass matrix: accelerations alone.
+NodeLinearization mass_linearization();
 std::vector<NodeLinearization> mass_linearizations(std::size_t node_count);
 
 }  // namespace gxrod

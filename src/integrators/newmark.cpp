@@ -13,8 +13,8 @@ void update_translation(const Newmark& newmark,
     trial.v = newmark.velocity(previous.v, previous.a, trial.a, time_step);
 }
 
-void predict_constant_acceleration(State& state, double h) {
-    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+void predict_constant_acceleration(State& state, double h, NodeRange nodes) {
+    for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const NodeMotion& previous = state.previous[i];
         place(previous,
               previous.r + h * previous.v + (0.5 * h * h) * previous.a,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "integrators/integrator.hpp"
 #include "rotation/types.hpp"
 #include "state/state.hpp"
 
@@ -35,8 +36,8 @@ void update_translation(const Newmark& newmark,
                         double time_step,
                         NodeMotion& trial);
 
-// Places every node where the velocity and acceleration of the last step would take it in the time h:
+// Places nodes where the velocity and acceleration of the last step would take it in the time h:
 // r + h v + ½h² a and θ = h ω + ½h² α.
-void predict_constant_acceleration(State& state, double h);
+void predict_constant_acceleration(State& state, double h, NodeRange nodes);
 
 }  // namespace gxrod

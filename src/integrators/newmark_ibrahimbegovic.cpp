@@ -5,14 +5,14 @@
 
 namespace gxrod {
 
-void NewmarkIbrahimbegovic::begin_stage(State& state, const Stage& stage) const {
-    predict_constant_acceleration(state, stage.time_step);
-    update_rates(state, stage);
+void NewmarkIbrahimbegovic::place_nodes(State& state, const Stage& stage, NodeRange nodes) const {
+    predict_constant_acceleration(state, stage.time_step, nodes);
+    update_nodes(state, stage, nodes);
 }
 
-void NewmarkIbrahimbegovic::update_rates(State& state, const Stage& stage) const {
+void NewmarkIbrahimbegovic::update_nodes(State& state, const Stage& stage, NodeRange nodes) const {
     const double dt = stage.time_step;
-    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+    for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const NodeMotion& previous = state.previous[i];
         NodeMotion& trial = state.trial[i];
         update_translation(newmark_, previous, dt, trial);
@@ -23,12 +23,13 @@ void NewmarkIbrahimbegovic::update_rates(State& state, const Stage& stage) const
     }
 }
 
-void NewmarkIbrahimbegovic::linearize(const State& state,
-                                      const Stage& stage,
-                                      std::vector<NodeLinearization>& linearizations) const {
+void NewmarkIbrahimbegovic::linearize_nodes(const State& state,
+                                            const Stage& stage,
+                                            NodeRange nodes,
+                                            std::vector<NodeLinearization>& linearizations) const {
     const double rate = newmark_.rate(stage.time_step);
     const double acceleration = newmark_.acceleration_rate(stage.time_step);
-    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+    for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const NodeMotion& trial = state.trial[i];
         const Mat3 turned = tangent_map_inverse(trial.theta).transpose();  // Λ(θ) T(θ)⁻¹
         linearizations[i] = {1.0,

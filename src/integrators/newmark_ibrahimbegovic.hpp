@@ -11,11 +11,13 @@ class NewmarkIbrahimbegovic : public Integrator {
   public:
     explicit NewmarkIbrahimbegovic(const Newmark& newmark) : newmark_(newmark) {}
 
-    void begin_stage(State& state, const Stage& stage) const override;
-    void update_rates(State& state, const Stage& stage) const override;
-    void linearize(const State& state,
-                   const Stage& stage,
-                   std::vector<NodeLinearization>& linearizations) const override;
+  protected:
+    void place_nodes(State& state, const Stage& stage, NodeRange nodes) const override;
+    void update_nodes(State& state, const Stage& stage, NodeRange nodes) const override;
+    void linearize_nodes(const State& state,
+                         const Stage& stage,
+                         NodeRange nodes,
+                         std::vector<NodeLinearization>& linearizations) const override;
 
   private:
     Newmark newmark_;

@@ -1,17 +1,19 @@
 #include "integrators/newmark_simplified.hpp"
 
+#include <algorithm>
+
 #include "rotation/tangent_map.hpp"
 
 namespace gxrod {
 
-void NewmarkSimplified::begin_stage(State& state, const Stage& stage) const {
-    predict_constant_acceleration(state, stage.time_step);
-    update_rates(state, stage);
+void NewmarkSimplified::place_nodes(State& state, const Stage& stage, NodeRange nodes) const {
+    predict_constant_acceleration(state, stage.time_step, nodes);
+    update_nodes(state, stage, nodes);
 }
 
-void NewmarkSimplified::update_rates(State& state, const Stage& stage) const {
+void NewmarkSimplified::update_nodes(State& state, const Stage& stage, NodeRange nodes) const {
     const double dt = stage.time_step;
-    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+    for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const NodeMotion& previous = state.previous[i];
         NodeMotion& trial = state.trial[i];
         update_translation(newmark_, previous, dt, trial);
@@ -20,25 +22,27 @@ void NewmarkSimplified::update_rates(State& state, const Stage& stage) const {
     }
 }
 
-void NewmarkSimplified::linearize(const State& state,
-                                  const Stage& stage,
-                                  std::vector<NodeLinearization>& linearizations) const {
+void NewmarkSimplified::linearize_nodes(const State& state,
+                                        const Stage& stage,
+                                        NodeRange nodes,
+                                        std::vector<NodeLinearization>& linearizations) const {
     const double rate = newmark_.rate(stage.time_step);
     const double acceleration = newmark_.acceleration_rate(stage.time_step);
-    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+    for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const Mat3 T_inverse = tangent_map_inverse(state.trial[i].theta);
         linearizations[i] = {1.0, rate, acceleration, rate * T_inverse, acceleration * T_inverse};
     }
 }
 
-void NewmarkSimplified::linearize_as_paper(const State& state,
-                                           const Stage& stage,
-                                           std::vector<NodeLinearization>& linearizations) const {
+void NewmarkSimplified::linearize_nodes_as_paper(const State&,
+                                                 const Stage& stage,
+                                                 NodeRange nodes,
+                                                 std::vector<NodeLinearization>& linearizations) const {
     const double rate = newmark_.rate(stage.time_step);
     const double acceleration = newmark_.acceleration_rate(stage.time_step);
     const NodeLinearization same{
         1.0, rate, acceleration, rate * Mat3::Identity(), acceleration * Mat3::Identity()};
-    linearizations.assign(state.trial.size(), same);
+    std::fill(linearizations.begin() + nodes.first, linearizations.begin() + nodes.last, same);
 }
 
 }  // namespace gxrod

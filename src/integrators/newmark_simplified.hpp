@@ -11,15 +11,19 @@ class NewmarkSimplified : public Integrator {
   public:
     explicit NewmarkSimplified(const Newmark& newmark) : newmark_(newmark) {}
 
-    void begin_stage(State& state, const Stage& stage) const override;
-    void update_rates(State& state, const Stage& stage) const override;
-    void linearize(const State& state,
-                   const Stage& stage,
-                   std::vector<NodeLinearization>& linearizations) const override;
     bool has_paper_tangent() const override { return true; }
-    void linearize_as_paper(const State& state,
-                            const Stage& stage,
-                            std::vector<NodeLinearization>& linearizations) const override;
+
+  protected:
+    void place_nodes(State& state, const Stage& stage, NodeRange nodes) const override;
+    void update_nodes(State& state, const Stage& stage, NodeRange nodes) const override;
+    void linearize_nodes(const State& state,
+                         const Stage& stage,
+                         NodeRange nodes,
+                         std::vector<NodeLinearization>& linearizations) const override;
+    void linearize_nodes_as_paper(const State& state,
+                                  const Stage& stage,
+                                  NodeRange nodes,
+                                  std::vector<NodeLinearization>& linearizations) const override;
 
   private:
     Newmark newmark_;

@@ -1,12 +1,12 @@
 #include "integrators/runge_kutta_4.hpp"
 
+#include <algorithm>
+
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
 
 namespace {
-
-constexpr int rate_count = 4;
 
 // Rates of a motion: ṙ = v, q̇ = ½ ω q, v̇ = a, ω̇ = α. q is the quaternion before it was normalised: the
 // equation for q is linear, and a scheme of order 4 only if it is integrated as it stands.
@@ -37,9 +37,9 @@ void place_along(const NodeMotion& previous, double h, const StageRates& rates, 
 
 // (k₁ + 2k₂ + 2k₃ + k₄)/6.
 StageRates compute_mean(const State& state, std::size_t node) {
-    constexpr double weights[rate_count] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
+    constexpr double weights[RungeKutta4::stages] = {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0};
     StageRates mean;
-    for (int k = 0; k < rate_count; ++k) {
+    for (int k = 0; k < RungeKutta4::stages; ++k) {
         const StageRates& rates = state.stages[k][node];
         mean.v += weights[k] * rates.v;
         mean.a += weights[k] * rates.a;
@@ -51,16 +51,14 @@ StageRates compute_mean(const State& state, std::size_t node) {
 
 }  // namespace
 
-void RungeKutta4::begin_stage(State& state, const Stage& stage) const {
+void RungeKutta4::place_nodes(State& state, const Stage& stage, NodeRange nodes) const {
     if (stage.index == 0) {
-        state.stages.resize(rate_count);
-        for (auto& rates : state.stages) rates.resize(state.trial.size());
-        for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        for (std::size_t i = nodes.first; i < nodes.last; ++i) {
             state.stages[0][i] = compute_rates(state.previous[i], state.previous[i].Lambda);
         }
     }
-    for (std::size_t i = 0; i < state.trial.size(); ++i) {
-        if (stage.index + 1 < rate_count) {
+    for (std::size_t i = nodes.first; i < nodes.last; ++i) {
+        if (stage.index + 1 < stages) {
             const double h = stage_fraction(stage.index) * stage.time_step;
             place_along(state.previous[i], h, state.stages[stage.index][i], state.trial[i]);
         } else {
@@ -69,16 +67,18 @@ void RungeKutta4::begin_stage(State& state, const Stage& stage) const {
     }
 }
 
-void RungeKutta4::linearize(const State& state,
-                            const Stage&,
-                            std::vector<NodeLinearization>& linearizations) const {
-    linearizations = mass_linearizations(state.trial.size());
+void RungeKutta4::linearize_nodes(const State&,
+                                  const Stage&,
+                                  NodeRange nodes,
+                                  std::vector<NodeLinearization>& linearizations) const {
+    std::fill(
+        linearizations.begin() + nodes.first, linearizations.begin() + nodes.last, mass_linearization());
 }
 
-void RungeKutta4::end_stage(State& state, const Stage& stage) const {
-    if (stage.index + 1 == rate_count) return;
+void RungeKutta4::finish_nodes(State& state, const Stage& stage, NodeRange nodes) const {
+    if (stage.index + 1 == stages) return;
     const double h = stage_fraction(stage.index) * stage.time_step;
-    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+    for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const Quat q = compute_quaternion(state.previous[i], h, state.stages[stage.index][i]);
         state.stages[stage.index + 1][i] = compute_rates(state.trial[i], q);
     }

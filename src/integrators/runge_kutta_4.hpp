@@ -11,18 +11,24 @@ namespace gxrod {
 // the last stage is the end of the step, whose accelerations are the next step's rate 0.
 class RungeKutta4 : public Integrator {
   public:
-    int stage_count() const override { return 4; }
+    static constexpr int stages = 4;
+
+    int stage_count() const override { return stages; }
     double stage_fraction(int stage) const override { return stage < 2 ? 0.5 : 1.0; }
     bool is_explicit() const override { return true; }
-    void begin_stage(State& state, const Stage& stage) const override;
-    void update_rates(State&, const Stage&) const override {}
-    void linearize(const State& state,
-                   const Stage& stage,
-                   std::vector<NodeLinearization>& linearizations) const override;
-    void end_stage(State& state, const Stage& stage) const override;
     std::vector<double> power_weights() const override {
         return {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0, 0.0};
     }
+
+  protected:
+    int kept_stages() const override { return stages; }
+    void place_nodes(State& state, const Stage& stage, NodeRange nodes) const override;
+    void update_nodes(State&, const Stage&, NodeRange) const override {}
+    void linearize_nodes(const State& state,
+                         const Stage& stage,
+                         NodeRange nodes,
+                         std::vector<NodeLinearization>& linearizations) const override;
+    void finish_nodes(State& state, const Stage& stage, NodeRange nodes) const override;
 };
 
 }  // namespace gxrod

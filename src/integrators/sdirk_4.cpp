@@ -46,12 +46,10 @@ double Sdirk4::stage_fraction(int stage) const {
     return fractions[stage];
 }
 
-void Sdirk4::begin_stage(State& state, const Stage& stage) const {
-    state.stages.resize(stages);
-    for (auto& stage_rates : state.stages) stage_rates.resize(state.trial.size());
+void Sdirk4::place_nodes(State& state, const Stage& stage, NodeRange nodes) const {
     // With the rates of the stage before. Accelerations are left out: of stiff parts they say nothing.
     const double h = diagonal * stage.time_step;
-    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+    for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const NodeMotion& previous = state.previous[i];
         const Known known = compute_known(state, stage, i);
         const bool is_first = stage.index == 0;
@@ -59,12 +57,12 @@ void Sdirk4::begin_stage(State& state, const Stage& stage) const {
         const Vec3 theta_dot = is_first ? previous.omega : state.stages[stage.index - 1][i].theta_dot;
         place(previous, known.r + h * v, known.theta + h * theta_dot, state.trial[i]);
     }
-    update_rates(state, stage);
+    update_nodes(state, stage, nodes);
 }
 
-void Sdirk4::update_rates(State& state, const Stage& stage) const {
+void Sdirk4::update_nodes(State& state, const Stage& stage, NodeRange nodes) const {
     const double h = diagonal * stage.time_step;
-    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+    for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const Known known = compute_known(state, stage, i);
         NodeMotion& trial = state.trial[i];
         trial.v = (trial.r - known.r) / h;
@@ -74,11 +72,12 @@ void Sdirk4::update_rates(State& state, const Stage& stage) const {
     }
 }
 
-void Sdirk4::linearize(const State& state,
-                       const Stage& stage,
-                       std::vector<NodeLinearization>& linearizations) const {
+void Sdirk4::linearize_nodes(const State& state,
+                             const Stage& stage,
+                             NodeRange nodes,
+                             std::vector<NodeLinearization>& linearizations) const {
     const double h = diagonal * stage.time_step;
-    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+    for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const Vec3& theta = state.trial[i].theta;
         const Vec3 theta_dot = (theta - compute_known(state, stage, i).theta) / h;
         const Mat3 d_omega =
@@ -87,8 +86,8 @@ void Sdirk4::linearize(const State& state,
     }
 }
 
-void Sdirk4::end_stage(State& state, const Stage& stage) const {
-    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+void Sdirk4::finish_nodes(State& state, const Stage& stage, NodeRange nodes) const {
+    for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const NodeMotion& trial = state.trial[i];
         StageRates& rates = state.stages[stage.index][i];
         // Of ω, which a moving support prescribes beside θ.

@@ -19,16 +19,20 @@ class Sdirk4 : public Integrator {
 
     int stage_count() const override { return stages; }
     double stage_fraction(int stage) const override;
-    void begin_stage(State& state, const Stage& stage) const override;
-    void update_rates(State& state, const Stage& stage) const override;
-    void linearize(const State& state,
-                   const Stage& stage,
-                   std::vector<NodeLinearization>& linearizations) const override;
-    void end_stage(State& state, const Stage& stage) const override;
     // The difference between the schemes of order 4 and 3, whose leading term is that of order 3.
     int error_order() const override { return 4; }
     StepError estimate_error(const State& state, double time_step, double length) const override;
     std::vector<double> power_weights() const override;
+
+  protected:
+    int kept_stages() const override { return stages; }
+    void place_nodes(State& state, const Stage& stage, NodeRange nodes) const override;
+    void update_nodes(State& state, const Stage& stage, NodeRange nodes) const override;
+    void linearize_nodes(const State& state,
+                         const Stage& stage,
+                         NodeRange nodes,
+                         std::vector<NodeLinearization>& linearizations) const override;
+    void finish_nodes(State& state, const Stage& stage, NodeRange nodes) const override;
 };
 
 }  // namespace gxrod

@@ -8,7 +8,7 @@
 namespace gxrod {
 
 SolverWorkspace::SolverWorkspace(const System& system, LinearSolverKind kind)
-    : linear_solver(make_linear_solver(kind, system.pattern())) {}
+    : linear_solver(make_linear_solver(kind, system.pattern(), system.team())) {}
 
 Power compute_power(const WorkingForces& forces, const std::vector<NodeMotion>& motions) {
     Power power;
@@ -36,7 +36,7 @@ EquilibriumReport solve_accelerations(
     system.compute_tangent(state, time, mass_linearizations(state.trial.size()), workspace.values);
     if (!factorize(system, workspace, report)) return report;
     ++report.iterations;
-    const Eigen::VectorXd residual = gather(workspace.residual.nodal, system.equations());
+    const Eigen::VectorXd residual = gather(workspace.residual.nodal, system.equations(), system.team());
     if (!solve_increment(system, residual, workspace, report)) return report;
     for (int node = 0; node < static_cast<int>(state.trial.size()); ++node) {
         const Vec6 accelerations = system.equations().increment_of(node, workspace.vector);
@@ -82,7 +82,7 @@ EquilibriumReport solve_stage_explicitly(const System& system,
                                          SolverWorkspace& workspace,
                                          State& state) {
     const double time = integrator.stage_time(stage);
-    integrator.begin_stage(state, stage);
+    integrator.begin_stage(state, stage, system.team());
     system.supports().place(time, state);
     EquilibriumReport report;
     const bool is_last = stage.index + 1 == integrator.stage_count();
@@ -110,7 +110,7 @@ EquilibriumReport solve_step(const System& system,
         report.iterations += total.iterations;
         total = report;
         if (!report.converged()) break;
-        integrator.end_stage(state, stage);
+        integrator.end_stage(state, stage, system.team());
         if (weighs_power) {
             const double time = integrator.stage_time(stage);
             workspace.stage_powers.push_back(

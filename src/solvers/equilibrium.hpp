@@ -48,6 +48,7 @@ struct SolverWorkspace {
     std::vector<NodeLinearization> linearizations;
     std::vector<double> values;
     Eigen::VectorXd vector;
+    std::vector<Vec6> increments;  // (δr, δφ) of each node
     std::unique_ptr<LinearSolver> linear_solver;
     std::vector<Power> stage_powers;  // of the last step, if the scheme weighs them
     PhaseSeconds seconds;

@@ -25,6 +25,7 @@ class Newton {
            SolverWorkspace& workspace,
            State& state)
         : system_(system),
+          team_(system.team()),
           integrator_(integrator),
           settings_(settings),
           stage_(stage),
@@ -37,13 +38,14 @@ class Newton {
     EquilibriumReport solve() {
         predict();
         start_resultants();
-        if (!check_rotations(state_.previous, predicted_spins()) || !check_step_rotations()) return report_;
+        const auto predicted = [&](std::size_t node) { return state_.trial[node].theta; };
+        if (!check_rotations(state_.previous, predicted) || !check_step_rotations()) return report_;
         compute_residual();
         while (!is_done()) {
             compute_tangent();
             if (!factorize(system_, workspace_, report_)) break;
             ++report_.iterations;
-            Eigen::VectorXd residual = gather(workspace_.residual.nodal, system_.equations());
+            Eigen::VectorXd residual = gather(workspace_.residual.nodal, system_.equations(), team_);
             if (moves_supports_ && report_.iterations == 1) residual += compute_support_motion_force();
             if (!solve_increment(system_, residual, workspace_, report_)) break;
             if (!apply(workspace_.vector)) break;
@@ -55,7 +57,7 @@ class Newton {
   private:
     void predict() {
         const PhaseTimer timer(workspace_.seconds.update);
-        integrator_.begin_stage(state_, stage_);
+        integrator_.begin_stage(state_, stage_, team_);
         if (integrator_.is_static()) return;
         system_.supports().place(time_, state_);
         update_trial_rates(system_, integrator_, stage_, state_);
@@ -65,13 +67,6 @@ class Newton {
         const PhaseTimer timer(workspace_.seconds.assembly);
         state_.resultants.clear();
         if (settings_.tangent == TangentKind::mixed) system_.start_resultants(state_);
-    }
-
-    std::vector<Vec3> predicted_spins() const {
-        std::vector<Vec3> spins;
-        spins.reserve(state_.trial.size());
-        for (const NodeMotion& motion : state_.trial) spins.push_back(motion.theta);
-        return spins;
     }
 
     void compute_residual() {
@@ -110,16 +105,15 @@ class Newton {
 
     void compute_tangent() {
         const PhaseTimer timer(workspace_.seconds.assembly);
-        workspace_.linearizations.resize(state_.trial.size());
         switch (settings_.tangent) {
             case TangentKind::mixed:  // the state holds resultants
             case TangentKind::consistent:
-                integrator_.linearize(state_, stage_, workspace_.linearizations);
+                integrator_.linearize(state_, stage_, workspace_.linearizations, team_);
                 system_.compute_tangent(state_, time_, workspace_.linearizations, workspace_.values);
                 break;
             case TangentKind::paper:
                 assert(integrator_.has_paper_tangent());
-                integrator_.linearize_as_paper(state_, stage_, workspace_.linearizations);
+                integrator_.linearize_as_paper(state_, stage_, workspace_.linearizations, team_);
                 system_.compute_tangent(state_, time_, workspace_.linearizations, workspace_.values);
                 break;
             case TangentKind::difference:
@@ -151,51 +145,60 @@ class Newton {
 
     // The largest |δr| relative to its scale, or |δφ|.
     double measure(const std::vector<Vec6>& deltas) const {
-        double largest = 0.0;
-        for (std::size_t node = 0; node < deltas.size(); ++node) {
+        return team_.find_largest(deltas.size(), [&](std::size_t node) {
             const Vec6& delta = deltas[node];
             const double scale = std::max(system_.length_scale(), state_.trial[node].r.norm());
-            largest = std::max({largest,
-                                delta.head<3>().lpNorm<Eigen::Infinity>() / scale,
-                                delta.tail<3>().lpNorm<Eigen::Infinity>()});
-        }
-        return largest;
+            return std::max(delta.head<3>().lpNorm<Eigen::Infinity>() / scale,
+                            delta.tail<3>().lpNorm<Eigen::Infinity>());
+        });
     }
 
     // False, and so reported, if the increment turns too far.
     bool apply(const Eigen::VectorXd& increment) {
         const PhaseTimer timer(workspace_.seconds.update);
         increment_before_ = last_increment_;
-        std::vector<Vec6> deltas(state_.trial.size());
-        for (int node = 0; node < static_cast<int>(state_.trial.size()); ++node) {
-            deltas[node] = system_.equations().increment_of(node, increment);
-        }
+        std::vector<Vec6>& deltas = workspace_.increments;
+        deltas.resize(state_.trial.size());
+        team_.for_each_range(deltas.size(), [&](std::size_t first, std::size_t last) {
+            for (std::size_t node = first; node < last; ++node)
+                deltas[node] = system_.equations().increment_of(static_cast<int>(node), increment);
+        });
         last_increment_ = measure(deltas);
         const bool places_supports = moves_supports_ && report_.iterations == 1;
-        std::vector<Vec6> with_supports = deltas;
-        if (places_supports) add_support_motion(with_supports);
-        if (!check_rotations(state_.trial, spins_of(with_supports))) return false;
-        if (settings_.tangent == TangentKind::mixed) system_.advance_resultants(with_supports, state_);
-        for (std::size_t node = 0; node < state_.trial.size(); ++node) {
-            const Vec3 delta_r = deltas[node].head<3>();
-            const Vec3 delta_phi = deltas[node].tail<3>();
-            NodeMotion& trial = state_.trial[node];
-            if (settings_.tangent == TangentKind::paper) {
-                place(state_.previous[node], trial.r + delta_r, trial.theta + delta_phi, trial);
-            } else {
-                apply_spin(state_.previous[node], delta_r, delta_phi, trial);
-            }
+        if (places_supports) {
+            std::vector<Vec6> with_supports = deltas;
+            add_support_motion(with_supports);
+            if (!admit(with_supports)) return false;
+        } else if (!admit(deltas)) {
+            return false;
         }
+        move_nodes(deltas);
         if (places_supports) system_.supports().place(time_, state_);
         update_trial_rates(system_, integrator_, stage_, state_);
         return check_step_rotations();
     }
 
-    static std::vector<Vec3> spins_of(const std::vector<Vec6>& deltas) {
-        std::vector<Vec3> spins;
-        spins.reserve(deltas.size());
-        for (const Vec6& delta : deltas) spins.push_back(delta.tail<3>());
-        return spins;
+    // False, and so reported, if the increments turn nodes too far; else resultants go with them.
+    bool admit(const std::vector<Vec6>& deltas) {
+        const auto spin = [&](std::size_t node) -> Vec3 { return deltas[node].tail<3>(); };
+        if (!check_rotations(state_.trial, spin)) return false;
+        if (settings_.tangent == TangentKind::mixed) system_.advance_resultants(deltas, state_);
+        return true;
+    }
+
+    void move_nodes(const std::vector<Vec6>& deltas) {
+        team_.for_each_range(deltas.size(), [&](std::size_t first, std::size_t last) {
+            for (std::size_t node = first; node < last; ++node) {
+                const Vec3 delta_r = deltas[node].head<3>();
+                const Vec3 delta_phi = deltas[node].tail<3>();
+                NodeMotion& trial = state_.trial[node];
+                if (settings_.tangent == TangentKind::paper) {
+                    place(state_.previous[node], trial.r + delta_r, trial.theta + delta_phi, trial);
+                } else {
+                    apply_spin(state_.previous[node], delta_r, delta_phi, trial);
+                }
+            }
+        });
     }
 
     // By how much moving supports will shift and turn their nodes, from the last equilibrium.
@@ -216,11 +219,13 @@ class Newton {
 
     // False, and so reported, if these spins could turn nodes of one element against each other by half a
     // turn, beyond which no logarithm sees which way round they went.
-    bool check_rotations(const std::vector<NodeMotion>& motions, const std::vector<Vec3>& spins) {
-        double largest = 0.0;
-        for (const Vec3& spin : spins) largest = std::max(largest, spin.norm());
-        relative_rotation_bound_ += 2.0 * largest;
+    template <class SpinOf>
+    bool check_rotations(const std::vector<NodeMotion>& motions, const SpinOf& spin) {
+        relative_rotation_bound_ +=
+            2.0 * team_.find_largest(motions.size(), [&](std::size_t node) { return spin(node).norm(); });
         if (relative_rotation_bound_ < half_turn) return true;
+        std::vector<Vec3> spins(motions.size());
+        for (std::size_t node = 0; node < spins.size(); ++node) spins[node] = spin(node);
         const RelativeRotation bound = system_.bound_relative_rotation(motions, spins);
         relative_rotation_bound_ = bound.angle;
         if (bound.angle < half_turn) return true;
@@ -232,18 +237,18 @@ class Newton {
 
     // False, and so reported, if a node turned by π or more since the last accepted step.
     bool check_step_rotations() {
-        if (!limits_rotation_) return true;
-        for (std::size_t node = 0; node < state_.trial.size(); ++node) {
-            if (state_.trial[node].theta.norm() < half_turn) continue;
-            report_.outcome = Outcome::rotation_too_large;
-            report_.worst_node = static_cast<int>(node);
-            report_.worst_component = -1;
-            return false;
-        }
-        return true;
+        const auto angle = [&](std::size_t node) { return state_.trial[node].theta.norm(); };
+        if (!limits_rotation_ || team_.find_largest(state_.trial.size(), angle) < half_turn) return true;
+        std::size_t node = 0;
+        while (angle(node) < half_turn) ++node;
+        report_.outcome = Outcome::rotation_too_large;
+        report_.worst_node = static_cast<int>(node);
+        report_.worst_component = -1;
+        return false;
     }
 
     const System& system_;
+    const ThreadTeam& team_;
     const Integrator& integrator_;
     const NewtonSettings& settings_;
     const Stage& stage_;

@@ -11,32 +11,56 @@ ResidualScales compute_scales(const System& system, const Residual& residual) {
             std::max(residual.moment_scale, 1e-6 * residual.force_scale * length)};
 }
 
-void measure_residual(const System& system, const Residual& residual, EquilibriumReport& report) {
-    const ResidualScales scales = compute_scales(system, residual);
-    const Eigen::VectorXd values = gather(residual.nodal, system.equations());
-    report.residual = 0.0;
-    for (std::int64_t i = 0; i < values.size(); ++i) {
-        const auto& [node, component] = system.equations().unknown(i);
-        const double value = std::abs(values[i]);
-        if (value == 0.0) continue;
-        const double scaled = value / scales.of(component);
-        if (!std::isfinite(scaled)) {
-            report.outcome = Outcome::not_finite;
-            report.worst_node = node;
-            report.worst_component = component;
-            report.residual = scaled;
-            return;
-        }
-        if (scaled > report.residual) {
-            report.residual = scaled;
-            report.worst_node = node;
-            report.worst_component = component;
+namespace {
+
+struct Worst {
+    double residual = 0.0;
+    int node = -1;
+    int component = -1;
+};
+
+// The first that is not finite, or else the largest, of nodes first … last − 1.
+Worst find_worst(const EquationNumbers& equations,
+                 const Residual& residual,
+                 const ResidualScales& scales,
+                 std::size_t first,
+                 std::size_t last) {
+    Worst worst;
+    for (int node = static_cast<int>(first); node < static_cast<int>(last); ++node) {
+        const Vec6 own = equations.to_own_axes(node, residual.nodal[node]);
+        for (int component = 0; component < 6; ++component) {
+            const double value = std::abs(own[component]);
+            if (value == 0.0 || equations.of_node(node)[component] < 0) continue;
+            const double scaled = value / scales.of(component);
+            if (!std::isfinite(scaled)) return {scaled, node, component};
+            if (scaled > worst.residual) worst = {scaled, node, component};
         }
     }
+    return worst;
+}
+
+}  // namespace
+
+void measure_residual(const System& system, const Residual& residual, EquilibriumReport& report) {
+    const ResidualScales scales = compute_scales(system, residual);
+    const std::vector<Worst> parts =
+        system.team().collect<Worst>(residual.nodal.size(), [&](std::size_t first, std::size_t last) {
+            return find_worst(system.equations(), residual, scales, first, last);
+        });
+    Worst worst;
+    for (const Worst& part : parts) {
+        if (part.residual > worst.residual || !std::isfinite(part.residual)) worst = part;
+        if (!std::isfinite(worst.residual)) break;
+    }
+    report.residual = worst.residual;
+    if (worst.node < 0) return;
+    report.worst_node = worst.node;
+    report.worst_component = worst.component;
+    if (!std::isfinite(worst.residual)) report.outcome = Outcome::not_finite;
 }
 
 double largest_component(const System& system, const Residual& residual) {
-    return gather(residual.nodal, system.equations()).lpNorm<Eigen::Infinity>();
+    return gather(residual.nodal, system.equations(), system.team()).lpNorm<Eigen::Infinity>();
 }
 
 bool solve_increment(const System& system,
@@ -46,14 +70,13 @@ bool solve_increment(const System& system,
     const PhaseTimer timer(workspace.seconds.solve);
     workspace.vector = -residual;
     workspace.linear_solver->solve(workspace.vector);
-    for (std::int64_t i = 0; i < workspace.vector.size(); ++i) {
-        if (std::isfinite(workspace.vector[i])) continue;
-        report.outcome = Outcome::not_finite;
-        report.worst_node = system.equations().unknown(i).node;
-        report.worst_component = system.equations().unknown(i).component;
-        return false;
-    }
-    return true;
+    if (workspace.vector.allFinite()) return true;
+    std::int64_t i = 0;
+    while (std::isfinite(workspace.vector[i])) ++i;
+    report.outcome = Outcome::not_finite;
+    report.worst_node = system.equations().unknown(i).node;
+    report.worst_component = system.equations().unknown(i).component;
+    return false;
 }
 
 bool factorize(const System& system, SolverWorkspace& workspace, EquilibriumReport& report) {

@@ -84,6 +84,10 @@ struct Assembled {
             }
         }
         pattern = compute_pattern(equations, groups);
+        block.phases =
+            WorkPhases(block.elements.size(), model.nodes.size(), [&](std::size_t element, const auto& mark) {
+                for (const int node : block.elements[element].nodes) mark(node);
+            });
         for (const auto& element : block.elements)
             block.places.push_back(find_places<Nodes>(element.nodes, equations, pattern));
         RandomValues random(9);
@@ -119,14 +123,18 @@ struct Assembled {
     Residual compute_forces(const Batches<Nodes>& batches) const {
         Residual residual;
         residual.nodal.assign(motions.size(), Vec6::Zero());
-        batches.elements.add_forces(motions, gravity, residual);
-        batches.nodes.add_forces(motions, residual);
+        for (std::size_t part = 0; part < block.phases.part_count(); ++part)
+            batches.elements.add_forces(part, motions, gravity, residual.nodal, residual);
+        for (std::size_t part = 0; part < batches.nodes.part_count(); ++part)
+            batches.nodes.add_forces(part, motions, residual.nodal, residual);
         return residual;
     }
     std::vector<double> compute_tangents(const Batches<Nodes>& batches) const {
         std::vector<double> values(pattern.rows.size(), 0.0);
-        batches.elements.add_tangents(motions, linearizations, values);
-        batches.nodes.add_tangents(motions, linearizations, values);
+        for (std::size_t part = 0; part < block.phases.part_count(); ++part)
+            batches.elements.add_tangents(part, motions, linearizations, values);
+        for (std::size_t part = 0; part < batches.nodes.part_count(); ++part)
+            batches.nodes.add_tangents(part, motions, linearizations, values);
         return values;
     }
     Residual compute_forces_one_by_one() const {
