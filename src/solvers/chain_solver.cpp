@@ -78,7 +78,7 @@ void ChainSolver::lay_out_junctions(const BlockPartition& partition,
         first = last;
     }
     junction_values_.resize(junctions_.rows.size());
-    junction_solver_ = make_general_solver(junctions_);
+    junction_solver_ = std::make_unique<FrontSolver>(junctions_);
 }
 
 Factorization ChainSolver::factorize(const std::vector<double>& values) {
@@ -98,7 +98,7 @@ bool ChainSolver::factorize_junctions() {
                         block.rows,
                         &junction_values_[block.slot + j * block.stride]);
     }
-    return junction_solver_->factorize(junction_values_).regular;
+    return junction_solver_->factorize(junction_values_);
 }
 
 Factorization ChainSolver::factorize_generally() {

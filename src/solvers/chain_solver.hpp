@@ -2,6 +2,7 @@
 
 #include "solvers/chain_kernels.hpp"
 #include "solvers/elimination_order.hpp"
+#include "solvers/front_solver.hpp"
 #include "solvers/linear_solver.hpp"
 
 namespace gxrod {
@@ -9,7 +10,7 @@ namespace gxrod {
 struct ChainLayout;
 
 // Eliminates the insides of chains block by block, by the order that EliminationOrder finds, and leaves the
-// system of the junctions, if there are any, to a general solver. Pivots are sought within no block; instead
+// system of the junctions, if there are any, to fronts. Pivots are sought within no block; instead
 // each solution is checked against the system, refined once if it is not good to round-off, and where that
 // does not suffice, as where a pivot vanishes, the whole system goes to a general solver, which also says
 // what is singular. The values that were factorized must stay until the last solution.
@@ -21,7 +22,7 @@ class ChainSolver : public LinearSolver {
     void solve(Eigen::VectorXd& right_hand_side) override;
     LinearSolverKind kind() const override { return LinearSolverKind::chains; }
 
-    // The unknowns that are left to a general solver.
+    // The unknowns that are not in chains.
     std::int64_t count_kept() const { return steps_.empty() ? pattern_->size() : junctions_.size(); }
 
   private:
@@ -58,7 +59,7 @@ class ChainSolver : public LinearSolver {
     std::vector<std::int64_t> junction_rows_;  // of each unknown of the junctions, that of the whole system
     std::vector<double> junction_values_;
     Eigen::VectorXd junction_vector_;
-    std::unique_ptr<LinearSolver> junction_solver_;
+    std::unique_ptr<FrontSolver> junction_solver_;
 
     std::unique_ptr<LinearSolver> general_;
     bool is_general_ = false;  // whether it has the last factorization
