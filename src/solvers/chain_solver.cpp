@@ -32,11 +32,14 @@ ChainSolver::ChainSolver(const SparsePattern& pattern)
     std::int64_t size = 0;
     {
         const BlockPartition partition(pattern);
+        runs_ = find_entry_runs(pattern, partition);
         const EliminationOrder order(partition, largest_chain_block);
-        if (order.steps.empty()) return;
+        if (order.steps.empty()) {
+            if (pattern.size() > 0) junction_solver_ = std::make_unique<FrontSolver>(pattern);
+            return;
+        }
         ChainLayout layout(pattern, partition, order);
         lay_out_junctions(partition, order, layout);
-        runs_ = find_entry_runs(pattern, partition);
         steps_ = std::move(layout.steps);
         couplings_ = std::move(layout.couplings);
         copies_ = std::move(layout.copies);
@@ -83,7 +86,7 @@ void ChainSolver::lay_out_junctions(const BlockPartition& partition,
 
 Factorization ChainSolver::factorize(const std::vector<double>& values) {
     values_ = &values;
-    is_general_ = steps_.empty() || !kernels_.eliminate(chain(), values.data(), blocks_.data()) ||
+    is_general_ = !works_by_blocks() || !kernels_.eliminate(chain(), values.data(), blocks_.data()) ||
                   !factorize_junctions();
     if (is_general_) return factorize_generally();
     general_.reset();  // a rare need's memory, of the size of all the rest
@@ -92,6 +95,7 @@ Factorization ChainSolver::factorize(const std::vector<double>& values) {
 
 bool ChainSolver::factorize_junctions() {
     if (!junction_solver_) return true;
+    if (steps_.empty()) return junction_solver_->factorize(*values_);
     for (const JunctionBlock& block : junction_blocks_) {
         for (int j = 0; j < block.columns; ++j)
             std::copy_n(&blocks_[block.block + j * static_cast<std::int64_t>(block.rows)],
@@ -122,6 +126,7 @@ void ChainSolver::solve(Eigen::VectorXd& right_hand_side) {
 }
 
 void ChainSolver::solve_by_blocks(Eigen::VectorXd& x) {
+    if (steps_.empty()) return junction_solver_->solve(x);
     kernels_.go_forward(chain(), values_->data(), blocks_.data(), x.data());
     if (junction_solver_) {
         const auto count = static_cast<std::int64_t>(junction_rows_.size());

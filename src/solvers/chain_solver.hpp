@@ -22,7 +22,9 @@ class ChainSolver : public LinearSolver {
     void solve(Eigen::VectorXd& right_hand_side) override;
     LinearSolverKind kind() const override { return LinearSolverKind::chains; }
 
-    // The unknowns that are not in chains.
+    // False of a pattern without its diagonal, whose systems all go to a general solver.
+    bool works_by_blocks() const { return !steps_.empty() || junction_solver_; }
+    // The unknowns that are in no chain.
     std::int64_t count_kept() const { return steps_.empty() ? pattern_->size() : junctions_.size(); }
 
   private:

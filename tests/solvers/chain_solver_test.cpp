@@ -112,6 +112,14 @@ TEST_CASE("Of a net its junctions are left", "[solvers]") {
     }
 }
 
+TEST_CASE("A system without any chain is solved as well", "[solvers]") {
+    const std::vector<NodeGroup> groups{
+        {0, 1, 2, 3, 4}, {4, 5, 6, 7, 8}, {8, 9, 10, 11, 0}, {2, 6, 10}, {3, 7, 11}};
+    const SparsePattern pattern = make_pattern(groups);
+    CHECK(solve(pattern) == pattern.size());
+    CHECK(ChainSolver(pattern).works_by_blocks());
+}
+
 TEST_CASE("Chains beside each other and single nodes are solved", "[solvers]") {
     std::vector<NodeGroup> groups{{0}, {1}};
     int next_node = 6;
