@@ -8,7 +8,7 @@ namespace gxrod {
 
 // In which order the blocks of a system are eliminated so that little fills in, and which of them together,
 // as a front: those that couple the same blocks behind them, or nearly so. By approximate minimum degree, or
-// nested dissection where that takes fewer operations; CHOLMOD of SuiteSparse does both. A front comes after
+// nested dissection where that fills in less; CHOLMOD of SuiteSparse does both. A front comes after
 // those that it takes updates from.
 struct FrontOrder {
     std::vector<int> blocks;              // in the order of elimination
