@@ -130,10 +130,10 @@ std::vector<KeySpec> scheme_keys() {
          .type = ValueType::choice,
          .default_value = word_of(linear_solver_choices, defaults.linear_solver),
          .sentence =
-             "chains: the insides of rods by blocks, their junctions by one of the next two. klu: sparse LU, "
-             "entry by entry. umfpack: LU by dense fronts, for nets that fill. auto: one of these three, by "
-             "the "
-             "matrix. cholmod: L D Lᵀ of the symmetric part, where the tangent is symmetric.",
+             "chains: by blocks of the unknowns of nodes, the insides of rods first, then their junctions by "
+             "dense fronts. klu: sparse LU, entry by entry. umfpack: LU by dense fronts, which exchanges "
+             "equations to find pivots. cholmod: L D Lᵀ of the symmetric part, where the tangent is "
+             "symmetric. auto: chains.",
          .choices = words_of(linear_solver_choices)}};
 }
 

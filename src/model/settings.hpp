@@ -23,7 +23,7 @@ enum class TangentKind {
 
 enum class LinearSolverKind {
     automatic,  // chooses by the matrix
-    chains,     // insides of chains by blocks, the junctions by one of the others
+    chains,     // by blocks, the insides of chains first, then their junctions by fronts
     klu,
     umfpack,
     cholmod  // static analyses whose tangent is symmetric in equilibrium

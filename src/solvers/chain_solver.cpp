@@ -53,12 +53,16 @@ ChainSolver::ChainSolver(const SparsePattern& pattern, const ThreadTeam& team)
     std::int64_t size = 0;
     {
         const BlockPartition partition(pattern);
+        runs_ = find_entry_runs(pattern, partition);
+        run_phases_ = find_run_phases(runs_, pattern.size());
         EliminationOrder order(partition, largest_chain_block);
-        if (order.steps.empty()) return;
+        if (order.steps.empty()) {
+            if (pattern.size() > 0) junction_solver_ = std::make_unique<FrontSolver>(pattern);
+            return;
+        }
         const EliminationTasks tasks(partition, order.steps);
         ChainLayout layout(pattern, partition, order, tasks);
         lay_out_junctions(partition, order, layout);
-        runs_ = find_entry_runs(pattern, partition);
         steps_ = std::move(layout.steps);
         couplings_ = std::move(layout.couplings);
         copies_ = std::move(layout.copies);
@@ -70,7 +74,6 @@ ChainSolver::ChainSolver(const SparsePattern& pattern, const ThreadTeam& team)
         apart_.resize(static_cast<std::size_t>(layout.apart));
         size = layout.size;
     }
-    run_phases_ = find_run_phases(runs_, pattern.size());
     blocks_.resize(static_cast<std::size_t>(size));
 }
 
@@ -107,12 +110,12 @@ void ChainSolver::lay_out_junctions(const BlockPartition& partition,
         first = last;
     }
     junction_values_.resize(junctions_.rows.size());
-    junction_solver_ = make_general_solver(junctions_);
+    junction_solver_ = std::make_unique<FrontSolver>(junctions_);
 }
 
 Factorization ChainSolver::factorize(const std::vector<double>& values) {
     values_ = &values;
-    is_general_ = steps_.empty() || !eliminate() || !factorize_junctions();
+    is_general_ = !works_by_blocks() || !eliminate() || !factorize_junctions();
     if (is_general_) return factorize_generally();
     general_.reset();  // a rare need's memory, of the size of all the rest
     return {};
@@ -142,13 +145,14 @@ bool ChainSolver::eliminate(const ChainTask& task) {
 
 bool ChainSolver::factorize_junctions() {
     if (!junction_solver_) return true;
+    if (steps_.empty()) return junction_solver_->factorize(*values_);
     for (const JunctionBlock& block : junction_blocks_) {
         for (int j = 0; j < block.columns; ++j)
             std::copy_n(&blocks_[block.block + j * static_cast<std::int64_t>(block.rows)],
                         block.rows,
                         &junction_values_[block.slot + j * block.stride]);
     }
-    return junction_solver_->factorize(junction_values_).regular;
+    return junction_solver_->factorize(junction_values_);
 }
 
 Factorization ChainSolver::factorize_generally() {
@@ -172,6 +176,7 @@ void ChainSolver::solve(Eigen::VectorXd& right_hand_side) {
 }
 
 void ChainSolver::solve_by_blocks(Eigen::VectorXd& x) {
+    if (steps_.empty()) return junction_solver_->solve(x);
     for (std::size_t level = 0; level + 1 < level_starts_.size(); ++level) {
         const std::size_t first = level_starts_[level];
         team_->for_each(level_starts_[level + 1] - first,

@@ -3,12 +3,13 @@
 #include "parallel/work_phases.hpp"
 #include "solvers/chain_kernels.hpp"
 #include "solvers/chain_layout.hpp"
+#include "solvers/front_solver.hpp"
 #include "solvers/linear_solver.hpp"
 
 namespace gxrod {
 
 // Eliminates the insides of chains block by block, by the order that EliminationOrder finds, and leaves the
-// system of the junctions, if there are any, to a general solver. Pivots are sought within no block; instead
+// system of the junctions, if there are any, to fronts. Pivots are sought within no block; instead
 // each solution is checked against the system, refined once if it is not good to round-off, and where that
 // does not suffice, as where a pivot vanishes, the whole system goes to a general solver, which also says
 // what is singular. The values that were factorized must stay until the last solution.
@@ -20,7 +21,9 @@ class ChainSolver : public LinearSolver {
     void solve(Eigen::VectorXd& right_hand_side) override;
     LinearSolverKind kind() const override { return LinearSolverKind::chains; }
 
-    // The unknowns that are left to a general solver.
+    // False of a pattern without its diagonal, whose systems all go to a general solver.
+    bool works_by_blocks() const { return !steps_.empty() || junction_solver_; }
+    // The unknowns that are in no chain.
     std::int64_t count_kept() const { return steps_.empty() ? pattern_->size() : junctions_.size(); }
 
   private:
@@ -72,7 +75,7 @@ class ChainSolver : public LinearSolver {
     std::vector<std::int64_t> junction_rows_;  // of each unknown of the junctions, that of the whole system
     std::vector<double> junction_values_;
     Eigen::VectorXd junction_vector_;
-    std::unique_ptr<LinearSolver> junction_solver_;
+    std::unique_ptr<FrontSolver> junction_solver_;
 
     std::unique_ptr<LinearSolver> general_;
     bool is_general_ = false;  // whether it has the last factorization

@@ -26,7 +26,7 @@ constexpr double flops_per_entry_for_fronts = 200.0;
 
 std::unique_ptr<LinearSolver> choose_linear_solver(const SparsePattern& pattern, const ThreadTeam& team) {
     auto chains = std::make_unique<ChainSolver>(pattern, team);
-    if (2 * chains->count_kept() <= pattern.size()) return chains;
+    if (chains->works_by_blocks()) return chains;
     chains.reset();
     return make_general_solver(pattern);
 }

@@ -32,9 +32,9 @@ class LinearSolver {
 };
 
 // The pattern must outlive the solver. Throws std::runtime_error if memory does not suffice; so do its
-// members. `automatic` takes `chains` where these are most of the unknowns, or as make_general_solver; by the
-// pattern alone, so that a model is always solved in the same way. Of the team, whose number of threads
-// changes no result, `chains` makes use.
+// members. `automatic` takes `chains` unless the pattern lacks entries of its diagonal, then as
+// make_general_solver; by the pattern alone, so that a model is always solved in the same way. Of the team,
+// whose number of threads changes no result, `chains` makes use.
 std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
                                                  const SparsePattern& pattern,
                                                  const ThreadTeam& team = ThreadTeam::alone());

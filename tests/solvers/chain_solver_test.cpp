@@ -5,7 +5,6 @@
 
 #include "solvers/sparse_samples.hpp"
 #include "tools/difference.hpp"
-#include "tools/random_values.hpp"
 
 using namespace gxrod;
 using namespace gxrod::tools;
@@ -41,19 +40,9 @@ void add_rod(int from, int to, int elements, int order, int& next_node, std::vec
     }
 }
 
-std::vector<double> make_values(const SparsePattern& pattern, unsigned seed) {
-    RandomValues random(seed);
-    std::vector<double> values(pattern.rows.size());
-    for (std::int64_t column = 0; column < pattern.size(); ++column) {
-        for (std::int64_t i = pattern.column_starts[column]; i < pattern.column_starts[column + 1]; ++i)
-            values[i] = random.number(-1.0, 1.0) + (pattern.rows[i] == column ? 20.0 : 0.0);
-    }
-    return values;
-}
-
-// The unknowns that are left to a general solver, after what is solved was seen to be right.
+// The unknowns of the junctions, after what is solved was seen to be right.
 std::int64_t solve(const SparsePattern& pattern) {
-    const std::vector<double> values = make_values(pattern, 1);
+    const std::vector<double> values = make_unsymmetric_values(pattern, 1);
     const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(pattern.size(), 1.0, 2.0);
     ChainSolver solver(pattern);
     REQUIRE(solver.factorize(values).regular);
@@ -182,6 +171,14 @@ TEST_CASE("Of a net its junctions are left", "[solvers]") {
     }
 }
 
+TEST_CASE("A system without any chain is solved as well", "[solvers]") {
+    const std::vector<NodeGroup> groups{
+        {0, 1, 2, 3, 4}, {4, 5, 6, 7, 8}, {8, 9, 10, 11, 0}, {2, 6, 10}, {3, 7, 11}};
+    const SparsePattern pattern = make_pattern(groups);
+    CHECK(solve(pattern) == pattern.size());
+    CHECK(ChainSolver(pattern).works_by_blocks());
+}
+
 TEST_CASE("Chains beside each other and single nodes are solved", "[solvers]") {
     std::vector<NodeGroup> groups{{0}, {1}};
     int next_node = 6;
@@ -190,15 +187,12 @@ TEST_CASE("Chains beside each other and single nodes are solved", "[solvers]") {
     CHECK(solve(make_pattern(groups)) == 0);
 }
 
-TEST_CASE("What a chain loses in digits is found and solved again", "[solvers]") {
-    std::vector<NodeGroup> groups;
-    int next_node = 2;
-    add_rod(0, 1, 6, 1, next_node, groups);
-    const SparsePattern pattern = make_pattern(groups);
+TEST_CASE("What chains and junctions lose in digits is found and solved again", "[solvers]") {
+    const SparsePattern pattern = make_net_pattern(GENERATE(1, 4), 6);
     const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(pattern.size(), 1.0, 2.0);
     for (const double pivot : {1e-4, 1e-9, 1e-15, 1e-30, 0.0}) {
         CAPTURE(pivot);
-        std::vector<double> values = make_values(pattern, 2);
+        std::vector<double> values = make_unsymmetric_values(pattern, 2);
         // Pivots of every block are small beside their columns, whose other entries make them regular.
         for (std::int64_t i = 0; i < pattern.size(); i += 6) {
             values[pattern.slot(i, i)] = pivot;
@@ -211,7 +205,7 @@ TEST_CASE("What a chain loses in digits is found and solved again", "[solvers]")
         solver.solve(x);
         CHECK((multiply(pattern, values, x) - load).norm() < 1e-12 * load.norm());
         // And the next one as if nothing had been.
-        const std::vector<double> sound = make_values(pattern, 3);
+        const std::vector<double> sound = make_unsymmetric_values(pattern, 3);
         REQUIRE(solver.factorize(sound).regular);
         x = load;
         solver.solve(x);
@@ -225,7 +219,7 @@ TEST_CASE("What a chain loses in digits is found and solved again", "[solvers]")
 
 TEST_CASE("Junctions that are singular are told", "[solvers]") {
     const SparsePattern pattern = make_net_pattern(4, 4);
-    std::vector<double> values = make_values(pattern, 4);
+    std::vector<double> values = make_unsymmetric_values(pattern, 4);
     for (std::int64_t i = 0; i < pattern.size(); ++i) {
         for (std::int64_t k = pattern.column_starts[i]; k < pattern.column_starts[i + 1]; ++k) {
             if (i == 31 || pattern.rows[k] == 31) values[k] = 0.0;

@@ -42,7 +42,7 @@ Eigen::MatrixXd make_indefinite_matrix(int size, unsigned seed) {
     return dense;
 }
 
-SparsePattern make_net_pattern(int width, int height) {
+std::vector<NodeGroup> make_net_groups(int width, int height) {
     std::vector<NodeGroup> groups;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
@@ -51,10 +51,24 @@ SparsePattern make_net_pattern(int width, int height) {
             if (y + 1 < height) groups.push_back({node, node + width});
         }
     }
+    return groups;
+}
+
+SparsePattern make_net_pattern(int width, int height) {
     Model model;
     model.nodes.resize(static_cast<std::size_t>(width * height));
     const Supports none(model);
-    return compute_pattern(EquationNumbers(none), groups);
+    return compute_pattern(EquationNumbers(none), make_net_groups(width, height));
+}
+
+std::vector<double> make_unsymmetric_values(const SparsePattern& pattern, unsigned seed) {
+    RandomValues random(seed);
+    std::vector<double> values(pattern.rows.size());
+    for (std::int64_t column = 0; column < pattern.size(); ++column) {
+        for (std::int64_t i = pattern.column_starts[column]; i < pattern.column_starts[column + 1]; ++i)
+            values[i] = random.number(-1.0, 1.0) + (pattern.rows[i] == column ? 20.0 : 0.0);
+    }
+    return values;
 }
 
 std::vector<double> make_stiffness_values(const SparsePattern& pattern, unsigned seed) {

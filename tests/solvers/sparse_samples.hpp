@@ -21,8 +21,11 @@ Eigen::MatrixXd make_unsymmetric_matrix(int size, unsigned seed);
 // Sparse, symmetric and regular, with eigenvalues of both signs.
 Eigen::MatrixXd make_indefinite_matrix(int size, unsigned seed);
 
-// Of a net with width × height nodes, two-node elements between neighbours; of width 1, a rod.
+// The two-node elements between neighbours of a net with width × height nodes; of width 1, a rod.
+std::vector<NodeGroup> make_net_groups(int width, int height);
 SparsePattern make_net_pattern(int width, int height);
+// Regular as long as few entries share a column, with entries of both signs.
+std::vector<double> make_unsymmetric_values(const SparsePattern& pattern, unsigned seed);
 // Symmetric and positive definite, on a pattern that is symmetric.
 std::vector<double> make_stiffness_values(const SparsePattern& pattern, unsigned seed);
 
