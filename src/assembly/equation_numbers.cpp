@@ -1,5 +1,7 @@
 #include "assembly/equation_numbers.hpp"
 
+#include <algorithm>
+
 namespace gxrod {
 
 EquationNumbers::EquationNumbers(const Supports& supports)
@@ -14,6 +16,12 @@ EquationNumbers::EquationNumbers(const Supports& supports)
             }
         }
     }
+}
+
+bool EquationNumbers::is_free(int node) const {
+    const auto& numbers = equations_[node];
+    return !supports_->has_own_axes(node) &&
+           std::all_of(numbers.begin(), numbers.end(), [](std::int64_t number) { return number >= 0; });
 }
 
 Vec6 EquationNumbers::to_own_axes(int node, const Vec6& global) const {

@@ -19,6 +19,8 @@ class EquationNumbers {
     std::int64_t count() const { return static_cast<std::int64_t>(unknowns_.size()); }
     std::size_t node_count() const { return equations_.size(); }
     const std::array<std::int64_t, 6>& of_node(int node) const { return equations_[node]; }
+    // Whether a node has all six unknowns, in global axes: then their numbers follow each other.
+    bool is_free(int node) const;
     const Supports& supports() const { return *supports_; }
 
     struct Unknown {

@@ -142,7 +142,7 @@ void System::compute_tangent(const State& state,
                              double time,
                              const std::vector<NodeLinearization>& linearizations,
                              std::vector<double>& values) const {
-    values.assign(pattern_.rows.size(), 0.0);
+    values.assign(static_cast<std::size_t>(pattern_.nonzeros()), 0.0);
     const Vec3 gravity = model_->gravity(time);
     const bool is_mixed = !state.resultants.empty();
     if (!is_mixed) {

@@ -124,7 +124,7 @@ struct Assembled {
         return residual;
     }
     std::vector<double> compute_tangents(const Batches<Nodes>& batches) const {
-        std::vector<double> values(pattern.rows.size(), 0.0);
+        std::vector<double> values(static_cast<std::size_t>(pattern.nonzeros()), 0.0);
         batches.elements.add_tangents(motions, linearizations, values);
         batches.nodes.add_tangents(motions, linearizations, values);
         return values;
@@ -141,7 +141,7 @@ struct Assembled {
         return residual;
     }
     std::vector<double> compute_tangents_one_by_one() const {
-        std::vector<double> values(pattern.rows.size(), 0.0);
+        std::vector<double> values(static_cast<std::size_t>(pattern.nonzeros()), 0.0);
         for (std::size_t e = 0; e < block.elements.size(); ++e) {
             const auto& element = block.elements[e];
             const auto nodal = block.point_at(linearizations, element.nodes);

@@ -43,11 +43,10 @@ void add_rod(int from, int to, int elements, int order, int& next_node, std::vec
 
 std::vector<double> make_values(const SparsePattern& pattern, unsigned seed) {
     RandomValues random(seed);
-    std::vector<double> values(pattern.rows.size());
-    for (std::int64_t column = 0; column < pattern.size(); ++column) {
-        for (std::int64_t i = pattern.column_starts[column]; i < pattern.column_starts[column + 1]; ++i)
-            values[i] = random.number(-1.0, 1.0) + (pattern.rows[i] == column ? 20.0 : 0.0);
-    }
+    std::vector<double> values(static_cast<std::size_t>(pattern.nonzeros()));
+    pattern.visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t slot) {
+        values[slot] = random.number(-1.0, 1.0) + (row == column ? 20.0 : 0.0);
+    });
     return values;
 }
 
@@ -167,11 +166,9 @@ TEST_CASE("What a chain loses in digits is found and solved again", "[solvers]")
 TEST_CASE("Junctions that are singular are told", "[solvers]") {
     const SparsePattern pattern = make_net_pattern(4, 4);
     std::vector<double> values = make_values(pattern, 4);
-    for (std::int64_t i = 0; i < pattern.size(); ++i) {
-        for (std::int64_t k = pattern.column_starts[i]; k < pattern.column_starts[i + 1]; ++k) {
-            if (i == 31 || pattern.rows[k] == 31) values[k] = 0.0;
-        }
-    }
+    pattern.visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t slot) {
+        if (row == 31 || column == 31) values[slot] = 0.0;
+    });
     const Factorization factorization = ChainSolver(pattern).factorize(values);
     CHECK_FALSE(factorization.regular);
     CHECK(factorization.singular_equation == 31);
