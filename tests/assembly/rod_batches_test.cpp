@@ -111,7 +111,7 @@ struct Assembled {
         batches.elements.build(block, equations);
         for (const auto& element : block.elements) {
             for (int i = 0; i < Nodes; ++i)
-                batches.nodes.add(element.nodes[i], element.inertia().rotary_inertia(i));
+                batches.nodes.add(element.nodes[i], element.inertia().compute_rotary_inertia(i));
         }
         batches.nodes.lay_out(pattern);
         return batches;
