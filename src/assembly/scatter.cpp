@@ -21,7 +21,7 @@ Eigen::VectorXd gather(const std::vector<Vec6>& nodal, const EquationNumbers& eq
     Eigen::VectorXd vector(equations.count());
     for (int node = 0; node < static_cast<int>(nodal.size()); ++node) {
         const Vec6 own = equations.to_own_axes(node, nodal[node]);
-        const std::array<std::int64_t, 6>& numbers = equations.of_node(node);
+        const std::array<std::int64_t, 6> numbers = equations.of_node(node);
         for (int i = 0; i < 6; ++i) {
             if (numbers[i] >= 0) vector[numbers[i]] = own[i];
         }

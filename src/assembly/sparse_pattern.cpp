@@ -112,7 +112,7 @@ SparsePattern compute_pattern(const EquationNumbers& equations, std::span<const 
                 if (row >= 0) rows.push_back(row);
             }
         }
-        const auto& own = equations.of_node(static_cast<int>(node));
+        const auto own = equations.of_node(static_cast<int>(node));
         const auto columns = std::count_if(own.begin(), own.end(), [](std::int64_t row) { return row >= 0; });
         pattern.add_columns(columns, rows);
     }

@@ -16,7 +16,7 @@ void move(const System& system,
           double sign,
           State& state) {
     for (const std::int64_t equation : group) {
-        const auto& [node, component] = system.equations().unknown(equation);
+        const auto [node, component] = system.equations().unknown(equation);
         const double size = component < 3 ? step_angle * system.length_scale() : step_angle;
         const Vec6 delta = system.equations().to_global_axes(node, sign * size * Vec6::Unit(component));
         apply_spin(state.previous[node], delta.head<3>(), delta.tail<3>(), state.trial[node]);

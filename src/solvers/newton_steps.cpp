@@ -13,24 +13,22 @@ ResidualScales compute_scales(const System& system, const Residual& residual) {
 
 void measure_residual(const System& system, const Residual& residual, EquilibriumReport& report) {
     const ResidualScales scales = compute_scales(system, residual);
-    const Eigen::VectorXd values = gather(residual.nodal, system.equations());
+    const EquationNumbers& equations = system.equations();
     report.residual = 0.0;
-    for (std::int64_t i = 0; i < values.size(); ++i) {
-        const auto& [node, component] = system.equations().unknown(i);
-        const double value = std::abs(values[i]);
-        if (value == 0.0) continue;
-        const double scaled = value / scales.of(component);
-        if (!std::isfinite(scaled)) {
+    for (int node = 0; node < static_cast<int>(residual.nodal.size()); ++node) {
+        const Vec6 own = equations.to_own_axes(node, residual.nodal[node]);
+        const std::array<std::int64_t, 6> numbers = equations.of_node(node);
+        for (int component = 0; component < 6; ++component) {
+            const double value = std::abs(own[component]);
+            if (numbers[component] < 0 || value == 0.0) continue;
+            const double scaled = value / scales.of(component);
+            if (std::isfinite(scaled) && scaled <= report.residual) continue;
+            report.residual = scaled;
+            report.worst_node = node;
+            report.worst_component = component;
+            if (std::isfinite(scaled)) continue;
             report.outcome = Outcome::not_finite;
-            report.worst_node = node;
-            report.worst_component = component;
-            report.residual = scaled;
             return;
-        }
-        if (scaled > report.residual) {
-            report.residual = scaled;
-            report.worst_node = node;
-            report.worst_component = component;
         }
     }
 }
