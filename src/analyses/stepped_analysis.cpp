@@ -107,6 +107,7 @@ void SteppedAnalysis::check_error(EquilibriumReport& report) {
 EquilibriumReport SteppedAnalysis::advance() {
     EquilibriumReport report;
     solver_row_ = SolverRow{};
+    section_values_ = std::vector<SectionValues>();  // large beside what a step needs
     while (!take_step(report)) {
         ++solver_row_.rejected_steps;
         if (!steps_->reject()) return report;
