@@ -51,11 +51,8 @@ class Operation {
     Eigen::Index cols() const { return pattern_->size(); }
     void perform_op(const double* in, double* out) const {
         VectorMap(out, rows()).setZero();
-        for (std::int64_t j = 0; j < pattern_->size(); ++j) {
-            for (std::int64_t k = pattern_->column_starts[j]; k < pattern_->column_starts[j + 1]; ++k) {
-                out[pattern_->rows[k]] += values_[k] * in[j];
-            }
-        }
+        pattern_->visit_entries(
+            [&](std::int64_t i, std::int64_t j, std::int64_t slot) { out[i] += values_[slot] * in[j]; });
     }
     void solve(const double* in, double* out) const {
         Vector x = ConstVectorMap(in, rows());

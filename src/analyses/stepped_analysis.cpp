@@ -81,15 +81,19 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
 
 bool SteppedAnalysis::take_step(EquilibriumReport& report) {
     const Stage first_stage{0, steps_->time(), steps_->time_step(), steps_->next_time()};
-    const State last_accepted = state_;
+    std::vector<Vec6> resultants = state_.resultants;  // none but of the mixed tangent
+    const auto undo = [&] {
+        undo_trial(state_);
+        state_.resultants.swap(resultants);
+    };
     try {
         report = solve_step(system_, *integrator_, newton_, first_stage, workspace_, state_);
     } catch (...) {
-        state_ = last_accepted;
+        undo();
         throw;
     }
     if (report.converged() && steps_->needs_error()) check_error(report);
-    if (!report.converged()) state_ = last_accepted;
+    if (!report.converged()) undo();
     return report.converged();
 }
 
@@ -105,6 +109,7 @@ void SteppedAnalysis::check_error(EquilibriumReport& report) {
 EquilibriumReport SteppedAnalysis::advance() {
     EquilibriumReport report;
     solver_row_ = SolverRow{};
+    section_values_ = std::vector<SectionValues>();  // large beside what a step needs
     while (!take_step(report)) {
         ++solver_row_.rejected_steps;
         if (!steps_->reject()) return report;

@@ -2,6 +2,7 @@
 #include <cassert>
 
 #include "assembly/system.hpp"
+#include "model/reserve_more.hpp"
 
 // How a system is made of its model, once.
 namespace gxrod {
@@ -36,18 +37,12 @@ RodElementGeometry<Nodes> find_geometry(const Model& model, const Rod& rod, int 
     return geometry;
 }
 
-// Room for exactly these where they are most of all, and for growth by halves where they are few.
-template <class T>
-void reserve_more(int count, std::vector<T>& entries) {
-    const std::size_t size = entries.size() + static_cast<std::size_t>(count);
-    if (size > entries.capacity()) entries.reserve(std::max(size, entries.size() + entries.size() / 2));
-}
-
 template <class E>
 void add_rod(const Model& model, const Rod& rod, int first_element, ElementBlock<E>& block) {
-    const Section& section = model.sections[rod.section];
-    reserve_more(rod.element_count(), block.elements);
-    reserve_more(rod.element_count(), block.section_index);
+    const auto section = std::make_shared<const RodSection>(model.sections[rod.section]);
+    const auto count = static_cast<std::size_t>(rod.element_count());
+    reserve_more(count, block.elements);
+    reserve_more(count, block.section_index);
     for (int e = 0; e < rod.element_count(); ++e) {
         block.elements.emplace_back(find_geometry<E::node_count>(model, rod, e), section);
         block.section_index.push_back(first_element + e);
@@ -176,7 +171,7 @@ void System::build_batches() {
                 if (!is_in_batch(rod_batches_, block, e)) continue;
                 const E& element = block.elements[e];
                 for (int i = 0; i < E::node_count; ++i)
-                    rotary_batches_.add(element.nodes[i], element.inertia().rotary_inertia(i));
+                    rotary_batches_.add(element.nodes[i], element.inertia().compute_rotary_inertia(i));
             }
         }
     });

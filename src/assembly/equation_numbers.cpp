@@ -1,19 +1,24 @@
 #include "assembly/equation_numbers.hpp"
 
+#include <algorithm>
+
 namespace gxrod {
 
-EquationNumbers::EquationNumbers(const Supports& supports)
-    : supports_(&supports), equations_(supports.node_count()) {
-    for (int node = 0; node < static_cast<int>(equations_.size()); ++node) {
-        for (int component = 0; component < 6; ++component) {
-            if (supports.held(node)[component]) {
-                equations_[node][component] = -1;
-            } else {
-                equations_[node][component] = count();
-                unknowns_.push_back({node, component});
-            }
-        }
+EquationNumbers::EquationNumbers(const Supports& supports) : supports_(&supports) {
+    firsts_.reserve(supports.node_count() + 1);
+    firsts_.push_back(0);
+    for (int node = 0; node < static_cast<int>(supports.node_count()); ++node) {
+        const HeldComponents& held = supports.held(node);
+        firsts_.push_back(firsts_.back() + std::count(held.begin(), held.end(), false));
     }
+}
+
+EquationNumbers::Unknown EquationNumbers::unknown(std::int64_t equation) const {
+    const auto after = std::upper_bound(firsts_.begin(), firsts_.end(), equation);
+    const int node = static_cast<int>(after - firsts_.begin()) - 1;
+    const std::array<std::int64_t, 6> numbers = of_node(node);
+    const auto found = std::find(numbers.begin(), numbers.end(), equation);
+    return {node, static_cast<int>(found - numbers.begin())};
 }
 
 Vec6 EquationNumbers::to_own_axes(int node, const Vec6& global) const {
@@ -33,8 +38,9 @@ Vec6 EquationNumbers::to_global_axes(int node, const Vec6& own) const {
 }
 
 Vec6 EquationNumbers::increment_of(int node, const Eigen::VectorXd& solution) const {
+    const std::array<std::int64_t, 6> numbers = of_node(node);
     Vec6 own;
-    for (int i = 0; i < 6; ++i) own[i] = equations_[node][i] < 0 ? 0.0 : solution[equations_[node][i]];
+    for (int i = 0; i < 6; ++i) own[i] = numbers[i] < 0 ? 0.0 : solution[numbers[i]];
     return to_global_axes(node, own);
 }
 

@@ -12,26 +12,27 @@ RotaryBatches::RotaryBatches(const Kernels& kernels, const EquationNumbers& equa
 
 void RotaryBatches::add(int node, const Mat3& inertia) {
     if (index_[node] < 0) {
-        index_[node] = static_cast<int>(inertias_.size());
-        inertias_.push_back({node, Mat3::Zero()});
+        index_[node] = static_cast<int>(nodes_.size());
+        nodes_.push_back(node);
+        inertias_.push_back(Mat3::Zero());
     }
-    inertias_[index_[node]].inertia += inertia;
+    inertias_[index_[node]] += inertia;
 }
 
 void RotaryBatches::lay_out(const SparsePattern& pattern) {
-    if (inertias_.empty()) return;
-    places_.reserve(inertias_.size());
-    for (const NodeInertia& at : inertias_)
-        places_.push_back(find_places<1>({at.node}, *equations_, pattern));
-    const std::size_t batches = (inertias_.size() + width_ - 1) / width_;
+    const std::size_t batches = (nodes_.size() + width_ - 1) / width_;
     constants_.resize(batches * RotaryKernels::constant_rows * width_);
     for (std::size_t lane = 0; lane < batches * width_; ++lane) {
-        const Mat3& inertia = inertias_[std::min(lane, inertias_.size() - 1)].inertia;
         LaneColumn(&constants_[lane / width_ * RotaryKernels::constant_rows * width_],
                    static_cast<int>(lane % width_),
                    width_)
-            .write(inertia);
+            .write(inertias_[std::min(lane, nodes_.size() - 1)]);
     }
+    inertias_ = std::vector<Mat3>();
+    index_ = std::vector<int>();
+    nodes_.shrink_to_fit();
+    places_.reserve(nodes_.size());
+    for (const int node : nodes_) places_.push_back(find_places<1>({node}, *equations_, pattern));
 }
 
 void RotaryBatches::add_forces(std::size_t part,
@@ -50,7 +51,7 @@ void RotaryBatches::add_forces(std::size_t part,
         }
         kernels_.compute_moments(
             &constants_[first * RotaryKernels::constant_rows], rows.data(), moments.data());
-        for (int lane = 0; lane < width_ && first + lane < inertias_.size(); ++lane) {
+        for (int lane = 0; lane < width_ && first + lane < nodes_.size(); ++lane) {
             const Vec3 moment(moments[lane], moments[width_ + lane], moments[2 * width_ + lane]);
             scales.raise(0.0, moment.lpNorm<Eigen::Infinity>());
             nodal[node_of(first + lane)].tail<3>() += moment;
@@ -77,7 +78,7 @@ void RotaryBatches::add_tangents(std::size_t part,
         }
         kernels_.compute_tangents(
             &constants_[first * RotaryKernels::constant_rows], rows.data(), tangents.data());
-        for (int lane = 0; lane < width_ && first + lane < inertias_.size(); ++lane) {
+        for (int lane = 0; lane < width_ && first + lane < nodes_.size(); ++lane) {
             add_tangent(&tangents[lane], first + lane, values);
         }
     }

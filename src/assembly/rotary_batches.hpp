@@ -19,7 +19,7 @@ class RotaryBatches {
     void lay_out(const SparsePattern& pattern);
 
     // Each node is in one of the parts.
-    std::size_t part_count() const { return (inertias_.size() + part_size - 1) / part_size; }
+    std::size_t part_count() const { return (nodes_.size() + part_size - 1) / part_size; }
 
     // Adds inertial moments of the nodes of a part.
     void add_forces(std::size_t part,
@@ -35,23 +35,20 @@ class RotaryBatches {
   private:
     static constexpr std::size_t part_size = WorkPhases::part_size;  // whole batches of any width
 
-    struct NodeInertia {
-        int node;
-        Mat3 inertia;
-    };
-
-    std::size_t last_of(std::size_t part) const { return std::min(inertias_.size(), (part + 1) * part_size); }
+    std::size_t last_of(std::size_t part) const { return std::min(nodes_.size(), (part + 1) * part_size); }
     // The node of a lane; the last node fills the lanes that are left.
-    int node_of(std::size_t lane) const { return inertias_[std::min(lane, inertias_.size() - 1)].node; }
+    int node_of(std::size_t lane) const { return nodes_[std::min(lane, nodes_.size() - 1)]; }
     void add_tangent(const double* tangents, std::size_t lane, std::vector<double>& values) const;
 
     int width_;
     RotaryKernels kernels_;
     const EquationNumbers* equations_;
-    std::vector<int> index_;  // of each node among the inertias, −1 of none
-    std::vector<NodeInertia> inertias_;
+    std::vector<int> nodes_;                // that have rotary inertia
     std::vector<ElementPlaces<1>> places_;  // of each of these
-    std::vector<double> constants_;         // of each batch, by rows
+    std::vector<double> constants_;         // their inertia: of each batch, by rows
+    // Until they are laid out: of each node its index among nodes_, −1 of none; and inertias, one of these.
+    std::vector<int> index_;
+    std::vector<Mat3> inertias_;
 };
 
 }  // namespace gxrod

@@ -24,7 +24,7 @@ Eigen::VectorXd gather(const std::vector<Vec6>& nodal,
     team.for_each_range(nodal.size(), [&](std::size_t first, std::size_t last) {
         for (int node = static_cast<int>(first); node < static_cast<int>(last); ++node) {
             const Vec6 own = equations.to_own_axes(node, nodal[node]);
-            const std::array<std::int64_t, 6>& numbers = equations.of_node(node);
+            const std::array<std::int64_t, 6> numbers = equations.of_node(node);
             for (int i = 0; i < 6; ++i) {
                 if (numbers[i] >= 0) vector[numbers[i]] = own[i];
             }

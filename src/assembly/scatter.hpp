@@ -37,25 +37,17 @@ template <int Nodes>
 ElementPlaces<Nodes> find_places(const std::array<int, Nodes>& nodes,
                                  const EquationNumbers& equations,
                                  const SparsePattern& pattern) {
-    constexpr int size = 6 * Nodes;
     ElementPlaces<Nodes> places{};
-    std::array<std::int64_t, size * size> slots;
-    find_slots(nodes, equations, pattern, slots);
-    const auto slot = [&](int row, int column) { return slots[column * size + row]; };
-    bool is_regular = std::none_of(
-        nodes.begin(), nodes.end(), [&](int node) { return equations.supports().has_own_axes(node); });
-    for (int pair = 0; pair < Nodes * Nodes; ++pair) {
-        const int row = 6 * (pair % Nodes);
-        const int column = 6 * (pair / Nodes);
-        places.blocks[pair] = {slot(row, column), slot(row, column + 1) - slot(row, column)};
-        for (int entry = 0; entry < 36; ++entry) {
-            const auto [first, stride] = places.blocks[pair];
-            const std::int64_t expected = first + entry % 6 + entry / 6 * stride;
-            const std::int64_t found = slot(row + entry % 6, column + entry / 6);
-            is_regular = is_regular && found >= 0 && found == expected;
-        }
+    if (!std::all_of(nodes.begin(), nodes.end(), [&](int node) { return equations.is_free(node); })) {
+        places.slots.resize(36 * Nodes * Nodes);
+        find_slots(nodes, equations, pattern, places.slots);
+        return places;
     }
-    if (!is_regular) places.slots.assign(slots.begin(), slots.end());
+    for (int pair = 0; pair < Nodes * Nodes; ++pair) {
+        const std::int64_t row = equations.of_node(nodes[pair % Nodes])[0];
+        const std::int64_t column = equations.of_node(nodes[pair / Nodes])[0];
+        places.blocks[pair] = {pattern.slot(row, column), pattern.block_of(column).stride};
+    }
     return places;
 }
 

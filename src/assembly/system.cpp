@@ -209,7 +209,7 @@ void System::compute_tangent(const State& state,
                              double time,
                              const std::vector<NodeLinearization>& linearizations,
                              std::vector<double>& values) const {
-    values.resize(pattern_.rows.size());
+    values.resize(static_cast<std::size_t>(pattern_.nonzeros()));
     team_->for_each_range(values.size(), [&](std::size_t first, std::size_t last) {
         std::fill(values.begin() + first, values.begin() + last, 0.0);
     });

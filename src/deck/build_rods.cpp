@@ -12,6 +12,7 @@
 #include "deck/schema_tables.hpp"
 #include "deck/section_axes.hpp"
 #include "deck/suggestion.hpp"
+#include "model/reserve_more.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
@@ -90,6 +91,7 @@ class LineBuilder {
     void add(const std::vector<double>& element_fractions) {
         rod_.length = line_.length();
         const std::vector<double> within = compute_element_nodes(rod_.order);
+        reserve(element_fractions.size() - 1);
         for (std::size_t e = 0; e + 1 < element_fractions.size(); ++e) {
             const double first = element_fractions[e];
             const double last = element_fractions[e + 1];
@@ -104,6 +106,16 @@ class LineBuilder {
     }
 
   private:
+    void reserve(std::size_t elements) {
+        const auto order = static_cast<std::size_t>(rod_.order);
+        rod_.nodes.reserve(elements * order + 1);
+        fractions_.reserve(elements * order + 1);
+        reserve_more(elements * order + 1, nodes_);
+        rod_.element_nodes.reserve(elements * (order + 1));
+        rod_.arc_length.reserve(elements * (order + 1));
+        rod_.triads.reserve(elements * (order + 1));
+    }
+
     void add_node(std::size_t piece, double fraction) {
         const std::size_t position = rod_.nodes.size();
         rod_.nodes.push_back(static_cast<int>(nodes_.size()));

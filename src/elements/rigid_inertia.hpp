@@ -2,8 +2,7 @@
 
 #include "state/motion.hpp"
 
-// The inertia of a rigid body about a node that need not be its centre of mass. It serves rigid bodies and
-// the nodal rotary inertia of rods alike.
+// The inertia of a rigid body about a node that need not be its centre of mass.
 //
 // Legend: Lambda rotation since t = 0, s = Λ S first moment of mass about the node, J = Λ J₀ Λᵀ inertia about
 // the node (both spatial), a' = a − g acceleration less gravity. Force and moment about the node are stacked

@@ -25,6 +25,14 @@ hid_t memory_type() {
         return H5T_NATIVE_INT64;
 }
 
+// Rows come one after the other: two chunks are enough to hold.
+Hdf5Handle make_access() {
+    Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "dataset properties");
+    check_hdf5(H5Pset_chunk_cache(access.id(), H5D_CHUNK_CACHE_NSLOTS_DEFAULT, 2 * most_chunk_bytes, 1.0),
+               "the cache of chunks");
+    return access;
+}
+
 // Rows of a dataset on disk, and as many in memory.
 struct RowSelection {
     Hdf5Handle on_disk, in_memory;
@@ -52,8 +60,9 @@ AppendDataset<Number>::AppendDataset(
         if (rows > 0) set_extent(rows);
         return;
     }
-    dataset_ = Hdf5Handle(
-        H5Dopen2(group.id(), label.name.c_str(), H5P_DEFAULT), H5Dclose, "opening a dataset to go on with");
+    dataset_ = Hdf5Handle(H5Dopen2(group.id(), label.name.c_str(), make_access().id()),
+                          H5Dclose,
+                          "opening a dataset to go on with");
     const Hdf5Handle space(H5Dget_space(dataset_.id()), H5Sclose, "dataspace");
     std::array<hsize_t, 2> size{0, 1};
     const int rank = H5Sget_simple_extent_ndims(space.id());
@@ -84,6 +93,7 @@ void AppendDataset<Number>::create(const Hdf5Handle& group, const DatasetLabel& 
         check_hdf5(H5Pset_shuffle(properties.id()), "compression");
         check_hdf5(H5Pset_deflate(properties.id(), fastest), "compression");
     }
+    const Hdf5Handle access = make_access();
     const Number missing =
         std::numeric_limits<Number>::has_quiet_NaN ? std::numeric_limits<Number>::quiet_NaN() : 0;
     check_hdf5(H5Pset_fill_value(properties.id(), memory_type<Number>(), &missing), "dataset properties");
@@ -93,7 +103,7 @@ void AppendDataset<Number>::create(const Hdf5Handle& group, const DatasetLabel& 
                                      space.id(),
                                      H5P_DEFAULT,
                                      properties.id(),
-                                     H5P_DEFAULT),
+                                     access.id()),
                           H5Dclose,
                           "creating a dataset");
     write_label(dataset_.id(), label);

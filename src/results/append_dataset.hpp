@@ -16,6 +16,9 @@ struct RowShape {
 inline constexpr RowShape scalar_row{1, false};
 inline constexpr RowShape vector_row{3, true};
 
+// Of chunks that are not compressed.
+inline constexpr std::size_t most_chunk_bytes = 262144;
+
 // How rows lie on disk.
 struct RowChunks {
     hsize_t rows = 0;          // in a chunk; 0: about 4 KiB of them

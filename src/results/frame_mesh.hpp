@@ -17,7 +17,7 @@ struct FrameMesh {
     std::vector<double> point_radius;        // of each node: that of its first rod; 0 where no rod is
     std::vector<Quat> triads;  // of each node: section axes at t = 0, or a body's where no rod is
 
-    std::size_t cell_count() const { return types.size(); }
+    std::size_t cell_count() const { return cell_radius.size(); }
 };
 
 FrameMesh make_frame_mesh(const Model& model);

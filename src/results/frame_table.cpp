@@ -40,9 +40,8 @@ constexpr RowShape number_in_row{1, true};  // [S,1]
 // ones space (docs/performance.md).
 RowChunks frame_chunks(std::size_t frame_rows, std::size_t row_bytes, bool is_deflated) {
     constexpr std::size_t least = 8192;
-    constexpr std::size_t most = 262144;
     if (is_deflated) return {std::max<hsize_t>(frame_rows, 1), true};
-    const std::size_t bytes = std::min(std::max(frame_rows * row_bytes, least), most);
+    const std::size_t bytes = std::min(std::max(frame_rows * row_bytes, least), most_chunk_bytes);
     return {bytes / row_bytes, false};
 }
 
@@ -93,6 +92,9 @@ FrameTable::FrameTable(const Hdf5Handle& root,
         write_topology();
         flush_count();
     }
+    // On disk now.
+    mesh_.connectivity = mesh_.offsets = std::vector<std::int64_t>();
+    mesh_.types = std::vector<std::uint8_t>();
     create_fields();
 }
 
@@ -177,6 +179,7 @@ void FrameTable::append_points(const Snapshot& snapshot) {
             points_[5 + axis].append({axes.col(static_cast<int>(axis)).data(), 3});
         }
         points_[8].append(mesh_.point_radius[i]);
+        flush_if_much(points_);
     }
 }
 
@@ -189,7 +192,14 @@ void FrameTable::append_cells(const Snapshot& snapshot) {
         cells_[2].append(numbers(section.strain));
         cells_[3].append(numbers(section.curvature));
         cells_[4].append(mesh_.cell_radius[i]);
+        flush_if_much(cells_);
     }
+}
+
+void FrameTable::flush_if_much(std::vector<AppendDataset<double>>& fields) const {
+    // Compressed chunks have to come whole.
+    if (is_compressed_ || fields[0].buffered_bytes() < most_chunk_bytes) return;
+    for (AppendDataset<double>& field : fields) field.flush();
 }
 
 template <class Action>

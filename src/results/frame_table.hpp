@@ -34,6 +34,7 @@ class FrameTable {
     void create_fields();
     void append_points(const Snapshot& snapshot);
     void append_cells(const Snapshot& snapshot);
+    void flush_if_much(std::vector<AppendDataset<double>>& fields) const;
     template <class Action>
     void for_each_of_rows(Action&& action);
 

@@ -45,18 +45,26 @@ Hdf5Handle transfer_properties() {
     return properties;
 }
 
-void write_dataset(const Hdf5Handle& group,
-                   const DatasetLabel& label,
-                   hid_t type,
-                   const Hdf5Handle& space,
-                   const void* values) {
+Hdf5Handle create_dataset(const Hdf5Handle& group,
+                          const DatasetLabel& label,
+                          hid_t type,
+                          const Hdf5Handle& space) {
     const Hdf5Handle properties = creation_properties();
-    const Hdf5Handle dataset(
+    Hdf5Handle dataset(
         H5Dcreate2(
             group.id(), label.name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
         H5Dclose,
         "creating a dataset");
     write_label(dataset.id(), label);
+    return dataset;
+}
+
+void write_dataset(const Hdf5Handle& group,
+                   const DatasetLabel& label,
+                   hid_t type,
+                   const Hdf5Handle& space,
+                   const void* values) {
+    const Hdf5Handle dataset = create_dataset(group, label, type, space);
     const Hdf5Handle transfer = transfer_properties();
     check_hdf5(H5Dwrite(dataset.id(), type, H5S_ALL, H5S_ALL, transfer.id(), values), "writing a dataset");
 }
@@ -135,13 +143,10 @@ void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span
     write_dataset(group, label, H5T_STD_U8LE, list_space(values.size()), values.data());
 }
 
-void write_dataset(const Hdf5Handle& group,
-                   const DatasetLabel& label,
-                   hsize_t columns,
-                   std::span<const double> values) {
-    const std::array<hsize_t, 2> size{values.size() / columns, columns};
+Hdf5Handle create_dataset(const Hdf5Handle& group, const DatasetLabel& label, hsize_t rows, hsize_t columns) {
+    const std::array<hsize_t, 2> size{rows, columns};
     const Hdf5Handle space(H5Screate_simple(2, size.data(), nullptr), H5Sclose, "dataspace");
-    write_dataset(group, label, H5T_IEEE_F64LE, space, values.data());
+    return create_dataset(group, label, H5T_IEEE_F64LE, space);
 }
 
 std::vector<std::string> list_members(hid_t group) {

@@ -47,10 +47,7 @@ void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const double> values);
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::int64_t> values);
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::uint8_t> values);
-// Rows of so many columns, one after the other.
-void write_dataset(const Hdf5Handle& group,
-                   const DatasetLabel& label,
-                   hsize_t columns,
-                   std::span<const double> values);
+// Of doubles, to be written yet.
+Hdf5Handle create_dataset(const Hdf5Handle& group, const DatasetLabel& label, hsize_t rows, hsize_t columns);
 
 }  // namespace gxrod

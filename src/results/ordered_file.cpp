@@ -41,13 +41,14 @@ OrderedFile::OrderedFile(int descriptor) : descriptor_(descriptor) {
         ::close(descriptor);
         throw std::system_error(code, std::generic_category());
     }
-    size_ = disk_size_ = end_ = static_cast<std::uint64_t>(status.st_size);
+    size_ = disk_size_ = end_ = committed_ = static_cast<std::uint64_t>(status.st_size);
 }
 
 OrderedFile::~OrderedFile() { ::close(descriptor_); }
 
 void OrderedFile::write(Part part, std::uint64_t offset, std::span<const std::byte> bytes) {
     end_ = std::max(end_, offset + bytes.size());
+    if (part == Part::data && try_to_write_now(offset, bytes)) return;
     if (part != Part::data) {
         // Only the last image of a node or header counts; its level, and so its rank, may have changed.
         const auto [found, is_new] = pending_metadata_.try_emplace(offset, pending_.size());
@@ -57,6 +58,21 @@ void OrderedFile::write(Part part, std::uint64_t offset, std::span<const std::by
         }
     }
     pending_.push_back({part, offset, {bytes.begin(), bytes.end()}});
+}
+
+bool OrderedFile::try_to_write_now(std::uint64_t offset, std::span<const std::byte> bytes) {
+    // HDF5 may have freed a place in which something was to be, which must not come over this.
+    const bool is_taken = std::any_of(pending_.begin(), pending_.end(), [&](const Write& write) {
+        return write.offset < offset + bytes.size() && offset < write.offset + write.bytes.size();
+    });
+    if (offset < committed_ || is_taken) return false;
+    try {
+        write_all(descriptor_, offset, bytes);
+    } catch (const std::system_error&) {
+        return false;  // the commit tells of it
+    }
+    disk_size_ = std::max(disk_size_, offset + bytes.size());
+    return true;
 }
 
 void OrderedFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {
@@ -117,6 +133,7 @@ void OrderedFile::commit(Order direction) {
     pending_.clear();
     pending_metadata_.clear();
     if (size_ < disk_size_) resize(size_);
+    committed_ = size_;
 }
 
 }  // namespace gxrod

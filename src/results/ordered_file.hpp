@@ -20,7 +20,8 @@ namespace gxrod {
 //      nor a link, nor is there a link before its name;
 //   5. object headers already on disk, which hold the sizes of datasets and the values of attributes.
 //
-// Until a commit, writes are held in memory and seen by read(). A failed commit may be tried again.
+// Until a commit, writes are held in memory and seen by read(), but for raw data past the end of what is
+// committed, which is much and of which nothing on disk can know. A failed commit may be tried again.
 class OrderedFile {
   public:
     enum class Part { data, superblock, heap, tree, header };
@@ -55,6 +56,7 @@ class OrderedFile {
     };
 
     bool is_on_disk(const Write& write) const;
+    bool try_to_write_now(std::uint64_t offset, std::span<const std::byte> bytes);
     void resize(std::uint64_t size);
 
     int descriptor_;
@@ -62,6 +64,7 @@ class OrderedFile {
     std::uint64_t disk_size_ = 0;  // of the file as it is
     std::uint64_t end_ = 0;
     std::uint64_t adopted_ = 0;                                        // end of what was there before
+    std::uint64_t committed_ = 0;                                      // end of what is committed
     std::vector<Write> pending_;                                       // in the order of writing
     std::unordered_map<std::uint64_t, std::size_t> pending_metadata_;  // offset → index of the last image
     std::unordered_set<std::uint64_t> metadata_on_disk_;               // offsets of tree nodes and headers

@@ -1,6 +1,8 @@
 #include "results/restart_table.hpp"
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
@@ -50,7 +52,7 @@ struct Table {
 };
 
 template <class Row>
-Table table_of(const std::vector<Row>& rows) {
+Table table_of(std::span<const Row> rows) {
     Table table{count_columns<Row>()};
     table.values.reserve(rows.size() * table.columns);
     for (const Row& row : rows) {
@@ -107,17 +109,41 @@ DatasetLabel numbers_label() {
     return {"numbers", "single numbers, in order:" + names, "none", ""};
 }
 
-// Writes over the dataset of that name, or creates it.
-void put(const Hdf5Handle& group, const DatasetLabel& label, const Table& table) {
-    if (!has_link(group, label.name)) return write_dataset(group, label, table.columns, table.values);
-    const Hdf5Handle dataset(
-        H5Dopen2(group.id(), label.name.c_str(), H5P_DEFAULT), H5Dclose, "opening a dataset");
+// The dataset of that name, with so many rows; a new one if there is none.
+Hdf5Handle require_dataset(const Hdf5Handle& group,
+                           const DatasetLabel& label,
+                           hsize_t rows,
+                           hsize_t columns) {
+    if (!has_link(group, label.name)) return create_dataset(group, label, rows, columns);
+    Hdf5Handle dataset(H5Dopen2(group.id(), label.name.c_str(), H5P_DEFAULT), H5Dclose, "opening a dataset");
     const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose, "dataspace");
-    if (H5Sget_simple_extent_npoints(space.id()) != static_cast<hssize_t>(table.values.size())) {
+    if (H5Sget_simple_extent_npoints(space.id()) != static_cast<hssize_t>(rows * columns)) {
         throw std::runtime_error("/restart holds another number of " + label.name);
     }
-    check_hdf5(H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, table.values.data()),
-               "writing a dataset");
+    return dataset;
+}
+
+void write_rows(const Hdf5Handle& dataset, hsize_t first, const Table& table) {
+    const std::array<hsize_t, 2> start{first, 0};
+    const std::array<hsize_t, 2> count{table.values.size() / table.columns, table.columns};
+    const Hdf5Handle on_disk(H5Dget_space(dataset.id()), H5Sclose, "dataspace");
+    check_hdf5(
+        H5Sselect_hyperslab(on_disk.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+        "selecting rows");
+    const Hdf5Handle in_memory(H5Screate_simple(2, count.data(), nullptr), H5Sclose, "dataspace");
+    check_hdf5(
+        H5Dwrite(
+            dataset.id(), H5T_NATIVE_DOUBLE, in_memory.id(), on_disk.id(), H5P_DEFAULT, table.values.data()),
+        "writing a dataset");
+}
+
+// Piece by piece: of large models, all rows once more as numbers would be much.
+template <class Row>
+void put(const Hdf5Handle& group, const DatasetLabel& label, std::span<const Row> rows) {
+    constexpr std::size_t piece = 4096;
+    const Hdf5Handle dataset = require_dataset(group, label, rows.size(), count_columns<Row>());
+    for (std::size_t first = 0; first < rows.size(); first += piece)
+        write_rows(dataset, first, table_of(rows.subspan(first, std::min(piece, rows.size() - first))));
 }
 
 const DatasetLabel nodes_label{"nodes",
@@ -159,12 +185,12 @@ void RestartTable::write(const RestartPlace& place) {
     Table single{1};
     visit_numbers(
         place, [&](const char*, const auto& value) { single.values.push_back(static_cast<double>(value)); });
-    put(slot, numbers_label(), single);
-    put(slot, nodes_label, table_of(record.nodes));
-    put(slot, sections_label, table_of(record.sections));
-    put(slot, algorithmic_label, table_of(record.algorithmic));
-    put(slot, driving_label, table_of(record.ledger.driving));
-    put(slot, damping_label, table_of(record.ledger.damping));
+    write_rows(require_dataset(slot, numbers_label(), single.values.size(), 1), 0, single);
+    put<NodeMotion>(slot, nodes_label, record.nodes);
+    put<SectionHistory>(slot, sections_label, record.sections);
+    put<AlgorithmicAcceleration>(slot, algorithmic_label, record.algorithmic);
+    put<Vec6>(slot, driving_label, record.ledger.driving);
+    put<Vec6>(slot, damping_label, record.ledger.damping);
     is_written_ = true;
 }
 

@@ -157,6 +157,7 @@ void ResultsWriter::flush() {
     commit();
     tables_->switch_restart();
     commit();
+    H5garbage_collect();  // what HDF5 keeps for more frames of that size
     // A slow disk takes at most a tenth of the time.
     const auto end = Clock::now();
     next_flush_ = end + std::max<Clock::duration>(flush_interval, 10 * (end - start));

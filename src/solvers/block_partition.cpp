@@ -1,34 +1,21 @@
 #include "solvers/block_partition.hpp"
 
 #include <algorithm>
-#include <span>
 
 namespace gxrod {
-namespace {
-
-std::span<const std::int64_t> rows_of(const SparsePattern& pattern, std::int64_t column) {
-    return {pattern.rows.data() + pattern.column_starts[column],
-            pattern.rows.data() + pattern.column_starts[column + 1]};
-}
-
-}  // namespace
-
 BlockPartition::BlockPartition(const SparsePattern& pattern) {
-    std::vector<int> block_of(static_cast<std::size_t>(pattern.size()));
-    for (std::int64_t column = 0; column < pattern.size(); ++column) {
-        const bool is_new =
-            column == 0 || !std::ranges::equal(rows_of(pattern, column), rows_of(pattern, column - 1));
-        if (is_new) starts.push_back(column);
-        block_of[column] = static_cast<int>(starts.size()) - 1;
-    }
+    starts.reserve(pattern.block_count() + 1);
+    for (std::size_t i = 0; i < pattern.block_count(); ++i) starts.push_back(pattern.block(i).first_column);
     starts.push_back(pattern.size());
+    neighbour_starts.reserve(starts.size());
     neighbour_starts.push_back(0);
     for (int block = 0; block < count(); ++block) {
-        int last = -1;
-        for (const std::int64_t row : rows_of(pattern, starts[block])) {
-            if (block_of[row] == last) continue;
-            last = block_of[row];
-            if (last != block) neighbours.push_back(last);
+        for (const SparsePattern::RowRun& run : pattern.block(static_cast<std::size_t>(block)).runs) {
+            auto after = std::upper_bound(starts.begin(), starts.end(), run.first);
+            for (; *(after - 1) < run.first + run.count; ++after) {
+                const int other = static_cast<int>(after - starts.begin()) - 1;
+                if (other != block) neighbours.push_back(other);
+            }
         }
         neighbour_starts.push_back(neighbours.size());
     }

@@ -129,8 +129,7 @@ class Builder {
     BlockPlace given(int row, int column) const {
         const std::int64_t first = partition_.starts[column];
         return {.first = pattern_.slot(partition_.starts[row], first),
-                .stride = static_cast<std::int32_t>(pattern_.column_starts[first + 1] -
-                                                    pattern_.column_starts[first]),
+                .stride = static_cast<std::int32_t>(pattern_.block(static_cast<std::size_t>(column)).stride),
                 .is_given = true};
     }
 
@@ -314,23 +313,18 @@ ChainLayout::ChainLayout(const SparsePattern& pattern,
     copies.shrink_to_fit();
 }
 
-std::vector<EntryRun> find_entry_runs(const SparsePattern& pattern, const BlockPartition& partition) {
+std::vector<EntryRun> find_entry_runs(const SparsePattern& pattern) {
     std::vector<EntryRun> runs;
-    runs.reserve(partition.count());
-    for (int block = 0; block < partition.count(); ++block) {
-        const std::int64_t column = partition.starts[block];
-        const std::int64_t begin = pattern.column_starts[column];
-        const std::int64_t end = pattern.column_starts[column + 1];
-        for (std::int64_t first = begin; first < end;) {
-            std::int64_t last = first + 1;
-            while (last < end && pattern.rows[last] == pattern.rows[last - 1] + 1) ++last;
-            runs.push_back({.first = first,
-                            .stride = static_cast<std::int32_t>(end - begin),
-                            .row = static_cast<std::int32_t>(pattern.rows[first]),
-                            .column = static_cast<std::int32_t>(column),
-                            .rows = static_cast<std::int32_t>(last - first),
-                            .columns = partition.size(block)});
-            first = last;
+    runs.reserve(pattern.block_count());
+    for (std::size_t index = 0; index < pattern.block_count(); ++index) {
+        const SparsePattern::Block block = pattern.block(index);
+        for (const SparsePattern::RowRun& run : block.runs) {
+            runs.push_back({.first = block.first_entry + run.before,
+                            .stride = static_cast<std::int32_t>(block.stride),
+                            .row = static_cast<std::int32_t>(run.first),
+                            .column = static_cast<std::int32_t>(block.first_column),
+                            .rows = run.count,
+                            .columns = static_cast<std::int32_t>(block.columns)});
         }
     }
     return runs;

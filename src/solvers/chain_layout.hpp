@@ -52,6 +52,6 @@ struct ChainLayout {
 };
 
 // All entries of a pattern.
-std::vector<EntryRun> find_entry_runs(const SparsePattern& pattern, const BlockPartition& partition);
+std::vector<EntryRun> find_entry_runs(const SparsePattern& pattern);
 
 }  // namespace gxrod

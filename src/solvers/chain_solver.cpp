@@ -15,12 +15,16 @@ constexpr double good_enough = 1e-13;
 constexpr double smallest = 1e-290;
 
 bool has_diagonal(const SparsePattern& pattern) {
-    for (std::int64_t column = 0; column < pattern.size(); ++column) {
-        const auto first = pattern.rows.begin() + pattern.column_starts[column];
-        const auto last = pattern.rows.begin() + pattern.column_starts[column + 1];
-        if (!std::binary_search(first, last, column)) return false;
+    std::int64_t found = 0;
+    for (std::size_t index = 0; index < pattern.block_count(); ++index) {
+        const SparsePattern::Block block = pattern.block(index);
+        for (const SparsePattern::RowRun& run : block.runs) {
+            const std::int64_t first = std::max(run.first, block.first_column);
+            const std::int64_t last = std::min(run.first + run.count, block.first_column + block.columns);
+            found += std::max<std::int64_t>(0, last - first);
+        }
     }
-    return true;
+    return found == pattern.size();
 }
 
 void copy_block(const BlockCopy& copy, const double* values, double* blocks) {
@@ -53,7 +57,7 @@ ChainSolver::ChainSolver(const SparsePattern& pattern, const ThreadTeam& team)
     std::int64_t size = 0;
     {
         const BlockPartition partition(pattern);
-        runs_ = find_entry_runs(pattern, partition);
+        runs_ = find_entry_runs(pattern);
         run_phases_ = find_run_phases(runs_, pattern.size());
         EliminationOrder order(partition, largest_chain_block);
         if (order.steps.empty()) {
@@ -87,12 +91,17 @@ void ChainSolver::lay_out_junctions(const BlockPartition& partition,
         for (int i = 0; i < partition.size(block); ++i) junction_rows_.push_back(partition.starts[block] + i);
     }
     const auto& places = layout.kept_blocks;
+    std::vector<std::int64_t> rows;
     for (auto first = places.begin(); first != places.end();) {
         const int column = first->first.first;
         auto last = first;
         while (last != places.end() && last->first.first == column) ++last;
-        std::int64_t stride = 0;
-        for (auto i = first; i != last; ++i) stride += partition.size(i->first.second);
+        rows.clear();
+        for (auto i = first; i != last; ++i) {
+            const int row = i->first.second;
+            for (int j = 0; j < partition.size(row); ++j) rows.push_back(starts[row] + j);
+        }
+        const auto stride = static_cast<std::int64_t>(rows.size());
         std::int64_t slot = junctions_.nonzeros();
         for (auto i = first; i != last; ++i) {
             const int row = i->first.second;
@@ -100,16 +109,10 @@ void ChainSolver::lay_out_junctions(const BlockPartition& partition,
                 {i->second, slot, stride, partition.size(row), partition.size(column)});
             slot += partition.size(row);
         }
-        for (int k = 0; k < partition.size(column); ++k) {
-            for (auto i = first; i != last; ++i) {
-                const int row = i->first.second;
-                for (int j = 0; j < partition.size(row); ++j) junctions_.rows.push_back(starts[row] + j);
-            }
-            junctions_.column_starts.push_back(junctions_.nonzeros());
-        }
+        junctions_.add_columns(partition.size(column), rows);
         first = last;
     }
-    junction_values_.resize(junctions_.rows.size());
+    junction_values_.resize(static_cast<std::size_t>(junctions_.nonzeros()));
     junction_solver_ = std::make_unique<FrontSolver>(junctions_);
 }
 

@@ -66,7 +66,7 @@ class ChainSolver : public LinearSolver {
     Eigen::VectorXd residual_;    // b − A x
     Eigen::VectorXd magnitudes_;  // |A| |x| + |b|
 
-    SparsePattern junctions_{{0}, {}};
+    SparsePattern junctions_;
     struct JunctionBlock {
         std::int64_t block, slot, stride;  // from column to column
         int rows, columns;

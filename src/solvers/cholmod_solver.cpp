@@ -39,7 +39,7 @@ struct CholmodSolver::Handles {
     bool is_out_of_memory() const { return common.status == CHOLMOD_OUT_OF_MEMORY; }
     // Makes `matrix` refer to the values where they are now.
     void view() {
-        const SparsePattern& lower = part.pattern();
+        const CompressedColumns& lower = part.pattern();
         values.resize(static_cast<std::size_t>(lower.nonzeros()));
         matrix.nrow = matrix.ncol = static_cast<std::size_t>(lower.size());
         matrix.nzmax = values.size();

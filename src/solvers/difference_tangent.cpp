@@ -16,7 +16,7 @@ void move(const System& system,
           double sign,
           State& state) {
     for (const std::int64_t equation : group) {
-        const auto& [node, component] = system.equations().unknown(equation);
+        const auto [node, component] = system.equations().unknown(equation);
         const double size = component < 3 ? step_angle * system.length_scale() : step_angle;
         const Vec6 delta = system.equations().to_global_axes(node, sign * size * Vec6::Unit(component));
         apply_spin(state.previous[node], delta.head<3>(), delta.tail<3>(), state.trial[node]);
@@ -33,10 +33,11 @@ std::vector<std::vector<std::int64_t>> group_columns(const SparsePattern& patter
     const std::int64_t size = pattern.size();
     for (std::int64_t column = 0; column < size; ++column) {
         const auto touches = [&](std::size_t group) {
-            for (std::int64_t k = pattern.column_starts[column]; k < pattern.column_starts[column + 1]; ++k) {
-                if (last_column_with_row[group * size + pattern.rows[k]] >= 0) return true;
-            }
-            return false;
+            bool found = false;
+            pattern.visit_column(column, [&](std::int64_t row, std::int64_t) {
+                found = found || last_column_with_row[group * size + row] >= 0;
+            });
+            return found;
         };
         std::size_t group = 0;
         while (group < groups.size() && touches(group)) ++group;
@@ -45,9 +46,9 @@ std::vector<std::vector<std::int64_t>> group_columns(const SparsePattern& patter
             last_column_with_row.resize(groups.size() * size, -1);
         }
         groups[group].push_back(column);
-        for (std::int64_t k = pattern.column_starts[column]; k < pattern.column_starts[column + 1]; ++k) {
-            last_column_with_row[group * size + pattern.rows[k]] = column;
-        }
+        pattern.visit_column(column, [&](std::int64_t row, std::int64_t) {
+            last_column_with_row[group * size + row] = column;
+        });
     }
     return groups;
 }
@@ -61,7 +62,7 @@ void DifferenceTangent::compute(const Integrator& integrator,
                                 std::vector<double>& values) {
     const SparsePattern& pattern = system_->pattern();
     const double time = integrator.stage_time(stage);
-    values.assign(pattern.rows.size(), 0.0);
+    values.assign(static_cast<std::size_t>(pattern.nonzeros()), 0.0);
     const std::vector<NodeMotion> here = state.trial;
     for (const auto& group : groups_) {
         move(*system_, integrator, stage, group, 1.0, state);
@@ -75,9 +76,8 @@ void DifferenceTangent::compute(const Integrator& integrator,
         for (const std::int64_t column : group) {
             const bool is_position = system_->equations().unknown(column).component < 3;
             const double width = 2.0 * step_angle * (is_position ? system_->length_scale() : 1.0);
-            for (std::int64_t k = pattern.column_starts[column]; k < pattern.column_starts[column + 1]; ++k) {
-                values[k] = change[pattern.rows[k]] / width;
-            }
+            pattern.visit_column(
+                column, [&](std::int64_t row, std::int64_t slot) { values[slot] = change[row] / width; });
         }
     }
     update_trial_rates(*system_, integrator, stage, state);

@@ -159,8 +159,7 @@ class Builder {
             is_behind ? front.upper + (j - front.pivots) * stride : front.lower + j * stride;
         layout_.copies.push_back({.from = pattern_.slot(first_row, first),
                                   .to = to + i,
-                                  .from_stride = static_cast<std::int32_t>(pattern_.column_starts[first + 1] -
-                                                                           pattern_.column_starts[first]),
+                                  .from_stride = static_cast<std::int32_t>(pattern_.block_of(first).stride),
                                   .to_stride = stride,
                                   .rows = size(row),
                                   .columns = size(column)});

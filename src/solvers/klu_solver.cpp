@@ -20,12 +20,12 @@ struct KluSolver::Handles {
 };
 
 KluSolver::KluSolver(const SparsePattern& pattern)
-    : handles_(std::make_unique<Handles>()), pattern_(&pattern) {
+    : handles_(std::make_unique<Handles>()), columns_(pattern) {
     klu_l_defaults(&handles_->common);
     if (pattern.size() == 0) return;
     handles_->symbolic = klu_l_analyze(pattern.size(),
-                                       as_suite_sparse(pattern.column_starts),
-                                       as_suite_sparse(pattern.rows),
+                                       as_suite_sparse(columns_.column_starts),
+                                       as_suite_sparse(columns_.rows),
                                        &handles_->common);
     // A structurally singular matrix is told apart from a lack of memory when it is factorized.
     if (!handles_->symbolic && handles_->common.status == KLU_OUT_OF_MEMORY) {
@@ -36,12 +36,12 @@ KluSolver::KluSolver(const SparsePattern& pattern)
 KluSolver::~KluSolver() = default;
 
 Factorization KluSolver::factorize(const std::vector<double>& values) {
-    if (pattern_->size() == 0) return {};
+    if (columns_.size() == 0) return {};
     klu_l_common& common = handles_->common;
     if (!handles_->symbolic) return {false, -1};
     klu_l_free_numeric(&handles_->numeric, &common);
-    handles_->numeric = klu_l_factor(as_suite_sparse(pattern_->column_starts),
-                                     as_suite_sparse(pattern_->rows),
+    handles_->numeric = klu_l_factor(as_suite_sparse(columns_.column_starts),
+                                     as_suite_sparse(columns_.rows),
                                      as_suite_sparse(values),
                                      handles_->symbolic,
                                      &common);
@@ -53,14 +53,10 @@ Factorization KluSolver::factorize(const std::vector<double>& values) {
 }
 
 void KluSolver::solve(Eigen::VectorXd& right_hand_side) {
-    if (pattern_->size() == 0) return;
-    assert(handles_->numeric && right_hand_side.size() == pattern_->size());
-    klu_l_solve(handles_->symbolic,
-                handles_->numeric,
-                pattern_->size(),
-                1,
-                right_hand_side.data(),
-                &handles_->common);
+    if (columns_.size() == 0) return;
+    assert(handles_->numeric && right_hand_side.size() == columns_.size());
+    klu_l_solve(
+        handles_->symbolic, handles_->numeric, columns_.size(), 1, right_hand_side.data(), &handles_->common);
 }
 
 double KluSolver::estimate_flops_per_entry() const {

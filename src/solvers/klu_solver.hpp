@@ -23,7 +23,7 @@ class KluSolver : public LinearSolver {
   private:
     struct Handles;
     std::unique_ptr<Handles> handles_;
-    const SparsePattern* pattern_;
+    CompressedColumns columns_;
 };
 
 }  // namespace gxrod

@@ -277,11 +277,10 @@ EquilibriumReport solve_equilibrium(const System& system,
     if (settings.tangent != TangentKind::mixed) {
         return Newton(system, integrator, settings, stage, workspace, state).solve();
     }
-    const State start = state;
     const EquilibriumReport mixed = Newton(system, integrator, settings, stage, workspace, state).solve();
     if (mixed.converged()) return mixed;
-    // Past a limit point the consistent tangent's wilder increments may find a way.
-    state = start;
+    // Past a limit point the consistent tangent's wilder increments may find a way. The prediction does not
+    // depend on where the first attempt has left the trial motions.
     NewtonSettings other = settings;
     other.tangent = TangentKind::consistent;
     EquilibriumReport report = Newton(system, integrator, other, stage, workspace, state).solve();

@@ -28,9 +28,10 @@ Worst find_worst(const EquationNumbers& equations,
     Worst worst;
     for (int node = static_cast<int>(first); node < static_cast<int>(last); ++node) {
         const Vec6 own = equations.to_own_axes(node, residual.nodal[node]);
+        const std::array<std::int64_t, 6> numbers = equations.of_node(node);
         for (int component = 0; component < 6; ++component) {
             const double value = std::abs(own[component]);
-            if (value == 0.0 || equations.of_node(node)[component] < 0) continue;
+            if (value == 0.0 || numbers[component] < 0) continue;
             const double scaled = value / scales.of(component);
             if (!std::isfinite(scaled)) return {scaled, node, component};
             if (scaled > worst.residual) worst = {scaled, node, component};

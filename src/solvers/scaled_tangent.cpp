@@ -13,10 +13,10 @@ ScaledTangent::ScaledTangent(const System& system, const std::vector<double>& va
     double longest = 0.0;
     for (std::int64_t j = 0; j < pattern_->size(); ++j) {
         double square = 0.0;
-        for (std::int64_t k = pattern_->column_starts[j]; k < pattern_->column_starts[j + 1]; ++k) {
-            values_[k] *= scale(pattern_->rows[k]) * scale(j);
-            square += values_[k] * values_[k];
-        }
+        pattern_->visit_column(j, [&](std::int64_t i, std::int64_t slot) {
+            values_[slot] *= scale(i) * scale(j);
+            square += values_[slot] * values_[slot];
+        });
         if (!std::isfinite(square)) is_finite_ = false;
         longest = std::max(longest, std::sqrt(square));
     }
@@ -26,21 +26,16 @@ ScaledTangent::ScaledTangent(const System& system, const std::vector<double>& va
 
 Eigen::VectorXd ScaledTangent::multiply(const Eigen::VectorXd& x) const {
     Eigen::VectorXd product = Eigen::VectorXd::Zero(x.size());
-    for (std::int64_t j = 0; j < pattern_->size(); ++j) {
-        for (std::int64_t k = pattern_->column_starts[j]; k < pattern_->column_starts[j + 1]; ++k) {
-            product[pattern_->rows[k]] += values_[k] * x[j];
-        }
-    }
+    pattern_->visit_entries(
+        [&](std::int64_t i, std::int64_t j, std::int64_t slot) { product[i] += values_[slot] * x[j]; });
     return product;
 }
 
 std::vector<double> ScaledTangent::compute_transpose() const {
     std::vector<double> transpose(values_.size());
-    for (std::int64_t j = 0; j < pattern_->size(); ++j) {
-        for (std::int64_t k = pattern_->column_starts[j]; k < pattern_->column_starts[j + 1]; ++k) {
-            transpose[pattern_->slot(j, pattern_->rows[k])] = values_[k];
-        }
-    }
+    pattern_->visit_entries([&](std::int64_t i, std::int64_t j, std::int64_t slot) {
+        transpose[pattern_->slot(j, i)] = values_[slot];
+    });
     return transpose;
 }
 

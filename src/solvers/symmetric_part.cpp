@@ -16,21 +16,17 @@ struct Entry {
 // The entries of each column of the lower triangle, in any order; those of the upper one stand mirrored.
 std::vector<std::vector<Entry>> collect_entries(const SparsePattern& pattern) {
     std::vector<std::vector<Entry>> columns(static_cast<std::size_t>(pattern.size()));
-    for (std::int64_t j = 0; j < pattern.size(); ++j) {
-        columns[j].push_back({j, -1, false});
-        for (std::int64_t k = pattern.column_starts[j]; k < pattern.column_starts[j + 1]; ++k) {
-            const std::int64_t i = pattern.rows[k];
-            if (i >= j) columns[j].push_back({i, k, false});
-            if (i <= j) columns[i].push_back({j, k, true});
-        }
-    }
+    for (std::int64_t j = 0; j < pattern.size(); ++j) columns[j].push_back({j, -1, false});
+    pattern.visit_entries([&](std::int64_t i, std::int64_t j, std::int64_t slot) {
+        if (i >= j) columns[j].push_back({i, slot, false});
+        if (i <= j) columns[i].push_back({j, slot, true});
+    });
     return columns;
 }
 
 }  // namespace
 
 SymmetricPart::SymmetricPart(const SparsePattern& pattern) {
-    lower_.column_starts.push_back(0);
     for (std::vector<Entry>& column : collect_entries(pattern)) {
         std::stable_sort(
             column.begin(), column.end(), [](const Entry& a, const Entry& b) { return a.row < b.row; });

@@ -10,12 +10,12 @@ class SymmetricPart {
     explicit SymmetricPart(const SparsePattern& pattern);
 
     // Of the lower triangle; every diagonal entry is in it.
-    const SparsePattern& pattern() const { return lower_; }
+    const CompressedColumns& pattern() const { return lower_; }
     // Values on pattern() from values on the pattern of A.
     void compute(const std::vector<double>& values, std::vector<double>& lower) const;
 
   private:
-    SparsePattern lower_;
+    CompressedColumns lower_;
     // Of each entry (i, j) of the lower triangle: the slots of a_ij and a_ji, −1 where there is none.
     std::vector<std::int64_t> slots_, mirrored_;
 };

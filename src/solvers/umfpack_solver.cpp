@@ -20,10 +20,10 @@ struct UmfpackSolver::Handles {
         umfpack_dl_free_numeric(&numeric);
         umfpack_dl_free_symbolic(&symbolic);
     }
-    SuiteSparse_long factorize(const SparsePattern& pattern, const std::vector<double>& values) {
+    SuiteSparse_long factorize(const CompressedColumns& columns, const std::vector<double>& values) {
         umfpack_dl_free_numeric(&numeric);
-        return umfpack_dl_numeric(as_suite_sparse(pattern.column_starts),
-                                  as_suite_sparse(pattern.rows),
+        return umfpack_dl_numeric(as_suite_sparse(columns.column_starts),
+                                  as_suite_sparse(columns.rows),
                                   as_suite_sparse(values),
                                   symbolic,
                                   &numeric,
@@ -60,7 +60,7 @@ std::int64_t find_zero_pivot(void* numeric, std::int64_t size) {
 }  // namespace
 
 UmfpackSolver::UmfpackSolver(const SparsePattern& pattern)
-    : handles_(std::make_unique<Handles>()), pattern_(&pattern) {
+    : handles_(std::make_unique<Handles>()), columns_(pattern) {
     umfpack_dl_defaults(handles_->control.data());
     // Newton's iterations refine; and the values may have changed when a right-hand side comes.
     handles_->control[UMFPACK_IRSTEP] = 0.0;
@@ -71,8 +71,8 @@ UmfpackSolver::UmfpackSolver(const SparsePattern& pattern)
     // Without values: the order of elimination depends on the pattern alone.
     const SuiteSparse_long status = umfpack_dl_symbolic(pattern.size(),
                                                         pattern.size(),
-                                                        as_suite_sparse(pattern.column_starts),
-                                                        as_suite_sparse(pattern.rows),
+                                                        as_suite_sparse(columns_.column_starts),
+                                                        as_suite_sparse(columns_.rows),
                                                         nullptr,
                                                         &handles_->symbolic,
                                                         handles_->control.data(),
@@ -86,16 +86,16 @@ UmfpackSolver::UmfpackSolver(const SparsePattern& pattern)
 UmfpackSolver::~UmfpackSolver() = default;
 
 Factorization UmfpackSolver::factorize(const std::vector<double>& values) {
-    if (pattern_->size() == 0) return {};
-    const SuiteSparse_long status = handles_->factorize(*pattern_, values);
+    if (columns_.size() == 0) return {};
+    const SuiteSparse_long status = handles_->factorize(columns_, values);
     if (status == UMFPACK_ERROR_out_of_memory) throw_no_memory_to_factorize();
     if (status == UMFPACK_OK) return {};
-    return {false, handles_->numeric ? find_zero_pivot(handles_->numeric, pattern_->size()) : -1};
+    return {false, handles_->numeric ? find_zero_pivot(handles_->numeric, columns_.size()) : -1};
 }
 
 void UmfpackSolver::solve(Eigen::VectorXd& right_hand_side) {
-    if (pattern_->size() == 0) return;
-    assert(handles_->numeric && right_hand_side.size() == pattern_->size());
+    if (columns_.size() == 0) return;
+    assert(handles_->numeric && right_hand_side.size() == columns_.size());
     handles_->solution.resize(right_hand_side.size());
     umfpack_dl_wsolve(UMFPACK_A,
                       nullptr,

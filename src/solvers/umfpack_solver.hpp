@@ -19,7 +19,7 @@ class UmfpackSolver : public LinearSolver {
   private:
     struct Handles;
     std::unique_ptr<Handles> handles_;
-    const SparsePattern* pattern_;
+    CompressedColumns columns_;
 };
 
 }  // namespace gxrod

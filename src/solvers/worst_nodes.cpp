@@ -15,7 +15,7 @@ std::vector<WorstNode> find_worst_nodes(const System& system, const Residual& re
     const Eigen::VectorXd values = gather(residual.nodal, system.equations());
     std::vector<WorstNode> worst;
     for (std::int64_t i = 0; i < values.size(); ++i) {
-        const auto& [node, component] = system.equations().unknown(i);
+        const auto [node, component] = system.equations().unknown(i);
         if (values[i] == 0.0) continue;
         double size = std::abs(values[i]) / scales.of(component);
         if (!std::isfinite(size)) size = std::numeric_limits<double>::infinity();

@@ -27,7 +27,8 @@ struct AlgorithmicAcceleration {
     Vec3 alpha = Vec3::Zero();
 };
 
-// What evolves. Copying it is all that is needed to come back to it.
+// What evolves. Copying it is all that is needed to come back to it; a step that is not to be committed needs
+// less, see undo_trial.
 struct State {
     double time = 0.0;                     // of `previous`
     std::vector<NodeMotion> previous;      // per node, at the last accepted step
@@ -39,5 +40,13 @@ struct State {
         algorithmic_trial;                        // per node; generalized-α only
     std::vector<std::vector<StageRates>> stages;  // [stage][node]; Runge-Kutta schemes only
 };
+
+// Comes back to the last accepted step: between commits nothing changes but what is tried, and the rates of
+// stages, which every step finds anew.
+inline void undo_trial(State& state) {
+    state.trial = state.previous;
+    state.algorithmic_trial = state.algorithmic_previous;
+    state.resultants.clear();
+}
 
 }  // namespace gxrod

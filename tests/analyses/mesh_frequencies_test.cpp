@@ -29,11 +29,8 @@ Eigen::MatrixXd make_dense(const System& system, const std::vector<NodeLineariza
     system.compute_tangent(system.initial_state(), 0.0, linearizations, values);
     const SparsePattern& pattern = system.pattern();
     Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(pattern.size(), pattern.size());
-    for (std::int64_t j = 0; j < pattern.size(); ++j) {
-        for (std::int64_t k = pattern.column_starts[j]; k < pattern.column_starts[j + 1]; ++k) {
-            dense(pattern.rows[k], j) = values[k];
-        }
-    }
+    pattern.visit_entries(
+        [&](std::int64_t row, std::int64_t column, std::int64_t slot) { dense(row, column) = values[slot]; });
     return dense;
 }
 

@@ -115,7 +115,7 @@ struct Assembled {
         batches.elements.build(block, equations);
         for (const auto& element : block.elements) {
             for (int i = 0; i < Nodes; ++i)
-                batches.nodes.add(element.nodes[i], element.inertia().rotary_inertia(i));
+                batches.nodes.add(element.nodes[i], element.inertia().compute_rotary_inertia(i));
         }
         batches.nodes.lay_out(pattern);
         return batches;
@@ -130,7 +130,7 @@ struct Assembled {
         return residual;
     }
     std::vector<double> compute_tangents(const Batches<Nodes>& batches) const {
-        std::vector<double> values(pattern.rows.size(), 0.0);
+        std::vector<double> values(static_cast<std::size_t>(pattern.nonzeros()), 0.0);
         for (std::size_t part = 0; part < block.phases.part_count(); ++part)
             batches.elements.add_tangents(part, motions, linearizations, values);
         for (std::size_t part = 0; part < batches.nodes.part_count(); ++part)
@@ -149,7 +149,7 @@ struct Assembled {
         return residual;
     }
     std::vector<double> compute_tangents_one_by_one() const {
-        std::vector<double> values(pattern.rows.size(), 0.0);
+        std::vector<double> values(static_cast<std::size_t>(pattern.nonzeros()), 0.0);
         for (std::size_t e = 0; e < block.elements.size(); ++e) {
             const auto& element = block.elements[e];
             const auto nodal = block.point_at(linearizations, element.nodes);

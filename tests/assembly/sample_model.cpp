@@ -163,11 +163,8 @@ State make_sample_state(const System& system, unsigned seed) {
 
 Eigen::MatrixXd make_dense(const SparsePattern& pattern, const std::vector<double>& values) {
     Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(pattern.size(), pattern.size());
-    for (std::int64_t column = 0; column < pattern.size(); ++column) {
-        for (std::int64_t k = pattern.column_starts[column]; k < pattern.column_starts[column + 1]; ++k) {
-            dense(pattern.rows[k], column) = values[k];
-        }
-    }
+    pattern.visit_entries(
+        [&](std::int64_t row, std::int64_t column, std::int64_t slot) { dense(row, column) = values[slot]; });
     return dense;
 }
 

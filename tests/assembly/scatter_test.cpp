@@ -39,7 +39,7 @@ TEST_CASE("scattered element matrices make the sum that dense assembly makes", "
     const EquationNumbers& equations = numbered.equations;
     const SparsePattern pattern = make_pattern(equations);
     RandomValues random(71);
-    std::vector<double> values(pattern.rows.size(), 0.0);
+    std::vector<double> values(static_cast<std::size_t>(pattern.nonzeros()), 0.0);
     Dense dense = Dense::Zero(6 * node_count, 6 * node_count);
     for (const auto& nodes : elements) {
         const NodalMatrix<2> matrix = random.matrix<12>();

@@ -138,7 +138,7 @@ TEST_CASE("the assembled tangent is the derivative of the residual", "[assembly]
         system.compute_tangent(state, now, linearizations, values);
         const auto stiffness = make_dense(system.pattern(), values);
         for (std::int64_t column = 0; column < stiffness.cols(); ++column) {
-            const auto& [node, component] = system.equations().unknown(column);
+            const auto [node, component] = system.equations().unknown(column);
             const Eigen::VectorXd expected = differentiate([&](double amount) {
                 State moved = state;
                 const Vec6 step = amount * Vec6::Unit(component);

@@ -82,7 +82,9 @@ struct RodSample {
     Rod make_rod() const {
         Nodal reference;
         for (int i = 0; i < Nodes; ++i) reference[i].r = piece.geometry.positions[i];
-        return Rod(Map(point_at(reference), piece.geometry.triads).local(), histories, piece.section);
+        return Rod(Map(point_at(reference), piece.geometry.triads).local(),
+                   histories,
+                   std::make_shared<const RodSection>(piece.section));
     }
     // Σ w Bᵀ S.
     NodalVector<Nodes> compute_force(const Nodal& nodal) const {

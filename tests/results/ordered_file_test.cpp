@@ -56,6 +56,26 @@ TEST_CASE("An ordered file shows its writes at once and stores them at the commi
     CHECK(content(folder / "a") == std::string("\0\0ghij", 6));
 }
 
+TEST_CASE("Data past what is committed are on disk at once, unless something is to be there", "[results]") {
+    const sample::ScratchFolder folder;
+    OrderedFile file(create(folder / "a"));
+    file.write(Part::header, 0, bytes("head"));
+    file.set_size(6);
+    file.commit();
+    file.write(Part::data, 4, bytes("ab"));
+    CHECK(content(folder / "a") == std::string("head\0\0", 6));
+    file.write(Part::data, 6, bytes("cdef"));
+    CHECK(content(folder / "a") == std::string("head\0\0cdef", 10));
+    file.write(Part::header, 12, bytes("ol"));
+    file.write(Part::data, 10, bytes("ghij"));
+    CHECK(content(folder / "a").size() == 10);
+    CHECK(read(file, 0, 14) == "headabcdefghij");
+    CHECK(file.end() == 14);
+    file.set_size(14);
+    file.commit();
+    CHECK(content(folder / "a") == "headabcdefghij");
+}
+
 TEST_CASE("A commit that fails leaves what was there and may be tried again", "[results]") {
     const sample::ScratchFolder folder;
     OrderedFile file(create(folder / "a"));
@@ -65,7 +85,6 @@ TEST_CASE("A commit that fails leaves what was there and may be tried again", "[
     file.commit();
     file.write(Part::superblock, 0, bytes("S2"));
     file.write(Part::header, 2, bytes("H2"));
-    file.write(Part::data, 4, bytes(std::string(10000, 'd')));
     file.set_size(10004);
 
     const pid_t child = ::fork();
@@ -73,6 +92,7 @@ TEST_CASE("A commit that fails leaves what was there and may be tried again", "[
         std::signal(SIGXFSZ, SIG_IGN);
         const rlimit limit{5000, RLIM_INFINITY};
         ::setrlimit(RLIMIT_FSIZE, &limit);
+        file.write(Part::data, 4, bytes(std::string(10000, 'd')));
         try {
             file.commit();
         } catch (const std::system_error& error) {

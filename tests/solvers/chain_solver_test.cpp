@@ -220,11 +220,9 @@ TEST_CASE("What chains and junctions lose in digits is found and solved again", 
 TEST_CASE("Junctions that are singular are told", "[solvers]") {
     const SparsePattern pattern = make_net_pattern(4, 4);
     std::vector<double> values = make_unsymmetric_values(pattern, 4);
-    for (std::int64_t i = 0; i < pattern.size(); ++i) {
-        for (std::int64_t k = pattern.column_starts[i]; k < pattern.column_starts[i + 1]; ++k) {
-            if (i == 31 || pattern.rows[k] == 31) values[k] = 0.0;
-        }
-    }
+    pattern.visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t slot) {
+        if (row == 31 || column == 31) values[slot] = 0.0;
+    });
     const Factorization factorization = ChainSolver(pattern).factorize(values);
     CHECK_FALSE(factorization.regular);
     CHECK(factorization.singular_equation == 31);

@@ -21,9 +21,8 @@ TEST_CASE("columns of one group share no row", "[solvers]") {
         std::set<std::int64_t> rows;
         for (const std::int64_t column : group) {
             CHECK(all.insert(column).second);
-            for (std::int64_t k = pattern.column_starts[column]; k < pattern.column_starts[column + 1]; ++k) {
-                CHECK(rows.insert(pattern.rows[k]).second);
-            }
+            pattern.visit_column(column,
+                                 [&](std::int64_t row, std::int64_t) { CHECK(rows.insert(row).second); });
         }
     }
     CHECK(static_cast<std::int64_t>(all.size()) == pattern.size());

@@ -16,10 +16,8 @@ namespace {
 
 Eigen::MatrixXd make_dense(const SparsePattern& pattern, const std::vector<double>& values) {
     Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(pattern.size(), pattern.size());
-    for (std::int64_t column = 0; column < pattern.size(); ++column) {
-        for (std::int64_t i = pattern.column_starts[column]; i < pattern.column_starts[column + 1]; ++i)
-            dense(pattern.rows[i], column) = values[i];
-    }
+    pattern.visit_entries(
+        [&](std::int64_t row, std::int64_t column, std::int64_t slot) { dense(row, column) = values[slot]; });
     return dense;
 }
 
@@ -145,11 +143,9 @@ TEST_CASE("Fronts tell a pivot that vanishes, and recover", "[solvers]") {
     for (const int lone : {0, 17, 100, 215}) {
         CAPTURE(lone);
         std::vector<double> values = sound;
-        for (std::int64_t column = 0; column < pattern.size(); ++column) {
-            for (std::int64_t i = pattern.column_starts[column]; i < pattern.column_starts[column + 1]; ++i) {
-                if (column == lone || pattern.rows[i] == lone) values[i] = 0.0;
-            }
-        }
+        pattern.visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t slot) {
+            if (row == lone || column == lone) values[slot] = 0.0;
+        });
         CHECK_FALSE(solver.factorize(values));
         CHECK(solver.factorize(sound));
     }

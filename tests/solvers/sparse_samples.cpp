@@ -6,14 +6,14 @@ namespace gxrod::tools {
 
 Sparse make_sparse(const Eigen::MatrixXd& dense) {
     Sparse sparse;
-    sparse.pattern.column_starts.push_back(0);
     for (int column = 0; column < dense.cols(); ++column) {
+        std::vector<std::int64_t> rows;
         for (int row = 0; row < dense.rows(); ++row) {
             if (dense(row, column) == 0.0) continue;
-            sparse.pattern.rows.push_back(row);
+            rows.push_back(row);
             sparse.values.push_back(dense(row, column));
         }
-        sparse.pattern.column_starts.push_back(sparse.pattern.nonzeros());
+        sparse.pattern.add_columns(1, rows);
     }
     return sparse;
 }
@@ -63,27 +63,23 @@ SparsePattern make_net_pattern(int width, int height) {
 
 std::vector<double> make_unsymmetric_values(const SparsePattern& pattern, unsigned seed) {
     RandomValues random(seed);
-    std::vector<double> values(pattern.rows.size());
-    for (std::int64_t column = 0; column < pattern.size(); ++column) {
-        for (std::int64_t i = pattern.column_starts[column]; i < pattern.column_starts[column + 1]; ++i)
-            values[i] = random.number(-1.0, 1.0) + (pattern.rows[i] == column ? 20.0 : 0.0);
-    }
+    std::vector<double> values(static_cast<std::size_t>(pattern.nonzeros()));
+    pattern.visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t slot) {
+        values[slot] = random.number(-1.0, 1.0) + (row == column ? 20.0 : 0.0);
+    });
     return values;
 }
 
 std::vector<double> make_stiffness_values(const SparsePattern& pattern, unsigned seed) {
     RandomValues random(seed);
-    std::vector<double> values(pattern.rows.size(), 0.0);
-    for (std::int64_t j = 0; j < pattern.size(); ++j) {
-        for (std::int64_t k = pattern.column_starts[j]; k < pattern.column_starts[j + 1]; ++k) {
-            const std::int64_t i = pattern.rows[k];
-            if (i >= j) continue;
-            const double value = random.number(-1.0, 1.0);
-            values[k] = values[pattern.slot(j, i)] = value;
-            values[pattern.slot(i, i)] += 1.01 * std::abs(value);
-            values[pattern.slot(j, j)] += 1.01 * std::abs(value);
-        }
-    }
+    std::vector<double> values(static_cast<std::size_t>(pattern.nonzeros()), 0.0);
+    pattern.visit_entries([&](std::int64_t i, std::int64_t j, std::int64_t slot) {
+        if (i >= j) return;
+        const double value = random.number(-1.0, 1.0);
+        values[slot] = values[pattern.slot(j, i)] = value;
+        values[pattern.slot(i, i)] += 1.01 * std::abs(value);
+        values[pattern.slot(j, j)] += 1.01 * std::abs(value);
+    });
     return values;
 }
 
@@ -91,11 +87,8 @@ Eigen::VectorXd multiply(const SparsePattern& pattern,
                          const std::vector<double>& values,
                          const Eigen::VectorXd& x) {
     Eigen::VectorXd y = Eigen::VectorXd::Zero(x.size());
-    for (std::int64_t j = 0; j < pattern.size(); ++j) {
-        for (std::int64_t k = pattern.column_starts[j]; k < pattern.column_starts[j + 1]; ++k) {
-            y[pattern.rows[k]] += values[k] * x[j];
-        }
-    }
+    pattern.visit_entries(
+        [&](std::int64_t i, std::int64_t j, std::int64_t slot) { y[i] += values[slot] * x[j]; });
     return y;
 }
 

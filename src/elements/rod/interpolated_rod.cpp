@@ -2,30 +2,53 @@
 
 namespace gxrod {
 
+namespace {
+
+// Of a force point of any element: N_I, dN_I/dξ and the weight in ξ.
+template <int Nodes>
+struct PointShape {
+    NodeValues<Nodes> shape, slope;
+    double weight;
+};
+
+template <int Nodes>
+std::array<PointShape<Nodes>, Nodes - 1> compute_point_shapes() {
+    std::array<PointShape<Nodes>, Nodes - 1> points;
+    const auto rule = compute_gauss_rule<Nodes - 1>();
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        const auto [xi, weight] = rule[p];
+        points[p] = {compute_shape_functions<Nodes>(xi), compute_shape_slopes<Nodes>(xi), weight};
+    }
+    return points;
+}
+
+template <int Nodes>
+const PointShape<Nodes>& point_shape(int point) {
+    static const auto shapes = compute_point_shapes<Nodes>();
+    return shapes[point];
+}
+
+}  // namespace
+
 template <int Nodes>
 InterpolatedRod<Nodes>::InterpolatedRod(const LocalMotion<Nodes>& reference,
                                         const PointHistories& histories,
-                                        const Section& section)
-    : stiffness_(section.stiffness), kelvin_voigt_(section.kelvin_voigt) {
-    const auto rule = compute_gauss_rule<point_count>();
+                                        SharedRodSection section)
+    : section_(std::move(section)) {
     for (int p = 0; p < point_count; ++p) {
-        ForcePoint& point = points_[p];
-        const NodeValues<Nodes> slope = compute_shape_slopes<Nodes>(rule[p].xi);
-        const double jacobian = (reference.r * slope).norm();
-        point.shape = compute_shape_functions<Nodes>(rule[p].xi);
-        point.slope = slope / jacobian;
-        point.weight = rule[p].weight * jacobian;
+        points_[p].jacobian = (reference.r * point_shape<Nodes>(p).slope).norm();
         // The strains of this very interpolation, so that the reference is free of strain to round-off.
         const ReferenceStrain none{Vec3::Zero(), Vec3::Zero()};
-        const Vec6 strain = compute_strain(interpolate(point, reference), histories[p], none);
-        point.reference = {strain.head<3>(), strain.tail<3>()};
+        const Vec6 strain = compute_strain(interpolate(force_point(p), reference), histories[p], none);
+        points_[p].strain = {strain.head<3>(), strain.tail<3>()};
     }
 }
 
 template <int Nodes>
-auto InterpolatedRod<Nodes>::reference(int point) const -> ReferencePoint {
-    const auto rule = compute_gauss_rule<point_count>();
-    return {points_[point].weight / rule[point].weight, points_[point].reference};
+auto InterpolatedRod<Nodes>::force_point(int point) const -> ForcePoint {
+    const auto& [shape, slope, weight] = point_shape<Nodes>(point);
+    const auto& [jacobian, strain] = points_[point];
+    return {shape, slope / jacobian, weight * jacobian, strain};
 }
 
 template <int Nodes>
@@ -76,7 +99,7 @@ void InterpolatedRod<Nodes>::add_hessian(const ForcePoint& point,
                                          const Vec6& resultants,
                                          NodalMatrix<Nodes>& hessian) const {
     const StrainGradient E_u = compute_strain_gradient(fields, history);
-    const StrainGradient C_E_u = stiffness_ * E_u;
+    const StrainGradient C_E_u = stiffness() * E_u;
     add_matrix(
         point, E_u.transpose() * C_E_u + compute_geometric_hessian(fields, history, resultants), hessian);
 }
@@ -85,9 +108,9 @@ template <int Nodes>
 double InterpolatedRod<Nodes>::strain_energy(const LocalMotion<Nodes>& motion, Histories histories) const {
     double energy = 0.0;
     for (int p = 0; p < point_count; ++p) {
-        const ForcePoint& point = points_[p];
+        const ForcePoint point = force_point(p);
         const Vec6 strain = compute_strain(interpolate(point, motion), histories[p], point.reference);
-        energy += 0.5 * point.weight * strain.dot(stiffness_ * strain);
+        energy += 0.5 * point.weight * strain.dot(stiffness() * strain);
     }
     return energy;
 }
@@ -97,9 +120,9 @@ NodalVector<Nodes> InterpolatedRod<Nodes>::compute_gradient(const LocalMotion<No
                                                             Histories histories) const {
     NodalVector<Nodes> gradient = NodalVector<Nodes>::Zero();
     for (int p = 0; p < point_count; ++p) {
-        const ForcePoint& point = points_[p];
+        const ForcePoint point = force_point(p);
         const SectionFields fields = interpolate(point, motion);
-        const Vec6 resultants = stiffness_ * compute_strain(fields, histories[p], point.reference);
+        const Vec6 resultants = stiffness() * compute_strain(fields, histories[p], point.reference);
         add_force(point, compute_strain_gradient(fields, histories[p]).transpose() * resultants, gradient);
     }
     return gradient;
@@ -110,9 +133,9 @@ NodalMatrix<Nodes> InterpolatedRod<Nodes>::compute_hessian(const LocalMotion<Nod
                                                            Histories histories) const {
     NodalMatrix<Nodes> hessian = NodalMatrix<Nodes>::Zero();
     for (int p = 0; p < point_count; ++p) {
-        const ForcePoint& point = points_[p];
+        const ForcePoint point = force_point(p);
         const SectionFields fields = interpolate(point, motion);
-        const Vec6 resultants = stiffness_ * compute_strain(fields, histories[p], point.reference);
+        const Vec6 resultants = stiffness() * compute_strain(fields, histories[p], point.reference);
         add_hessian(point, fields, histories[p], resultants, hessian);
     }
     return hessian;
@@ -124,8 +147,9 @@ NodalVector<Nodes> InterpolatedRod<Nodes>::compute_force_of(const LocalMotion<No
                                                             Resultants resultants) const {
     NodalVector<Nodes> force = NodalVector<Nodes>::Zero();
     for (int p = 0; p < point_count; ++p) {
-        const StrainGradient E_u = compute_strain_gradient(interpolate(points_[p], motion), histories[p]);
-        add_force(points_[p], E_u.transpose() * resultants[p], force);
+        const ForcePoint point = force_point(p);
+        const StrainGradient E_u = compute_strain_gradient(interpolate(point, motion), histories[p]);
+        add_force(point, E_u.transpose() * resultants[p], force);
     }
     return force;
 }
@@ -136,7 +160,8 @@ NodalMatrix<Nodes> InterpolatedRod<Nodes>::compute_mixed_hessian(const LocalMoti
                                                                  Resultants resultants) const {
     NodalMatrix<Nodes> hessian = NodalMatrix<Nodes>::Zero();
     for (int p = 0; p < point_count; ++p) {
-        add_hessian(points_[p], interpolate(points_[p], motion), histories[p], resultants[p], hessian);
+        const ForcePoint point = force_point(p);
+        add_hessian(point, interpolate(point, motion), histories[p], resultants[p], hessian);
     }
     return hessian;
 }
@@ -147,9 +172,9 @@ void InterpolatedRod<Nodes>::advance_resultants(const LocalMotion<Nodes>& motion
                                                 Histories histories,
                                                 std::span<Vec6> resultants) const {
     for (int p = 0; p < point_count; ++p) {
-        const ForcePoint& point = points_[p];
+        const ForcePoint point = force_point(p);
         const Vec6 strain = compute_strain(interpolate(point, motion), histories[p], point.reference);
-        resultants[p] = stiffness_ * (strain + compute_strain_rates(point, motion, increment, histories[p]));
+        resultants[p] = stiffness() * (strain + compute_strain_rates(point, motion, increment, histories[p]));
     }
 }
 
@@ -170,9 +195,9 @@ NodalVector<Nodes> InterpolatedRod<Nodes>::compute_damping_force(const LocalMoti
                                                                  Histories histories) const {
     NodalVector<Nodes> force = NodalVector<Nodes>::Zero();
     for (int p = 0; p < point_count; ++p) {
-        const ForcePoint& point = points_[p];
+        const ForcePoint point = force_point(p);
         const Vec6 resultants =
-            kelvin_voigt_ * (stiffness_ * compute_strain_rates(point, motion, rates, histories[p]));
+            section_->kelvin_voigt * (stiffness() * compute_strain_rates(point, motion, rates, histories[p]));
         const StrainGradient E_u = compute_strain_gradient(interpolate(point, motion), histories[p]);
         add_force(point, E_u.transpose() * resultants, force);
     }
@@ -184,9 +209,9 @@ auto InterpolatedRod<Nodes>::compute_damping_tangents(const LocalMotion<Nodes>& 
                                                       const LocalMotion<Nodes>& rates,
                                                       Histories histories) const -> DampingTangents {
     DampingTangents tangents{NodalMatrix<Nodes>::Zero(), NodalMatrix<Nodes>::Zero()};
-    const Mat6 viscosity = kelvin_voigt_ * stiffness_;
+    const Mat6 viscosity = section_->kelvin_voigt * stiffness();
     for (int p = 0; p < point_count; ++p) {
-        const ForcePoint& point = points_[p];
+        const ForcePoint point = force_point(p);
         const SectionHistory& history = histories[p];
         const SectionFields fields = interpolate(point, motion);
         const StrainGradient E_u = compute_strain_gradient(fields, history);
@@ -204,7 +229,7 @@ template <int Nodes>
 void InterpolatedRod<Nodes>::advance(const LocalMotion<Nodes>& motion,
                                      std::span<SectionHistory> histories) const {
     for (int p = 0; p < point_count; ++p) {
-        const SectionFields fields = interpolate(points_[p], motion);
+        const SectionFields fields = interpolate(force_point(p), motion);
         histories[p] = {compute_section_axes(fields, histories[p]).normalized(),
                         compute_total_curvature(fields, histories[p])};
     }
@@ -215,13 +240,13 @@ auto InterpolatedRod<Nodes>::compute_section_state(int p,
                                                    const LocalMotion<Nodes>& motion,
                                                    const LocalMotion<Nodes>& rates,
                                                    Histories histories) const -> SectionState {
-    const ForcePoint& point = points_[p];
+    const ForcePoint point = force_point(p);
     SectionState state;
     state.strain = compute_strain(interpolate(point, motion), histories[p], point.reference);
-    state.resultants = stiffness_ * state.strain;
+    state.resultants = stiffness() * state.strain;
     if (is_damped()) {
         const Vec6 strain_rates = compute_strain_rates(point, motion, rates, histories[p]);
-        state.resultants += kelvin_voigt_ * (stiffness_ * strain_rates);
+        state.resultants += section_->kelvin_voigt * (stiffness() * strain_rates);
     }
     return state;
 }
@@ -264,9 +289,9 @@ auto InterpolatedRod<Nodes>::interpolate_state(const LocalMotion<Nodes>& motion,
     for (int p = 0; p < point_count; ++p) {
         const SectionState point = compute_section_state(p, motion, rates, histories);
         state.resultants += of_resultants[p] * point.resultants;
-        if (is_damped()) damping += of_damping[p] * (point.resultants - stiffness_ * point.strain);
+        if (is_damped()) damping += of_damping[p] * (point.resultants - stiffness() * point.strain);
     }
-    state.strain = stiffness_.ldlt().solve(state.resultants - damping);
+    state.strain = stiffness().ldlt().solve(state.resultants - damping);
     return state;
 }
 

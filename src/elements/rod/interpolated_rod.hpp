@@ -1,9 +1,9 @@
 #pragma once
 
 #include "elements/element.hpp"
+#include "elements/rod/rod_section.hpp"
 #include "elements/rod/section_strain.hpp"
 #include "elements/rod/shape_functions.hpp"
-#include "model/model.hpp"
 
 namespace gxrod {
 
@@ -27,16 +27,16 @@ class InterpolatedRod {
     // The reference shape: what is interpolated there is free of strain.
     InterpolatedRod(const LocalMotion<Nodes>& reference,
                     const PointHistories& histories,
-                    const Section& section);
+                    SharedRodSection section);
 
-    bool is_damped() const { return kelvin_voigt_ > 0.0; }
-    const Mat6& stiffness() const { return stiffness_; }
+    bool is_damped() const { return section_->kelvin_voigt > 0.0; }
+    const Mat6& stiffness() const { return section_->stiffness; }
     // ds/dξ and the strains of the reference shape at a point of the quadrature.
     struct ReferencePoint {
         double jacobian;
         ReferenceStrain strain;
     };
-    ReferencePoint reference(int point) const;
+    const ReferencePoint& reference(int point) const { return points_[point]; }
     double strain_energy(const LocalMotion<Nodes>& motion, Histories histories) const;
     // ∂W/∂(r_I, θ_I).
     NodalVector<Nodes> compute_gradient(const LocalMotion<Nodes>& motion, Histories histories) const;
@@ -95,9 +95,10 @@ class InterpolatedRod {
         NodeValues<Nodes> shape;  // N_I
         NodeValues<Nodes> slope;  // dN_I/ds
         double weight;            // in arc length
-        ReferenceStrain reference;
+        const ReferenceStrain& reference;
     };
 
+    ForcePoint force_point(int point) const;
     static SectionFields interpolate(const ForcePoint& point, const LocalMotion<Nodes>& motion);
     SectionState compute_section_state(int point,
                                        const LocalMotion<Nodes>& motion,
@@ -115,9 +116,8 @@ class InterpolatedRod {
                               const LocalMotion<Nodes>& rates,
                               const SectionHistory& history) const;
 
-    std::array<ForcePoint, point_count> points_;
-    Mat6 stiffness_;
-    double kelvin_voigt_;
+    std::array<ReferencePoint, point_count> points_;
+    SharedRodSection section_;
 };
 
 extern template class InterpolatedRod<2>;

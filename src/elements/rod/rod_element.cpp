@@ -7,18 +7,6 @@ namespace gxrod {
 
 namespace {
 
-// Calls visit with the two-node rod in the state of these motions.
-template <class Visitor>
-void visit_state(const TwoNodeRod<double>& rod,
-                 const Motions<2>& motions,
-                 const std::array<Quat, 2>& triads,
-                 Visitor&& visit) {
-    const Quat a = motions[0]->Lambda * triads[0];
-    const Quat b = motions[1]->Lambda * triads[1];
-    const HalfRotation<double> rotation = split_rotation(a.conjugate() * b);
-    visit(TwoNodeRod<double>::State(rod, rotation, a, motions[1]->r - motions[0]->r));
-}
-
 void add_tangents(const TwoNodeRod<double>::Tangents& t,
                   const Linearizations<2>& linearizations,
                   NodalMatrix<2>& tangent) {
@@ -51,22 +39,28 @@ std::array<NodeMotion, Nodes> with_rates(const Motions<Nodes>& motions, const No
 }  // namespace
 
 template <int Nodes, class Map>
-RodElement<Nodes, Map>::RodElement(const RodElementGeometry<Nodes>& geometry, const Section& section)
-    : nodes(geometry.nodes),
-      triads_(geometry.triads),
-      start_(compute_start(geometry)),
-      rod_(make_rod(geometry, section)),
-      inertia_(geometry, section) {
-    if constexpr (is_two_node_objective) {
-        const HalfRotation<double> rotation = split_rotation(triads_[0].conjugate() * triads_[1]);
-        const Vec3 l = geometry.positions[1] - geometry.positions[0];
-        two_node_.length = l.norm();
-        two_node_.Gamma_0 = (triads_[0] * rotation.half).conjugate() * l / two_node_.length;
-        two_node_.Kappa_0 = rotation.Phi / two_node_.length;
-        two_node_.C_NN = section.stiffness.topLeftCorner<3, 3>();
-        two_node_.C_NM = section.stiffness.topRightCorner<3, 3>();
-        two_node_.C_MM = section.stiffness.bottomRightCorner<3, 3>();
-    }
+RodElement<Nodes, Map>::RodElement(const RodElementGeometry<Nodes>& geometry, const SharedRodSection& section)
+    : nodes(geometry.nodes), rod_(make_rod(geometry, section)), inertia_(geometry, section) {
+    if constexpr (history_count > 0) start_ = compute_start(geometry);
+}
+
+// Calls visit with the two-node rod in the state of these motions.
+template <int Nodes, class Map>
+template <class Visitor>
+void RodElement<Nodes, Map>::visit_state(const Motions<Nodes>& motions, Visitor&& visit) const {
+    static_assert(is_two_node_objective);
+    const auto& [jacobian, strain] = rod_.reference(0);
+    const Mat6& C = rod_.stiffness();
+    const TwoNodeRod<double> rod{2.0 * jacobian,
+                                 strain.Gamma,
+                                 strain.Kappa,
+                                 C.topLeftCorner<3, 3>(),
+                                 C.topRightCorner<3, 3>(),
+                                 C.bottomRightCorner<3, 3>()};
+    const Quat a = motions[0]->Lambda * triads()[0];
+    const Quat b = motions[1]->Lambda * triads()[1];
+    const HalfRotation<double> rotation = split_rotation(a.conjugate() * b);
+    visit(TwoNodeRod<double>::State(rod, rotation, a, motions[1]->r - motions[0]->r));
 }
 
 template <int Nodes, class Map>
@@ -94,7 +88,7 @@ auto RodElement<Nodes, Map>::compute_start(const RodElementGeometry<Nodes>& geom
         const std::array<NodeMotion, Nodes> nodal = make_reference(geometry);
         const ObjectiveMap<Nodes> map(point_at(nodal), geometry.triads);
         // Its own reference is of no matter for where its points are.
-        const InterpolatedRod<Nodes> rod(map.local(), histories, Section{});
+        const InterpolatedRod<Nodes> rod(map.local(), histories, nullptr);
         rod.advance(map.local(), histories);
         for (SectionHistory& history : histories) history.Lambda = map.turn_out(history.Lambda);
     }
@@ -102,8 +96,8 @@ auto RodElement<Nodes, Map>::compute_start(const RodElementGeometry<Nodes>& geom
 }
 
 template <int Nodes, class Map>
-auto RodElement<Nodes, Map>::make_rod(const RodElementGeometry<Nodes>& geometry, const Section& section)
-    -> Rod {
+auto RodElement<Nodes, Map>::make_rod(const RodElementGeometry<Nodes>& geometry,
+                                      const SharedRodSection& section) -> Rod {
     const std::array<NodeMotion, Nodes> nodal = make_reference(geometry);
     const Map map(point_at(nodal), geometry.triads);
     return Rod(map.local(), compute_start(geometry), section);
@@ -125,7 +119,7 @@ void RodElement<Nodes, Map>::add_internal_force(const Motions<Nodes>& motions,
                                                 Histories histories,
                                                 NodalVector<Nodes>& force) const {
     if constexpr (is_two_node_objective) {
-        visit_state(two_node_, motions, triads_, [&](const TwoNodeRod<double>::State& state) {
+        visit_state(motions, [&](const TwoNodeRod<double>::State& state) {
             const TwoNodeRod<double>::Forces forces = state.forces();
             force.template segment<3>(0) -= forces.n;
             force.template segment<3>(3) += forces.moment_a;
@@ -133,7 +127,7 @@ void RodElement<Nodes, Map>::add_internal_force(const Motions<Nodes>& motions,
             force.template segment<3>(9) += forces.moment_b;
         });
     } else {
-        const Map map(motions, triads_);
+        const Map map(motions, triads());
         map.add_force(rod_.compute_gradient(map.local(), histories_of_points(histories)), force);
     }
 }
@@ -144,11 +138,11 @@ void RodElement<Nodes, Map>::add_internal_tangent(const Motions<Nodes>& motions,
                                                   const Linearizations<Nodes>& linearizations,
                                                   NodalMatrix<Nodes>& tangent) const {
     if constexpr (is_two_node_objective) {
-        visit_state(two_node_, motions, triads_, [&](const TwoNodeRod<double>::State& state) {
+        visit_state(motions, [&](const TwoNodeRod<double>::State& state) {
             add_tangents(state.compute_tangents(), linearizations, tangent);
         });
     } else {
-        const Map map(motions, triads_);
+        const Map map(motions, triads());
         const Histories known = histories_of_points(histories);
         map.add_tangent(rod_.compute_gradient(map.local(), known),
                         rod_.compute_hessian(map.local(), known),
@@ -164,12 +158,12 @@ void RodElement<Nodes, Map>::add_mixed_tangent(const Motions<Nodes>& motions,
                                                const Linearizations<Nodes>& linearizations,
                                                NodalMatrix<Nodes>& tangent) const {
     if constexpr (is_two_node_objective) {
-        visit_state(two_node_, motions, triads_, [&](TwoNodeRod<double>::State state) {
+        visit_state(motions, [&](TwoNodeRod<double>::State state) {
             state.set_resultants({resultants[0].head<3>(), resultants[0].tail<3>()});
             add_tangents(state.compute_tangents(), linearizations, tangent);
         });
     } else {
-        const Map map(motions, triads_);
+        const Map map(motions, triads());
         const Histories known = histories_of_points(histories);
         map.add_tangent(rod_.compute_force_of(map.local(), known, resultants),
                         rod_.compute_mixed_hessian(map.local(), known, resultants),
@@ -184,7 +178,7 @@ void RodElement<Nodes, Map>::advance_resultants(const Motions<Nodes>& motions,
                                                 const NodalVector<Nodes>& increment,
                                                 std::span<Vec6> resultants) const {
     if constexpr (is_two_node_objective) {
-        visit_state(two_node_, motions, triads_, [&](const TwoNodeRod<double>::State& state) {
+        visit_state(motions, [&](const TwoNodeRod<double>::State& state) {
             const auto [N, M] =
                 state.advance_resultants(increment.template segment<3>(6) - increment.template segment<3>(0),
                                          increment.template segment<3>(3),
@@ -192,7 +186,7 @@ void RodElement<Nodes, Map>::advance_resultants(const Motions<Nodes>& motions,
             resultants[0] << N, M;
         });
     } else {
-        const Map map(motions, triads_);
+        const Map map(motions, triads());
         const std::array<NodeMotion, Nodes> moving = with_rates<Nodes>(motions, increment);
         rod_.advance_resultants(
             map.local(), map.compute_rates(point_at(moving)), histories_of_points(histories), resultants);
@@ -219,7 +213,7 @@ void RodElement<Nodes, Map>::add_damping_force(const Motions<Nodes>& motions,
                                                Histories histories,
                                                NodalVector<Nodes>& force) const {
     if (rod_.is_damped()) {
-        const Map map(motions, triads_);
+        const Map map(motions, triads());
         map.add_force(rod_.compute_damping_force(
                           map.local(), map.compute_rates(motions), histories_of_points(histories)),
                       force);
@@ -233,7 +227,7 @@ void RodElement<Nodes, Map>::add_damping_tangent(const Motions<Nodes>& motions,
                                                  const Linearizations<Nodes>& linearizations,
                                                  NodalMatrix<Nodes>& tangent) const {
     if (rod_.is_damped()) {
-        const Map map(motions, triads_);
+        const Map map(motions, triads());
         const Histories known = histories_of_points(histories);
         const LocalMotion<Nodes> rates = map.compute_rates(motions);
         const auto tangents = rod_.compute_damping_tangents(map.local(), rates, known);
@@ -248,22 +242,22 @@ void RodElement<Nodes, Map>::add_damping_tangent(const Motions<Nodes>& motions,
 
 template <int Nodes, class Map>
 void RodElement<Nodes, Map>::start(std::span<SectionHistory> histories) const {
-    std::copy_n(start_.begin(), history_count, histories.begin());
+    if constexpr (history_count > 0) std::copy(start_.begin(), start_.end(), histories.begin());
 }
 
 template <int Nodes, class Map>
 void RodElement<Nodes, Map>::commit(const Motions<Nodes>& motions,
                                     std::span<SectionHistory> histories) const {
-    if constexpr (history_count > 0) rod_.advance(Map(motions, triads_).local(), histories);
+    if constexpr (history_count > 0) rod_.advance(Map(motions, triads()).local(), histories);
 }
 
 template <int Nodes, class Map>
 double RodElement<Nodes, Map>::largest_relative_rotation(const Motions<Nodes>& motions) const {
     if constexpr (is_two_node_objective) {
-        const Quat a = motions[0]->Lambda * triads_[0];
-        return log(a.conjugate() * (motions[1]->Lambda * triads_[1])).norm();
+        const Quat a = motions[0]->Lambda * triads()[0];
+        return log(a.conjugate() * (motions[1]->Lambda * triads()[1])).norm();
     } else {
-        return Map(motions, triads_).largest_relative_rotation();
+        return Map(motions, triads()).largest_relative_rotation();
     }
 }
 
@@ -271,12 +265,10 @@ template <int Nodes, class Map>
 double RodElement<Nodes, Map>::strain_energy(const Motions<Nodes>& motions, Histories histories) const {
     if constexpr (is_two_node_objective) {
         double energy = 0.0;
-        visit_state(two_node_, motions, triads_, [&](const TwoNodeRod<double>::State& state) {
-            energy = state.energy();
-        });
+        visit_state(motions, [&](const TwoNodeRod<double>::State& state) { energy = state.energy(); });
         return energy;
     } else {
-        return rod_.strain_energy(Map(motions, triads_).local(), histories_of_points(histories));
+        return rod_.strain_energy(Map(motions, triads()).local(), histories_of_points(histories));
     }
 }
 
@@ -298,7 +290,7 @@ Momentum RodElement<Nodes, Map>::momentum(const Motions<Nodes>& motions) const {
 template <int Nodes, class Map>
 SectionValues RodElement<Nodes, Map>::section_values(const Motions<Nodes>& motions,
                                                      Histories histories) const {
-    const Map map(motions, triads_);
+    const Map map(motions, triads());
     const Histories known = histories_of_points(histories);
     const typename Rod::SectionState middle =
         rod_.compute_middle_state(map.local(), map.compute_rates(motions), known);
@@ -310,7 +302,7 @@ SectionValues RodElement<Nodes, Map>::section_values(const Motions<Nodes>& motio
         const SectionFields fields = Rod::interpolate_middle(map.local());
         axes = map.turn_out(compute_section_axes(fields, known[Nodes / 2 - 1]));
     } else {
-        axes = motions[Nodes / 2]->Lambda * triads_[Nodes / 2];
+        axes = motions[Nodes / 2]->Lambda * triads()[Nodes / 2];
     }
     return {resultants.head<3>(), resultants.tail<3>(), strain.head<3>(), strain.tail<3>(), axes};
 }
@@ -329,8 +321,8 @@ PointValues RodElement<Nodes, Map>::point_values(const Motions<Nodes>& motions,
         motion.v += shape[i] * motions[i]->v;
         motion.a += shape[i] * motions[i]->a;
     }
-    const ObjectiveMap<Nodes> objective(motions, triads_);
-    values.triad = ObjectiveMap<Nodes>(point_at(unturned), triads_).interpolate_axes(shape);
+    const ObjectiveMap<Nodes> objective(motions, triads());
+    values.triad = ObjectiveMap<Nodes>(point_at(unturned), triads()).interpolate_axes(shape);
     motion.Lambda = objective.interpolate_axes(shape) * values.triad.conjugate();
     motion.omega = objective.interpolate_spin(motions, shape);
 
@@ -340,9 +332,9 @@ PointValues RodElement<Nodes, Map>::point_values(const Motions<Nodes>& motions,
         return material;
     };
     const std::array<Vec6, 2> end_resultants{
-        in_axes(motions.front()->Lambda * triads_.front(), -force.template head<6>()),
-        in_axes(motions.back()->Lambda * triads_.back(), force.template tail<6>())};
-    const Map map(motions, triads_);
+        in_axes(motions.front()->Lambda * triads().front(), -force.template head<6>()),
+        in_axes(motions.back()->Lambda * triads().back(), force.template tail<6>())};
+    const Map map(motions, triads());
     const typename Rod::SectionState state = rod_.interpolate_state(
         map.local(), map.compute_rates(motions), histories_of_points(histories), end_resultants, xi);
     values.force = state.resultants.template head<3>();

@@ -23,11 +23,14 @@ class RodElement {
     static constexpr bool has_section = true;
     std::array<int, Nodes> nodes;
 
-    RodElement(const RodElementGeometry<Nodes>& geometry, const Section& section);
+    RodElement(const RodElementGeometry<Nodes>& geometry, const SharedRodSection& section);
+    // One that shares its section with no other.
+    RodElement(const RodElementGeometry<Nodes>& geometry, const Section& section)
+        : RodElement(geometry, std::make_shared<const RodSection>(section)) {}
 
     const RodInertia<Nodes>& inertia() const { return inertia_; }
     const InterpolatedRod<Nodes>& interpolated_rod() const { return rod_; }
-    const std::array<Quat, Nodes>& triads() const { return triads_; }
+    const std::array<Quat, Nodes>& triads() const { return inertia_.triads(); }
 
     void add_internal_force(const Motions<Nodes>& motions,
                             Histories histories,
@@ -95,16 +98,17 @@ class RodElement {
     static Motions<Nodes> point_at(const std::array<NodeMotion, Nodes>& nodal);
     static std::array<NodeMotion, Nodes> make_reference(const RodElementGeometry<Nodes>& geometry);
     static PointHistories compute_start(const RodElementGeometry<Nodes>& geometry);
-    static Rod make_rod(const RodElementGeometry<Nodes>& geometry, const Section& section);
+    static Rod make_rod(const RodElementGeometry<Nodes>& geometry, const SharedRodSection& section);
 
-    std::array<Quat, Nodes> triads_;
-    PointHistories start_;
+    // The one with two nodes that is objective has closed forms.
+    static constexpr bool is_two_node_objective = Nodes == 2 && std::is_same_v<Map, ObjectiveMap<2>>;
+    template <class Visitor>
+    void visit_state(const Motions<Nodes>& motions, Visitor&& visit) const;
+
     Rod rod_;
     RodInertia<Nodes> inertia_;
-    // That one has closed forms.
-    static constexpr bool is_two_node_objective = Nodes == 2 && std::is_same_v<Map, ObjectiveMap<2>>;
     struct Nothing {};
-    [[no_unique_address]] std::conditional_t<is_two_node_objective, TwoNodeRod<double>, Nothing> two_node_;
+    [[no_unique_address]] std::conditional_t<(history_count > 0), PointHistories, Nothing> start_;
 };
 
 template <int Nodes>

@@ -1,55 +1,47 @@
 #include "elements/rod/rod_inertia.hpp"
 
-#include "elements/rod/shape_functions.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
 
-namespace {
-
-// From the section's node to its centre of mass, section axes: the mass matrix has −ρA [d]× for its coupling.
-Vec3 compute_offset(const Section& section) {
-    const double rho_A = section.mass(0, 0);
-    if (rho_A == 0.0) return Vec3::Zero();
-    return -axial(section.mass.topRightCorner<3, 3>()) / rho_A;
-}
-
-// About the centre of mass, section axes.
-Mat3 compute_rotary_inertia(const Section& section, const Vec3& offset) {
-    const Mat3 spin_d = spin(offset);
-    return section.mass.bottomRightCorner<3, 3>() + section.mass(0, 0) * spin_d * spin_d;
-}
-
-}  // namespace
-
 template <int Nodes>
-RodInertia<Nodes>::RodInertia(const RodElementGeometry<Nodes>& geometry, const Section& section)
-    : mass_proportional_(section.mass_proportional) {
+RodInertia<Nodes>::RodInertia(const RodElementGeometry<Nodes>& geometry, SharedRodSection section)
+    : triads_(geometry.triads), section_(std::move(section)) {
     mass_.setZero();
-    NodeValues<Nodes> length = NodeValues<Nodes>::Zero();  // ∫ N_I ds
+    lengths_.setZero();
     for (const auto& [xi, weight] : compute_gauss_rule<Nodes>()) {
         const NodeValues<Nodes> shape = compute_shape_functions<Nodes>(xi);
         const NodeValues<Nodes> slope = compute_shape_slopes<Nodes>(xi);
         Vec3 tangent = Vec3::Zero();
         for (int i = 0; i < Nodes; ++i) tangent += slope[i] * geometry.positions[i];
         const double ds = weight * tangent.norm();
-        mass_ += ds * section.mass(0, 0) * shape * shape.transpose();
-        length += ds * shape;
+        mass_ += ds * section_->mass * shape * shape.transpose();
+        lengths_ += ds * shape;
     }
-    const Vec3 offset = compute_offset(section);
-    has_offset_ = !offset.isZero(0.0);
-    for (int i = 0; i < Nodes; ++i) {
-        const Mat3 rotary = length[i] * compute_rotary_inertia(section, offset);
-        rotary_[i] = compute_rigid_inertia(0.0, rotary, Vec3::Zero(), geometry.triads[i]);
-        offsets_.col(i) = geometry.triads[i] * offset;
-    }
+}
+
+template <int Nodes>
+Mat3 RodInertia<Nodes>::compute_rotary_inertia(int node) const {
+    const Mat3 R = triads_[node].toRotationMatrix();
+    return R * (lengths_[node] * section_->rotary_inertia) * R.transpose();
+}
+
+template <int Nodes>
+RotaryInertia<double> RodInertia<Nodes>::turn(int node, const NodeMotion& motion) const {
+    return {lengths_[node] * section_->rotary_inertia, motion.Lambda * triads_[node]};
+}
+
+template <int Nodes>
+Vec3 RodInertia<Nodes>::compute_spin_momentum(int node, const NodeMotion& motion) const {
+    const Quat axes = motion.Lambda * triads_[node];
+    return axes * (lengths_[node] * (section_->rotary_inertia * (axes.conjugate() * motion.omega)));
 }
 
 template <int Nodes>
 auto RodInertia<Nodes>::compute_offsets(const Motions<Nodes>& motions) const -> Columns3 {
     Columns3 d = Columns3::Zero();
-    if (!has_offset_) return d;
-    for (int i = 0; i < Nodes; ++i) d.col(i) = motions[i]->Lambda * Vec3(offsets_.col(i));
+    if (!has_offset()) return d;
+    for (int i = 0; i < Nodes; ++i) d.col(i) = motions[i]->Lambda * (triads_[i] * section_->centre_of_mass);
     return d;
 }
 
@@ -70,7 +62,7 @@ auto RodInertia<Nodes>::compute_accelerations(const Motions<Nodes>& motions,
     Columns3 accelerations;
     for (int i = 0; i < Nodes; ++i) {
         accelerations.col(i) = motions[i]->a - gravity;
-        if (!has_offset_) continue;
+        if (!has_offset()) continue;
         const Vec3& omega = motions[i]->omega;
         const Vec3 d_i = d.col(i);
         accelerations.col(i) += motions[i]->alpha.cross(d_i) + omega.cross(omega.cross(d_i));
@@ -85,7 +77,7 @@ void RodInertia<Nodes>::add_force(const Motions<Nodes>& motions,
     add_translational_force(motions, gravity, force);
     for (int i = 0; i < Nodes; ++i) {
         force.template segment<3>(6 * i + 3) +=
-            compute_inertial_force(rotary_[i], *motions[i], gravity).template tail<3>();
+            turn(i, *motions[i]).compute_moment(motions[i]->omega, motions[i]->alpha);
     }
 }
 
@@ -120,10 +112,15 @@ void RodInertia<Nodes>::add_tangent(const Motions<Nodes>& motions,
                                     NodalMatrix<Nodes>& tangent) const {
     add_translational_tangent(linearizations, tangent);
     for (int i = 0; i < Nodes; ++i) {
-        tangent.template block<6, 6>(6 * i, 6 * i) +=
-            compute_inertial_tangent(rotary_[i], *motions[i], *linearizations[i], gravity);
+        tangent.template block<3, 3>(6 * i + 3, 6 * i + 3) +=
+            turn(i, *motions[i])
+                .compute_tangent(motions[i]->omega,
+                                 motions[i]->alpha,
+                                 linearizations[i]->placement,
+                                 linearizations[i]->d_omega,
+                                 linearizations[i]->d_alpha);
     }
-    if (!has_offset_) return;
+    if (!has_offset()) return;
     const Columns3 d = compute_offsets(motions);
     const Columns3 F = compute_accelerations(motions, gravity, d) * mass_;
     for (int j = 0; j < Nodes; ++j) {
@@ -152,10 +149,9 @@ void RodInertia<Nodes>::add_damping_force(const Motions<Nodes>& motions, NodalVe
     const Columns3 p = compute_velocities(motions, d) * mass_;
     for (int i = 0; i < Nodes; ++i) {
         const Vec3 p_i = p.col(i);
-        force.template segment<3>(6 * i) += mass_proportional_ * p_i;
+        force.template segment<3>(6 * i) += section_->mass_proportional * p_i;
         force.template segment<3>(6 * i + 3) +=
-            mass_proportional_ *
-            (Vec3(d.col(i)).cross(p_i) + compute_momentum(rotary_[i], *motions[i]).angular);
+            section_->mass_proportional * (Vec3(d.col(i)).cross(p_i) + compute_spin_momentum(i, *motions[i]));
     }
 }
 
@@ -163,7 +159,7 @@ template <int Nodes>
 void RodInertia<Nodes>::add_damping_tangent(const Motions<Nodes>& motions,
                                             const Linearizations<Nodes>& linearizations,
                                             NodalMatrix<Nodes>& tangent) const {
-    const double c = mass_proportional_;
+    const double c = section_->mass_proportional;
     const Columns3 d = compute_offsets(motions);
     const Columns3 p = compute_velocities(motions, d) * mass_;
     for (int j = 0; j < Nodes; ++j) {
@@ -179,8 +175,7 @@ void RodInertia<Nodes>::add_damping_tangent(const Motions<Nodes>& motions,
             tangent.template block<3, 3>(6 * i + 3, 6 * j) += linearization.rate * lever;
             tangent.template block<3, 3>(6 * i + 3, 6 * j + 3) += lever * by_spin;
         }
-        const Mat3 Lambda = motions[j]->Lambda.toRotationMatrix();
-        const Mat3 J = Lambda * rotary_[j].inertia * Lambda.transpose();
+        const Mat3 J = turn(j, *motions[j]).J;
         tangent.template block<3, 3>(6 * j + 3, 6 * j + 3) +=
             c * (J * linearization.d_omega +
                  linearization.placement * (J * spin(omega) - spin(J * omega) + spin(p.col(j)) * spin_d));
@@ -191,7 +186,8 @@ template <int Nodes>
 double RodInertia<Nodes>::kinetic_energy(const Motions<Nodes>& motions) const {
     const Columns3 v = compute_velocities(motions, compute_offsets(motions));
     double energy = 0.5 * (v * mass_).cwiseProduct(v).sum();
-    for (int i = 0; i < Nodes; ++i) energy += compute_kinetic_energy(rotary_[i], *motions[i]);
+    for (int i = 0; i < Nodes; ++i)
+        energy += 0.5 * motions[i]->omega.dot(compute_spin_momentum(i, *motions[i]));
     return energy;
 }
 
@@ -213,8 +209,7 @@ Momentum RodInertia<Nodes>::momentum(const Motions<Nodes>& motions) const {
     for (int i = 0; i < Nodes; ++i) {
         const Vec3 p_i = p.col(i);
         total.linear += p_i;
-        total.angular +=
-            (motions[i]->r + d.col(i)).cross(p_i) + compute_momentum(rotary_[i], *motions[i]).angular;
+        total.angular += (motions[i]->r + d.col(i)).cross(p_i) + compute_spin_momentum(i, *motions[i]);
     }
     return total;
 }

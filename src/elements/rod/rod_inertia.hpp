@@ -2,7 +2,9 @@
 
 #include "elements/element.hpp"
 #include "elements/rod/rod_geometry.hpp"
-#include "model/model.hpp"
+#include "elements/rod/rod_section.hpp"
+#include "elements/rod/shape_functions.hpp"
+#include "elements/rotary_inertia.hpp"
 
 namespace gxrod {
 
@@ -14,7 +16,7 @@ namespace gxrod {
 template <int Nodes>
 class RodInertia {
   public:
-    RodInertia(const RodElementGeometry<Nodes>& geometry, const Section& section);
+    RodInertia(const RodElementGeometry<Nodes>& geometry, SharedRodSection section);
 
     void add_force(const Motions<Nodes>& motions, const Vec3& gravity, NodalVector<Nodes>& force) const;
     // That of the centres of mass alone, without rotary inertia.
@@ -31,7 +33,7 @@ class RodInertia {
                                    NodalMatrix<Nodes>& tangent) const;
 
     // Forces and couples that are mass_proportional times the momenta.
-    bool is_damped() const { return mass_proportional_ > 0.0; }
+    bool is_damped() const { return section_->mass_proportional > 0.0; }
     void add_damping_force(const Motions<Nodes>& motions, NodalVector<Nodes>& force) const;
     void add_damping_tangent(const Motions<Nodes>& motions,
                              const Linearizations<Nodes>& linearizations,
@@ -39,9 +41,11 @@ class RodInertia {
 
     // ∫ ρA N_I N_J ds.
     const Eigen::Matrix<double, Nodes, Nodes>& mass() const { return mass_; }
-    bool has_offset() const { return has_offset_; }
+    bool has_offset() const { return section_->has_offset(); }
     // The rotary inertia that is lumped to a node, in the global axes of t = 0.
-    const Mat3& rotary_inertia(int node) const { return rotary_[node].inertia; }
+    Mat3 compute_rotary_inertia(int node) const;
+    // Section axes of the nodes at t = 0.
+    const std::array<Quat, Nodes>& triads() const { return triads_; }
 
     double kinetic_energy(const Motions<Nodes>& motions) const;
     double gravity_potential(const Motions<Nodes>& motions, const Vec3& gravity) const;
@@ -59,11 +63,15 @@ class RodInertia {
                                    const Vec3& gravity,
                                    const Columns3& d) const;
 
+    // Of the rotary inertia that is lumped to a node, now.
+    RotaryInertia<double> turn(int node, const NodeMotion& motion) const;
+    // Its J ω, without J.
+    Vec3 compute_spin_momentum(int node, const NodeMotion& motion) const;
+
+    std::array<Quat, Nodes> triads_;
     Eigen::Matrix<double, Nodes, Nodes> mass_;
-    Columns3 offsets_;  // at t = 0
-    bool has_offset_;
-    std::array<RigidInertia, Nodes> rotary_;  // about the centres of mass; no mass
-    double mass_proportional_;
+    NodeValues<Nodes> lengths_;  // ∫ N_I ds
+    SharedRodSection section_;
 };
 
 extern template class RodInertia<2>;

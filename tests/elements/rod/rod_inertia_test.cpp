@@ -33,7 +33,9 @@ struct Piece {
     RodElementGeometry<Nodes> geometry;
     RodInertia<Nodes> inertia;
 
-    explicit Piece(const Vec3& offset) : geometry(make_geometry()), inertia(geometry, make_section(offset)) {}
+    explicit Piece(const Vec3& offset)
+        : geometry(make_geometry()),
+          inertia(geometry, std::make_shared<const RodSection>(make_section(offset))) {}
 
     static RodElementGeometry<Nodes> make_geometry() {
         RodElementGeometry<Nodes> made;
