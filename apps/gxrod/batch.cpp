@@ -1,9 +1,7 @@
 #include "batch/batch.hpp"
 
 #include <fmt/core.h>
-#include <sched.h>
 
-#include <algorithm>
 #include <charconv>
 #include <csignal>
 #include <memory>
@@ -12,6 +10,7 @@
 #include "batch_tell.hpp"
 #include "exit_code.hpp"
 #include "model/file_error.hpp"
+#include "parallel/cores.hpp"
 #include "verbs.hpp"
 
 namespace gxrod {
@@ -53,13 +52,6 @@ void listen_to_signals() {
     ::sigaction(SIGTERM, &action, nullptr);
     std::signal(SIGPIPE, SIG_IGN);  // nobody has to read what it tells
     std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of writing
-}
-
-// Cores that this process may use.
-int count_cores() {
-    cpu_set_t cores;
-    if (::sched_getaffinity(0, sizeof(cores), &cores) != 0) return 1;
-    return std::max(CPU_COUNT(&cores), 1);
 }
 
 Plan read_arguments(const std::vector<std::string>& files) {

@@ -9,6 +9,7 @@
 #include "analyses/model_examination.hpp"
 #include "batch/plan.hpp"
 #include "exit_code.hpp"
+#include "parallel/cores.hpp"
 #include "progress_line.hpp"
 #include "results/energy_warning.hpp"
 #include "summary.hpp"
@@ -62,6 +63,15 @@ int exit_code_of(const RunSummary& summary, bool deck_fault) {
     return exit_done;
 }
 
+void warn_of_threads(const JobOptions& options) {
+    if (options.quiet || options.threads <= count_cores()) return;
+    fmt::print(stderr,
+               "warning: --threads {}: with {} core{} they slow each other down\n",
+               options.threads,
+               count_cores(),
+               count_cores() == 1 ? "" : "s");
+}
+
 // Tells of what is suspicious; whether the model can be run.
 bool examine(const JobOptions& options, const Problem& problem) {
     const std::vector<Finding> findings = examine_model(problem.model, problem.analysis);
@@ -97,6 +107,7 @@ Problem read_job_problem(const std::string& deck, const std::vector<std::string>
 
 int run_job(const Problem& problem, const JobOptions& options, ResumableFile* resumed) {
     if (!examine(options, problem)) return exit_bad_input;
+    warn_of_threads(options);
     std::signal(SIGINT, ask_to_end);
     std::signal(SIGTERM, ask_to_end);
     ProgressLine line;

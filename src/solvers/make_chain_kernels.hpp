@@ -52,18 +52,18 @@ struct ChainSweeps : BlockKernels<Arch> {
     // Processors do not see soon enough what is read from the end to the start. Of a coupling some steps
     // ahead, the columns of A_ut, and with them the diagonal that follows.
     static void fetch_ahead(const ChainSteps& chain, const ChainCoupling* at, const double* values) {
-        constexpr int ahead = 4;
+        constexpr int ahead = 8;
         constexpr int line = 8;
+        constexpr int columns = 6;  // of a node
         if (at - chain.couplings + ahead >= chain.coupling_count) return;
         const ChainCoupling& u = at[ahead];
         if (!u.column.is_given) return;
         const double* column = values + u.column.first;
-        for (int i = 0; i < smallest_block; ++i, column += u.column.stride) {
+        for (int i = 0; i < columns; ++i, column += u.column.stride) {
             __builtin_prefetch(column);
             __builtin_prefetch(column + line);
         }
     }
-    static constexpr int smallest_block = 6;
 
     static bool eliminate(const ChainSteps& chain, const double* values, double* blocks) {
         const ChainCoupling* couplings = chain.couplings;

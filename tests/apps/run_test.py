@@ -21,6 +21,28 @@ def limit_file_size():
     resource.setrlimit(resource.RLIMIT_FSIZE, (60000, 60000))
 
 
+LONG_ROD = """gravity = [0, 0, -9.81]
+[section.s]
+shape = { circle = { radius = 0.02 } }
+material = { E = 1e7, nu = 0.5, density = 1000 }
+[rod.hose]
+section = "s"
+line = { from = [0, 0, 0], to = [3, 0, 0] }
+elements = 900
+[[support]]
+at = "hose.start"
+fix = "all"
+[analysis]
+kind = "dynamic"
+end_time = 0.05
+time_step = 0.01
+[[history]]
+name = "tip"
+at = "hose.end"
+quantities = ["position", "moment", "acceleration"]
+"""
+
+
 class Run(ProgramTest):
     def setUp(self):
         super().setUp()
@@ -32,6 +54,36 @@ class Run(ProgramTest):
         self.assertEqual(done.returncode, 2)
         self.assertEqual(done.stderr.splitlines()[0],
                          'gxrod: GXROD_INSTRUCTION_SET: expected "baseline" or "avx2"')
+
+    def test_threads_change_no_bit_of_the_results(self):
+        # Long enough for every loop to be shared.
+        self.write("hose.toml", LONG_ROD)
+        files = []
+        for threads in ("1", "2", "3"):
+            done = self.gxrod("run", "hose.toml", "--threads", threads, "-o", f"{threads}.vtkhdf", "--summary", "-")
+            self.assertEqual(json.loads(done.stdout)["threads"], int(threads))
+            files.append(h5py.File(self.folder / f"{threads}.vtkhdf"))
+        names = []
+        files[0].visititems(lambda name, item: names.append(name) if isinstance(item, h5py.Dataset) else None)
+        self.assertGreater(len(names), 20)
+        for name in names:
+            for other in files[1:]:
+                np.testing.assert_array_equal(files[0][name][()], other[name][()], err_msg=name)
+        for file in files:
+            file.close()
+
+    def test_a_number_of_threads_that_there_cannot_be_is_a_usage_error(self):
+        for threads in ("0", "-1", "two", "5000"):
+            done = self.gxrod("run", "body.toml", "--threads", threads, code=2)
+            self.assertIn("--threads", done.stderr)
+            self.assertFalse((self.folder / "body.vtkhdf").exists())
+
+    def test_warns_of_more_threads_than_cores(self):
+        core = min(os.sched_getaffinity(0))
+        one_core = {"preexec_fn": lambda: os.sched_setaffinity(0, [core])}
+        self.assertEqual(self.gxrod("run", "body.toml", "--threads", "1", "-o", "one.vtkhdf", **one_core).stderr, "")
+        done = self.gxrod("run", "body.toml", "--threads", "3", **one_core)
+        self.assertEqual(done.stderr, "warning: --threads 3: with 1 core they slow each other down\n")
 
     def test_leaves_results_under_the_name_of_the_deck(self):
         done = self.gxrod("run", "body.toml")

@@ -1,0 +1,155 @@
+#include <algorithm>
+
+#include "assembly/system.hpp"
+
+// What is told of a system's motion, once a step.
+namespace gxrod {
+
+namespace {
+
+// The forces of gravity on an element's nodes.
+template <Element E>
+NodalVector<E::node_count> compute_gravity_force(const E& element,
+                                                 const Motions<E::node_count>& motions,
+                                                 const Vec3& gravity) {
+    std::array<NodeMotion, E::node_count> still;
+    Motions<E::node_count> pointers;
+    for (int i = 0; i < E::node_count; ++i) {
+        still[i].Lambda = motions[i]->Lambda;
+        pointers[i] = &still[i];
+    }
+    NodalVector<E::node_count> force = NodalVector<E::node_count>::Zero();
+    element.add_inertial_force(pointers, gravity, force);
+    return -force;
+}
+
+}  // namespace
+
+Balance& Balance::operator+=(const Balance& other) {
+    kinetic_energy += other.kinetic_energy;
+    strain_energy += other.strain_energy;
+    gravity_potential += other.gravity_potential;
+    momentum.linear += other.momentum.linear;
+    momentum.angular += other.momentum.angular;
+    return *this;
+}
+
+Balance System::compute_balance(const State& state, double time) const {
+    Balance balance;
+    const bool has_potential = model_->gravity.is_constant();
+    const Vec3 gravity = has_potential ? model_->gravity(time) : Vec3::Zero();
+    std::vector<Balance> parts;
+    for_each_block(blocks_, [&](const auto& block) {
+        parts.assign(block.phases.part_count(), {});
+        team_->for_each(parts.size(), [&](std::size_t part) {
+            for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
+                const auto& element = block.elements[e];
+                const auto motions = block.motions(state.trial, e);
+                parts[part] += {.kinetic_energy = element.kinetic_energy(motions),
+                                .strain_energy = element.strain_energy(motions, block.histories(state, e)),
+                                .gravity_potential = element.gravity_potential(motions, gravity),
+                                .momentum = element.momentum(motions)};
+            }
+        });
+        for (const Balance& part : parts) balance += part;
+    });
+    return balance;
+}
+
+WorkingForces System::compute_working_forces(const State& state,
+                                             double time,
+                                             const Residual& residual) const {
+    Residual loads;
+    loads.nodal.assign(state.trial.size(), Vec6::Zero());
+    add_loads(state, time, loads);
+    WorkingForces forces;
+    forces.driving.resize(state.trial.size());
+    for (std::size_t i = 0; i < forces.driving.size(); ++i) forces.driving[i] = -loads.nodal[i];
+    for (const Support* support : supports_.moving()) {
+        Vec6 exerted = equations_.to_own_axes(support->node, residual.nodal[support->node]);
+        for (int i = 0; i < 6; ++i) {
+            if (!supports_.held(support->node)[i]) exerted[i] = 0.0;
+        }
+        forces.driving[support->node] += equations_.to_global_axes(support->node, exerted);
+    }
+    const bool gravity_works = !model_->gravity.is_constant();
+    const Vec3 gravity = model_->gravity(time);
+    if (is_damped_) forces.damping.assign(state.trial.size(), Vec6::Zero());
+    for_each_block(blocks_, [&](const auto& block) {
+        constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
+        if (!gravity_works && !block.is_damped) return;
+        block.phases.run(*team_, [&](std::size_t part) {
+            for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
+                const auto& element = block.elements[e];
+                const auto motions = block.motions(state.trial, e);
+                if (gravity_works) {
+                    add_to_nodes<node_count>(
+                        compute_gravity_force(element, motions, gravity), element.nodes, forces.driving);
+                }
+                if (block.is_damped) {
+                    NodalVector<node_count> force = NodalVector<node_count>::Zero();
+                    element.add_damping_force(motions, block.histories(state, e), force);
+                    add_to_nodes<node_count>(force, element.nodes, forces.damping);
+                }
+            }
+        });
+    });
+    return forces;
+}
+
+std::vector<Vec6> System::compute_reactions(const Residual& residual) const {
+    std::vector<Vec6> reactions(residual.nodal.size(), Vec6::Zero());
+    for (const Support& support : model_->supports) {
+        Vec6 own = equations_.to_own_axes(support.node, residual.nodal[support.node]);
+        for (int i = 0; i < 6; ++i) {
+            if (!supports_.held(support.node)[i]) own[i] = 0.0;
+        }
+        reactions[support.node] = equations_.to_global_axes(support.node, own);
+    }
+    return reactions;
+}
+
+std::vector<SectionValues> System::compute_section_values(const State& state) const {
+    std::vector<SectionValues> values(static_cast<std::size_t>(rod_element_count_));
+    for_each_block(blocks_, [&](const auto& block) {
+        if constexpr (std::remove_cvref_t<decltype(block)>::has_section) {
+            team_->for_each_range(block.elements.size(), [&](std::size_t first, std::size_t last) {
+                for (std::size_t e = first; e < last; ++e) {
+                    values[block.section_index[e]] = block.elements[e].section_values(
+                        block.motions(state.trial, e), block.histories(state, e));
+                }
+            });
+        }
+    });
+    return values;
+}
+
+RelativeRotation System::bound_relative_rotation(const std::vector<NodeMotion>& motions,
+                                                 const std::vector<Vec3>& spins) const {
+    RelativeRotation largest;
+    for_each_block(blocks_, [&](const auto& block) {
+        using Block = std::remove_cvref_t<decltype(block)>;
+        if constexpr (Block::has_section && Block::history_count == 0) {
+            std::vector<RelativeRotation> parts(block.phases.part_count());
+            team_->for_each(parts.size(), [&](std::size_t part) {
+                for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
+                    const auto& nodes = block.elements[e].nodes;
+                    double added = 0.0;
+                    for (int i = 0; i < Block::node_count; ++i) {
+                        for (int j = 0; j < i; ++j)
+                            added = std::max(added, (spins[nodes[i]] - spins[nodes[j]]).norm());
+                    }
+                    const double angle =
+                        added + block.elements[e].largest_relative_rotation(block.motions(motions, e));
+                    if (angle > parts[part].angle) parts[part] = {angle, nodes[0]};
+                }
+            });
+            for (const RelativeRotation& part : parts) {
+                if (part.angle > largest.angle) largest = part;
+            }
+        }
+    });
+    return largest;
+}
+
+}  // namespace gxrod
