@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Draws times.png and errors.png from times.json and errors.json, which measure.py writes, and peers.json.
 
-Renews the tables of ../performance.md, too; numbers in its sentences are to be read again.
+Renews, with threads.json, the tables of ../performance.md, too; numbers in its sentences are to be read again.
 """
 
 import json
@@ -144,6 +144,18 @@ def rows_of_solvers(benchmarks):
             for name, row in names.items()]
 
 
+def rows_of_threads(measured):
+    """One thread, two, and how many times faster two are."""
+    phases = ("assembly", "solve", "update")
+    found = {(row["elements"], row["threads"]): [*(row[phase] for phase in phases), sum(row[phase] for phase in phases)]
+             for row in measured}
+    rows = []
+    for elements in sorted({elements for elements, _ in found}):
+        one, two = found[elements, 1], found[elements, 2]
+        rows.append([f"{elements:,}", f"{one[-1]:.3g}", f"{two[-1]:.3g}", *(f"{a / b:.2f}" for a, b in zip(one, two))])
+    return rows
+
+
 def renew_table(page, header, rows):
     """The page with these rows below the table's header and the line beneath it."""
     lines = page.splitlines(keepends=True)
@@ -153,18 +165,19 @@ def renew_table(page, header, rows):
     return "".join(lines)
 
 
-def renew_tables(benchmarks):
+def renew_tables(benchmarks, threads):
     path = FOLDER.parent / "performance.md"
     page = path.read_text()
     for header, rows in (("| order | elements |", rows_of_pendulum), ("| rods | elements |", rows_of_nets),
                          ("| solver |", rows_of_solvers)):
         page = renew_table(page, header, rows(benchmarks))
+    page = renew_table(page, "| elements | one thread |", rows_of_threads(threads))
     path.write_text(page)
 
 
 def main():
     peers, times = read("peers.json"), read("times.json")
-    renew_tables(times["benchmarks"])
+    renew_tables(times["benchmarks"], read("threads.json"))
     draw_times(times, peers)
     draw_errors(read("errors.json"), peers)
 

@@ -42,14 +42,18 @@ Balance System::compute_balance(const State& state, double time) const {
     for_each_block(blocks_, [&](const auto& block) {
         parts.assign(block.phases.part_count(), {});
         team_->for_each(parts.size(), [&](std::size_t part) {
+            Balance sum;
             for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
                 const auto& element = block.elements[e];
                 const auto motions = block.motions(state.trial, e);
-                parts[part] += {.kinetic_energy = element.kinetic_energy(motions),
-                                .strain_energy = element.strain_energy(motions, block.histories(state, e)),
-                                .gravity_potential = element.gravity_potential(motions, gravity),
-                                .momentum = element.momentum(motions)};
+                const Momentum momentum = element.momentum(motions);
+                sum.kinetic_energy += element.kinetic_energy(motions);
+                sum.strain_energy += element.strain_energy(motions, block.histories(state, e));
+                sum.gravity_potential += element.gravity_potential(motions, gravity);
+                sum.momentum.linear += momentum.linear;
+                sum.momentum.angular += momentum.angular;
             }
+            parts[part] = sum;
         });
         for (const Balance& part : parts) balance += part;
     });

@@ -56,7 +56,7 @@ std::vector<NodeGroup> make_net_groups(int width, int height) {
 
 SparsePattern make_net_pattern(int width, int height) {
     Model model;
-    model.nodes.resize(static_cast<std::size_t>(width * height));
+    model.nodes.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     const Supports none(model);
     return compute_pattern(EquationNumbers(none), make_net_groups(width, height));
 }
