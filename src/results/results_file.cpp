@@ -84,7 +84,9 @@ void ResultsFile::write_frame(const Snapshot& snapshot) {
 
 bool ResultsFile::is_flush_due() const { return writer_->is_flush_due(); }
 
-void ResultsFile::set_restart(RestartRecord record) { writer_->set_restart(std::move(record)); }
+void ResultsFile::set_restart(RestartRecord record) {
+    writing(path_, [&] { writer_->set_restart(std::move(record)); });
+}
 
 void ResultsFile::flush() {
     writing(path_, [&] { writer_->flush(); });

@@ -52,7 +52,7 @@ void ResultsTables::append_frame(const Snapshot& snapshot) {
 }
 
 void ResultsTables::set_restart(RestartRecord record) {
-    restart_place_ = RestartPlace{std::move(record), step_count_, frame_count_};
+    restart_.write({std::move(record), step_count_, frame_count_});
 }
 
 void ResultsTables::flush_rows() {
@@ -60,8 +60,6 @@ void ResultsTables::flush_rows() {
     ledger_.flush();
     solver_.flush();
     frames_.flush_frames();
-    if (restart_place_) restart_.write(*restart_place_);
-    restart_place_.reset();
 }
 
 void ResultsTables::flush_frame_count() { frames_.flush_count(); }

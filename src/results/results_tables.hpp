@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 
 #include "model/deck_record.hpp"
 #include "results/frame_table.hpp"
@@ -47,7 +46,6 @@ class ResultsTables {
     FrameTable frames_;
     RestartTable restart_;
     hsize_t step_count_, frame_count_;
-    std::optional<RestartPlace> restart_place_;  // to be written
 };
 
 }  // namespace gxrod
