@@ -29,11 +29,11 @@ struct RunRequest {
     const OutputSettings& output;
     const DeckRecord& deck;
     std::optional<ResultsFileOptions> results;  // nowhere, if neither this nor `resumed` is given
-    ResumableFile* resumed = nullptr;  // taken over, to go on with it instead of writing a new file
+    ResumableFile* resumed = nullptr;           // taken over, to go on with it instead of writing a new file
     std::function<void(const Progress&)> report_progress = [](const Progress&) {};
     std::function<void(double)> report_resumption = [](double) {};  // the time where it goes on
     std::function<bool()> is_interrupted = [] { return false; };    // asked after each step
-    int threads = 1;  // their number changes no result
+    int threads = 1;                                                // their number changes no result
     // Each accepted step, t = 0 included; without frames' values of elements.
     std::function<void(const Snapshot&, const LedgerRow&)> observe = {};
 };

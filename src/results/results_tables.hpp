@@ -1,6 +1,5 @@
 #pragma once
 
-
 #include "model/deck_record.hpp"
 #include "results/frame_table.hpp"
 #include "results/history_table.hpp"
