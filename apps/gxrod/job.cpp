@@ -87,9 +87,10 @@ bool examine(const JobOptions& options, const Problem& problem) {
 
 void add_job_options(CLI::App& verb, JobOptions& options) {
     constexpr int most_threads = 1024;
-    verb.add_option("--threads",
-                    options.threads,
-                    "Threads that share the work of one run, of which none changes a result; 1 unless told")
+    verb.add_option(
+            "--threads",
+            options.threads,
+            "Threads that share the work of one run; results are the same for any number. 1 unless told")
         ->check(CLI::Range(1, most_threads));
     verb.add_option(
         "--summary", options.summary, "Write a summary of the run as JSON to a file, or - for stdout");

@@ -43,8 +43,8 @@ struct RelativeRotation {
 // The model as one system of equations: what the parts become together. Holds no state.
 class System {
   public:
-    // The model must outlive the system, and so must the threads that share its work, of which none change
-    // any result.
+    // The model must outlive the system, and so must the threads that share its work; their number
+    // changes no result.
     explicit System(const Model& model, const ThreadTeam& team = ThreadTeam::alone());
     System(const Model& model, const Kernels& kernels, const ThreadTeam& team = ThreadTeam::alone());
     System(const System&) = delete;  // its parts point at each other
