@@ -6,8 +6,10 @@
 #include "deck/suggestion.hpp"
 #include "exit_code.hpp"
 #include "figures.hpp"
+#include "solvers/phase_timer.hpp"
 #include "verbs.hpp"
 #include "verification/study.hpp"
+#include "verification/validation_table.hpp"
 
 namespace gxrod {
 
@@ -43,6 +45,35 @@ std::vector<const Study*> choose_studies(const VerifyArguments& arguments) {
     return chosen;
 }
 
+StudyResult run_study(const Study& study, const VerifyArguments& arguments, double& seconds) {
+    const PhaseTimer timer(seconds);
+    return study.run({arguments.steps, arguments.figures});
+}
+
+void add_to(ValidationTotals& totals, const StudyResult& result, double seconds) {
+    ++totals.studies;
+    totals.checks += result.checks.size();
+    totals.missed += static_cast<std::size_t>(std::count_if(
+        result.checks.begin(), result.checks.end(), [](const Check& check) { return !check.passed(); }));
+    totals.seconds += seconds;
+}
+
+nlohmann::ordered_json describe_check(const Study& study, const Check& check, double seconds) {
+    nlohmann::ordered_json json{
+        {"case", study.name}, {"kind", study.kind}, {"source", study.source}, {"case_seconds", seconds}};
+    json.update(to_json(check));
+    return json;
+}
+
+void tell(const VerifyArguments& arguments, const Study& study, const StudyResult& result, double seconds) {
+    if (arguments.all) {
+        fmt::print("{}", describe_checks(study, result, seconds));
+    } else {
+        fmt::print("{}: {}\n{}\n", study.name, study.sentence, result.table);
+    }
+    std::fflush(stdout);
+}
+
 int verify(const VerifyArguments& arguments) {
     if (arguments.list) {
         std::size_t width = 0;
@@ -50,18 +81,24 @@ int verify(const VerifyArguments& arguments) {
         for (const Study& study : studies()) fmt::print("{:<{}}  {}\n", study.name, width, study.sentence);
         return exit_done;
     }
-    bool matches = true;
+    ValidationTotals totals;
     nlohmann::ordered_json json;
+    nlohmann::ordered_json checks = nlohmann::ordered_json::array();
+    if (arguments.all && !arguments.json) fmt::print("{}", validation_head());
     for (const Study* study : choose_studies(arguments)) {
-        const StudyResult result = study->run({arguments.steps, arguments.figures});
-        matches = matches && result.matches;
+        double seconds = 0.0;
+        const StudyResult result = run_study(*study, arguments, seconds);
+        add_to(totals, result, seconds);
         json[study->name] = result.json;
-        if (!arguments.json) fmt::print("{}: {}\n{}\n", study->name, study->sentence, result.table);
-        if (!result.matches) fmt::print(stderr, "gxrod: {} missed its reference\n", study->name);
+        for (const Check& check : result.checks) checks.push_back(describe_check(*study, check, seconds));
+        if (!arguments.json) tell(arguments, *study, result, seconds);
+        if (!result.matches()) fmt::print(stderr, "gxrod: {} missed its reference\n", study->name);
     }
+    json["checks"] = checks;
     if (arguments.json) fmt::print("{}\n", json.dump(2));
+    if (arguments.all && !arguments.json) fmt::print("{}", describe_totals(totals));
     if (!arguments.figures.empty()) draw_figures(arguments.figures);
-    return matches ? exit_done : exit_verification;
+    return totals.missed == 0 ? exit_done : exit_verification;
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 
 #include "verification/deck_run.hpp"
@@ -13,10 +12,9 @@ namespace gxrod {
 
 namespace {
 
-constexpr double order_tolerance = 0.3;
 constexpr double same_time = 1e-9;  // relative to the end of the run
 
-double distance(const std::vector<double>& reference, const double* values) {
+double distance(const std::vector<double>& reference, const std::vector<double>& values) {
     double sum = 0.0;
     for (std::size_t i = 0; i < reference.size(); ++i) {
         if (!std::isnan(reference[i])) sum += (values[i] - reference[i]) * (values[i] - reference[i]);
@@ -37,62 +35,29 @@ Vec3 ledger_value(const std::string& quantity, const LedgerRow& row) {
     throw std::runtime_error("the ledger has no " + quantity);
 }
 
-// The error of a value now; nothing if its time is another.
-std::optional<double> find_error(const BenchmarkValue& value, DeckRun& run) {
-    if (std::abs(run.analysis().state().time - value.time) > same_time * run.end_time()) return std::nullopt;
-    const double error =
-        value.source == "ledger"
-            ? distance(value.reference, ledger_value(value.quantity, run.analysis().ledger_row()).data())
-            : distance(value.reference, run.value(value.source, value.quantity).data());
-    return error / value.scale;
+bool is_due(const BenchmarkValue& value, const DeckRun& run) {
+    return value.is_constant || std::abs(run.time() - value.time) <= same_time * run.end_time();
 }
 
-struct Row {
-    std::string refinement;
-    std::string overrides;
-    BenchmarkRun run;
-    std::optional<double> order;  // none of the first of a refinement, nor below the floor
-};
-
-// log₂ of the fall of the error; refinements double elements or steps from row to row.
-std::optional<double> find_order(const Refinement& refinement, double before, double now) {
-    if (before <= refinement.floor || now <= refinement.floor) return std::nullopt;
-    return std::log2(before / now);
-}
-
-bool add_rows(const Benchmark& benchmark, const Refinement& refinement, std::vector<Row>& rows) {
-    bool matches = true;
-    double before = 0.0;
-    for (std::size_t i = 0; i < refinement.rows.size(); ++i) {
-        Row row{refinement.name,
-                fmt::format("{}", fmt::join(refinement.rows[i], " ")),
-                run_benchmark(benchmark, refinement.rows[i]),
-                std::nullopt};
-        if (i > 0) row.order = find_order(refinement, before, row.run.error);
-        before = row.run.error;
-        rows.push_back(row);
+FoundValue find_value(const BenchmarkValue& value, DeckRun& run) {
+    FoundValue found;
+    if (value.source == "ledger") {
+        const Vec3 row = ledger_value(value.quantity, run.analysis().ledger_row());
+        found.value.assign(row.begin(), row.end());
+    } else {
+        const HistoryPoint::Row row = run.value(value.source, value.quantity);
+        found.value.assign(row.begin(), row.end());
     }
-    const Row& last = rows.back();
-    if (refinement.tolerance > 0.0) matches = last.run.error <= refinement.tolerance;
-    // The finest pair of rows above the floor shows the order.
-    std::optional<double> order;
-    for (std::size_t i = rows.size() - refinement.rows.size(); i < rows.size(); ++i) {
-        if (rows[i].order) order = rows[i].order;
+    found.value.resize(value.reference.size());
+    found.error = distance(value.reference, found.value) / value.scale;
+    // Of a quaternion, both signs are the same rotation.
+    if (value.reference.size() == 4) {
+        std::vector<double> other = found.value;
+        for (double& component : other) component = -component;
+        const double error = distance(value.reference, other) / value.scale;
+        if (error < found.error) found = {other, error};
     }
-    if (refinement.order > 0.0 && order) matches = matches && *order >= refinement.order - order_tolerance;
-    return matches;
-}
-
-nlohmann::ordered_json to_json(const Row& row) {
-    return {{"refinement", row.refinement},
-            {"set", row.overrides},
-            {"unknowns", row.run.unknowns},
-            {"steps", row.run.steps},
-            {"newton_iterations", row.run.newton_iterations},
-            {"seconds", row.run.seconds},
-            {"error", row.run.error},
-            {"order", row.order ? nlohmann::ordered_json(*row.order) : nlohmann::ordered_json()},
-            {"energy_error", row.run.energy_error}};
+    return found;
 }
 
 }  // namespace
@@ -100,14 +65,15 @@ nlohmann::ordered_json to_json(const Row& row) {
 BenchmarkRun run_benchmark(const Benchmark& benchmark, const std::vector<std::string>& overrides) {
     DeckRun run(benchmark.name, benchmark.deck, overrides);
     BenchmarkRun result;
+    result.values.resize(benchmark.values.size());
     std::vector<bool> found(benchmark.values.size(), false);
     run.run([&] {
         result.energy_error =
             std::max(result.energy_error, std::abs(run.analysis().ledger_row().energy_error));
         for (std::size_t i = 0; i < found.size(); ++i) {
-            const std::optional<double> error = find_error(benchmark.values[i], run);
-            if (!error) continue;
-            result.error = std::max(result.error, *error);
+            if (!is_due(benchmark.values[i], run)) continue;
+            FoundValue now = find_value(benchmark.values[i], run);
+            if (!found[i] || !(now.error < result.values[i].error)) result.values[i] = std::move(now);
             found[i] = true;
         }
     });
@@ -116,35 +82,11 @@ BenchmarkRun run_benchmark(const Benchmark& benchmark, const std::vector<std::st
         throw std::runtime_error(fmt::format(
             "{}: no step ends at t = {}, where a value is known", benchmark.name, benchmark.values[i].time));
     }
+    for (const FoundValue& value : result.values) result.error = std::fmax(result.error, value.error);
     result.unknowns = run.analysis().system().equations().count();
     result.steps = run.steps();
     result.newton_iterations = run.newton_iterations();
     result.seconds = run.seconds();
-    return result;
-}
-
-StudyResult report_benchmark(const Benchmark& benchmark) {
-    StudyResult result;
-    result.json = nlohmann::ordered_json::array();
-    std::vector<Row> rows;
-    for (const Refinement& refinement : benchmark.refinements) {
-        const bool matches = add_rows(benchmark, refinement, rows);
-        if (!matches) rows.back().refinement += " MISSED";
-        result.matches = result.matches && matches;
-    }
-    result.table = fmt::format(
-        "{:>9}{:>7}{:>8}{:>11}{:>7}  {}\n", "unknowns", "steps", "Newton", "error", "order", "refinement");
-    for (const Row& row : rows) {
-        result.json.push_back(to_json(row));
-        result.table += fmt::format("{:>9}{:>7}{:>8}{:>11.2e}{:>7}  {}: {}\n",
-                                    row.run.unknowns,
-                                    row.run.steps,
-                                    row.run.newton_iterations,
-                                    row.run.error,
-                                    row.order ? fmt::format("{:.2f}", *row.order) : "-",
-                                    row.refinement,
-                                    row.overrides);
-    }
     return result;
 }
 

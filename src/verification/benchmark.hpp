@@ -15,8 +15,10 @@ struct BenchmarkValue {
     std::string source;  // a [[history]] of the deck, or "ledger"
     std::string quantity;
     double time = 0.0;
+    bool is_constant = false;       // the reference is for every step, and the worst of them counts
     std::vector<double> reference;  // a component that is no number is not compared
     double scale = 1.0;             // errors are divided by it
+    double uncertainty = 0.0;       // of the reference; 0: exact
 };
 
 // Runs of one deck with more and more elements or steps.
@@ -31,7 +33,9 @@ struct Refinement {
 struct Benchmark {
     std::string name;
     std::string sentence;
-    std::string deck;  // its text
+    std::string kind;    // "statics", "dynamics", "rigid body", "objectivity", "conservation"
+    std::string source;  // of the problem, and how the reference was found
+    std::string deck;    // its text
     std::vector<BenchmarkValue> values;
     std::vector<Refinement> refinements;
 };
@@ -39,8 +43,15 @@ struct Benchmark {
 // Throws DeckError where `reference` does not say what it must.
 Benchmark read_benchmark(const std::string& name, const std::string& deck, const std::string& reference);
 
+// A value of a run and its distance from the reference, Euclidean, divided by the scale.
+struct FoundValue {
+    std::vector<double> value;
+    double error = 0.0;
+};
+
 struct BenchmarkRun {
-    double error = 0.0;  // the largest over the values: Euclidean, divided by their scale
+    std::vector<FoundValue> values;  // those of the benchmark
+    double error = 0.0;              // the largest of them
     long unknowns = 0;
     long steps = 0;
     long newton_iterations = 0;

@@ -19,6 +19,7 @@ class DeckRun {
 
     const Problem& problem() const { return problem_; }
     SteppedAnalysis& analysis() { return *analysis_; }
+    double time() const { return analysis_->state().time; }
     double end_time() const;
 
     // Runs to the end and calls visit at the start and after each accepted step. Throws std::runtime_error if

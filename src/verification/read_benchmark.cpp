@@ -6,8 +6,10 @@
 #include "verification/benchmark.hpp"
 
 // The keys of a reference.toml:
-//   sentence = "…"
-//   [[value]]       history = "tip" (or ledger = true), quantity, time, is = number or vector, scale = 1
+//   sentence, kind, source = "…"
+//   [[value]]       history = "tip" (or ledger = true), quantity, time = 1 (or "all": every step), is =
+//   number or
+//                   vector, scale = 1, uncertainty = 0
 //   [[refinement]]  name, set = ["KEY=VALUE"] for all rows, rows = [["KEY=VALUE"], …], order, tolerance,
 //   floor
 namespace gxrod {
@@ -20,11 +22,20 @@ class ReferenceReader {
 
     Benchmark read() {
         Benchmark benchmark;
-        allow(*root_, {"sentence", "value", "refinement"});
+        allow(*root_, {"sentence", "kind", "source", "value", "refinement"});
         benchmark.sentence = text(*root_, "sentence");
+        benchmark.kind = text(*root_, "kind");
+        benchmark.source = text(*root_, "source");
         for (const DeckNode& table : tables("value")) benchmark.values.push_back(read_value(table));
         for (const DeckNode& table : tables("refinement")) {
             benchmark.refinements.push_back(read_refinement(table));
+        }
+        const std::vector<Refinement>& refinements = benchmark.refinements;
+        if (std::none_of(refinements.begin(), refinements.end(), [](const Refinement& refinement) {
+                return refinement.tolerance > 0.0;
+            })) {
+            faults_.add(
+                root_->place, "refinement", "one must have a tolerance, for the values to be held to");
         }
         faults_.throw_if_any();
         return benchmark;
@@ -82,7 +93,7 @@ class ReferenceReader {
         } else {
             for (const DeckNode& element : *node->array()) values.push_back(number(element, key));
         }
-        if (values.size() > 3) faults_.add(node->place, key, "expected at most 3 numbers");
+        if (values.size() > 4) faults_.add(node->place, key, "expected at most 4 numbers");
         return values;
     }
 
@@ -102,14 +113,21 @@ class ReferenceReader {
         return values;
     }
 
+    bool is_word(const DeckNode& table, const std::string& key, const std::string& word) const {
+        const DeckNode* node = find(table, key);
+        return node != nullptr && node->text() != nullptr && *node->text() == word;
+    }
+
     BenchmarkValue read_value(const DeckNode& table) {
-        allow(table, {"history", "ledger", "quantity", "time", "is", "scale"});
+        allow(table, {"history", "ledger", "quantity", "time", "is", "scale", "uncertainty"});
         BenchmarkValue value;
         value.source = table.find("ledger") != nullptr ? "ledger" : text(table, "history");
         value.quantity = text(table, "quantity");
-        value.time = number_or(table, "time", 1.0);
+        value.is_constant = is_word(table, "time", "all");
+        if (!value.is_constant) value.time = number_or(table, "time", 1.0);
         value.reference = numbers(table, "is");
         value.scale = number_or(table, "scale", 1.0);
+        value.uncertainty = number_or(table, "uncertainty", 0.0);
         return value;
     }
 

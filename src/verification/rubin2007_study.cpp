@@ -97,13 +97,15 @@ Trace run_integrator(StudyScheme scheme, long steps) {
     return trace;
 }
 
-// Within half a unit of the last of `digits` significant digits.
 bool agrees(double value, double reference, int digits) {
-    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(reference))) - (digits - 1));
-    return std::abs(value - reference) <= 0.5 * unit;
+    return std::abs(value - reference) <= half_unit(reference, digits);
 }
 
 }  // namespace
+
+double half_unit(double reference, int digits) {
+    return 0.5 * std::pow(10.0, std::floor(std::log10(std::abs(reference))) - (digits - 1));
+}
 
 std::string name_of(StudyScheme scheme) {
     switch (scheme) {
@@ -129,7 +131,7 @@ Comparison compare(const Row& row) {
     for (const Reference& reference : references()) {
         if (reference.scheme != row.scheme || reference.steps != row.steps) continue;
         if (reference.diverges || row.diverged) return {&reference, reference.diverges == row.diverged};
-        bool matches = agrees(row.errors->orientation, reference.errors.orientation, 5);
+        bool matches = agrees(row.errors->orientation, reference.errors.orientation, orientation_digits);
         if (reference.errors.momentum > 0.0) {
             const int digits = reference.momentum_digits;
             matches = matches && agrees(row.errors->momentum, reference.errors.momentum, digits) &&

@@ -49,6 +49,10 @@ struct Reference {
     int momentum_digits = 5;
 };
 const std::vector<Reference>& references();
+inline constexpr int orientation_digits = 5;
+
+// Half a unit of the last of so many significant digits.
+double half_unit(double reference, int digits);
 
 struct Comparison {
     const Reference* reference = nullptr;  // null if there is none

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "verification/check.hpp"
+
 // Built-in verification studies: what `gxrod verify NAME` runs.
 namespace gxrod {
 
@@ -17,12 +19,16 @@ struct StudyOptions {
 struct StudyResult {
     nlohmann::ordered_json json;  // the rows, as --json writes them under the study's name
     std::string table;            // the same for a reader
-    bool matches = true;          // whether every value with a reference agrees with it
+    std::vector<Check> checks;    // what was compared with what
+
+    bool matches() const;  // whether no check failed
 };
 
 struct Study {
     std::string name;
     std::string sentence;  // what it shows
+    std::string kind;      // of mechanics: "statics", "dynamics", "rigid body", …
+    std::string source;    // of the problem and of its reference
     std::function<StudyResult(const StudyOptions&)> run;
 };
 

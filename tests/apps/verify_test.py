@@ -3,6 +3,8 @@
 import json
 import unittest
 
+import numpy as np
+
 from program import ProgramTest
 
 
@@ -32,6 +34,17 @@ class Verify(ProgramTest):
         self.assertIn("0.850934", table)
         self.assertIn("agrees", table)
         self.assertNotIn("MISSED", table)
+
+    def test_checks_as_json(self):
+        found = json.loads(self.gxrod("verify", "bend_45", "composite", "--json").stdout)
+        self.assertEqual({check["case"] for check in found["checks"]}, {"bend_45", "composite"})
+        check = next(check for check in found["checks"] if check["what"] == "end position, t = 1; order 4")
+        self.assertEqual((check["kind"], check["passed"]), ("statics", True))
+        self.assertIn("Bathe & Bolourchi (1979)", check["source"])
+        self.assertEqual(check["reference"], [46.891924953, 15.557785914, 53.607369177])
+        self.assertEqual(check["uncertainty"], 5e-10)
+        self.assertLess(np.linalg.norm(np.subtract(check["value"], check["reference"])), 1e-8)
+        self.assertLess(check["error"], check["tolerance"])
 
     def test_figures(self):
         self.gxrod("verify", "rubin2007", "--steps", "50,100,200", "--figures", "figures")
