@@ -10,6 +10,7 @@
 #include "verbs.hpp"
 #include "verification/study.hpp"
 #include "verification/validation_table.hpp"
+#include "verify_deck.hpp"
 
 namespace gxrod {
 
@@ -22,7 +23,16 @@ struct VerifyArguments {
     bool all = false;
     bool list = false;
     bool json = false;
+    VerifyDeckArguments own;
 };
+
+// Whether a name is that of a file, and of no study.
+bool is_deck(const std::string& name) {
+    for (const Study& study : studies()) {
+        if (study.name == name) return false;
+    }
+    return std::filesystem::path(name).has_extension() || std::filesystem::exists(name);
+}
 
 std::vector<const Study*> choose_studies(const VerifyArguments& arguments) {
     std::vector<const Study*> chosen;
@@ -74,7 +84,12 @@ void tell(const VerifyArguments& arguments, const Study& study, const StudyResul
     std::fflush(stdout);
 }
 
-int verify(const VerifyArguments& arguments) {
+int verify(VerifyArguments& arguments) {
+    if (arguments.names.size() == 1 && is_deck(arguments.names.front())) {
+        arguments.own.deck = arguments.names.front();
+        arguments.own.json = arguments.json;
+        return verify_deck(arguments.own);
+    }
     if (arguments.list) {
         std::size_t width = 0;
         for (const Study& study : studies()) width = std::max(width, study.name.size());
@@ -101,21 +116,42 @@ int verify(const VerifyArguments& arguments) {
     return totals.missed == 0 ? exit_done : exit_verification;
 }
 
+void add_study_options(CLI::App& verb, VerifyArguments& arguments) {
+    verb.add_option("--steps", arguments.steps, "Numbers of steps of rubin2007 [50,100,200,400,800,1600]")
+        ->delimiter(',')
+        ->check(CLI::Range(2L, 10'000'000L));
+    verb.add_option(
+        "--figures", arguments.figures, "Write data and pictures of the paper's figures to this folder");
+}
+
+void add_deck_options(CLI::App& verb, VerifyDeckArguments& own) {
+    verb.add_option("--set", own.overrides, "KEY=VALUE: change a key of the deck")->allow_extra_args(false);
+    verb.add_option(
+            "--levels",
+            own.levels,
+            "How often steps and mesh are halved; with 1 orders are assumed, not seen, at half the cost [2]")
+        ->check(CLI::Range(1, 2));
+    verb.add_option(
+            "--tolerance", own.tolerance, "Errors that are called right, by the largest change [0.01]")
+        ->check(CLI::PositiveNumber);
+    verb.add_option("--seed", own.seed, "Of the random rotation of the deck [1]");
+}
+
 }  // namespace
 
 void add_verify_verb(CLI::App& program, int& exit_code) {
     auto arguments = std::make_shared<VerifyArguments>();
-    CLI::App* verb = program.add_subcommand("verify", "Run built-in verification studies");
-    verb->add_option("NAME", arguments->names, "Studies; --list names them");
-    verb->add_option("--steps", arguments->steps, "Numbers of steps of rubin2007 [50,100,200,400,800,1600]")
-        ->delimiter(',')
-        ->check(CLI::Range(2L, 10'000'000L));
-    verb->add_option(
-        "--figures", arguments->figures, "Write data and pictures of the paper's figures to this folder");
-    verb->add_flag("--all", arguments->all, "Run every study");
+    CLI::App* verb = program.add_subcommand(
+        "verify", "Run built-in verification studies, or examine a deck by running it in several ways");
+    verb->add_option("NAME", arguments->names, "Studies, which --list names; or a deck (TOML)");
+    verb->add_flag("--all", arguments->all, "Run every study, and print a table of all that is compared");
     verb->add_flag("--list", arguments->list, "List the studies");
     verb->add_flag("--json", arguments->json, "Print JSON instead of tables");
-    verb->footer("Exit code 5 if a value misses its reference.");
+    add_study_options(*verb, *arguments);
+    add_deck_options(*verb, arguments->own);
+    verb->footer(
+        "Exit code 5 if a value misses its reference; of a deck, if its motion depends on orientation,\n"
+        "resuming or threads.");
     verb->callback([arguments, &exit_code] { exit_code = verify(*arguments); });
 }
 

@@ -45,6 +45,10 @@ class SteppedAnalysis {
     // Of the last accepted state; valid until the next step. With the sections of all elements only if asked
     // for.
     Snapshot snapshot(bool with_elements = true);
+    // Of what acts from outside on the last accepted state; in dynamics it is the rate of the momenta.
+    Resultant outer_resultant() const {
+        return system_.compute_outer_resultant(state_, state_.time, reactions_);
+    }
 
   protected:
     // The model must outlive the analysis; so many threads share its work.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "assembly/element_block.hpp"
@@ -32,6 +33,12 @@ struct Balance {
 struct WorkingForces {
     std::vector<Vec6> driving;  // loads, what moving supports exert, gravity where it changes with time
     std::vector<Vec6> damping;  // empty without damping
+};
+
+// The sum of forces, and of their moments about the origin.
+struct Resultant {
+    Vec3 force = Vec3::Zero();
+    Vec3 moment = Vec3::Zero();
 };
 
 // How far nodes of one element are turned against each other, at most, and a node of that element.
@@ -90,6 +97,9 @@ class System {
     WorkingForces compute_working_forces(const State& state, double time, const Residual& residual) const;
     // The residual of held components, those that supports exert; global axes.
     std::vector<Vec6> compute_reactions(const Residual& residual) const;
+    // Of all that acts from outside: loads, gravity, damping and what supports exert; of the trial motions.
+    // It is the rate of the momenta.
+    Resultant compute_outer_resultant(const State& state, double time, std::span<const Vec6> reactions) const;
     // Of all rod elements, rods in the order of the model, from start to end; of the trial motions.
     std::vector<SectionValues> compute_section_values(const State& state) const;
     // Of points of rods, of the trial motions; section forces are those of an equilibrium at `time`.

@@ -101,6 +101,38 @@ WorkingForces System::compute_working_forces(const State& state,
     return forces;
 }
 
+Resultant System::compute_outer_resultant(const State& state,
+                                          double time,
+                                          std::span<const Vec6> reactions) const {
+    Residual loads;
+    loads.nodal.assign(state.trial.size(), Vec6::Zero());
+    add_loads(state, time, loads);
+    // What is asked of the nodes beside their inertia: the opposite of what acts on them.
+    std::vector<Vec6> asked = std::move(loads.nodal);
+    const Vec3 gravity = model_->gravity(time);
+    for_each_block(blocks_, [&](const auto& block) {
+        constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
+        block.phases.run(*team_, [&](std::size_t part) {
+            for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
+                const auto& element = block.elements[e];
+                const auto motions = block.motions(state.trial, e);
+                NodalVector<node_count> force = -compute_gravity_force(element, motions, gravity);
+                if (block.is_damped) {
+                    element.add_damping_force(motions, block.histories(state, e), force);
+                }
+                add_to_nodes<node_count>(force, element.nodes, asked);
+            }
+        });
+    });
+    Resultant sum;
+    for (std::size_t i = 0; i < asked.size(); ++i) {
+        const Vec6 acting = reactions[i] - asked[i];
+        sum.force += acting.head<3>();
+        sum.moment += acting.tail<3>() + state.trial[i].r.cross(acting.head<3>());
+    }
+    return sum;
+}
+
 std::vector<Vec6> System::compute_reactions(const Residual& residual) const {
     std::vector<Vec6> reactions(residual.nodal.size(), Vec6::Zero());
     for (const Support& support : model_->supports) {

@@ -5,7 +5,7 @@
 
 #include "model/model.hpp"
 #include "model/settings.hpp"
-#include "results/quantity.hpp"
+#include "results/point_kind.hpp"
 #include "results/step_record.hpp"
 
 namespace gxrod {

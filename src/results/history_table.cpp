@@ -1,5 +1,7 @@
 #include "results/history_table.hpp"
 
+#include "results/quantity.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <stdexcept>

@@ -3,6 +3,7 @@
 #include "model/settings.hpp"
 #include "results/append_dataset.hpp"
 #include "results/hdf5_objects.hpp"
+#include "results/point_kind.hpp"
 
 namespace gxrod {
 
@@ -12,8 +13,6 @@ struct QuantityForm {
     RowShape shape;
 };
 
-// `of_body`: what the description of a rotation says, since a body's is its attitude.
-enum class PointKind { rod, body };
 QuantityForm quantity_form(Quantity quantity, PointKind kind);
 // The same of a history that is relative to a point, which the frame names.
 QuantityForm relative_quantity_form(Quantity quantity, PointKind kind, const std::string& relative_to);

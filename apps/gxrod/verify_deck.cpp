@@ -1,0 +1,79 @@
+#include "verify_deck.hpp"
+
+#include <fmt/core.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+
+#include "analyses/model_examination.hpp"
+#include "exit_code.hpp"
+#include "verification/deck_study_text.hpp"
+
+namespace gxrod {
+
+namespace {
+
+volatile std::sig_atomic_t is_asked_to_end = 0;
+
+// The first signal ends the study after the step at hand, with what is known; the second ends it at once.
+extern "C" void ask_study_to_end(int signal) {
+    is_asked_to_end = 1;
+    std::signal(signal, SIG_DFL);
+}
+
+// Tells of what is suspicious; whether the model can be run.
+bool examine(const Problem& problem, const std::string& deck) {
+    const std::vector<Finding> findings = examine_model(problem.model, problem.analysis);
+    for (const Finding& finding : findings) {
+        if (finding.severity != Severity::note) fmt::print(stderr, "{}: {}\n", deck, describe(finding));
+    }
+    return !has_error(findings);
+}
+
+void tell_run(const VariantRun& run, double cost_of_rest) {
+    fmt::print("{}", describe_run(run));
+    if (run.variant.kind == VariantKind::as_it_is && run.is_whole())
+        fmt::print("  the others will take about {:.2g} s\n", cost_of_rest * run.seconds);
+    std::fflush(stdout);
+}
+
+int exit_code_of(const DeckStudy& study) {
+    if (!study.runs.empty() && !study.runs.front().is_whole()) return exit_not_converged;
+    if (study.is_interrupted) return exit_interrupted;
+    return study.is_sound() ? exit_done : exit_verification;
+}
+
+}  // namespace
+
+int verify_deck(const VerifyDeckArguments& arguments) {
+    const DeckTemplate deck(arguments.deck);
+    const Problem problem = deck.build(arguments.overrides);
+    if (!examine(problem, arguments.deck)) return exit_bad_input;
+    const std::vector<DeckVariant> variants = list_variants(problem, arguments.levels);
+    std::signal(SIGINT, ask_study_to_end);
+    std::signal(SIGTERM, ask_study_to_end);
+    DeckStudyOptions options;
+    options.levels = arguments.levels;
+    options.seed = arguments.seed;
+    options.tolerance = arguments.tolerance;
+    options.is_interrupted = [] { return is_asked_to_end != 0; };
+    if (!arguments.json) {
+        if (!problem.record.title.empty()) fmt::print("{}\n", problem.record.title);
+        fmt::print("{}{}", describe_plan(variants), run_head());
+        std::fflush(stdout);
+        options.report_run = [&](const VariantRun& run) { tell_run(run, total_cost(variants) - 1.0); };
+    }
+    const DeckStudy study = study_deck(deck, arguments.overrides, variants, options);
+    if (arguments.json) {
+        fmt::print("{}\n", to_json(study, false).dump(2));
+    } else if (!study.runs.empty()) {
+        if (study.runs.front().is_whole())
+            fmt::print("\n{}\n{}", describe_errors(study), describe_properties(study));
+        fmt::print("\n");
+        for (const std::string& sentence : judge(study)) fmt::print("- {}\n", sentence);
+    }
+    return exit_code_of(study);
+}
+
+}  // namespace gxrod

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gxrod {
+
+struct VerifyDeckArguments {
+    std::string deck;
+    std::vector<std::string> overrides;
+    int levels = 2;
+    unsigned seed = 1;
+    double tolerance = 0.01;
+    std::string page;  // empty: none
+    bool json = false;
+};
+
+// Examines a user's deck and tells; the exit code.
+int verify_deck(const VerifyDeckArguments& arguments);
+
+}  // namespace gxrod

@@ -1,0 +1,222 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "verification/deck_study_text.hpp"
+
+namespace gxrod {
+
+namespace {
+
+constexpr double order_slack = 0.5;  // below the scheme's order, before it is called lower
+constexpr double most_refinement = 64.0;
+
+// "0.3 %", and of what is small "2e-07".
+std::string describe_share(double share) {
+    return share >= 1e-4 ? fmt::format("{:.2g} %", 100.0 * share) : fmt::format("{:.0e}", share);
+}
+
+// What step or mesh adds to the series that it adds most to.
+struct Worst {
+    const SeriesReport* report = nullptr;
+    double share = 0.0;
+};
+
+Worst find_worst(const DeckStudy& study, ErrorEstimate SeriesReport::*part) {
+    Worst worst;
+    for (const SeriesReport& report : study.series) {
+        const double share = report.relative((report.*part).largest());
+        if (worst.report == nullptr || share > worst.share) worst = {&report, share};
+    }
+    return worst;
+}
+
+double order_to_use(const ErrorEstimate& estimate, double expected) {
+    return std::clamp(estimate.order.value_or(expected), order_slack, expected);
+}
+
+// By what to refine for half of the tolerance: a whole number.
+double find_factor(double share, double tolerance, double order) {
+    return std::ceil(std::pow(share / (0.5 * tolerance), 1.0 / order) - 1e-9);
+}
+
+class Judge {
+  public:
+    explicit Judge(const DeckStudy& study) : study_(&study) {}
+
+    std::vector<std::string> judge() {
+        if (!study_->runs.front().is_whole()) {
+            say("The deck as it is does not reach its end, so nothing can be said of it: {}",
+                study_->runs.front().failure);
+            return sentences_;
+        }
+        if (study_->is_interrupted) say("Interrupted: of the runs that are missing nothing is said.");
+        judge_soundness();
+        judge_accuracy();
+        judge_steps();
+        judge_mesh();
+        judge_books();
+        tell_failures();
+        return sentences_;
+    }
+
+  private:
+    template <class... Values>
+    void say(fmt::format_string<Values...> format, Values&&... values) {
+        sentences_.push_back(fmt::format(format, std::forward<Values>(values)...));
+    }
+
+    void judge_soundness() {
+        for (const VariantKind kind : {VariantKind::resumed, VariantKind::two_threads}) {
+            const VariantRun* run = study_->find(kind);
+            if (run == nullptr || run->is_whole()) continue;
+            say("The run \"{}\" is not the same as the deck as it is: {}. This must not be; please report "
+                "it.",
+                run->variant.title,
+                run->failure);
+        }
+        if (!study_->is_sound() && std::all_of(study_->runs.begin(),
+                                               study_->runs.end(),
+                                               [](const VariantRun& run) { return run.is_whole(); })) {
+            say("The motion depends on how the model stands in space, by more than its errors. If no "
+                "expression "
+                "of the deck hides a direction, please report it.");
+        }
+    }
+
+    void judge_accuracy() {
+        std::vector<std::string> right;
+        for (const SeriesReport& report : study_->series) {
+            if (report.error <= study_->tolerance * report.scale) right.push_back(report.series.title());
+        }
+        const std::string goal = describe_share(study_->tolerance);
+        if (right.size() == study_->series.size()) {
+            say("All series are right to {} of their largest change.", goal);
+            return;
+        }
+        if (!right.empty()) say("Right to {} of their largest change: {}.", goal, fmt::join(right, ", "));
+        for (const SeriesReport& report : study_->series) {
+            if (report.error <= study_->tolerance * report.scale) continue;
+            const std::string size = describe_share(report.relative(report.error));
+            if (report.trusted_until > 0.0) {
+                say("Not right to {}: {}, which errs by {}; up to {} = {:.4g} it is.",
+                    goal,
+                    report.series.title(),
+                    size,
+                    study_->is_static ? "load factor" : "t",
+                    report.trusted_until);
+            } else {
+                say("Not right to {}: {}, which errs by {}.", goal, report.series.title(), size);
+            }
+        }
+    }
+
+    bool is_enough(const Worst& worst) const { return worst.share <= 0.5 * study_->tolerance; }
+
+    void judge_steps() {
+        const Worst worst = find_worst(*study_, &SeriesReport::steps);
+        if (worst.report == nullptr || !worst.report->steps.is_known()) return;
+        const ErrorEstimate& steps = worst.report->steps;
+        const std::string what = worst.report->series.title();
+        if (study_->is_static) {
+            if (worst.share > 1e-6) {
+                say("The state depends on the load steps by {} ({}). Elements objective do not; else this is "
+                    "a "
+                    "second equilibrium.",
+                    describe_share(worst.share),
+                    what);
+            }
+            return;
+        }
+        if (!steps.is_supported && steps.differences.size() > 1) {
+            say("Errors do not fall with the step ({}: {:.2g}, {:.2g}): these steps do not resolve the "
+                "motion, or "
+                "it is one in which errors grow without bound. Take shorter steps before anything else.",
+                what,
+                steps.differences[0],
+                steps.differences[1]);
+            return;
+        }
+        if (steps.order && *steps.order < study_->expected_order - order_slack) {
+            say("Errors fall with the step with order {:.1f}, less than the scheme's {:.0f} ({}): the steps "
+                "are "
+                "still too long for the fastest motion, or a load jumps.",
+                *steps.order,
+                study_->expected_order,
+                what);
+        }
+        if (is_enough(worst)) return;
+        advise(worst, steps, study_->expected_order, "step", "A step {:.0f} times as short");
+    }
+
+    void judge_mesh() {
+        const Worst worst = find_worst(*study_, &SeriesReport::mesh);
+        if (worst.report == nullptr || !worst.report->mesh.is_known()) return;
+        const ErrorEstimate& mesh = worst.report->mesh;
+        if (!mesh.is_supported && mesh.differences.size() > 1) {
+            say("Errors do not fall with the mesh ({}: {:.2g}, {:.2g}): it is too coarse for this motion, or "
+                "the "
+                "series has no limit, as a force has none at a front. Take more elements before anything "
+                "else.",
+                worst.report->series.title(),
+                mesh.differences[0],
+                mesh.differences[1]);
+            return;
+        }
+        if (is_enough(worst)) return;
+        advise(worst, mesh, 8.0, "mesh", "{:.0f} times as many elements");
+        const double raised = worst.report->relative(worst.report->order_difference);
+        if (raised > 0.0) {
+            say("Elements of the next order change {} by {}.",
+                worst.report->series.title(),
+                describe_share(raised));
+        }
+    }
+
+    void advise(const Worst& worst,
+                const ErrorEstimate& estimate,
+                double expected,
+                const char* name,
+                const char* remedy) {
+        const double order = order_to_use(estimate, expected);
+        const double factor = find_factor(worst.share, study_->tolerance, order);
+        const std::string what = fmt::format(
+            "The {} adds {} to {}. ", name, describe_share(worst.share), worst.report->series.title());
+        if (factor > most_refinement) {
+            sentences_.push_back(what + "No refinement within reach would mend that.");
+            return;
+        }
+        sentences_.push_back(
+            what + fmt::format(fmt::runtime(remedy), factor) +
+            fmt::format(" would bring that to {}.", describe_share(worst.share / std::pow(factor, order))));
+    }
+
+    void judge_books() {
+        const TraceBooks& books = study_->runs.front().books;
+        if (books.largest_energy <= 0.0) return;
+        const double share = books.largest_energy_error / books.largest_energy;
+        if (share > study_->tolerance) {
+            say("Energy is out of balance by {} of its largest value; halve the step until it is not.",
+                describe_share(share));
+        }
+    }
+
+    void tell_failures() {
+        for (const VariantRun& run : study_->runs) {
+            const bool must_be_equal =
+                run.variant.kind == VariantKind::resumed || run.variant.kind == VariantKind::two_threads;
+            if (run.is_whole() || must_be_equal) continue;
+            say("The run \"{}\" failed, so that estimates lack it: {}.", run.variant.title, run.failure);
+        }
+    }
+
+    const DeckStudy* study_;
+    std::vector<std::string> sentences_;
+};
+
+}  // namespace
+
+std::vector<std::string> judge(const DeckStudy& study) { return Judge(study).judge(); }
+
+}  // namespace gxrod

@@ -1,0 +1,309 @@
+#include "verification/deck_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "deck/sample_times.hpp"
+#include "rotation/rotation_map.hpp"
+#include "verification/resumed_run.hpp"
+#include "verification/series_differences.hpp"
+
+namespace gxrod {
+
+namespace {
+
+constexpr long most_samples = 2000;
+constexpr double round_off = 1e-9;  // of a series' scale: differences below it show no order
+// What turning a model may change, by the scale: solver tolerances, and a part of the error that is there
+// anyhow.
+constexpr double turned_tolerance = 1e-6;
+constexpr double turned_part = 0.01;
+
+Quat make_random_rotation(unsigned seed) {
+    std::mt19937 generator(seed);
+    std::normal_distribution<double> normal;
+    const auto next = [&] { return normal(generator); };
+    const double w = next(), x = next(), y = next(), z = next();
+    return Quat(w, x, y, z).normalized();
+}
+
+double order_of(const AnalysisSettings& analysis) {
+    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
+    if (dynamic == nullptr) return 1.0;
+    return dynamic->scheme == Scheme::sdirk_4 || dynamic->scheme == Scheme::runge_kutta_4 ? 4.0 : 2.0;
+}
+
+bool is_adaptive(const AnalysisSettings& analysis) {
+    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
+    return dynamic != nullptr && dynamic->adaptive.has_value();
+}
+
+// Of elements of order p, nodes converge with 2p.
+double mesh_order_of(const Model& model) {
+    int order = 4;
+    for (const Rod& rod : model.rods) order = std::min(order, rod.order);
+    return 2.0 * order;
+}
+
+double largest(const std::vector<double>& values) {
+    double most = 0.0;
+    for (const double value : values) most = std::fmax(most, value);
+    return most;
+}
+
+class DeckExaminer {
+  public:
+    DeckExaminer(const DeckTemplate& deck,
+                 const std::vector<std::string>& overrides,
+                 const DeckStudyOptions& options)
+        : deck_(&deck), overrides_(&overrides), options_(&options), base_problem_(build({})) {
+        const Problem& problem = base_problem_;
+        study_.title = problem.record.title;
+        study_.deck = deck.file();
+        study_.is_static = std::holds_alternative<StaticSettings>(problem.analysis);
+        study_.expected_order = order_of(problem.analysis);
+        study_.has_own_histories = !deck_has_no_histories_;
+        study_.tolerance = options.tolerance;
+        study_.times = sample_times(problem.analysis, most_samples);
+        study_.end_time = study_.times.back();
+        series_ = list_series(problem.output);
+        rotation_ = make_random_rotation(options.seed);
+        study_.rotation = log(rotation_);
+    }
+
+    DeckStudy examine(const std::vector<DeckVariant>& variants) {
+        try {
+            for (const DeckVariant& variant : variants) {
+                run(variant);
+                options_->report_run(study_.runs.back());
+                if (!study_.runs.front().is_whole()) break;
+            }
+        } catch (const StudyInterrupted&) {
+            study_.is_interrupted = true;
+        }
+        if (!base_.rows.empty()) report_series();
+        return std::move(study_);
+    }
+
+  private:
+    Problem build(const std::vector<std::string>& more) {
+        std::vector<std::string> all = *overrides_;
+        all.insert(all.end(), more.begin(), more.end());
+        Problem problem = deck_->build(all);
+        deck_has_no_histories_ = problem.output.histories.empty();
+        if (deck_has_no_histories_) problem.output.histories = make_end_histories(problem.model);
+        return problem;
+    }
+
+    void run(const DeckVariant& variant) {
+        VariantRun run;
+        run.variant = variant;
+        if (variant.kind == VariantKind::resumed) {
+            run_resumed(run);
+        } else {
+            run_whole(run);
+        }
+        study_.runs.push_back(run);
+    }
+
+    TraceRequest make_request(int threads) const {
+        return {series_, study_.times, threads, options_->is_interrupted};
+    }
+
+    void run_whole(VariantRun& run) {
+        Problem problem = build(run.variant.overrides);
+        if (run.variant.kind == VariantKind::turned) turn_problem(rotation_, problem);
+        const int threads = run.variant.kind == VariantKind::two_threads ? 2 : 1;
+        MotionTrace trace = trace_motion(problem, make_request(threads));
+        run.elements = trace.elements;
+        run.unknowns = trace.unknowns;
+        run.steps = trace.steps;
+        run.newton_iterations = trace.newton_iterations;
+        run.seconds = trace.seconds;
+        run.failure = trace.failure;
+        run.books = trace.books;
+        take(run, std::move(trace));
+    }
+
+    void take(VariantRun& run, MotionTrace trace) {
+        switch (run.variant.kind) {
+            case VariantKind::as_it_is:
+                base_ = std::move(trace);
+                break;
+            case VariantKind::finer_steps:
+                if (run.is_whole()) steps_.push_back(std::move(trace.rows));
+                break;
+            case VariantKind::finer_mesh:
+                if (run.is_whole()) meshes_.push_back(std::move(trace.rows));
+                break;
+            case VariantKind::higher_order:
+                order_differences_ = compare(trace, Quat::Identity());
+                break;
+            case VariantKind::simo:
+                simo_differences_ = compare(trace, Quat::Identity());
+                break;
+            case VariantKind::turned:
+                turned_differences_ = compare(trace, rotation_);
+                break;
+            case VariantKind::two_threads:
+                run.failure = find_inequality(trace);
+                break;
+            case VariantKind::resumed:
+                break;
+        }
+    }
+
+    // The largest difference of each series to the deck as it is, that turned by `rotation`.
+    std::vector<double> compare(const MotionTrace& trace, const Quat& rotation) const {
+        std::vector<double> differences;
+        for (std::size_t k = 0; k < series_.size(); ++k) {
+            std::vector<HistoryPoint::Row> turned = base_.rows[k];
+            for (HistoryPoint::Row& row : turned) row = turn_row(series_[k].turning, rotation, row);
+            differences.push_back(largest(compute_differences(series_[k], turned, trace.rows[k])));
+        }
+        return differences;
+    }
+
+    // Which series is not the same as of the deck as it is, to the last bit.
+    std::string find_inequality(const MotionTrace& trace) const {
+        if (!trace.is_whole()) return trace.failure;
+        for (std::size_t k = 0; k < series_.size(); ++k) {
+            for (std::size_t i = 0; i < base_.samples; ++i) {
+                if (!is_same(series_[k], base_.rows[k][i], trace.rows[k][i]))
+                    return describe_inequality(k, i);
+            }
+        }
+        return "";
+    }
+
+    std::string describe_inequality(std::size_t series, std::size_t sample) const {
+        return fmt::format("{} differs at t = {:.10g}", series_[series].title(), study_.times[sample]);
+    }
+
+    void run_resumed(VariantRun& run) {
+        const Problem problem = build({});
+        const ResumedRun resumed = run_with_stop(problem, study_.end_time, make_request(1));
+        const VariantRun& base = study_.runs.front();
+        run.elements = base.elements;
+        run.unknowns = base.unknowns;
+        run.steps = resumed.steps;
+        run.newton_iterations = resumed.newton_iterations;
+        run.seconds = resumed.seconds;
+        run.failure = resumed.failure;
+        if (run.failure.empty()) run.failure = find_inequality(resumed, is_adaptive(problem.analysis));
+    }
+
+    // At samples where steps end; of steps by their error, at the end alone.
+    std::string find_inequality(const ResumedRun& resumed, bool at_end_alone) const {
+        if (resumed.rows.empty()) return "no step is left to resume";
+        std::size_t step = 0;
+        for (std::size_t i = at_end_alone ? base_.samples - 1 : 0; i < base_.samples; ++i) {
+            const double slack = round_off * study_.end_time;
+            while (step < resumed.times.size() && resumed.times[step] < study_.times[i] - slack) ++step;
+            if (step == resumed.times.size())
+                return fmt::format("no step ends at t = {:.10g}", study_.times[i]);
+            if (resumed.times[step] > study_.times[i] + slack) continue;
+            for (std::size_t k = 0; k < series_.size(); ++k) {
+                if (!is_same(series_[k], base_.rows[k][i], resumed.rows[step][k]))
+                    return describe_inequality(k, i);
+            }
+        }
+        return "";
+    }
+
+    // The differences from each level to the next finer one.
+    ErrorEstimate estimate(std::size_t series,
+                           const std::vector<std::vector<std::vector<HistoryPoint::Row>>>& levels,
+                           double order,
+                           double floor) const {
+        std::vector<std::vector<double>> differences;
+        const std::vector<HistoryPoint::Row>* coarse = &base_.rows[series];
+        for (const auto& level : levels) {
+            differences.push_back(compute_differences(series_[series], *coarse, level[series]));
+            coarse = &level[series];
+        }
+        return estimate_error(differences, order, floor);
+    }
+
+    SeriesReport report(std::size_t k, const SeriesScale& scale) const {
+        SeriesReport report;
+        report.series = series_[k];
+        report.scale = scale.scale;
+        report.is_still = scale.is_still;
+        const double floor = round_off * scale.scale;
+        report.steps = estimate(k, steps_, study_.expected_order, floor);
+        report.mesh = estimate(k, meshes_, mesh_order_of(base_problem_.model), floor);
+        if (!order_differences_.empty()) report.order_difference = order_differences_[k];
+        if (!turned_differences_.empty()) report.turned_difference = turned_differences_[k];
+        if (!simo_differences_.empty()) report.simo_difference = simo_differences_[k];
+        bool is_trusted = true;
+        for (std::size_t i = 0; i < base_.samples; ++i) {
+            const double error = (i < report.steps.errors.size() ? report.steps.errors[i] : 0.0) +
+                                 (i < report.mesh.errors.size() ? report.mesh.errors[i] : 0.0);
+            report.error = std::fmax(report.error, error);
+            is_trusted = is_trusted && error <= options_->tolerance * scale.scale;
+            if (is_trusted) report.trusted_until = study_.times[i];
+        }
+        return report;
+    }
+
+    void report_series() {
+        const std::vector<SeriesScale> scales = compute_scales(series_, base_.rows);
+        for (std::size_t k = 0; k < series_.size(); ++k) study_.series.push_back(report(k, scales[k]));
+        study_.base_rows = std::move(base_.rows);
+    }
+
+    const DeckTemplate* deck_;
+    const std::vector<std::string>* overrides_;
+    const DeckStudyOptions* options_;
+    bool deck_has_no_histories_ = false;  // set by build()
+    Problem base_problem_;
+    std::vector<Series> series_;
+    Quat rotation_;
+    DeckStudy study_;
+    MotionTrace base_;
+    std::vector<std::vector<std::vector<HistoryPoint::Row>>> steps_;  // of each level, of each series
+    std::vector<std::vector<std::vector<HistoryPoint::Row>>> meshes_;
+    std::vector<double> order_differences_;
+    std::vector<double> turned_differences_;
+    std::vector<double> simo_differences_;
+};
+
+}  // namespace
+
+const VariantRun* DeckStudy::find(VariantKind kind, int level) const {
+    for (const VariantRun& run : runs) {
+        if (run.variant.kind == kind && run.variant.level == level) return &run;
+    }
+    return nullptr;
+}
+
+bool DeckStudy::is_sound() const {
+    const auto holds = [&](VariantKind kind) {
+        const VariantRun* run = find(kind);
+        return run == nullptr || run->is_whole();
+    };
+    return holds(VariantKind::resumed) && holds(VariantKind::two_threads) && holds(VariantKind::turned) &&
+           std::all_of(series.begin(), series.end(), [](const SeriesReport& report) {
+               return report.turned_difference <=
+                      std::fmax(turned_tolerance * report.scale, turned_part * report.error);
+           });
+}
+
+bool DeckStudy::is_accurate() const {
+    return std::all_of(series.begin(), series.end(), [&](const SeriesReport& report) {
+        return report.error <= tolerance * report.scale;
+    });
+}
+
+DeckStudy study_deck(const DeckTemplate& deck,
+                     const std::vector<std::string>& overrides,
+                     const std::vector<DeckVariant>& variants,
+                     const DeckStudyOptions& options) {
+    return DeckExaminer(deck, overrides, options).examine(variants);
+}
+
+}  // namespace gxrod

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "deck/problem.hpp"
+#include "verification/deck_variants.hpp"
+#include "verification/error_estimate.hpp"
+#include "verification/motion_trace.hpp"
+
+// `gxrod verify DECK`: a user's own deck, run in several ways that must agree, or differ as the order of the
+// method says.
+namespace gxrod {
+
+// One of the runs, as it went.
+struct VariantRun {
+    DeckVariant variant;
+    long elements = 0;
+    long unknowns = 0;
+    long steps = 0;
+    long newton_iterations = 0;
+    double seconds = 0.0;
+    std::string failure;  // why it ended before its end; of the resumed and threaded runs, how they differ
+    TraceBooks books;
+
+    bool is_whole() const { return failure.empty(); }
+};
+
+// What is known of one series.
+struct SeriesReport {
+    Series series;
+    double scale = 0.0;             // the largest change of it in the run; of rotations 1 rad at most
+    bool is_still = false;          // it does not change: errors are by the scale of its like
+    ErrorEstimate steps;            // what the step adds
+    ErrorEstimate mesh;             // what the mesh adds
+    double order_difference = 0.0;  // to elements of the next order, at most
+    double turned_difference = 0.0;
+    double simo_difference = 0.0;
+    double error = 0.0;          // of step and mesh together, at most
+    double trusted_until = 0.0;  // the time up to which it is within the tolerance
+
+    double relative(double value) const { return scale > 0.0 ? value / scale : 0.0; }
+};
+
+struct DeckStudyOptions {
+    int levels = 2;           // of refinement: 1 or 2
+    unsigned seed = 1;        // of the random rotation
+    double tolerance = 0.01;  // of errors, by the scale of each series, that the user calls right
+    std::function<bool()> is_interrupted = [] { return false; };
+    std::function<void(const VariantRun&)> report_run = [](const VariantRun&) {};
+};
+
+struct DeckStudy {
+    std::string title;
+    std::string deck;
+    double end_time = 1.0;
+    bool is_static = false;
+    double expected_order = 2.0;  // of the scheme, in the step
+    bool has_own_histories = true;
+    Vec3 rotation = Vec3::Zero();  // rotation vector of the turned run
+    double tolerance = 0.01;
+    std::vector<VariantRun> runs;
+    std::vector<SeriesReport> series;
+    std::vector<double> times;                              // of samples
+    std::vector<std::vector<HistoryPoint::Row>> base_rows;  // of each series, the deck as it is
+    bool is_interrupted = false;
+
+    const VariantRun* find(VariantKind kind, int level = 0) const;
+    // Whether what must hold for any step and mesh does: no dependence on the orientation, on stopping, on
+    // threads.
+    bool is_sound() const;
+    // Whether each series is within the tolerance.
+    bool is_accurate() const;
+};
+
+// Runs all. A variant that fails is told in its run; a deck that is wrong, or files that cannot be written,
+// throw as ever. If the deck as it is does not converge, that is its only run.
+DeckStudy study_deck(const DeckTemplate& deck,
+                     const std::vector<std::string>& overrides,
+                     const std::vector<DeckVariant>& variants,
+                     const DeckStudyOptions& options);
+
+}  // namespace gxrod

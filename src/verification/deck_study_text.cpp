@@ -1,0 +1,161 @@
+#include "verification/deck_study_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gxrod {
+
+namespace {
+
+std::string describe_order(const ErrorEstimate& estimate) {
+    if (estimate.order) return fmt::format("{:.2f}", *estimate.order);
+    return "-";
+}
+
+// An error by the series' scale: "1.2e-03", or "?" where runs do not support it.
+std::string describe_part(const SeriesReport& report, const ErrorEstimate& estimate) {
+    if (!estimate.is_known()) return "-";
+    const std::string value = fmt::format("{:.1e}", report.relative(estimate.largest()));
+    return estimate.is_supported || estimate.differences.size() == 1 ? value : value + "?";
+}
+
+std::string describe_trust(const DeckStudy& study, const SeriesReport& report) {
+    if (report.trusted_until >= study.end_time) return "all";
+    return fmt::format("{:.4g}", report.trusted_until);
+}
+
+std::size_t longest_title(const DeckStudy& study) {
+    std::size_t width = std::string("series").size();
+    for (const SeriesReport& report : study.series) width = std::max(width, report.series.title().size());
+    return width;
+}
+
+// By the largest of all series, by their scales.
+double largest_part(const DeckStudy& study, double SeriesReport::*difference) {
+    double most = 0.0;
+    for (const SeriesReport& report : study.series)
+        most = std::fmax(most, report.relative(report.*difference));
+    return most;
+}
+
+double ratio(double part, double whole) { return whole > 0.0 ? part / whole : 0.0; }
+
+// "3.1e-03; with half the step 7.8e-04".
+std::string describe_balance(const DeckStudy& study, double TraceBooks::*error, double TraceBooks::*scale) {
+    const auto value = [&](const VariantRun& run) {
+        return fmt::format("{:.1e}", ratio(run.books.*error, run.books.*scale));
+    };
+    std::string text = value(study.runs.front());
+    const VariantRun* finer = study.find(VariantKind::finer_steps, 1);
+    if (finer != nullptr && finer->is_whole())
+        text += fmt::format("; with {} {}", finer->variant.title, value(*finer));
+    return text;
+}
+
+std::string describe_equality(const VariantRun& run) {
+    return fmt::format("{}: {}\n",
+                       run.variant.title,
+                       run.is_whole() ? "the same to the last bit" : "NOT the same: " + run.failure);
+}
+
+}  // namespace
+
+std::string describe_plan(const std::vector<DeckVariant>& variants) {
+    return fmt::format("{} runs, which cost about {:.3g} times what the deck costs as it is\n",
+                       variants.size(),
+                       total_cost(variants));
+}
+
+std::string run_head() {
+    return fmt::format(
+        "{:<28}{:>10}{:>10}{:>9}{:>9}{:>10}\n", "run", "elements", "unknowns", "steps", "Newton", "seconds");
+}
+
+std::string describe_run(const VariantRun& run) {
+    std::string line = fmt::format("{:<28}{:>10}{:>10}{:>9}{:>9}{:>10.2f}\n",
+                                   run.variant.title,
+                                   run.elements,
+                                   run.unknowns,
+                                   run.steps,
+                                   run.newton_iterations,
+                                   run.seconds);
+    if (!run.is_whole()) line += fmt::format("  {}\n", run.failure);
+    return line;
+}
+
+std::string describe_errors(const DeckStudy& study) {
+    const std::size_t width = longest_title(study) + 2;
+    std::string text = fmt::format("{:<{}}{:>12}{:>11}{:>7}{:>11}{:>7}{:>11}{:>10}\n",
+                                   "series",
+                                   width,
+                                   "change",
+                                   study.is_static ? "load steps" : "step",
+                                   "order",
+                                   "mesh",
+                                   "order",
+                                   "error",
+                                   "right to");
+    for (const SeriesReport& report : study.series) {
+        text += fmt::format("{:<{}}{:>12.4g}{:>11}{:>7}{:>11}{:>7}{:>11.1e}{:>10}\n",
+                            report.series.title(),
+                            width,
+                            report.scale,
+                            describe_part(report, report.steps),
+                            describe_order(report.steps),
+                            describe_part(report, report.mesh),
+                            describe_order(report.mesh),
+                            report.relative(report.error),
+                            describe_trust(study, report));
+    }
+    text += fmt::format(
+        "change: the largest in the run (of rotations 1 rad at most). Errors by this change, estimated from "
+        "the "
+        "finer runs: of step and\nmesh and of both together; with ? where they do not fall as errors do. "
+        "right "
+        "to: the time up to which the error is below {:g} of the change.\n",
+        study.tolerance);
+    return text;
+}
+
+std::string describe_properties(const DeckStudy& study) {
+    std::string text;
+    const TraceBooks& books = study.runs.front().books;
+    if (books.largest_energy > 0.0) {
+        text += fmt::format(
+            "energy: imbalance {} of the largest\n",
+            describe_balance(study, &TraceBooks::largest_energy_error, &TraceBooks::largest_energy));
+    }
+    if (!study.is_static && books.momentum_scale > 0.0) {
+        text +=
+            fmt::format("momentum less impulses: linear {}; angular {}\n",
+                        describe_balance(study, &TraceBooks::linear_imbalance, &TraceBooks::momentum_scale),
+                        describe_balance(study, &TraceBooks::angular_imbalance, &TraceBooks::angular_scale));
+    }
+    if (const VariantRun* turned = study.find(VariantKind::turned)) {
+        text += fmt::format("{} by {:.3g} rad: {}\n",
+                            turned->variant.title,
+                            study.rotation.norm(),
+                            turned->is_whole()
+                                ? fmt::format("the same, turned, to {:.1e}",
+                                              largest_part(study, &SeriesReport::turned_difference))
+                                : "failed");
+    }
+    for (const VariantKind kind : {VariantKind::higher_order, VariantKind::simo}) {
+        const VariantRun* run = study.find(kind, kind == VariantKind::higher_order ? 1 : 0);
+        if (run == nullptr) continue;
+        const double difference = largest_part(
+            study,
+            kind == VariantKind::simo ? &SeriesReport::simo_difference : &SeriesReport::order_difference);
+        text += fmt::format("{}: {}\n",
+                            run->variant.title,
+                            run->is_whole() ? fmt::format("differs by {:.1e}", difference) : "failed");
+    }
+    for (const VariantKind kind : {VariantKind::resumed, VariantKind::two_threads}) {
+        if (const VariantRun* run = study.find(kind)) text += describe_equality(*run);
+    }
+    return text;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,50 @@
+#include "verification/error_estimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gxrod {
+
+namespace {
+
+// Below it, differences do not fall as errors that vanish do.
+constexpr double least_order = 0.5;
+
+double largest_of(const std::vector<double>& values) {
+    return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+}  // namespace
+
+double ErrorEstimate::largest() const { return largest_of(errors); }
+
+ErrorEstimate estimate_error(const std::vector<std::vector<double>>& differences,
+                             double expected_order,
+                             double floor) {
+    ErrorEstimate estimate;
+    for (const std::vector<double>& level : differences) estimate.differences.push_back(largest_of(level));
+    if (differences.empty()) return estimate;
+    const double first = estimate.differences.front();
+    estimate.errors = differences.front();
+    if (first <= floor) {
+        estimate.is_supported = true;
+        return estimate;
+    }
+    if (differences.size() == 1) {
+        const double growth = std::exp2(expected_order);
+        for (double& error : estimate.errors) error *= growth / (growth - 1.0);
+        return estimate;
+    }
+    const double second = std::max(estimate.differences[1], floor);
+    estimate.order = std::log2(first / second);
+    estimate.is_supported = *estimate.order >= least_order;
+    // The finer solution's own error: of what is left, the method's order, or less if less is seen.
+    const double order = std::clamp(*estimate.order, least_order, expected_order);
+    const std::size_t samples = std::min(estimate.errors.size(), differences[1].size());
+    estimate.errors.resize(samples);
+    for (std::size_t i = 0; i < samples; ++i)
+        estimate.errors[i] += differences[1][i] / (std::exp2(order) - 1.0);
+    return estimate;
+}
+
+}  // namespace gxrod

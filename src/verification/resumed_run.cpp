@@ -1,0 +1,81 @@
+#include "verification/resumed_run.hpp"
+
+#include <stdlib.h>
+
+#include <filesystem>
+#include <limits>
+
+#include "analyses/run.hpp"
+#include "model/file_error.hpp"
+#include "solvers/phase_timer.hpp"
+
+namespace gxrod {
+
+namespace {
+
+// A new folder for temporary files, gone with this.
+class TemporaryFolder {
+  public:
+    TemporaryFolder() {
+        std::string name = (std::filesystem::temp_directory_path() / "gxrod-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw FileError(name, "this folder cannot be made");
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+  private:
+    std::filesystem::path path_;
+};
+
+RunRequest make_request(const Problem& problem, const TraceRequest& trace) {
+    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, std::nullopt};
+    request.threads = trace.threads;
+    return request;
+}
+
+}  // namespace
+
+ResumedRun run_with_stop(const Problem& given, double end_time, const TraceRequest& trace) {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder.path() / "stopped.vtkhdf";
+    Problem problem = given;
+    problem.output.every = std::numeric_limits<int>::max();  // frames are not looked at
+    ResumedRun result;
+    const PhaseTimer timer(result.seconds);
+    bool is_ended = false;
+    RunRequest first = make_request(problem, trace);
+    first.results = ResultsFileOptions{file};
+    first.observe = [&](const Snapshot& snapshot, const LedgerRow&) { result.stopped_at = snapshot.time; };
+    first.is_interrupted = [&] {
+        is_ended = trace.is_interrupted();
+        return is_ended || result.stopped_at >= 0.5 * end_time;
+    };
+    const RunSummary stopped = run_analysis(first);
+    if (is_ended) throw StudyInterrupted();
+    result.failure = stopped.reason;
+    if (stopped.status != RunStatus::interrupted) return result;
+
+    ResumableFile resumed(file);
+    SeriesReader reader(problem, trace.series);
+    RunRequest second = make_request(problem, trace);
+    second.resumed = &resumed;
+    second.observe = [&](const Snapshot& snapshot, const LedgerRow&) {
+        result.times.push_back(snapshot.time);
+        result.rows.push_back(reader.read(snapshot));
+    };
+    second.is_interrupted = [&] { return is_ended = trace.is_interrupted(); };
+    const RunSummary whole = run_analysis(second);
+    if (is_ended) throw StudyInterrupted();
+    result.steps = whole.totals.steps;
+    result.newton_iterations = whole.totals.newton_iterations;
+    result.failure = whole.status == RunStatus::complete ? "" : whole.reason;
+    return result;
+}
+
+}  // namespace gxrod

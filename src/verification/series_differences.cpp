@@ -1,0 +1,75 @@
+#include "verification/series_differences.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gxrod {
+
+namespace {
+
+// Of the same quantity elsewhere: less than this part of it is round-off of a point that stays where it is.
+constexpr double still = 1e-9;
+
+double length(const HistoryPoint::Row& row) {
+    double sum = 0.0;
+    for (const double component : row) sum += component * component;
+    return std::sqrt(sum);
+}
+
+HistoryPoint::Row combine(const HistoryPoint::Row& one, double factor, const HistoryPoint::Row& other) {
+    HistoryPoint::Row sum = one;
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor * other[i];
+    return sum;
+}
+
+double find_scale(const Series& series, const std::vector<HistoryPoint::Row>& rows) {
+    const bool is_place =
+        series.quantity == Quantity::position || series.quantity == Quantity::centre_of_mass;
+    const bool counts_from_start = is_place || series.is_rotation();
+    double scale = 0.0;
+    for (const HistoryPoint::Row& row : rows) {
+        scale = std::fmax(scale, counts_from_start ? distance(series, row, rows.front()) : length(row));
+    }
+    return series.is_rotation() ? std::fmin(scale, 1.0) : scale;
+}
+
+}  // namespace
+
+double distance(const Series& series, const HistoryPoint::Row& one, const HistoryPoint::Row& other) {
+    const double apart = length(combine(one, -1.0, other));
+    if (!series.is_rotation()) return apart;
+    // Two unit quaternions of rotations that differ by α are 2 sin(α/4) apart, if their signs are the nearer.
+    const double nearer = std::fmin(apart, length(combine(one, 1.0, other)));
+    return 4.0 * std::asin(std::fmin(1.0, 0.5 * nearer));
+}
+
+std::vector<double> compute_differences(const Series& series,
+                                        const std::vector<HistoryPoint::Row>& one,
+                                        const std::vector<HistoryPoint::Row>& other) {
+    std::vector<double> differences(std::min(one.size(), other.size()));
+    for (std::size_t i = 0; i < differences.size(); ++i) differences[i] = distance(series, one[i], other[i]);
+    return differences;
+}
+
+bool is_same(const Series& series, const HistoryPoint::Row& one, const HistoryPoint::Row& other) {
+    if (one == other) return true;
+    return series.is_rotation() && one == HistoryPoint::Row{-other[0], -other[1], -other[2], -other[3]};
+}
+
+std::vector<SeriesScale> compute_scales(const std::vector<Series>& series,
+                                        const std::vector<std::vector<HistoryPoint::Row>>& rows) {
+    std::vector<SeriesScale> scales(series.size());
+    for (std::size_t k = 0; k < series.size(); ++k) scales[k].scale = find_scale(series[k], rows[k]);
+    const std::vector<SeriesScale> own = scales;
+    for (std::size_t k = 0; k < series.size(); ++k) {
+        double group = 0.0;
+        for (std::size_t j = 0; j < series.size(); ++j) {
+            if (series[j].quantity == series[k].quantity) group = std::fmax(group, own[j].scale);
+        }
+        if (own[k].scale > still * group) continue;
+        scales[k] = {group, true};
+    }
+    return scales;
+}
+
+}  // namespace gxrod

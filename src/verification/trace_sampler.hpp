@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "results/history_point.hpp"
+
+namespace gxrod {
+
+// Values at given times of rows that come step by step: the row itself where a step ends at the time, else
+// the cubic through the four steps around it, those before it at the end.
+class TraceSampler {
+  public:
+    using Rows = std::vector<HistoryPoint::Row>;  // of all series
+
+    // The times ascend; `end_time` tells what is near.
+    TraceSampler(const std::vector<double>& times, double end_time);
+
+    void add(double time, const Rows& rows);
+
+    // Of each sample so far, the rows of all series.
+    const std::vector<Rows>& samples() const { return samples_; }
+
+  private:
+    void sample_between(double time);
+
+    const std::vector<double>* times_;
+    double tolerance_;
+    std::vector<Rows> samples_;
+    std::vector<double> last_times_;  // of the last steps, four at most
+    std::vector<Rows> last_rows_;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "deck/problem.hpp"
+#include "results/history_point.hpp"
+
+// The same problem, seen from axes that are turned: all of it, with its loads, gravity and supports, rotated
+// about the origin. Its motion is the turned motion, exactly.
+namespace gxrod {
+
+void turn_model(const Quat& rotation, Model& model);
+// The model and what histories are relative to.
+void turn_problem(const Quat& rotation, Problem& problem);
+
+// What turning a problem does to a quantity of a history.
+enum class Turning {
+    none,                 // components in axes that turn, too
+    vector,               // v → R v
+    attitude,             // q → R q
+    rotation_since_start  // q → R q Rᵀ
+};
+Turning turning_of(Quantity quantity, const HistoryRequest& request);
+
+// A row of the problem as it was, as the turned problem has it.
+HistoryPoint::Row turn_row(Turning turning, const Quat& rotation, const HistoryPoint::Row& row);
+
+}  // namespace gxrod
