@@ -84,12 +84,22 @@ void tell(const VerifyArguments& arguments, const Study& study, const StudyResul
     std::fflush(stdout);
 }
 
-int verify(VerifyArguments& arguments) {
+// Options that have no meaning for what is named.
+void refuse(const CLI::App& verb, const std::vector<std::string>& options, const std::string& whose) {
+    for (const std::string& option : options) {
+        if (verb.get_option(option)->count() > 0)
+            throw CLI::ValidationError(option, fmt::format("is of {} alone", whose));
+    }
+}
+
+int verify(const CLI::App& verb, VerifyArguments& arguments) {
     if (arguments.names.size() == 1 && is_deck(arguments.names.front())) {
+        refuse(verb, {"--all", "--list", "--steps", "--figures"}, "the built-in studies");
         arguments.own.deck = arguments.names.front();
         arguments.own.json = arguments.json;
         return verify_deck(arguments.own);
     }
+    refuse(verb, {"--set", "--levels", "--tolerance", "--seed"}, "a deck");
     if (arguments.list) {
         std::size_t width = 0;
         for (const Study& study : studies()) width = std::max(width, study.name.size());
@@ -152,7 +162,7 @@ void add_verify_verb(CLI::App& program, int& exit_code) {
     verb->footer(
         "Exit code 5 if a value misses its reference; of a deck, if its motion depends on orientation,\n"
         "resuming or threads.");
-    verb->callback([arguments, &exit_code] { exit_code = verify(*arguments); });
+    verb->callback([arguments, verb, &exit_code] { exit_code = verify(*verb, *arguments); });
 }
 
 }  // namespace gxrod

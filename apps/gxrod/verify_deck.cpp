@@ -67,8 +67,8 @@ int verify_deck(const VerifyDeckArguments& arguments) {
     const DeckStudy study = study_deck(deck, arguments.overrides, variants, options);
     if (arguments.json) {
         fmt::print("{}\n", to_json(study, false).dump(2));
-    } else if (!study.runs.empty()) {
-        if (study.runs.front().is_whole())
+    } else {
+        if (!study.runs.empty() && study.runs.front().is_whole())
             fmt::print("\n{}\n{}", describe_errors(study), describe_properties(study));
         fmt::print("\n");
         for (const std::string& sentence : judge(study)) fmt::print("- {}\n", sentence);

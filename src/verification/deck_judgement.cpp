@@ -46,6 +46,7 @@ class Judge {
     explicit Judge(const DeckStudy& study) : study_(&study) {}
 
     std::vector<std::string> judge() {
+        if (study_->runs.empty()) return {"Interrupted before the first run had ended."};
         if (!study_->runs.front().is_whole()) {
             say("The deck as it is does not reach its end, so nothing can be said of it: {}",
                 study_->runs.front().failure);
@@ -96,23 +97,29 @@ class Judge {
             return;
         }
         if (!right.empty()) say("Right to {} of their largest change: {}.", goal, fmt::join(right, ", "));
+        std::vector<std::string> wrong;
         for (const SeriesReport& report : study_->series) {
-            if (report.error <= study_->tolerance * report.scale) continue;
-            const std::string size = describe_share(report.relative(report.error));
-            if (report.trusted_until > 0.0) {
-                say("Not right to {}: {}, which errs by {}; up to {} = {:.4g} it is.",
-                    goal,
-                    report.series.title(),
-                    size,
-                    study_->is_static ? "load factor" : "t",
-                    report.trusted_until);
-            } else {
-                say("Not right to {}: {}, which errs by {}.", goal, report.series.title(), size);
-            }
+            if (report.error > study_->tolerance * report.scale) wrong.push_back(describe_miss(report));
         }
+        say("Not right to {}: {}.", goal, fmt::join(wrong, ", "));
     }
 
-    bool is_enough(const Worst& worst) const { return worst.share <= 0.5 * study_->tolerance; }
+    // "tip force (2.8 %, right up to t = 4.55)".
+    std::string describe_miss(const SeriesReport& report) const {
+        const std::string size = describe_share(report.relative(report.error));
+        const char* clock = study_->is_static ? "load factor" : "t =";
+        return report.trusted_until > 0.0 ? fmt::format("{} ({}, right up to {} {:.4g})",
+                                                        report.series.title(),
+                                                        size,
+                                                        clock,
+                                                        report.trusted_until)
+                                          : fmt::format("{} ({})", report.series.title(), size);
+    }
+
+    // Whether what a step or mesh adds may stay.
+    bool is_enough(const Worst& worst) const {
+        return worst.share <= 0.5 * study_->tolerance || study_->is_accurate();
+    }
 
     void judge_steps() {
         const Worst worst = find_worst(*study_, &SeriesReport::steps);

@@ -251,7 +251,9 @@ class DeckExaminer {
     }
 
     void report_series() {
-        const std::vector<SeriesScale> scales = compute_scales(series_, base_.rows);
+        const double speed = base_.mass > 0.0 ? base_.books.momentum_scale / base_.mass : 0.0;
+        const std::vector<SeriesScale> scales =
+            compute_scales(series_, base_.rows, {base_.length, speed, base_.books.largest_energy});
         for (std::size_t k = 0; k < series_.size(); ++k) study_.series.push_back(report(k, scales[k]));
         study_.base_rows = std::move(base_.rows);
     }

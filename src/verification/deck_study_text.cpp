@@ -42,7 +42,7 @@ double largest_part(const DeckStudy& study, double SeriesReport::*difference) {
 
 double ratio(double part, double whole) { return whole > 0.0 ? part / whole : 0.0; }
 
-// "3.1e-03; with half the step 7.8e-04".
+// "3.1e-03 (with half the step 7.8e-04)".
 std::string describe_balance(const DeckStudy& study, double TraceBooks::*error, double TraceBooks::*scale) {
     const auto value = [&](const VariantRun& run) {
         return fmt::format("{:.1e}", ratio(run.books.*error, run.books.*scale));
@@ -50,7 +50,7 @@ std::string describe_balance(const DeckStudy& study, double TraceBooks::*error, 
     std::string text = value(study.runs.front());
     const VariantRun* finer = study.find(VariantKind::finer_steps, 1);
     if (finer != nullptr && finer->is_whole())
-        text += fmt::format("; with {} {}", finer->variant.title, value(*finer));
+        text += fmt::format(" (with {} {})", finer->variant.title, value(*finer));
     return text;
 }
 
@@ -101,7 +101,7 @@ std::string describe_errors(const DeckStudy& study) {
         text += fmt::format("{:<{}}{:>12.4g}{:>11}{:>7}{:>11}{:>7}{:>11.1e}{:>10}\n",
                             report.series.title(),
                             width,
-                            report.scale,
+                            report.is_still ? 0.0 : report.scale,
                             describe_part(report, report.steps),
                             describe_order(report.steps),
                             describe_part(report, report.mesh),
@@ -110,7 +110,9 @@ std::string describe_errors(const DeckStudy& study) {
                             describe_trust(study, report));
     }
     text += fmt::format(
-        "change: the largest in the run (of rotations 1 rad at most). Errors by this change, estimated from "
+        "change: the largest in the run (of rotations 1 rad at most). Errors by this change (where it is 0, "
+        "by what is "
+        "large in the model), estimated from "
         "the "
         "finer runs: of step and\nmesh and of both together; with ? where they do not fall as errors do. "
         "right "
@@ -124,12 +126,12 @@ std::string describe_properties(const DeckStudy& study) {
     const TraceBooks& books = study.runs.front().books;
     if (books.largest_energy > 0.0) {
         text += fmt::format(
-            "energy: imbalance {} of the largest\n",
+            "energy, its imbalance by the largest energy: {}\n",
             describe_balance(study, &TraceBooks::largest_energy_error, &TraceBooks::largest_energy));
     }
     if (!study.is_static && books.momentum_scale > 0.0) {
         text +=
-            fmt::format("momentum less impulses: linear {}; angular {}\n",
+            fmt::format("momentum, less the impulses, by its scale: linear {}, angular {}\n",
                         describe_balance(study, &TraceBooks::linear_imbalance, &TraceBooks::momentum_scale),
                         describe_balance(study, &TraceBooks::angular_imbalance, &TraceBooks::angular_scale));
     }

@@ -38,12 +38,13 @@ ErrorEstimate estimate_error(const std::vector<std::vector<double>>& differences
     const double second = std::max(estimate.differences[1], floor);
     estimate.order = std::log2(first / second);
     estimate.is_supported = *estimate.order >= least_order;
-    // The finer solution's own error: of what is left, the method's order, or less if less is seen.
+    // From the finer solution on, the method's order, or less if less is seen.
     const double order = std::clamp(*estimate.order, least_order, expected_order);
+    const double growth = std::exp2(order);
     const std::size_t samples = std::min(estimate.errors.size(), differences[1].size());
     estimate.errors.resize(samples);
     for (std::size_t i = 0; i < samples; ++i)
-        estimate.errors[i] += differences[1][i] / (std::exp2(order) - 1.0);
+        estimate.errors[i] += differences[1][i] * growth / (growth - 1.0);
     return estimate;
 }
 

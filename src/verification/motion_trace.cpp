@@ -71,7 +71,8 @@ class Tracer {
         : request_(&request),
           is_dynamic_(std::holds_alternative<DynamicSettings>(problem.analysis)),
           analysis_(make_analysis(problem.model, problem.analysis, request.threads)),
-          momenta_(analysis_->system(), total_mass(problem.model)),
+          mass_(total_mass(problem.model)),
+          momenta_(analysis_->system(), mass_),
           sampler_(request.sample_times, request.sample_times.back()),
           reader_(problem, request.series) {
         analysis_->watch(list_rod_places(problem.output.histories));
@@ -80,6 +81,8 @@ class Tracer {
     MotionTrace trace() {
         MotionTrace trace;
         trace.unknowns = analysis_->system().equations().count();
+        trace.length = analysis_->system().length_scale();
+        trace.mass = mass_;
         trace.elements = static_cast<long>(analysis_->system().element_count());
         {
             const PhaseTimer timer(trace.seconds);
@@ -129,6 +132,7 @@ class Tracer {
     const TraceRequest* request_;
     bool is_dynamic_;
     std::unique_ptr<SteppedAnalysis> analysis_;
+    double mass_;
     MomentumBooks momenta_;
     TraceSampler sampler_;
     SeriesReader reader_;

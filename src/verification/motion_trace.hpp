@@ -59,6 +59,8 @@ struct MotionTrace {
     std::vector<std::vector<HistoryPoint::Row>> rows;  // of each series, at the sample times
     std::size_t samples = 0;                           // that were reached
     TraceBooks books;
+    double length = 0.0;  // of the model, as System has it
+    double mass = 0.0;
     long unknowns = 0;
     long elements = 0;
     long steps = 0;

@@ -1,37 +1,14 @@
 #include "verification/resumed_run.hpp"
 
-#include <stdlib.h>
-
-#include <filesystem>
 #include <limits>
 
 #include "analyses/run.hpp"
-#include "model/file_error.hpp"
+#include "model/temporary_folder.hpp"
 #include "solvers/phase_timer.hpp"
 
 namespace gxrod {
 
 namespace {
-
-// A new folder for temporary files, gone with this.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "gxrod-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw FileError(name, "this folder cannot be made");
-        path_ = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
 
 RunRequest make_request(const Problem& problem, const TraceRequest& trace) {
     RunRequest request{problem.model, problem.analysis, problem.output, problem.record, std::nullopt};
@@ -42,7 +19,7 @@ RunRequest make_request(const Problem& problem, const TraceRequest& trace) {
 }  // namespace
 
 ResumedRun run_with_stop(const Problem& given, double end_time, const TraceRequest& trace) {
-    const TemporaryFolder folder;
+    const TemporaryFolder folder("verify");
     const std::filesystem::path file = folder.path() / "stopped.vtkhdf";
     Problem problem = given;
     problem.output.every = std::numeric_limits<int>::max();  // frames are not looked at

@@ -7,8 +7,9 @@ namespace gxrod {
 
 namespace {
 
-// Of the same quantity elsewhere: less than this part of it is round-off of a point that stays where it is.
+// Less than this part of the same quantity elsewhere, or of the model's own, is what solvers leave.
 constexpr double still = 1e-9;
+constexpr double still_by_nature = 1e-6;
 
 double length(const HistoryPoint::Row& row) {
     double sum = 0.0;
@@ -56,8 +57,38 @@ bool is_same(const Series& series, const HistoryPoint::Row& one, const HistoryPo
     return series.is_rotation() && one == HistoryPoint::Row{-other[0], -other[1], -other[2], -other[3]};
 }
 
+double NaturalScales::of(Quantity quantity) const {
+    const auto by_length = [&](double value) { return length > 0.0 ? value / length : 0.0; };
+    switch (quantity) {
+        case Quantity::position:
+        case Quantity::displacement:
+        case Quantity::centre_of_mass:
+            return length;
+        case Quantity::velocity:
+            return speed;
+        case Quantity::angular_velocity:
+        case Quantity::angular_velocity_material:
+            return by_length(speed);
+        case Quantity::acceleration:
+            return by_length(speed * speed);
+        case Quantity::force:
+        case Quantity::force_spatial:
+        case Quantity::reaction_force:
+            return by_length(energy);
+        case Quantity::moment:
+        case Quantity::moment_spatial:
+        case Quantity::reaction_moment:
+            return energy;
+        case Quantity::curvature:
+            return by_length(1.0);
+        default:
+            return 0.0;
+    }
+}
+
 std::vector<SeriesScale> compute_scales(const std::vector<Series>& series,
-                                        const std::vector<std::vector<HistoryPoint::Row>>& rows) {
+                                        const std::vector<std::vector<HistoryPoint::Row>>& rows,
+                                        const NaturalScales& natural) {
     std::vector<SeriesScale> scales(series.size());
     for (std::size_t k = 0; k < series.size(); ++k) scales[k].scale = find_scale(series[k], rows[k]);
     const std::vector<SeriesScale> own = scales;
@@ -66,8 +97,9 @@ std::vector<SeriesScale> compute_scales(const std::vector<Series>& series,
         for (std::size_t j = 0; j < series.size(); ++j) {
             if (series[j].quantity == series[k].quantity) group = std::fmax(group, own[j].scale);
         }
-        if (own[k].scale > still * group) continue;
-        scales[k] = {group, true};
+        const double nature = natural.of(series[k].quantity);
+        if (own[k].scale > still * group && own[k].scale > still_by_nature * nature) continue;
+        scales[k] = {std::fmax(group, nature), true};
     }
     return scales;
 }

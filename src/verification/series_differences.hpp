@@ -17,14 +17,26 @@ std::vector<double> compute_differences(const Series& series,
 // Whether two rows are the same to the last bit; of quaternions both signs are the same rotation.
 bool is_same(const Series& series, const HistoryPoint::Row& one, const HistoryPoint::Row& other);
 
+// What is large in a model: its length, the speed of all mass at its largest kinetic energy, its largest
+// energy.
+struct NaturalScales {
+    double length = 0.0;
+    double speed = 0.0;
+    double energy = 0.0;
+
+    double of(Quantity quantity) const;  // 0 if nothing is known
+};
+
 // How much each series changes in a run, the length by which its errors are to be judged: of places the way
-// from the start, of rotations at most 1 rad, of the rest the largest value. Where a series stays as it was,
-// the largest scale of another with the same quantity is taken, and it is_still.
+// from the start, of rotations at most 1 rad, of the rest the largest value. What is small beside the same
+// quantity elsewhere, or beside the model's own, is_still, as is the moment at a free end; what is large
+// there is its scale then.
 struct SeriesScale {
     double scale = 0.0;
     bool is_still = false;
 };
 std::vector<SeriesScale> compute_scales(const std::vector<Series>& series,
-                                        const std::vector<std::vector<HistoryPoint::Row>>& rows);
+                                        const std::vector<std::vector<HistoryPoint::Row>>& rows,
+                                        const NaturalScales& natural);
 
 }  // namespace gxrod

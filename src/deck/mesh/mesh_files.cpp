@@ -1,32 +1,19 @@
 #include "deck/mesh/mesh_files.hpp"
 
-#include <stdlib.h>
-
 #include <cerrno>
 #include <fstream>
 #include <system_error>
 
 #include "model/file_error.hpp"
+#include "model/temporary_folder.hpp"
 
 namespace gxrod {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-fs::path make_temporary_folder() {
-    std::string name = (fs::temp_directory_path() / "gxrod-mesh-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-        throw FileError(name, "cannot be made", std::generic_category().message(errno));
-    }
-    return name;
-}
-
-}  // namespace
-
 MeshFiles::MeshFiles(const std::vector<MeshRecord>& records) : is_kept_(true) {
     if (records.empty()) return;
-    folder_ = make_temporary_folder();
+    folder_ = make_temporary_folder("mesh");
     try {
         write(records);
     } catch (...) {

@@ -1,0 +1,156 @@
+#include <catch2/catch.hpp>
+
+#include "verification/deck_study_text.hpp"
+
+using namespace gxrod;
+
+namespace {
+
+ErrorEstimate make_estimate(double size, double order, double expected = 2.0) {
+    const double fall = std::exp2(-order);
+    const double first = size * (1.0 - fall);
+    return estimate_error({{0.0, first}, {0.0, first * fall}}, expected, 1e-12);
+}
+
+SeriesReport make_report(const std::string& point, double step, double mesh) {
+    SeriesReport report;
+    report.series = {point, "position", 0, Quantity::position, Turning::vector};
+    report.scale = 2.0;
+    report.steps = make_estimate(2.0 * step, 2.0);
+    report.mesh = make_estimate(2.0 * mesh, 2.0);
+    report.error = 2.0 * (step + mesh);
+    report.trusted_until = report.error <= 0.02 ? 1.0 : 0.25;
+    return report;
+}
+
+DeckStudy make_study(const std::vector<SeriesReport>& series) {
+    DeckStudy study;
+    for (const DeckVariant& variant : {DeckVariant{VariantKind::as_it_is, 0, "as it is"},
+                                       DeckVariant{VariantKind::finer_steps, 1, "half the step"},
+                                       DeckVariant{VariantKind::turned, 0, "turned in space"},
+                                       DeckVariant{VariantKind::resumed, 0, "stopped midway and resumed"},
+                                       DeckVariant{VariantKind::two_threads, 0, "two threads"}}) {
+        VariantRun run;
+        run.variant = variant;
+        run.books.largest_energy = 10.0;
+        run.books.largest_energy_error = 0.01;
+        study.runs.push_back(run);
+    }
+    study.series = series;
+    return study;
+}
+
+bool says(const DeckStudy& study, const std::string& part) {
+    for (const std::string& sentence : judge(study)) {
+        if (sentence.find(part) != std::string::npos) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+TEST_CASE("what is right is said to be, and then nothing is asked for", "[verification]") {
+    const DeckStudy study = make_study({make_report("tip", 1e-3, 8e-3)});
+    CHECK(judge(study) == std::vector<std::string>{"All series are right to 1 % of their largest change."});
+    CHECK(study.is_sound());
+    CHECK(study.is_accurate());
+}
+
+TEST_CASE("what is not is named, with its error, until when it is, and what to refine", "[verification]") {
+    const DeckStudy study = make_study({make_report("root", 1e-4, 1e-4), make_report("tip", 0.002, 0.08)});
+    CHECK_FALSE(study.is_accurate());
+    CHECK(says(study, "Right to 1 % of their largest change: root position."));
+    CHECK(says(study, "Not right to 1 %: tip position (8.2 %, right up to t = 0.25)."));
+    // 0.08 / 4² = 0.005, half of the tolerance.
+    CHECK(says(study,
+               "The mesh adds 8 % to tip position. 4 times as many elements would bring that to 0.5 %."));
+    CHECK_FALSE(says(study, "The step adds"));
+    DeckStudy other = make_study({make_report("tip", 0.03, 0.0)});
+    CHECK(says(other,
+               "The step adds 3 % to tip position. A step 3 times as short would bring that to 0.33 %."));
+    other.series[0].order_difference = 0.06;
+    CHECK_FALSE(says(other, "next order"));
+    other = make_study({make_report("tip", 0.0, 0.05)});
+    other.series[0].order_difference = 0.06;
+    CHECK(says(other, "Elements of the next order change tip position by 3 %."));
+}
+
+TEST_CASE("errors that are out of reach are called so", "[verification]") {
+    CHECK(says(make_study({make_report("tip", 40.0, 0.0)}), "No refinement within reach would mend that."));
+}
+
+TEST_CASE("errors that do not fall, or too slowly, are told", "[verification]") {
+    DeckStudy study = make_study({make_report("tip", 0.3, 0.0)});
+    study.series[0].steps = estimate_error({{0.1}, {0.1}}, 2.0, 1e-12);
+    CHECK(says(study, "Errors do not fall with the step (tip position: 0.1, 0.1)"));
+    study.series[0].steps = make_estimate(0.1, 1.0);
+    CHECK(says(study, "Errors fall with the step with order 1.0, less than the scheme's 2 (tip position)"));
+    study = make_study({make_report("tip", 0.0, 0.3)});
+    study.series[0].mesh = estimate_error({{0.1}, {0.1}}, 2.0, 1e-12);
+    CHECK(says(study, "Errors do not fall with the mesh (tip position: 0.1, 0.1)"));
+}
+
+TEST_CASE("what must not be is called a fault", "[verification]") {
+    DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3)});
+    study.series[0].turned_difference = 0.01;
+    CHECK_FALSE(study.is_sound());
+    CHECK(says(study, "The motion depends on how the model stands in space"));
+    study.series[0].turned_difference = 1e-7;
+    CHECK(study.is_sound());
+    for (const VariantKind kind : {VariantKind::resumed, VariantKind::two_threads}) {
+        DeckStudy unequal = make_study({make_report("tip", 1e-3, 1e-3)});
+        for (VariantRun& run : unequal.runs) {
+            if (run.variant.kind == kind) run.failure = "tip position differs at t = 0.5";
+        }
+        CHECK_FALSE(unequal.is_sound());
+        CHECK(says(unequal, "is not the same as the deck as it is: tip position differs at t = 0.5"));
+    }
+}
+
+TEST_CASE("statics: the load steps must not matter", "[verification]") {
+    DeckStudy study = make_study({make_report("tip", 0.05, 0.0)});
+    study.is_static = true;
+    CHECK(says(study, "The state depends on the load steps by 5 % (tip position)."));
+    CHECK(says(study, "(5 %, right up to load factor 0.25)"));
+    CHECK_FALSE(says(study, "The step adds"));
+    study.series[0].steps = estimate_error({{0.0}, {0.0}}, 1.0, 1e-12);
+    CHECK_FALSE(says(study, "The state depends"));
+}
+
+TEST_CASE("energy out of balance, and runs that failed, are told", "[verification]") {
+    DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3)});
+    study.runs[0].books.largest_energy_error = 0.5;
+    CHECK(says(study, "Energy is out of balance by 5 % of its largest value"));
+    study.runs[1].failure = "the step from t = 0 failed";
+    CHECK(says(study,
+               "The run \"half the step\" failed, so that estimates lack it: the step from t = 0 failed."));
+}
+
+TEST_CASE("tables and JSON have what the study has", "[verification]") {
+    DeckStudy study = make_study({make_report("tip", 1e-3, 8e-3)});
+    study.times = {0.0, 1.0};
+    study.base_rows = {{{0, 0, 0, 0}, {2, 0, 0, 0}}};
+    const std::string errors = describe_errors(study);
+    CHECK_THAT(errors, Catch::Contains("tip position"));
+    CHECK_THAT(errors, Catch::Contains("1.0e-03   2.00    8.0e-03   2.00    9.0e-03       all"));
+    const std::string properties = describe_properties(study);
+    CHECK_THAT(properties,
+               Catch::Contains("imbalance by the largest energy: 1.0e-03 (with half the step 1.0e-03)"));
+    CHECK_THAT(properties, Catch::Contains("two threads: the same to the last bit\n"));
+    CHECK_THAT(properties, Catch::Contains("turned in space by 0 rad: the same, turned, to 0.0e+00\n"));
+    const nlohmann::ordered_json json = to_json(study, false);
+    CHECK(json["series"][0]["point"] == "tip");
+    CHECK(json["series"][0]["relative_error"] == Approx(9e-3));
+    CHECK(json["series"][0]["steps"]["order"] == Approx(2.0));
+    CHECK(json["runs"].size() == 5);
+    CHECK(json["runs"][0]["failure"].is_null());
+    CHECK(json["sound"] == true);
+    CHECK_FALSE(json.contains("times"));
+    const nlohmann::ordered_json curves = to_json(study, true);
+    CHECK(curves["times"].size() == 2);
+    CHECK(curves["series"][0]["values"][1][0] == 2.0);
+    CHECK(curves["series"][0]["mesh"]["errors"].size() == 2);
+    study.runs[3].failure = "it differs";
+    CHECK_THAT(describe_properties(study),
+               Catch::Contains("stopped midway and resumed: NOT the same: it differs\n"));
+}

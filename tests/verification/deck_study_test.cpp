@@ -1,0 +1,302 @@
+#include "verification/deck_study.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "model/temporary_folder.hpp"
+#include "verification/deck_study_text.hpp"
+
+using namespace gxrod;
+
+namespace {
+
+// Everything that turning a model must turn: loads of each frame, functions of time and place, supports with
+// axes of their own that move, gravity that changes, bodies with offsets, velocities, every quantity of a
+// history.
+const std::string everything = R"deck(title = "Everything"
+gravity = [0.3, "-9.81*cos(t)", 0.1]
+[section.s]
+stiffness = { EA = 1e4, GAy = 6e3, GAz = 5e3, GJ = 80, EIy = 100, EIz = 140 }
+inertia = { rhoA = 1, rhoIy = 0.01, rhoIz = 0.02 }
+damping = { kelvin_voigt = 1e-3, mass_proportional = 0.1 }
+[rod.arm]
+section = "s"
+spline = [[0, 0, 0], [1, 0.5, 0.2], [2, 0, 0.7]]
+elements = 4
+order = 2
+[rod.leg]
+section = "s"
+line = { from = [2, 0, 0.7], to = [3, 0, 0] }
+elements = 2
+[[connect]]
+points = ["arm.end", "leg.start"]
+[body.tool]
+mass = 0.5
+inertia = [0.1, 0.2, 0.25]
+at = "leg.end"
+centre_of_mass = [0.1, 0.05, -0.1]
+rotation_vector = [0.2, -0.3, 0.4]
+[body.lone]
+mass = 1.5
+inertia = [0.3, 0.2, 0.25]
+at = [5, 5, 5]
+velocity = [0.1, 0.2, -0.3]
+angular_velocity = [1, 2, 3]
+[[support]]
+at = "arm.start"
+fix = ["x", "y", "rx", "ry"]
+move = { z = "0.05*sin(3*t)", rz = "0.4*t*t" }
+axes = [[0.36, 0.48, -0.8], [-0.8, 0.6, 0], [0.48, 0.64, 0.6]]
+[[load]]
+at = "leg.end"
+force = [1, "2*sin(5*t)", 0]
+moment = [0, 0.2, "0.3*t"]
+[[load]]
+at = "arm.end"
+force = [0, "3*t", 1]
+moment = [0.1, 0, 0]
+frame = "follower"
+[[load]]
+at = "arm@0.5"
+force = [0, 2, "t"]
+moment = [0.3, 0.1, 0]
+frame = "body"
+[[load]]
+on = "arm"
+force_per_length = ["0.5*s", 0, "-t"]
+moment_per_length = [0, 0.1, 0]
+[[load]]
+on = "leg"
+force_per_length = [0, 0.4, 0.2]
+frame = "follower"
+[[load]]
+on = "leg"
+force_per_length = [0.1, "s*t", 0.2]
+frame = "body"
+[analysis]
+kind = "dynamic"
+end_time = 0.5
+steps = 25
+[[history]]
+name = "tip"
+at = "leg.end"
+quantities = ["position", "displacement", "rotation_vector", "orientation", "velocity", "angular_velocity",
+  "angular_velocity_material", "acceleration", "force", "moment", "force_spatial", "moment_spatial", "strain", "curvature"]
+[[history]]
+name = "root"
+at = "arm.start"
+quantities = ["reaction_force", "reaction_moment"]
+[[history]]
+name = "body"
+at = "lone"
+quantities = ["position", "quaternion", "orientation", "rotation_vector", "centre_of_mass", "velocity"]
+[[history]]
+name = "seen"
+at = "leg.end"
+relative_to = "arm.end"
+quantities = ["position", "displacement", "velocity", "acceleration", "rotation_vector", "quaternion", "orientation"]
+)deck";
+
+class DeckFile {
+  public:
+    explicit DeckFile(const std::string& text) : path_(folder_.path() / "deck.toml") {
+        std::ofstream(path_) << text;
+    }
+    DeckTemplate read() const { return DeckTemplate(path_); }
+
+  private:
+    TemporaryFolder folder_{"test"};
+    std::filesystem::path path_;
+};
+
+DeckStudy study(const std::string& text,
+                const std::vector<VariantKind>& kinds,
+                const std::vector<std::string>& overrides = {},
+                DeckStudyOptions options = {}) {
+    const DeckFile file(text);
+    const DeckTemplate deck = file.read();
+    std::vector<DeckVariant> variants;
+    for (const DeckVariant& variant : list_variants(deck.build(overrides), options.levels)) {
+        const bool is_wanted = variant.kind == VariantKind::as_it_is ||
+                               std::find(kinds.begin(), kinds.end(), variant.kind) != kinds.end();
+        if (is_wanted) variants.push_back(variant);
+    }
+    return study_deck(deck, overrides, variants, options);
+}
+
+// A cantilever that swings, in few steps.
+const std::string swing = R"deck([section.s]
+stiffness = { EA = 1e4, GAy = 1e4, GAz = 1e4, GJ = 100, EIy = 100, EIz = 100 }
+inertia = { rhoA = 1, rhoIy = 0.01, rhoIz = 0.01 }
+[rod.beam]
+section = "s"
+line = { from = [0, 0, 0], to = [4, 0, 0] }
+elements = 4
+[[support]]
+at = "beam.start"
+fix = "all"
+[[load]]
+at = "beam.end"
+force = [0, "3*sin(t)^2", "sin(t)^2"]
+[analysis]
+kind = "dynamic"
+end_time = 2.0
+time_step = 0.02
+)deck";
+
+const SeriesReport& find(const DeckStudy& study, const std::string& title) {
+    for (const SeriesReport& report : study.series) {
+        if (report.series.title() == title) return report;
+    }
+    FAIL("no series " << title);
+    return study.series.front();
+}
+
+}  // namespace
+
+TEST_CASE("a turned model has the turned motion", "[verification]") {
+    for (const char* integrator : {"newmark-simplified", "sdirk-4"}) {
+        INFO(integrator);
+        const DeckStudy turned =
+            study(everything,
+                  {VariantKind::turned},
+                  {std::string("analysis.integrator=") + integrator, "analysis.newton.tolerance=1e-12"});
+        REQUIRE(turned.runs.size() == 2);
+        REQUIRE(turned.runs[1].is_whole());
+        // Of a rotation's two forms one is followed.
+        CHECK(turned.series.size() == 14 + 2 + 5 + 6);
+        for (const SeriesReport& report : turned.series) {
+            INFO(report.series.title());
+            CHECK(report.scale > 0.0);
+            CHECK(report.relative(report.turned_difference) < 1e-9);
+        }
+        CHECK(turned.is_sound());
+        CHECK(turned.rotation.norm() > 0.5);
+    }
+}
+
+TEST_CASE("statics turn as dynamics do", "[verification]") {
+    std::string text = everything;
+    text.replace(
+        text.find("kind = \"dynamic\"\nend_time = 0.5\nsteps = 25"), 42, "kind = \"static\"\nsteps = 4");
+    // What moves freely has no place in statics.
+    const std::size_t lone = text.find("[body.lone]");
+    text.erase(lone, text.find("[[support]]") - lone);
+    const std::size_t history = text.find("[[history]]\nname = \"body\"");
+    text.erase(history, text.find("[[history]]\nname = \"seen\"") - history);
+    const DeckStudy turned = study(text, {VariantKind::turned}, {"analysis.newton.tolerance=1e-12"});
+    REQUIRE(turned.runs.size() == 2);
+    INFO(turned.runs[0].failure);
+    REQUIRE(turned.runs[1].is_whole());
+    for (const SeriesReport& report : turned.series) {
+        INFO(report.series.title());
+        CHECK(report.relative(report.turned_difference) < 1e-9);
+    }
+}
+
+TEST_CASE("errors of step and mesh are estimated, and are those that are there", "[verification]") {
+    const DeckStudy coarse = study(swing, {VariantKind::finer_steps, VariantKind::finer_mesh});
+    CHECK_FALSE(coarse.has_own_histories);
+    REQUIRE(coarse.series.size() == 4);
+    const SeriesReport& tip = find(coarse, "beam.end position");
+    CHECK(*tip.steps.order == Approx(2.0).margin(0.1));
+    CHECK(*tip.mesh.order == Approx(2.0).margin(0.1));
+    CHECK(tip.steps.is_supported);
+    CHECK(coarse.find(VariantKind::finer_steps, 2)->steps == 400);
+    CHECK(coarse.find(VariantKind::finer_mesh, 2)->elements == 16);
+    // The clamp stays.
+    CHECK(find(coarse, "beam.start position").is_still);
+    // Against a run on a mesh and with steps so fine that its own errors do not matter.
+    DeckStudyOptions none;
+    none.levels = 1;
+    const std::vector<std::string> finest{
+        "rod.beam.elements=16", "rod.beam.order=3", "analysis.time_step=0.002"};
+    const DeckStudy fine = study(swing, {}, finest, none);
+    const auto last = [](const DeckStudy& study) {
+        const HistoryPoint::Row& row = study.base_rows[2].back();
+        return Vec3(row[0], row[1], row[2]);
+    };
+    REQUIRE(fine.series[2].series.title() == "beam.end position");
+    const double error = (last(coarse) - last(fine)).norm();
+    const double estimated = tip.steps.errors.back() + tip.mesh.errors.back();
+    CHECK(error > 0.01);
+    // Both parts may have either sign.
+    CHECK(estimated > 0.95 * error);
+    CHECK(estimated < 2.0 * error);
+}
+
+TEST_CASE("stopping and threads change nothing", "[verification]") {
+    const DeckStudy study_of = study(swing, {VariantKind::resumed, VariantKind::two_threads});
+    REQUIRE(study_of.runs.size() == 3);
+    for (const VariantRun& run : study_of.runs) {
+        INFO(run.variant.title << ": " << run.failure);
+        CHECK(run.is_whole());
+        CHECK(run.steps == 100);
+    }
+    CHECK(study_of.is_sound());
+}
+
+TEST_CASE("steps by their error are studied by their tolerance", "[verification]") {
+    const DeckStudy adaptive = study(swing,
+                                     {VariantKind::finer_steps, VariantKind::resumed},
+                                     {"analysis.integrator=sdirk-4", "analysis.adaptive={tolerance = 1e-4}"});
+    REQUIRE(adaptive.runs.size() == 4);
+    CHECK(adaptive.runs[1].variant.title == "1/16 of the tolerance");
+    CHECK(adaptive.runs[1].steps > adaptive.runs[0].steps);
+    INFO(adaptive.runs[3].failure);
+    CHECK(adaptive.runs[3].is_whole());
+    const SeriesReport& tip = find(adaptive, "beam.end position");
+    CHECK(tip.steps.differences[1] < 0.2 * tip.steps.differences[0]);
+}
+
+TEST_CASE("a deck that does not converge ends its study", "[verification]") {
+    const DeckStudy failed = study(swing,
+                                   {VariantKind::finer_steps},
+                                   {"load[0].force=[0, \"3e9*t\", 0]", "analysis.newton.max_iterations=3"});
+    REQUIRE(failed.runs.size() == 1);
+    CHECK_THAT(failed.runs[0].failure, Catch::Contains("failed"));
+    CHECK_THAT(judge(failed).front(), Catch::StartsWith("The deck as it is does not reach its end"));
+}
+
+TEST_CASE("a study that is interrupted tells what it has", "[verification]") {
+    DeckStudyOptions options;
+    int runs = 0;
+    options.report_run = [&](const VariantRun&) { ++runs; };
+    options.is_interrupted = [&] { return runs == 2; };
+    const DeckStudy ended = study(swing, {VariantKind::finer_steps}, {}, options);
+    CHECK(ended.is_interrupted);
+    CHECK(ended.runs.size() == 2);
+    CHECK(find(ended, "beam.end position").steps.differences.size() == 1);
+    CHECK_THAT(judge(ended).front(), Catch::StartsWith("Interrupted"));
+}
+
+TEST_CASE("the variants that make sense", "[verification]") {
+    const auto titles = [](const std::string& text, const std::vector<std::string>& overrides) {
+        const DeckFile file(text);
+        std::vector<std::string> found;
+        for (const DeckVariant& variant : list_variants(file.read().build(overrides), 1))
+            found.push_back(variant.title);
+        return found;
+    };
+    const std::vector<std::string> all{"as it is",
+                                       "half the step",
+                                       "twice the elements",
+                                       "elements of the next order",
+                                       "turned in space",
+                                       "elements simo",
+                                       "stopped midway and resumed",
+                                       "two threads"};
+    CHECK(titles(swing, {}) == all);
+    const auto highest = titles(swing, {"rod.beam.order=4", "rod.beam.element=simo"});
+    CHECK(highest == std::vector<std::string>{"as it is",
+                                              "half the step",
+                                              "twice the elements",
+                                              "turned in space",
+                                              "stopped midway and resumed",
+                                              "two threads"});
+    const DeckFile file(swing);
+    const auto variants = list_variants(file.read().build({"rod.beam.elements=6"}), 2);
+    CHECK(variants[2].overrides == std::vector<std::string>{"analysis.steps=400"});
+    CHECK(variants[4].overrides == std::vector<std::string>{"rod.beam.elements=24"});
+    CHECK(total_cost(variants) == Approx(19.5));
+}
