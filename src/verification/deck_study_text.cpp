@@ -110,13 +110,12 @@ std::string describe_errors(const DeckStudy& study) {
                             describe_trust(study, report));
     }
     text += fmt::format(
-        "change: the largest in the run (of rotations 1 rad at most). Errors by this change (where it is 0, "
-        "by what is "
-        "large in the model), estimated from "
-        "the "
-        "finer runs: of step and\nmesh and of both together; with ? where they do not fall as errors do. "
-        "right "
-        "to: the time up to which the error is below {:g} of the change.\n",
+        "change: the largest in the run; of rotations 1 rad at most; errors are by it, or where it is 0 by "
+        "what is "
+        "large in the model.\nstep, mesh: errors of the deck as it is, estimated from the finer runs; with ? "
+        "where "
+        "they do not fall as errors do. error: both.\nright to: the time up to which the error is below "
+        "{:g}.\n",
         study.tolerance);
     return text;
 }
