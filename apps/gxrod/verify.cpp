@@ -99,7 +99,7 @@ int verify(const CLI::App& verb, VerifyArguments& arguments) {
         arguments.own.json = arguments.json;
         return verify_deck(arguments.own);
     }
-    refuse(verb, {"--set", "--levels", "--tolerance", "--seed"}, "a deck");
+    refuse(verb, {"--set", "--levels", "--tolerance", "--seed", "--output", "--force"}, "a deck");
     if (arguments.list) {
         std::size_t width = 0;
         for (const Study& study : studies()) width = std::max(width, study.name.size());
@@ -145,6 +145,8 @@ void add_deck_options(CLI::App& verb, VerifyDeckArguments& own) {
             "--tolerance", own.tolerance, "Errors that are called right, by the largest change [0.01]")
         ->check(CLI::PositiveNumber);
     verb.add_option("--seed", own.seed, "Of the random rotation of the deck [1]");
+    verb.add_option("-o,--output", own.page, "Write what was found of a deck as a page for a browser, too");
+    verb.add_flag("--force", own.force, "Overwrite an existing page");
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 
 #include "analyses/model_examination.hpp"
 #include "exit_code.hpp"
+#include "report/page_file.hpp"
+#include "report/study_page.hpp"
 #include "verification/deck_study_text.hpp"
 
 namespace gxrod {
@@ -47,6 +49,8 @@ int exit_code_of(const DeckStudy& study) {
 }  // namespace
 
 int verify_deck(const VerifyDeckArguments& arguments) {
+    const Existing existing = arguments.force ? Existing::replace : Existing::refuse;
+    if (!arguments.page.empty()) check_page_file(arguments.page, existing);
     const DeckTemplate deck(arguments.deck);
     const Problem problem = deck.build(arguments.overrides);
     if (!examine(problem, arguments.deck)) return exit_bad_input;
@@ -72,6 +76,10 @@ int verify_deck(const VerifyDeckArguments& arguments) {
             fmt::print("\n{}\n{}", describe_errors(study), describe_properties(study));
         fmt::print("\n");
         for (const std::string& sentence : judge(study)) fmt::print("- {}\n", sentence);
+    }
+    if (!arguments.page.empty()) {
+        write_study_page(to_json(study, true), arguments.page, existing);
+        if (!arguments.json) fmt::print("\nPage: {}\n", arguments.page);
     }
     return exit_code_of(study);
 }

@@ -12,6 +12,7 @@ struct VerifyDeckArguments {
     unsigned seed = 1;
     double tolerance = 0.01;
     std::string page;  // empty: none
+    bool force = false;
     bool json = false;
 };
 

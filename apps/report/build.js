@@ -8,10 +8,11 @@ import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 const here = (name) => new URL(name, import.meta.url);
 const read = (name) => readFileSync(here(name), "utf8");
 
-// The page of a run and that of a batch.
+// The page of a run, that of a batch, and that of `gxrod verify DECK`.
 const pages = [
   { name: "page", script: "src/main.js", styles: ["src/style.css"], body: "src/page.html", libraries: ["three", "uplot"] },
   { name: "batch", script: "src/batch/main.js", styles: ["src/style.css", "src/batch/style.css"], body: "src/batch/page.html", libraries: ["uplot"] },
+  { name: "study", script: "src/study/main.js", styles: ["src/style.css", "src/study/style.css"], body: "src/study/page.html", libraries: ["uplot"] },
 ];
 
 function listFiles(folder) {

@@ -6,10 +6,10 @@
 
 namespace gxrod {
 
-// Pages without their data, in pieces: apps/report/dist/page.html and batch.html, which the build puts into
-// the program.
+// Pages without their data, in pieces: those of apps/report/dist, which the build puts into the program.
 std::span<const std::string_view> page_template();
 std::span<const std::string_view> batch_template();
+std::span<const std::string_view> study_template();
 
 // What stands before and after the data of a page.
 struct PageShell {

@@ -1,18 +1,41 @@
 #include "verification/deck_study_text.hpp"
 
+#include "model/version.hpp"
+
 namespace gxrod {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_json(const ErrorEstimate& estimate, bool with_curves) {
+constexpr std::size_t most_points = 500;  // of a curve
+
+// Which samples a curve has; none if there is to be no curve.
+using Chosen = std::vector<std::size_t>;
+
+Chosen choose_samples(std::size_t count, bool with_curves) {
+    Chosen chosen;
+    if (!with_curves || count == 0) return chosen;
+    const std::size_t points = std::min(count, most_points);
+    for (std::size_t i = 0; i + 1 < points; ++i) chosen.push_back(i * (count - 1) / (points - 1));
+    chosen.push_back(count - 1);
+    return chosen;
+}
+
+template <class Value>
+Json pick(const std::vector<Value>& values, const Chosen& chosen) {
+    Json picked = Json::array();
+    for (const std::size_t i : chosen) picked.push_back(i < values.size() ? Json(values[i]) : Json(nullptr));
+    return picked;
+}
+
+Json to_json(const ErrorEstimate& estimate, const Chosen& chosen) {
     if (!estimate.is_known()) return nullptr;
     Json json{{"differences", estimate.differences},
               {"order", estimate.order ? Json(*estimate.order) : Json(nullptr)},
               {"error", estimate.largest()},
               {"supported", estimate.is_supported}};
-    if (with_curves) json["errors"] = estimate.errors;
+    if (!chosen.empty()) json["errors"] = pick(estimate.errors, chosen);
     return json;
 }
 
@@ -37,13 +60,13 @@ Json to_json(const VariantRun& run) {
             {"books", to_json(run.books)}};
 }
 
-Json to_json(const SeriesReport& report, bool with_curves) {
+Json to_json(const SeriesReport& report, const Chosen& chosen) {
     return {{"point", report.series.point},
             {"quantity", report.series.name},
             {"scale", report.scale},
             {"still", report.is_still},
-            {"steps", to_json(report.steps, with_curves)},
-            {"mesh", to_json(report.mesh, with_curves)},
+            {"steps", to_json(report.steps, chosen)},
+            {"mesh", to_json(report.mesh, chosen)},
             {"error", report.error},
             {"relative_error", report.relative(report.error)},
             {"trusted_until", report.trusted_until},
@@ -55,7 +78,8 @@ Json to_json(const SeriesReport& report, bool with_curves) {
 }  // namespace
 
 Json to_json(const DeckStudy& study, bool with_curves) {
-    Json json{{"deck", study.deck},
+    Json json{{"gxrod_version", version},
+              {"deck", study.deck},
               {"title", study.title},
               {"analysis", study.is_static ? "static" : "dynamic"},
               {"end_time", study.end_time},
@@ -70,12 +94,14 @@ Json to_json(const DeckStudy& study, bool with_curves) {
               {"runs", Json::array()},
               {"series", Json::array()}};
     for (const VariantRun& run : study.runs) json["runs"].push_back(to_json(run));
+    const std::size_t samples = study.base_rows.empty() ? 0 : study.base_rows.front().size();
+    const Chosen chosen = choose_samples(samples, with_curves);
     for (std::size_t k = 0; k < study.series.size(); ++k) {
-        Json series = to_json(study.series[k], with_curves);
-        if (with_curves) series["values"] = study.base_rows[k];
+        Json series = to_json(study.series[k], chosen);
+        if (with_curves) series["values"] = pick(study.base_rows[k], chosen);
         json["series"].push_back(series);
     }
-    if (with_curves) json["times"] = study.times;
+    if (with_curves) json["times"] = pick(study.times, chosen);
     return json;
 }
 

@@ -19,7 +19,8 @@ std::string describe_properties(const DeckStudy& study);
 // In plain words: what can be trusted, and what to refine. A sentence each.
 std::vector<std::string> judge(const DeckStudy& study);
 
-// All of it. `with_curves`: the values of the deck as it is and its estimated errors over time, too.
+// All of it. `with_curves`: the values of the deck as it is and its estimated errors over time, too, at some
+// hundred samples.
 nlohmann::ordered_json to_json(const DeckStudy& study, bool with_curves);
 
 }  // namespace gxrod

@@ -163,7 +163,8 @@ std::vector<Series> list_series(const OutputSettings& output) {
             const bool is_vector = quantity == Quantity::rotation_vector;
             if (is_vector && asks(Quantity::quaternion)) continue;
             const Quantity followed = is_vector ? Quantity::quaternion : quantity;
-            series.push_back({request.name, word_of(quantity), i, followed, turning_of(followed, request)});
+            const std::string name = is_vector ? "rotation" : word_of(quantity);
+            series.push_back({request.name, name, i, followed, turning_of(followed, request)});
         }
     }
     return series;

@@ -20,7 +20,7 @@ def digest_sources(folder):
 
 
 # Each page and how many libraries are in it.
-PAGES = {"page.html": 2, "batch.html": 1}
+PAGES = {"page.html": 2, "batch.html": 1, "study.html": 1}
 
 
 def read_page(name):
@@ -40,9 +40,10 @@ class ReportPage(unittest.TestCase):
             self.assertEqual(read_page(name).count("<!-- data -->"), 1, name)
             self.assertEqual(read_page(name).count("Permission is hereby granted, free of charge"), libraries, name)
 
-    def test_of_a_batch_carries_nothing_to_draw_in_3d(self):
+    def test_of_charts_alone_carry_nothing_to_draw_in_3d(self):
         self.assertIn("WebGLRenderer", read_page("page.html"))
         self.assertNotIn("WebGLRenderer", read_page("batch.html"))
+        self.assertNotIn("WebGLRenderer", read_page("study.html"))
 
     def test_names_no_registry(self):
         lock = (FOLDER / "package-lock.json").read_text(encoding="utf-8")

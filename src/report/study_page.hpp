@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+
+#include "results/output_file.hpp"
+
+namespace gxrod {
+
+// Writes one HTML page that shows a study of a deck, `gxrod verify DECK`, from what describes it with its
+// curves; its size in bytes. Throws FileError if the page exists and is not to be replaced, or cannot be
+// written.
+std::size_t write_study_page(const nlohmann::ordered_json& study,
+                             const std::filesystem::path& page,
+                             Existing existing);
+
+}  // namespace gxrod
