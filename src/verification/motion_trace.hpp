@@ -13,8 +13,8 @@ namespace gxrod {
 
 // A quantity of a point that is followed through several runs of a model.
 struct Series {
-    std::string point;    // the history's name
-    std::string name;     // of the quantity; "rotation" of a rotation_vector, which is followed as a quaternion
+    std::string point;  // the history's name
+    std::string name;   // of the quantity; "rotation" of a rotation_vector, which is followed as a quaternion
     std::size_t history;  // in OutputSettings::histories
     Quantity quantity;
     Turning turning;

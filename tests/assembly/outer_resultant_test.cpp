@@ -58,7 +58,8 @@ void check_rates(const Model& model, State state, const System& system) {
 TEST_CASE("what acts from outside is the rate of the momenta", "[assembly]") {
     SECTION("rods, bodies, loads of every frame, gravity") {
         Model model = make_sample_model();
-        // The test functions of elements simo do not contain a rigid rotation, so their internal forces have a moment.
+        // The test functions of elements simo do not contain a rigid rotation, so their internal forces have
+        // a moment.
         for (Rod& rod : model.rods) rod.kind = ElementKind::objective;
         const System system(model);
         check_rates(model, make_sample_state(system, 3), system);
