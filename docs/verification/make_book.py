@@ -13,7 +13,7 @@ sys.path.insert(0, str(cases.SOURCE / "apps"))
 from book.check import find_faults  # noqa: E402 — after the path to gxrod_plot
 from book.figures import draw_figures  # noqa: E402
 from book.pages import write_pages  # noqa: E402
-from book.results import read_kept, run_all, write_kept  # noqa: E402
+from book.results import read_kept, run_book, write_kept  # noqa: E402
 
 
 def read_arguments():
@@ -22,6 +22,7 @@ def read_arguments():
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--pages", action="store_true", help="renew pages and pictures from results.json, without a run")
     what.add_argument("--check", action="store_true", help="change nothing; tell what is not current")
+    what.add_argument("--only", nargs="+", metavar="NAME", help="run these cases; keep the others as they are")
     parser.add_argument("--figures", action="store_true", help="draw all pictures, not only those whose data changed")
     return parser.parse_args()
 
@@ -39,7 +40,8 @@ def main():
     if arguments.check:
         end(find_faults(read_kept(), program))
     if not arguments.pages:
-        write_kept(run_all(program))
+        names = arguments.only or []
+        write_kept(run_book(program, names, read_kept() if names else None))
     kept = read_kept()
     draw_figures(kept, arguments.figures)
     end(write_pages(kept))

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 SOURCE = pathlib.Path(os.environ["GXROD_SOURCE"])
 BOOK = SOURCE / "docs" / "verification"
@@ -43,7 +44,11 @@ class VerificationBook(unittest.TestCase):
         found = "\n".join(check.find_faults(kept, os.environ["GXROD"]))
         self.assertIn("results.json has no arch, which the program lists", found)
         self.assertIn("results.json has arc, which the program does not list", found)
-        self.assertIn("arc.md is missing", found)
+
+    def test_a_missing_page_is_found(self):
+        with mock.patch.object(pages, "page_of", lambda name: BOOK / f"no_{name}.md"):
+            found = check.find_faults(KEPT, os.environ["GXROD"])
+        self.assertIn("no_arch.md is missing", found)
 
     def test_a_page_without_a_block_is_refused(self):
         with self.assertRaisesRegex(pages.PageFault, r"has the blocks \['runs'\], not \['results', 'runs'\]"):
@@ -96,7 +101,9 @@ class Comparison(unittest.TestCase):
 
     def test_checks_are_compared(self):
         found = self.faults_of("bend_45", lambda case: case["checks"][0].update(tolerance=1.0))
-        self.assertEqual(found, ["end position, t = 0.5; order 3: tolerance is 1.0, results.json has 1.3e-08"])
+        self.assertEqual(found, ["order of the error; order 1: tolerance is 1.0, results.json has 0.3"])
+        found = self.faults_of("bend_45", lambda case: case["checks"][0].update(error=0.1))
+        self.assertEqual(found, ["order of the error; order 1: error is 0.1, results.json has 0.0004971"])
         found = self.faults_of("arch", lambda case: case["checks"][0].update(error=1e-6))
         self.assertEqual(len(found), 1, found)
 

@@ -55,7 +55,9 @@ class Deck:
         """Points [n,3] along a rod."""
         if "line" in rod:
             return np.array([self.vector(rod["line"]["from"]), self.vector(rod["line"]["to"])])
-        return self._arc(rod["arc"])
+        if "arc" in rod:
+            return self._arc(rod["arc"])
+        raise ValueError("sketches know rods by line or arc; teach Deck in docs/verification/book/deck.py the others")
 
     def _arc(self, arc):
         centre, axis, start = (self.vector(arc[key]) for key in ("centre", "axis", "from"))

@@ -1,5 +1,7 @@
 """Tables of a page, in Markdown, from what results.json keeps of a case."""
 
+from .comparison import ORDER
+
 
 def number(value):
     """As a reader writes it: 1e-10 and not 1e-10.000."""
@@ -28,7 +30,7 @@ def table(head, rows):
 
 
 def is_order(check):
-    return check["what"].startswith("order of the error; ")
+    return check["what"].startswith(ORDER)
 
 
 def values_of(case):
@@ -40,7 +42,7 @@ def orders_of(case):
 
 
 def name_of_order(check):
-    return check["what"].removeprefix("order of the error; ")
+    return check["what"].removeprefix(ORDER)
 
 
 def make_values(case):
