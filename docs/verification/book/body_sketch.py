@@ -46,7 +46,8 @@ def draw_ellipsoid(pen, centre, shape):
     for first, second in ((0, 1), (1, 2), (2, 0)):
         offset = np.outer(np.cos(CIRCLE), shape[:, first]) + np.outer(np.sin(CIRCLE), shape[:, second])
         normal = np.cross(shape[:, first], shape[:, second])
-        towards = offset @ (pen.projection.towards - (pen.projection.towards @ normal) * normal / max(normal @ normal, 1e-30))
+        normal = normal / max(np.linalg.norm(normal), 1e-30)
+        towards = offset @ (pen.projection.towards - (pen.projection.towards @ normal) * normal)
         curve = np.where((towards > 0.0)[:, None], centre + offset, np.nan)
         pen.line(curve, color=style.BLUE, lw=0.7, alpha=0.8, zorder=3)
 

@@ -13,7 +13,10 @@ COUNTS = ("newton_iterations", "iterations_per_step", "max_theta_deg")
 
 def floor_of(name, what):
     """Below which errors of a refinement are the reference's own; `what` is its name, or ends with it."""
-    return max([each.get("floor", 0.0) for key, each in refinements_of(name).items() if what.endswith(key)], default=0.0)
+    for refinement, each in refinements_of(name).items():
+        if what == refinement or what.endswith("; " + refinement):
+            return each.get("floor", 0.0)
+    return 0.0
 
 
 def differs(found, kept, slack):
@@ -25,7 +28,7 @@ def differs(found, kept, slack):
 
 def slack_of(key, kept, floor):
     """How far a number of a row may be from that kept."""
-    if key in EXACT or kept is None:
+    if kept is None:
         return 0.0
     if key == "order":
         return SAME_ORDER
@@ -46,8 +49,9 @@ def compare_rows(name, found, kept):
         for key, value in then.items():
             if key == "order" and is_near_floor(then, floor):
                 continue
-            is_other = now.get(key) != value if key in EXACT else differs(now.get(key), value, slack_of(key, value, floor))
-            if is_other:
+            if key in EXACT and now.get(key) == value:
+                continue
+            if key in EXACT or differs(now.get(key), value, slack_of(key, value, floor)):
                 run = then.get("set") or f"{then.get('case', '')} {then['scheme']}, {then['steps']} steps".strip()
                 yield f"{run}: {key} is {now.get(key)}, results.json has {value}"
 

@@ -5,6 +5,7 @@ import math
 import subprocess
 
 from .cases import KEPT, list_cases
+from .comparison import ORDER
 
 ERROR_DIGITS = 4
 KEYS_OF_CHECK = ("what", "reference", "uncertainty", "value", "error", "tolerance", "order")
@@ -46,6 +47,9 @@ def round_value(check):
 
 def round_check(check):
     kept = {key: check[key] for key in KEYS_OF_CHECK}
+    if check["what"].startswith(ORDER):
+        kept["value"], kept["error"] = [round(check["value"][0], 2)], round(check["error"], 2)
+        return kept
     kept["value"] = round_value(check)
     kept["error"] = round_to(check["error"], ERROR_DIGITS)
     if kept["order"] is not None:
