@@ -117,6 +117,7 @@ def draw_rubin2007(_, case):
     for axes, (key, label) in zip(figure.subplots(1, 3), quantities.items()):
         draw_schemes(axes, case["rows"], key, SCHEME_NAMES)
         finish(axes, "steps N of the cycle", f"largest {label}")
+        axes.set_ylim(bottom=axes.get_ylim()[0] / 50.0)  # room for the legend
     return figure
 
 
