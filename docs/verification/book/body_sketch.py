@@ -98,6 +98,6 @@ def draw_body(axes, deck):
     for _ in deck.supports():
         symbols.hinge(pen, place)
     low, high = pen.box()
-    draw_gravity(pen, deck, np.array([high[0] + 0.15 * pen.size, high[1]]))
+    draw_gravity(pen, deck, np.array([high[0] + 0.35 * pen.size, high[1]]))
     symbols.axes_of_space(pen, low - [0.2 * pen.size, 0.0])
     return pen.finish()

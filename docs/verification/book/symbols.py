@@ -87,18 +87,19 @@ def moment(pen, place, vector, words, colour=FORCE, apart=None):
     straight = pen.projection(axis)
     if np.linalg.norm(straight) > 0.05:
         arrow(pen, centre, centre + 2.2 * radius * straight, colour, width=0.9)
-    apart = words_beside(straight) if apart is None else np.asarray(apart)
-    # A vector that points down has them below its head: to the right a force may be.
-    apart = 1.6 * straight if straight[1] < -0.3 else apart
-    pen.text(centre + 1.5 * radius * apart, words, color=colour, ha=side_of(apart), va=height_of(apart))
+    at = words_beside(straight) if apart is None else 1.7 * np.asarray(apart)
+    pen.text(centre + radius * at, words, color=colour, ha=side_of(at), va=height_of(at))
 
 
 def words_beside(straight):
-    """The direction of a round arrow's words: across its vector, to the right; above of one seen from its tip."""
+    """Where the words of a round arrow are, in its radii: at the head of its vector; beside it where a force may be, to
+    the right of one that points up; above one that is seen from its tip."""
     if np.linalg.norm(straight) < 0.05:
-        return np.array([0.4, 1.0])
+        return np.array([0.6, 1.5])
+    if straight[1] < -0.3 or abs(straight[0]) > 0.3:
+        return 2.2 * straight + 0.5 * straight / np.linalg.norm(straight)
     across = paper_normal(straight / np.linalg.norm(straight))
-    return across if across[0] > 0.0 else -across
+    return 2.0 * np.sign(-straight[1]) * across
 
 
 def clamp(pen, place, tangent):
