@@ -65,7 +65,45 @@ class Examples(ProgramTest):
                         file[group].visititems(
                             lambda path, item: self.assertTrue(
                                 not isinstance(item, h5py.Dataset) or np.isfinite(item[:]).all(), path))
+                    self.check_statements(name, file)
                 self.assertGreater((self.folder / f"{name}.png").stat().st_size, 20000)
+
+    def check_statements(self, name, file):
+        """What a page says in numbers, beyond what `gxrod verify` compares."""
+        check = {"arch": self.check_arch, "lee_frame": self.check_lee_frame, "fast_top": self.check_fast_top,
+                 "symmetric_top": self.check_symmetric_top}.get(name)
+        if check:
+            check(file)
+
+    def check_arch(self, file):
+        crown, load = (file[f"histories/crown/{name}"][:] for name in ("displacement", "reaction_force"))
+        self.assertAlmostEqual(crown[-1, 0], -61.14, delta=0.005)
+        self.assertAlmostEqual(load[-1, 1], -897.29, delta=0.005)
+        deck = "docs/examples/arch/arch.toml"
+        self.run_command(f"gxrod run {deck} --quiet --set parameters.down=118 -o beyond.vtkhdf")
+        with self.open("beyond") as beyond:
+            self.assertGreater(beyond["histories/crown/reaction_force"][-1, 1], -890.0)
+
+    def check_lee_frame(self, file):
+        load = -file["histories/loaded/reaction_force"][:, 1]
+        self.assertAlmostEqual(load[-1], 1.8557, delta=5e-5)
+        grown = np.diff(load)
+        self.assertLess(grown[-1], 0.03 * grown[0])
+
+    def check_fast_top(self, file):
+        axis = file["histories/top/centre_of_mass"][:]
+        round_about = np.unwrap(np.arctan2(axis[:, 1], axis[:, 0]))
+        self.assertAlmostEqual(round_about[-1] - round_about[0], 4.20, delta=0.005)
+        height = axis[:, 2]
+        low = (height[1:-1] < height[:-2]) & (height[1:-1] <= height[2:])
+        self.assertEqual(low.sum(), 15)
+        np.testing.assert_allclose([height.min(), height.max()], [0.9471, 0.9553], atol=5e-5)
+        self.assertLess(np.abs(file["ledger/energy_error"][:]).max(), 3e-8)
+
+    def check_symmetric_top(self, file):
+        self.assertLess(np.abs(file["ledger/energy_error"][:]).max(), 1e-11)
+        momentum = np.linalg.norm(file["ledger/angular_momentum"][:] - 0.5, axis=1)
+        self.assertAlmostEqual(momentum.max(), 1e-5, delta=5e-7)
 
     def test_free_flight(self):
         self.run_page("free_flight")

@@ -1,0 +1,136 @@
+"""What a sketch needs of a deck: its numbers, curves, supports and loads, with expressions evaluated."""
+
+import math
+import re
+import tomllib
+
+import numpy as np
+
+NAMES = {"pi": math.pi, **{name: getattr(math, name) for name in ("sin", "cos", "tan", "sqrt", "exp")},
+         "min": min, "max": max, "abs": abs}
+ARC_POINTS = 121
+SAMPLES = 6001  # of the time, to find the largest of a load
+FREE_AXES = ("rx", "ry", "rz")
+
+
+def to_python(expression):
+    """A deck's expression as Python's: powers, and `a ? b : c`."""
+    condition, mark, rest = expression.replace("^", "**").partition("?")
+    if not mark:
+        return condition.strip()
+    then, _, otherwise = rest.partition(":")
+    return f"(({to_python(then)}) if ({condition.strip()}) else ({to_python(otherwise)}))"
+
+
+class Deck:
+    """A deck of lines, arcs and bodies, as read from its file."""
+
+    def __init__(self, path):
+        with open(path, "rb") as file:
+            self.tree = tomllib.load(file)
+        self.names = dict(NAMES)
+        for name, value in self.tree.get("parameters", {}).items():
+            self.names[name] = self.number(value)
+        for name, value in self.tree.get("function", {}).items():
+            self.names[name] = self._function(value)
+        self.is_static = self.tree["analysis"]["kind"] == "static"
+        self.rods = {name: self._curve(rod) for name, rod in self.tree.get("rod", {}).items()}
+
+    def _function(self, value):
+        if "table" in value:
+            times, values = np.array([[self.number(entry) for entry in row] for row in value["table"]]).T
+            return lambda t: float(np.interp(t, times, values))
+        return lambda t: self.number(value["expression"], t=t)
+
+    def number(self, value, **variables):
+        """A number, or the value of an expression."""
+        if not isinstance(value, str):
+            return float(value)
+        return float(eval(to_python(value), {"__builtins__": {}}, self.names | variables))  # pylint: disable=eval-used
+
+    def vector(self, values, **variables):
+        return np.array([self.number(value, **variables) for value in values])
+
+    def _curve(self, rod):
+        """Points [n,3] along a rod."""
+        if "line" in rod:
+            return np.array([self.vector(rod["line"]["from"]), self.vector(rod["line"]["to"])])
+        if "arc" in rod:
+            return self._arc(rod["arc"])
+        raise ValueError("sketches know rods by line or arc; teach Deck in docs/verification/book/deck.py the others")
+
+    def _arc(self, arc):
+        centre, axis, start = (self.vector(arc[key]) for key in ("centre", "axis", "from"))
+        angles = np.linspace(0.0, self.number(arc["angle"]), ARC_POINTS)[:, None]
+        axis = axis / np.linalg.norm(axis)
+        radius = start - centre
+        return centre + np.cos(angles) * radius + np.sin(angles) * np.cross(axis, radius)
+
+    def place(self, at):
+        """Position and tangent of `rod.start`, `rod.end`, `rod@0.5` or a body."""
+        if at in self.tree.get("body", {}):
+            return self.vector(self.tree["body"][at]["at"]), np.zeros(3)
+        rod, where = re.fullmatch(r"(\w+)(\.start|\.end|@.*)", at).groups()
+        curve = self.rods[rod]
+        share = {".start": 0.0, ".end": 1.0}.get(where)
+        share = self.number(where[1:]) if share is None else share
+        lengths = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(curve, axis=0), axis=1)))
+        point = np.array([np.interp(share * lengths[-1], lengths, column) for column in curve.T])
+        index = min(int(share * (len(curve) - 1)), len(curve) - 2)
+        tangent = curve[index + 1] - curve[index]
+        return point, tangent / np.linalg.norm(tangent)
+
+    def largest(self, values):
+        """The largest vector that functions of time take, signed, and whether it changes."""
+        end = 1.0 if self.is_static else self.number(self.tree["analysis"]["end_time"])
+        found = np.array([self.vector(values, t=t) for t in np.linspace(0.0, end, SAMPLES)])
+        sizes = np.linalg.norm(found, axis=1)
+        return found[sizes.argmax()], bool(np.ptp(found, axis=0).max() > 1e-12 * max(sizes.max(), 1e-300))
+
+    def supports(self):
+        """(place, tangent into the rod, components held, {component: largest prescribed}) of each support."""
+        for support in self.tree.get("support", []):
+            move = {key: self.largest([value])[0][0] for key, value in support.get("move", {}).items()}
+            place, tangent = self.place(support["at"])
+            into = -tangent if support["at"].endswith(".end") else tangent
+            yield place, into, held_components(support.get("fix", [])), move
+
+    def loads(self):
+        """(place, "force" or "moment", the largest in global components, whether it changes)."""
+        for load in self.tree.get("load", []):
+            place, tangent = self.place(load["at"])
+            for kind in ("force", "moment"):
+                if kind in load:
+                    vector, changes = self.largest(load[kind])
+                    if load.get("frame") == "body":
+                        vector = self._section_axes(load["at"].partition(".")[0], tangent) @ vector
+                    yield place, kind, vector, changes
+
+    def _section_axes(self, rod, tangent):
+        """Columns x, y, z of a section of a straight rod."""
+        y_axis = self.vector(self.tree["rod"][rod]["y_axis"])
+        y_axis = y_axis - (y_axis @ tangent) * tangent
+        y_axis /= np.linalg.norm(y_axis)
+        return np.column_stack([tangent, y_axis, np.cross(tangent, y_axis)])
+
+    def velocities(self, count=11):
+        """(place, velocity) of points of rods that begin in motion."""
+        for initial in self.tree.get("initial", []):
+            curve = self.rods[initial["on"]]
+            for share in np.linspace(0.0, 1.0, count):
+                place = (1.0 - share) * curve[0] + share * curve[-1]
+                yield place, self.vector(initial["velocity"], **dict(zip("xyz", place)))
+
+    def places(self, names):
+        """Where the histories of these names are, without those of a body."""
+        points = {history["name"]: history["at"] for history in self.tree.get("history", [])}
+        return [self.place(points[name])[0] for name in sorted(names)]
+
+    def gravity(self):
+        return self.vector(self.tree.get("gravity", [0, 0, 0]))
+
+
+def held_components(fix):
+    words = [fix] if isinstance(fix, str) else fix
+    meaning = {"all": ("x", "y", "z", *FREE_AXES), "position": ("x", "y", "z"), "rotation": FREE_AXES}
+    return {component for word in words for component in meaning.get(word, (word,))}
