@@ -23,7 +23,11 @@ struct VerifyArguments {
     bool all = false;
     bool list = false;
     bool json = false;
+    bool table = false;
     VerifyDeckArguments own;
+
+    // Whether what is compared is told in one table, and not study by study.
+    bool tells_table() const { return (all || table) && !json; }
 };
 
 // Whether a name is that of a file, and of no study.
@@ -76,7 +80,7 @@ nlohmann::ordered_json describe_check(const Study& study, const Check& check, do
 }
 
 void tell(const VerifyArguments& arguments, const Study& study, const StudyResult& result, double seconds) {
-    if (arguments.all) {
+    if (arguments.tells_table()) {
         fmt::print("{}", describe_checks(study, result, seconds));
     } else {
         fmt::print("{}: {}\n{}\n", study.name, study.sentence, result.table);
@@ -94,7 +98,7 @@ void refuse(const CLI::App& verb, const std::vector<std::string>& options, const
 
 int verify(const CLI::App& verb, VerifyArguments& arguments) {
     if (arguments.names.size() == 1 && is_deck(arguments.names.front())) {
-        refuse(verb, {"--all", "--list", "--steps", "--figures"}, "the built-in studies");
+        refuse(verb, {"--all", "--table", "--list", "--steps", "--figures"}, "the built-in studies");
         arguments.own.deck = arguments.names.front();
         arguments.own.json = arguments.json;
         return verify_deck(arguments.own);
@@ -109,7 +113,7 @@ int verify(const CLI::App& verb, VerifyArguments& arguments) {
     ValidationTotals totals;
     nlohmann::ordered_json json;
     nlohmann::ordered_json checks = nlohmann::ordered_json::array();
-    if (arguments.all && !arguments.json) fmt::print("{}", validation_head());
+    if (arguments.tells_table()) fmt::print("{}", validation_head());
     for (const Study* study : choose_studies(arguments)) {
         double seconds = 0.0;
         const StudyResult result = run_study(*study, arguments, seconds);
@@ -121,7 +125,7 @@ int verify(const CLI::App& verb, VerifyArguments& arguments) {
     }
     json["checks"] = checks;
     if (arguments.json) fmt::print("{}\n", json.dump(2));
-    if (arguments.all && !arguments.json) fmt::print("{}", describe_totals(totals));
+    if (arguments.tells_table()) fmt::print("{}", describe_totals(totals));
     if (!arguments.figures.empty()) draw_figures(arguments.figures);
     return totals.missed == 0 ? exit_done : exit_verification;
 }
@@ -157,6 +161,7 @@ void add_verify_verb(CLI::App& program, int& exit_code) {
         "verify", "Run built-in verification studies, or examine a deck by running it in several ways");
     verb->add_option("NAME", arguments->names, "Studies, which --list names; or a deck (TOML)");
     verb->add_flag("--all", arguments->all, "Run every study, and print a table of all that is compared");
+    verb->add_flag("--table", arguments->table, "Print that table of the studies named");
     verb->add_flag("--list", arguments->list, "List the studies");
     verb->add_flag("--json", arguments->json, "Print JSON instead of tables");
     add_study_options(*verb, *arguments);

@@ -84,8 +84,9 @@ std::string describe_checks(const Study& study, const StudyResult& result, doubl
 std::string describe_totals(const ValidationTotals& totals) {
     return fmt::format(
         "Of a vector the entry that is furthest off is shown; error: the length of the whole difference, by "
-        "the value's scale.\n{} cases, {} checks, {} in {:.1f} s\n",
+        "the value's scale.\n{} case{}, {} checks, {} in {:.1f} s\n",
         totals.studies,
+        totals.studies == 1 ? "" : "s",
         totals.checks,
         totals.missed == 0 ? "none missed" : fmt::format("{} MISSED", totals.missed),
         totals.seconds);

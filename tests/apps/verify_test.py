@@ -46,6 +46,14 @@ class Verify(ProgramTest):
         self.assertLess(np.linalg.norm(np.subtract(check["value"], check["reference"])), 1e-8)
         self.assertLess(check["error"], check["tolerance"])
 
+    def test_the_table_of_all(self):
+        told = self.gxrod("verify", "bend_45", "symmetric_top", "--table").stdout
+        head, first = told.splitlines()[:2]
+        self.assertRegex(head, r"case and value +reference ± uncertainty +gxrod +error tolerance +order")
+        self.assertRegex(first, r"^bend_45 \(statics\): Bathe & Bolourchi \(1979\), GJ of the square section; by shooting\. \d")
+        self.assertRegex(told, r"\n  end position, t = 1; order 3: z +53.607369177 ± 5e-10 +53\.6073691")
+        self.assertRegex(told, r"\n2 cases, 30 checks, none missed in \d")
+
     def test_figures(self):
         self.gxrod("verify", "rubin2007", "--steps", "50,100,200", "--figures", "figures")
         for name in ("fig2", "fig3", "fig4"):
