@@ -6,6 +6,7 @@
 #include "deck/suggestion.hpp"
 #include "exit_code.hpp"
 #include "figures.hpp"
+#include "say.hpp"
 #include "verbs.hpp"
 #include "verification/study.hpp"
 
@@ -47,7 +48,7 @@ int verify(const VerifyArguments& arguments) {
     if (arguments.list) {
         std::size_t width = 0;
         for (const Study& study : studies()) width = std::max(width, study.name.size());
-        for (const Study& study : studies()) fmt::print("{:<{}}  {}\n", study.name, width, study.sentence);
+        for (const Study& study : studies()) say(stdout, "{:<{}}  {}\n", study.name, width, study.sentence);
         return exit_done;
     }
     bool matches = true;
@@ -56,10 +57,10 @@ int verify(const VerifyArguments& arguments) {
         const StudyResult result = study->run({arguments.steps, arguments.figures});
         matches = matches && result.matches;
         json[study->name] = result.json;
-        if (!arguments.json) fmt::print("{}: {}\n{}\n", study->name, study->sentence, result.table);
-        if (!result.matches) fmt::print(stderr, "gxrod: {} missed its reference\n", study->name);
+        if (!arguments.json) say(stdout, "{}: {}\n{}\n", study->name, study->sentence, result.table);
+        if (!result.matches) say(stderr, "gxrod: {} missed its reference\n", study->name);
     }
-    if (arguments.json) fmt::print("{}\n", json.dump(2));
+    if (arguments.json) say(stdout, "{}\n", json.dump(2));
     if (!arguments.figures.empty()) draw_figures(arguments.figures);
     return matches ? exit_done : exit_verification;
 }
