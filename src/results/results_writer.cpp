@@ -41,6 +41,12 @@ Hdf5Handle open_hdf5(OrderedFile& file) {
     return hdf5;
 }
 
+// What HDF5 may keep of a frame: two chunks of each of its fields.
+std::size_t count_frame_bytes(const Model& model) {
+    constexpr std::size_t fields = 14;
+    return fields * std::min(model.nodes.size() * sizeof(Vec3), 2 * most_chunk_bytes);
+}
+
 // Each under its file's name; where two folders have files of one name, the later with a number before it.
 void write_meshes(const Hdf5Handle& parent, const std::vector<MeshRecord>& meshes) {
     const Hdf5Handle group = require_group(parent, "meshes");
@@ -100,6 +106,7 @@ ResultsWriter::ResultsWriter(int descriptor,
                              const Model& model,
                              const OutputSettings& output)
     : file_(std::make_shared<OrderedFile>(descriptor)), hdf5_(create_hdf5(*file_)), root_(open_root(hdf5_)) {
+    frame_bytes_ = count_frame_bytes(model);
     write_provenance(root_, deck);
     tables_.emplace(root_, deck, model, output, 0, 0);
     commit();
@@ -113,6 +120,7 @@ ResultsWriter::ResultsWriter(ResumableFile file,
     : file_(std::make_shared<OrderedFile>(file.release())),
       hdf5_(open_hdf5(*file_)),
       root_(open_root(hdf5_)) {
+    frame_bytes_ = count_frame_bytes(model);
     write_resumption(root_, file.deck(), deck);
     tables_.emplace(root_, deck, model, output, file.place().steps, file.place().frames);
     commit();
@@ -138,7 +146,7 @@ template <class Action>
 void ResultsWriter::attempt(std::size_t bytes, Action&& action) {
     assert(tables_ && is_sound_);
     is_sound_ = false;
-    require_memory(hdf5_reserve + 2 * bytes);
+    require_memory(hdf5_reserve + bytes);
     action();
     is_sound_ = true;
 }
@@ -151,7 +159,7 @@ void ResultsWriter::record_step(const Snapshot& snapshot, const LedgerRow& ledge
 }
 
 void ResultsWriter::write_frame(const Snapshot& snapshot) {
-    attempt(0, [&] { tables_->append_frame(snapshot); });
+    attempt(frame_bytes_, [&] { tables_->append_frame(snapshot); });
 }
 
 bool ResultsWriter::is_flush_due() const {
@@ -164,7 +172,7 @@ void ResultsWriter::set_restart(RestartRecord record) {
 
 void ResultsWriter::flush() {
     const auto start = Clock::now();
-    attempt(tables_->buffered_bytes(), [&] {
+    attempt(tables_->buffered_bytes() + frame_bytes_, [&] {
         if (!file_->has_name()) throw std::runtime_error("it was removed while the run wrote it");
         tables_->flush_rows();
         commit();

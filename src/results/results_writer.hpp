@@ -63,6 +63,7 @@ class ResultsWriter {
     Hdf5Handle root_;
     std::optional<ResultsTables> tables_;  // empty once closed
     Clock::time_point next_flush_;
+    std::size_t frame_bytes_ = 0;
     bool is_sound_ = true;
     Abandonment abandonment_{*file_};  // last, so that it goes first
 };

@@ -10,30 +10,32 @@ import h5py
 
 from bench import Bench, Trial
 from catalogue import FAULTS, run_fault
-from decks import DECKS
+from decks import DECKS, LARGE
+from memory_faults import judge_memory_error, run_limited
 from table import read_record, write_table
 
 SANITIZED = os.environ["GXROD_SANITIZED"] == "1"
-# Trials of each, and the decks. Sanitizers slow every run, and want memory of their own.
-COUNTS = {"kill": 4, "sigterm": 2, "ctrl_c_twice": 3, "file_size_limit": 3,
-          "kill_in_write": 16, "torn_write": 6, "disk_full": 12, "disk_full_once": 6, "io_error": 6,
+# Trials of each. Sanitizers slow every run, and want memory of their own; other tests kill and interrupt runs under them.
+COUNTS = {"kill": 3, "sigterm": 2, "ctrl_c_twice": 2, "file_size_limit": 3,
+          "kill_in_write": 12, "torn_write": 3, "disk_full": 9, "disk_full_once": 3, "io_error": 3,
           "read_only": 1, "removed": 1, "moved": 1, "locked": 1, "clock_jumps": 1, "short_writes": 2,
-          "truncated": 4, "memory_limit": 0, "allocation": 30, "kill_batch": 1, "kill_worker": 1}
-SANITIZED_COUNTS = {**dict.fromkeys(FAULTS, 1), "kill_in_write": 4, "disk_full": 4, "memory_limit": 0, "allocation": 0}
+          "truncated": 3, "memory_limit": 0, "allocation": 20, "kill_batch": 1, "kill_worker": 1}
+SANITIZED_COUNTS = {**dict.fromkeys(FAULTS, 0), "kill_in_write": 3, "disk_full": 3, "short_writes": 1, "truncated": 1}
 QUICK = [DECKS[name] for name in ("rod", "deflated", "body")]
 
 
 class Faults(unittest.TestCase):
-    def setUp(self):
+    @classmethod
+    def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.bench = Bench(folder.name, os.environ["GXROD"], os.environ["GXROD_SHIMS"])
-        self.bench.plotted = 0.25
+        cls.addClassCleanup(folder.cleanup)
+        cls.bench = Bench(folder.name, os.environ["GXROD"], os.environ["GXROD_SHIMS"])
+        cls.bench.plotted = 0.25
 
     def check(self, name):
         count = (SANITIZED_COUNTS if SANITIZED else COUNTS)[name]
         if count == 0:
-            self.skipTest("sanitizers have memory of their own" if SANITIZED else "tests/faults/campaign tries it")
+            self.skipTest("tests/faults/campaign tries it")
         trials = run_fault(name, self.bench, QUICK, count, random.Random(name))
         self.assertGreaterEqual(len(trials), count)
         self.assertEqual([trial.lost for trial in trials if trial.lost], [])
@@ -59,7 +61,20 @@ class Faults(unittest.TestCase):
 
     def test_a_failed_allocation_is_told(self):
         trials = self.check("allocation")
-        self.assertGreater(sum("out of memory" in trial.message for trial in trials), 20)
+        self.assertGreater(sum("out of memory" in trial.message for trial in trials), 12)
+
+
+    def test_too_little_memory_is_told(self):
+        if SANITIZED:
+            self.skipTest("sanitizers have memory of their own")
+        deck = LARGE
+        ends = set()
+        for megabytes in (70, 85, 100, 115):
+            done = run_limited(self.bench, deck, megabytes << 20)
+            self.assertEqual(judge_memory_error(done), "", megabytes)
+            ends.add(done.returncode)
+        self.assertIn(1, ends)
+        self.assertEqual(self.bench.recover(deck, Trial("", "")).lost, "")
 
 
 def add_test(name):
