@@ -5,6 +5,8 @@
 #include <new>
 
 #include "model/file_error.hpp"
+#include "results/hdf5_objects.hpp"
+#include "results/hdf5_reader.hpp"
 #include "results/ordered_driver.hpp"
 #include "results/results_file.hpp"
 #include "results/sample.hpp"
