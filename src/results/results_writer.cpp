@@ -47,6 +47,10 @@ std::size_t count_frame_bytes(const Model& model) {
     return fields * std::min(model.nodes.size() * sizeof(Vec3), 2 * most_chunk_bytes);
 }
 
+void check_name(const OrderedFile& file) {
+    if (!file.has_name()) throw std::runtime_error("it was removed while the run wrote it");
+}
+
 // Each under its file's name; where two folders have files of one name, the later with a number before it.
 void write_meshes(const Hdf5Handle& parent, const std::vector<MeshRecord>& meshes) {
     const Hdf5Handle group = require_group(parent, "meshes");
@@ -173,7 +177,7 @@ void ResultsWriter::set_restart(RestartRecord record) {
 void ResultsWriter::flush() {
     const auto start = Clock::now();
     attempt(tables_->buffered_bytes() + frame_bytes_, [&] {
-        if (!file_->has_name()) throw std::runtime_error("it was removed while the run wrote it");
+        check_name(*file_);
         tables_->flush_rows();
         commit();
         tables_->flush_frame_count();
@@ -212,6 +216,7 @@ void ResultsWriter::close(const std::string& status,
         if (!reason_nodes.empty()) rewrite_attribute(root_.id(), "reason_nodes", reason_nodes);
         rewrite_attribute(root_.id(), "status", status);
         close_hdf5();
+        check_name(*file_);
     });
 }
 

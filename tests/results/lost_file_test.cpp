@@ -37,6 +37,17 @@ TEST_CASE("A results file that was removed takes no more", "[results]") {
     CHECK(!file.is_sound());
 }
 
+TEST_CASE("A results file that was removed is not told to be complete", "[results]") {
+    const sample::ScratchFolder folder;
+    const Model model = sample::make_model();
+    const auto path = folder / "a.vtkhdf";
+    ResultsFile file({path}, sample::make_deck(), model, sample::make_output());
+    write_step(file);
+    std::filesystem::remove(path);
+    CHECK_THROWS_WITH(file.close(RunStatus::complete, ""),
+                      Catch::Contains("cannot write: it was removed while the run wrote it"));
+}
+
 TEST_CASE("A results file that was moved is complete and told of", "[results]") {
     const sample::ScratchFolder folder;
     const Model model = sample::make_model();
