@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <memory>
 
 #include "analyses/dynamic.hpp"
@@ -9,6 +7,7 @@
 #include "deck/problem.hpp"
 #include "exit_code.hpp"
 #include "job.hpp"
+#include "say.hpp"
 #include "verbs.hpp"
 
 namespace gxrod {
@@ -22,15 +21,16 @@ struct CheckArguments {
 
 int check(const CheckArguments& arguments) {
     const Problem problem = read_job_problem(arguments.deck, arguments.overrides);
-    if (!problem.record.title.empty()) fmt::print("{}\n", problem.record.title);
-    fmt::print("{}{}{}",
-               describe_model(problem.model),
-               describe_analysis(problem.analysis),
-               describe_output(problem.analysis, problem.output));
-    for (const std::string& note : problem.notes) fmt::print("note: {}\n", note);
+    if (!problem.record.title.empty()) say(stdout, "{}\n", problem.record.title);
+    say(stdout,
+        "{}{}{}",
+        describe_model(problem.model),
+        describe_analysis(problem.analysis),
+        describe_output(problem.analysis, problem.output));
+    for (const std::string& note : problem.notes) say(stdout, "note: {}\n", note);
     const std::vector<Finding> findings = examine_model(problem.model, problem.analysis);
     for (const Finding& finding : findings) {
-        fmt::print(finding.severity == Severity::error ? stderr : stdout, "{}\n", describe(finding));
+        say(finding.severity == Severity::error ? stderr : stdout, "{}\n", describe(finding));
     }
     if (has_error(findings)) return exit_bad_input;
     const auto* dynamic = std::get_if<DynamicSettings>(&problem.analysis);
@@ -39,12 +39,13 @@ int check(const CheckArguments& arguments) {
     DynamicAnalysis analysis(problem.model, *dynamic);
     const EquilibriumReport start = analysis.start();
     if (!start.converged()) {
-        fmt::print(stderr, "gxrod: {}\n", describe_failure(analysis.explain(start)));
+        say(stderr, "gxrod: {}\n", describe_failure(analysis.explain(start)));
         return exit_not_converged;
     }
-    fmt::print("initial accelerations solved; energy at the start {:.6g}\n",
-               analysis.ledger_row().kinetic_energy + analysis.ledger_row().strain_energy);
-    fmt::print("{}", describe_frequencies(problem.model, *dynamic));
+    say(stdout,
+        "initial accelerations solved; energy at the start {:.6g}\n",
+        analysis.ledger_row().kinetic_energy + analysis.ledger_row().strain_energy);
+    say(stdout, "{}", describe_frequencies(problem.model, *dynamic));
     return exit_done;
 }
 

@@ -1,10 +1,9 @@
-#include <fmt/core.h>
-
 #include <memory>
 
 #include "exit_code.hpp"
 #include "results/csv_export.hpp"
 #include "results/series_export.hpp"
+#include "say.hpp"
 #include "verbs.hpp"
 
 namespace gxrod {
@@ -25,11 +24,11 @@ int export_results(const ExportArguments& arguments) {
     const Existing existing = arguments.force ? Existing::replace : Existing::refuse;
     if (!arguments.csv.empty()) {
         for (const auto& path : export_csv(arguments.results, arguments.csv, existing)) {
-            fmt::print("{}\n", path.string());
+            say(stdout, "{}\n", path.string());
         }
     }
     if (!arguments.series.empty()) {
-        fmt::print("{}\n", export_series(arguments.results, arguments.series, existing).string());
+        say(stdout, "{}\n", export_series(arguments.results, arguments.series, existing).string());
     }
     return exit_done;
 }

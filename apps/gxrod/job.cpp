@@ -1,17 +1,18 @@
 #include "job.hpp"
 
-#include <fmt/core.h>
-
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <new>
 
 #include "analyses/model_examination.hpp"
 #include "batch/plan.hpp"
 #include "exit_code.hpp"
+#include "model/file_error.hpp"
 #include "parallel/cores.hpp"
 #include "progress_line.hpp"
 #include "results/energy_warning.hpp"
+#include "say.hpp"
 #include "summary.hpp"
 
 namespace gxrod {
@@ -28,48 +29,64 @@ extern "C" void ask_to_end(int signal) {
 
 void tell(const JobOptions& options, const RunSummary& summary, bool is_resumed) {
     if (summary.status == RunStatus::failed) {
-        fmt::print(stderr,
-                   "gxrod: {}\nResults up to t = {:.10g} are in {}\n",
-                   summary.reason,
-                   summary.time,
-                   options.results);
+        say(stderr,
+            "gxrod: {}\nResults up to t = {:.10g} are in {}\n",
+            summary.reason,
+            summary.time,
+            options.results);
     } else if (summary.status == RunStatus::interrupted) {
-        fmt::print(stderr,
-                   "gxrod: interrupted at t = {:.10g}; results up to there are in {}\n"
-                   "To go on: gxrod resume {}\n",
-                   summary.time,
-                   options.results,
-                   options.results);
+        say(stderr,
+            "gxrod: interrupted at t = {:.10g}; results up to there are in {}\n"
+            "To go on: gxrod resume {}\n",
+            summary.time,
+            options.results,
+            options.results);
     } else if (options.tells()) {
-        fmt::print("{} steps to t = {:.10g}, {} Newton iterations{}, {:.2f} s\nResults: {}\n",
-                   summary.totals.steps,
-                   summary.time,
-                   summary.totals.newton_iterations,
-                   is_resumed ? " in all; this part" : "",
-                   summary.wall_seconds,
-                   options.results);
+        say(stdout,
+            "{} steps to t = {:.10g}, {} Newton iterations{}, {:.2f} s\nResults: {}\n",
+            summary.totals.steps,
+            summary.time,
+            summary.totals.newton_iterations,
+            is_resumed ? " in all; this part" : "",
+            summary.wall_seconds,
+            options.results);
     }
 }
 
 void warn_of_energy(const RunSummary& summary) {
     const std::string imbalance =
         describe_imbalance(summary.totals.largest_energy, summary.totals.largest_energy_error);
-    if (!imbalance.empty()) fmt::print(stderr, "warning: {}\n", imbalance);
+    if (!imbalance.empty()) say(stderr, "warning: {}\n", imbalance);
 }
 
 int exit_code_of(const RunSummary& summary, bool deck_fault) {
     if (summary.status == RunStatus::interrupted) return exit_interrupted;
+    if (summary.out_of_memory) return exit_internal_error;
     if (summary.status == RunStatus::failed) return deck_fault ? exit_bad_input : exit_not_converged;
     return exit_done;
 }
 
+// After a fault that ended the program while it wrote: how to go on, if that is possible.
+void tell_resumption(const std::string& results) {
+    try {
+        const double time = ResumableFile(results).place().record.steps.time;
+        say(stderr,
+            "{} holds what was computed up to t = {:.10g}. To go on: gxrod resume {}\n",
+            results,
+            time,
+            results);
+    } catch (const std::exception&) {
+        // Nothing to go on from, or no memory to look.
+    }
+}
+
 void warn_of_threads(const JobOptions& options) {
     if (options.quiet || options.threads <= count_cores()) return;
-    fmt::print(stderr,
-               "warning: --threads {}: with {} core{} they slow each other down\n",
-               options.threads,
-               count_cores(),
-               count_cores() == 1 ? "" : "s");
+    say(stderr,
+        "warning: --threads {}: with {} core{} they slow each other down\n",
+        options.threads,
+        count_cores(),
+        count_cores() == 1 ? "" : "s");
 }
 
 // Tells of what is suspicious; whether the model can be run.
@@ -78,9 +95,19 @@ bool examine(const JobOptions& options, const Problem& problem) {
     for (const Finding& finding : findings) {
         const bool is_told =
             finding.severity == Severity::error || (finding.severity == Severity::warning && !options.quiet);
-        if (is_told) fmt::print(stderr, "{}: {}\n", options.deck, describe(finding));
+        if (is_told) say(stderr, "{}: {}\n", options.deck, describe(finding));
     }
     return !has_error(findings);
+}
+
+// Runs and tells how it went.
+int run_and_tell(const RunRequest& request, const JobOptions& options, ProgressLine& line) {
+    const RunSummary summary = run_analysis(request);
+    line.finish();
+    tell(options, summary, request.resumed != nullptr);
+    warn_of_energy(summary);
+    if (!options.summary.empty()) write_summary(options.summary, summary, options.deck, options.results);
+    return exit_code_of(summary, summary.deck_fault);
 }
 
 }  // namespace
@@ -121,18 +148,25 @@ int run_job(const Problem& problem, const JobOptions& options, ResumableFile* re
     if (!options.quiet) request.report_progress = [&](const Progress& progress) { line.show(progress); };
     if (options.tells()) {
         request.report_resumption = [&](double time) {
-            fmt::print("{} goes on from t = {:.10g}\n", options.results, time);
+            say(stdout, "{} goes on from t = {:.10g}\n", options.results, time);
             std::fflush(stdout);
         };
     }
     request.is_interrupted = [] { return interrupt_signal != 0; };
     request.threads = options.threads;
-    const RunSummary summary = run_analysis(request);
-    line.finish();
-    tell(options, summary, resumed != nullptr);
-    warn_of_energy(summary);
-    if (!options.summary.empty()) write_summary(options.summary, summary, options.deck, options.results);
-    return exit_code_of(summary, summary.deck_fault);
+    try {
+        return run_and_tell(request, options, line);
+    } catch (const WriteError& error) {
+        line.finish();
+        say(stderr, "gxrod: {}\n", error.what());
+        tell_resumption(options.results);
+        return exit_file;
+    } catch (const std::bad_alloc&) {
+        line.finish();
+        say_text(stderr, out_of_memory);
+        tell_resumption(options.results);
+        return exit_internal_error;
+    }
 }
 
 }  // namespace gxrod

@@ -1,11 +1,13 @@
 #include <fcntl.h>
-#include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <new>
 #include <stdexcept>
+#include <system_error>
 
 #include "deck/fault.hpp"
 #include "deck/suggestion.hpp"
@@ -13,6 +15,7 @@
 #include "exit_code.hpp"
 #include "model/file_error.hpp"
 #include "model/version.hpp"
+#include "say.hpp"
 #include "verbs.hpp"
 
 namespace {
@@ -62,7 +65,8 @@ int run_program(int argc, char** argv) {
         return std::string("gxrod: ") + error.what() + "\nTry 'gxrod --help' or 'gxrod VERB --help'.\n";
     });
     program.footer(
-        "Exit codes: 0 done, 1 internal error, 2 usage or deck fault, 3 did not converge,\n"
+        "Exit codes: 0 done, 1 internal error or too little memory, 2 usage or deck fault, 3 did not "
+        "converge,\n"
         "4 a file could not be read or written, 5 a verification missed its reference, 130 interrupted.");
     int exit_code = gxrod::exit_done;
     gxrod::add_run_verb(program, exit_code);
@@ -83,23 +87,52 @@ int run_program(int argc, char** argv) {
     return exit_code;
 }
 
+// The exit code; says so, if what was told did not all get where it was to go.
+int check_output(int exit_code) {
+    const std::string error = gxrod::describe_output_error();
+    if (error.empty()) return exit_code;
+    gxrod::say(stderr, "gxrod: standard output cannot be written: {}\n", error);
+    return exit_code == gxrod::exit_done ? gxrod::exit_file : exit_code;
+}
+
+// Where no exception may pass, in a library or before main(), too little memory is still no abort.
+[[noreturn]] void end_without_memory() {
+    try {
+        if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+        gxrod::say_text(stderr, gxrod::out_of_memory);
+        std::_Exit(gxrod::exit_internal_error);
+    } catch (...) {
+    }
+    std::abort();
+}
+
+// Before all else that is made before main().
+struct TerminateHandler {
+    TerminateHandler() { std::set_terminate(end_without_memory); }
+};
+[[gnu::init_priority(101)]] const TerminateHandler terminate_handler;
+
 }  // namespace
 
 int main(int argc, char** argv) {
     open_standard_files();
     try {
-        return run_program(argc, argv);
+        return check_output(run_program(argc, argv));
     } catch (const gxrod::DeckError& error) {
-        fmt::print(stderr, "{}\n", error.what());
+        gxrod::say(stderr, "{}\n", error.what());
         return gxrod::exit_bad_input;
     } catch (const gxrod::FileError& error) {
-        fmt::print(stderr, "gxrod: {}\n", error.what());
+        gxrod::say(stderr, "gxrod: {}\n", error.what());
         return gxrod::exit_file;
     } catch (const std::bad_alloc&) {
-        fmt::print(stderr, "gxrod: out of memory\n");
+        gxrod::say_text(stderr, gxrod::out_of_memory);
+        return gxrod::exit_internal_error;
+    } catch (const std::system_error& error) {
+        gxrod::say(stderr, "gxrod: {}\n", error.what());
         return gxrod::exit_internal_error;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "gxrod: internal error: {}\n", error.what());
+        gxrod::say(stderr, "gxrod: internal error: {}\n", error.what());
         return gxrod::exit_internal_error;
     }
 }

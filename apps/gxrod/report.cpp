@@ -12,6 +12,7 @@
 #include "exit_code.hpp"
 #include "progress_line.hpp"
 #include "report/batch_report.hpp"
+#include "say.hpp"
 #include "verbs.hpp"
 
 namespace gxrod {
@@ -32,7 +33,7 @@ struct ReportArguments {
 };
 
 void tell_page(const std::filesystem::path& page, std::size_t bytes) {
-    fmt::print("{} ({:.1f} MB)\n", page.string(), static_cast<double>(bytes) / megabyte);
+    say(stdout, "{} ({:.1f} MB)\n", page.string(), static_cast<double>(bytes) / megabyte);
 }
 
 int report_run(const ReportArguments& arguments) {
@@ -47,8 +48,8 @@ int report_run(const ReportArguments& arguments) {
     options.most_bytes = arguments.most_bytes();
     options.existing = arguments.existing();
     const ReportSummary summary = write_report(options);
-    for (const std::string& warning : summary.warnings) fmt::print(stderr, "warning: {}\n", warning);
-    for (const std::string& sentence : summary.left_out) fmt::print("{}\n", sentence);
+    for (const std::string& warning : summary.warnings) say(stderr, "warning: {}\n", warning);
+    for (const std::string& sentence : summary.left_out) say(stdout, "{}\n", sentence);
     tell_page(options.page, summary.bytes);
     return exit_done;
 }
@@ -81,25 +82,25 @@ CaseChoice read_choice(const std::string& text) {
 void tell_case_pages(const CasePages& pages, bool is_chosen) {
     constexpr std::size_t most_faults = 5;
     for (std::size_t i = 0; i < std::min(pages.faults.size(), most_faults); ++i) {
-        fmt::print(stderr, "warning: no page of a case: {}\n", pages.faults[i]);
+        say(stderr, "warning: no page of a case: {}\n", pages.faults[i]);
     }
     if (pages.faults.size() > most_faults) {
-        fmt::print(stderr, "warning: {} more cases have no page\n", pages.faults.size() - most_faults);
+        say(stderr, "warning: {} more cases have no page\n", pages.faults.size() - most_faults);
     }
     if (pages.lost > 0) {
-        fmt::print(stderr,
-                   "warning: results of {} {} are in the table, but not in the folder\n",
-                   pages.lost,
-                   pages.lost == 1 ? "case" : "cases");
+        say(stderr,
+            "warning: results of {} {} are in the table, but not in the folder\n",
+            pages.lost,
+            pages.lost == 1 ? "case" : "cases");
     }
     if (pages.passed_over > 0 && !is_chosen) {
-        fmt::print(
+        say(stdout,
             "Of the cases with results, {} were passed over; those that failed came first (--cases all takes "
             "all, --cases I..J some)\n",
             pages.passed_over);
     }
     if (pages.written + pages.kept > 0) {
-        fmt::print("pages of cases: {} written, {} kept as they were\n", pages.written, pages.kept);
+        say(stdout, "pages of cases: {} written, {} kept as they were\n", pages.written, pages.kept);
     }
 }
 
@@ -119,9 +120,9 @@ int report_batch(const ReportArguments& arguments) {
     progress_line.finish();
     tell_case_pages(summary.pages, !arguments.cases.empty());
     if (summary.finished < static_cast<std::size_t>(summary.cases)) {
-        fmt::print("{} of {} cases have ended\n", summary.finished, summary.cases);
+        say(stdout, "{} of {} cases have ended\n", summary.finished, summary.cases);
     }
-    for (const std::string& sentence : summary.left_out) fmt::print("{}\n", sentence);
+    for (const std::string& sentence : summary.left_out) say(stdout, "{}\n", sentence);
     tell_page(options.page, summary.bytes);
     return exit_done;
 }

@@ -5,6 +5,7 @@
 #include "deck/problem.hpp"
 #include "exit_code.hpp"
 #include "job.hpp"
+#include "say.hpp"
 #include "verbs.hpp"
 
 namespace gxrod {
@@ -40,7 +41,7 @@ int resume(ResumeArguments& arguments) {
     const bool is_at_end = time == end_of(problem.analysis);
     // A killed run may be at its end and not closed.
     if (is_at_end && file.is_complete() && job.summary.empty()) {
-        if (job.tells()) fmt::print("{}", describe_end(problem.analysis, time, job.results));
+        if (job.tells()) say(stdout, "{}", describe_end(problem.analysis, time, job.results));
         return exit_done;
     }
     if (job.deck.empty()) job.deck = file.deck().name;

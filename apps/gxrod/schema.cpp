@@ -1,11 +1,10 @@
 #include "deck/schema.hpp"
 
-#include <fmt/core.h>
-
 #include <memory>
 
 #include "batch/plan_schema.hpp"
 #include "exit_code.hpp"
+#include "say.hpp"
 #include "verbs.hpp"
 
 namespace gxrod {
@@ -32,7 +31,7 @@ void add_schema_verb(CLI::App& program, int& exit_code) {
     verb->add_flag(
         "--markdown", arguments->markdown, "Print the reference (docs/deck.md, docs/plan.md) instead");
     verb->callback([arguments, &exit_code] {
-        fmt::print("{}\n", write_schema(*arguments));
+        say(stdout, "{}\n", write_schema(*arguments));
         exit_code = exit_done;
     });
 }

@@ -1,19 +1,18 @@
 #include "summary.hpp"
 
-#include <fmt/core.h>
-
 #include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "model/file_error.hpp"
 #include "model/version.hpp"
+#include "say.hpp"
 
 namespace gxrod {
 
 void write_json(const std::string& target, const nlohmann::ordered_json& json) {
     const std::string text = json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
     if (target == "-") {
-        fmt::print("{}\n", text);
+        say(stdout, "{}\n", text);
         return;
     }
     std::ofstream file(target);

@@ -6,6 +6,7 @@
 #include "deck/suggestion.hpp"
 #include "exit_code.hpp"
 #include "figures.hpp"
+#include "say.hpp"
 #include "solvers/phase_timer.hpp"
 #include "verbs.hpp"
 #include "verification/study.hpp"
@@ -81,9 +82,9 @@ nlohmann::ordered_json describe_check(const Study& study, const Check& check, do
 
 void tell(const VerifyArguments& arguments, const Study& study, const StudyResult& result, double seconds) {
     if (arguments.tells_table()) {
-        fmt::print("{}", describe_checks(study, result, seconds));
+        say(stdout, "{}", describe_checks(study, result, seconds));
     } else {
-        fmt::print("{}: {}\n{}\n", study.name, study.sentence, result.table);
+        say(stdout, "{}: {}\n{}\n", study.name, study.sentence, result.table);
     }
     std::fflush(stdout);
 }
@@ -107,13 +108,13 @@ int verify(const CLI::App& verb, VerifyArguments& arguments) {
     if (arguments.list) {
         std::size_t width = 0;
         for (const Study& study : studies()) width = std::max(width, study.name.size());
-        for (const Study& study : studies()) fmt::print("{:<{}}  {}\n", study.name, width, study.sentence);
+        for (const Study& study : studies()) say(stdout, "{:<{}}  {}\n", study.name, width, study.sentence);
         return exit_done;
     }
     ValidationTotals totals;
     nlohmann::ordered_json json;
     nlohmann::ordered_json checks = nlohmann::ordered_json::array();
-    if (arguments.tells_table()) fmt::print("{}", validation_head());
+    if (arguments.tells_table()) say(stdout, "{}", validation_head());
     for (const Study* study : choose_studies(arguments)) {
         double seconds = 0.0;
         const StudyResult result = run_study(*study, arguments, seconds);
@@ -121,11 +122,11 @@ int verify(const CLI::App& verb, VerifyArguments& arguments) {
         json[study->name] = result.json;
         for (const Check& check : result.checks) checks.push_back(describe_check(*study, check, seconds));
         if (!arguments.json) tell(arguments, *study, result, seconds);
-        if (!result.matches()) fmt::print(stderr, "gxrod: {} missed its reference\n", study->name);
+        if (!result.matches()) say(stderr, "gxrod: {} missed its reference\n", study->name);
     }
     json["checks"] = checks;
-    if (arguments.json) fmt::print("{}\n", json.dump(2));
-    if (arguments.tells_table()) fmt::print("{}", describe_totals(totals));
+    if (arguments.json) say(stdout, "{}\n", json.dump(2));
+    if (arguments.tells_table()) say(stdout, "{}", describe_totals(totals));
     if (!arguments.figures.empty()) draw_figures(arguments.figures);
     return totals.missed == 0 ? exit_done : exit_verification;
 }

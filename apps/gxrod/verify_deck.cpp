@@ -1,7 +1,5 @@
 #include "verify_deck.hpp"
 
-#include <fmt/core.h>
-
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -10,6 +8,7 @@
 #include "exit_code.hpp"
 #include "report/page_file.hpp"
 #include "report/study_page.hpp"
+#include "say.hpp"
 #include "verification/deck_study_text.hpp"
 
 namespace gxrod {
@@ -28,15 +27,15 @@ extern "C" void ask_study_to_end(int signal) {
 bool examine(const Problem& problem, const std::string& deck) {
     const std::vector<Finding> findings = examine_model(problem.model, problem.analysis);
     for (const Finding& finding : findings) {
-        if (finding.severity != Severity::note) fmt::print(stderr, "{}: {}\n", deck, describe(finding));
+        if (finding.severity != Severity::note) say(stderr, "{}: {}\n", deck, describe(finding));
     }
     return !has_error(findings);
 }
 
 void tell_run(const VariantRun& run, double cost_of_rest) {
-    fmt::print("{}", describe_run(run));
+    say(stdout, "{}", describe_run(run));
     if (run.variant.kind == VariantKind::as_it_is && run.is_whole())
-        fmt::print("  the others will take about {:.2g} s\n", cost_of_rest * run.seconds);
+        say(stdout, "  the others will take about {:.2g} s\n", cost_of_rest * run.seconds);
     std::fflush(stdout);
 }
 
@@ -63,23 +62,23 @@ int verify_deck(const VerifyDeckArguments& arguments) {
     options.tolerance = arguments.tolerance;
     options.is_interrupted = [] { return is_asked_to_end != 0; };
     if (!arguments.json) {
-        if (!problem.record.title.empty()) fmt::print("{}\n", problem.record.title);
-        fmt::print("{}{}", describe_plan(variants), run_head());
+        if (!problem.record.title.empty()) say(stdout, "{}\n", problem.record.title);
+        say(stdout, "{}{}", describe_plan(variants), run_head());
         std::fflush(stdout);
         options.report_run = [&](const VariantRun& run) { tell_run(run, total_cost(variants) - 1.0); };
     }
     const DeckStudy study = study_deck(deck, arguments.overrides, variants, options);
     if (arguments.json) {
-        fmt::print("{}\n", to_json(study, false).dump(2));
+        say(stdout, "{}\n", to_json(study, false).dump(2));
     } else {
         if (!study.runs.empty() && study.runs.front().is_whole())
-            fmt::print("\n{}\n{}", describe_errors(study), describe_properties(study));
-        fmt::print("\n");
-        for (const std::string& sentence : judge(study)) fmt::print("- {}\n", sentence);
+            say(stdout, "\n{}\n{}", describe_errors(study), describe_properties(study));
+        say(stdout, "\n");
+        for (const std::string& sentence : judge(study)) say(stdout, "- {}\n", sentence);
     }
     if (!arguments.page.empty()) {
         write_study_page(to_json(study, true), arguments.page, existing);
-        if (!arguments.json) fmt::print("\nPage: {}\n", arguments.page);
+        if (!arguments.json) say(stdout, "\nPage: {}\n", arguments.page);
     }
     return exit_code_of(study);
 }

@@ -42,6 +42,7 @@ class Run {
         } catch (const FileError&) {
             throw;
         } catch (const std::bad_alloc&) {
+            if (file_ && !file_->is_sound()) throw;
             fail("out of memory");
             summary_.out_of_memory = true;
         } catch (const std::exception& error) {
@@ -77,7 +78,7 @@ class Run {
 
     void resume() {
         const RestartRecord& record = request_.resumed->place().record;
-        const double record_time = record.steps.time;
+        recorded_time_ = record.steps.time;
         const std::filesystem::path path = request_.resumed->path();
         bool has_step = false;
         try {
@@ -92,7 +93,7 @@ class Run {
         accepted_totals_ = record.totals;
         file_ = std::make_unique<ResultsFile>(
             request_.deck, request_.model, request_.output, std::move(*request_.resumed));
-        request_.report_resumption(record_time);
+        request_.report_resumption(recorded_time_);
     }
 
     bool start() {
@@ -102,8 +103,8 @@ class Run {
             fail(analysis_->explain(report));
             return false;
         }
-        has_started_ = true;
         record();
+        has_started_ = true;
         return true;
     }
 
@@ -136,15 +137,13 @@ class Run {
         watch_energy(ledger);
         if (request_.observe) request_.observe(snapshot, ledger);
         accepted_totals_ = summary_.totals;
-        if (file_) write(snapshot, ledger);
-    }
-
-    void write(const Snapshot& snapshot, const LedgerRow& ledger) {
-        file_->record_step(snapshot, ledger, analysis_->solver_row());
+        if (file_) file_->record_step(snapshot, ledger, analysis_->solver_row());
         if (last_framed_) file_->write_frame(snapshot);
-        if (!file_->is_flush_due()) return;
-        file_->set_restart(restart_record());
-        file_->flush();
+        recorded_time_ = analysis_->state().time;
+        if (file_ && file_->is_flush_due()) {
+            file_->set_restart(restart_record());
+            file_->flush();
+        }
     }
 
     RestartRecord restart_record() const {
@@ -182,15 +181,21 @@ class Run {
         if (summary_.status == RunStatus::running) summary_.status = RunStatus::complete;
         if (file_) {
             const PhaseTimer timer(output_seconds_);
-            // The last frame, where none was due, is no part of what a resumed run goes on from.
-            if (has_started_) file_->set_restart(restart_record());
-            if (!last_framed_) file_->write_frame(analysis_->snapshot());
+            write_end();
             file_->close(summary_.status, summary_.reason, summary_.reason_nodes);
         }
-        summary_.time = analysis_->state().time;
+        summary_.time = recorded_time_;
         summary_.phases = analysis_->seconds();
         summary_.phases.setup = setup_seconds_;
         summary_.phases.output = output_seconds_;
+    }
+
+    void write_end() {
+        // For want of memory the last step may not have become a row; a resumed run takes it again.
+        if (has_started_ && recorded_time_ != analysis_->state().time) return;
+        if (has_started_) file_->set_restart(restart_record());
+        // The last frame, where none was due, is no part of what a resumed run goes on from.
+        if (!last_framed_) file_->write_frame(analysis_->snapshot());
     }
 
     const RunRequest& request_;
@@ -200,8 +205,9 @@ class Run {
     std::unique_ptr<SteppedAnalysis> analysis_;
     std::unique_ptr<ResultsFile> file_;
     RunTotals accepted_totals_;  // without what a step that failed has cost
-    bool has_started_ = false;   // has an accepted state
+    bool has_started_ = false;   // has recorded an accepted state
     bool last_framed_ = false;
+    double recorded_time_ = 0.0;  // of the last step that is a row of the results
 };
 
 }  // namespace

@@ -115,14 +115,15 @@ EquilibriumReport SteppedAnalysis::advance() {
         if (!steps_->reject()) return report;
     }
     const PhaseTimer timer(workspace_.seconds.update);
+    // What may fail for want of memory comes before all that changes what a later run goes on from. And
+    // before the step is the last one: what `simo` elements ask of their nodes depends on it.
+    reactions_ = system_.compute_reactions(workspace_.residual);
+    point_values_ = system_.compute_point_values(state_, steps_->next_time(), watched_);
     ledger_->add_step(
         state_, {steps_->next_time(), steps_->time_step(), workspace_.residual, workspace_.stage_powers});
-    reactions_ = system_.compute_reactions(workspace_.residual);
     solver_row_.time_step = steps_->time_step();
     solver_row_.newton_iterations = report.iterations;
     solver_row_.residual = report.residual;
-    // Before the step is the last one: what `simo` elements ask of their nodes depends on it.
-    point_values_ = system_.compute_point_values(state_, steps_->next_time(), watched_);
     system_.commit(state_, steps_->next_time());
     steps_->accept();
     return report;

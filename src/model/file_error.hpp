@@ -19,4 +19,10 @@ class FileError : public std::runtime_error {
     std::filesystem::path path_;
 };
 
+// Results could not be written, when some may have been already.
+class WriteError : public FileError {
+  public:
+    using FileError::FileError;
+};
+
 }  // namespace gxrod

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <exception>
 #include <mutex>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -124,6 +126,11 @@ ThreadTeam::ThreadTeam(int size) : size_(std::max(size, 1)) {
         for (int own = 1; own < size_; ++own) {
             crew_->others.emplace_back([crew = crew_.get(), own] { crew->serve(own); });
         }
+    } catch (const std::system_error& error) {
+        crew_->finish();
+        throw std::system_error(error.code(),
+                                "only " + std::to_string(1 + crew_->others.size()) + " of " +
+                                    std::to_string(size_) + " threads can be had");
     } catch (...) {
         crew_->finish();
         throw;

@@ -19,7 +19,7 @@ inline void check_hdf5(herr_t status, const char* action) {
     if (status < 0) throw Hdf5Error(action);
 }
 
-// Stops the library from printing its errors; they become exceptions.
+// Before all else of the library: stops it from printing its errors, which become exceptions.
 void silence_hdf5();
 
 // Owns an HDF5 identifier.

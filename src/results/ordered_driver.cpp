@@ -1,17 +1,21 @@
 #include "results/ordered_driver.hpp"
 
+#include <memory>
 #include <new>
+#include <type_traits>
 
 // The callbacks through which HDF5 reaches an OrderedFile (a "virtual file driver"). No exception may pass
-// through the library, and no write fails: it goes to memory.
+// through the library, and to the library no write fails: it goes to memory.
 namespace gxrod {
 namespace {
 
 struct DriverFile {
     H5FD_t base;  // first: the library's own part
-    OrderedFile* file;
+    std::shared_ptr<OrderedFile> file;
     haddr_t allocated;
 };
+
+static_assert(std::is_standard_layout_v<DriverFile>);
 
 OrderedFile& ordered_file(const H5FD_t* base) { return *reinterpret_cast<const DriverFile*>(base)->file; }
 
@@ -37,7 +41,7 @@ H5FD_t* open_file(const char*, unsigned, hid_t access, haddr_t) {
         delete opened;
         return nullptr;
     }
-    opened->file = *static_cast<OrderedFile* const*>(information);
+    opened->file = (*static_cast<OrderedFile* const*>(information))->shared_from_this();
     return &opened->base;
 }
 
@@ -76,10 +80,11 @@ herr_t write_bytes(
     H5FD_t* base, H5FD_mem_t type, hid_t, haddr_t offset, std::size_t size, const void* buffer) {
     try {
         ordered_file(base).write(part_of(type), offset, {static_cast<const std::byte*>(buffer), size});
-        return 0;
     } catch (...) {
-        return -1;
+        // For want of memory. The library would not survive it; so the next commit fails instead.
+        ordered_file(base).abandon();
     }
+    return 0;
 }
 
 H5FD_class_t make_driver() {

@@ -5,9 +5,9 @@
 
 namespace gxrod {
 
-// File access properties that make HDF5 read and write through `file`, which must outlive the HDF5 file.
-// Earliest file format, so that every reader opens it; larger pieces start at a page of memory, so that a
-// B-tree node is never written in part. Throws Hdf5Error.
+// File access properties that make HDF5 read and write through `file`, which it shares. `file` must outlive
+// these. Earliest file format, so that every reader opens it; larger pieces start at a page of memory, so
+// that a B-tree node is never written in part. Throws Hdf5Error.
 Hdf5Handle make_ordered_access(OrderedFile& file);
 
 }  // namespace gxrod

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <new>
 #include <system_error>
 
 namespace gxrod {
@@ -47,6 +48,7 @@ OrderedFile::OrderedFile(int descriptor) : descriptor_(descriptor) {
 OrderedFile::~OrderedFile() { ::close(descriptor_); }
 
 void OrderedFile::write(Part part, std::uint64_t offset, std::span<const std::byte> bytes) {
+    if (is_abandoned_) return;
     end_ = std::max(end_, offset + bytes.size());
     if (part == Part::data && try_to_write_now(offset, bytes)) return;
     if (part != Part::data) {
@@ -108,6 +110,7 @@ void OrderedFile::resize(std::uint64_t size) {
 }
 
 void OrderedFile::commit(Order direction) {
+    if (is_abandoned_) throw std::bad_alloc();
     if (size_ > disk_size_) resize(size_);
 
     // Rank of each write: 0 new places, 1 superblock, 2 heaps, then trees from the root down, then headers.
@@ -134,6 +137,24 @@ void OrderedFile::commit(Order direction) {
     pending_metadata_.clear();
     if (size_ < disk_size_) resize(size_);
     committed_ = size_;
+}
+
+void OrderedFile::abandon() noexcept {
+    is_abandoned_ = true;
+    pending_.clear();
+    pending_metadata_.clear();
+}
+
+bool OrderedFile::has_name() const {
+    struct stat status {};
+    return ::fstat(descriptor_, &status) != 0 || status.st_nlink > 0;
+}
+
+bool OrderedFile::is_at(const std::filesystem::path& path) const {
+    struct stat own {};
+    struct stat named {};
+    return ::fstat(descriptor_, &own) == 0 && ::stat(path.c_str(), &named) == 0 &&
+           own.st_dev == named.st_dev && own.st_ino == named.st_ino;
 }
 
 }  // namespace gxrod

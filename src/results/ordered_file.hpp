@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <unordered_map>
 #include <unordered_set>
@@ -22,7 +23,9 @@ namespace gxrod {
 //
 // Until a commit, writes are held in memory and seen by read(), but for raw data past the end of what is
 // committed, which is much and of which nothing on disk can know. A failed commit may be tried again.
-class OrderedFile {
+//
+// It is shared with HDF5, which may keep a file open when closing it failed for want of memory.
+class OrderedFile : public std::enable_shared_from_this<OrderedFile> {
   public:
     enum class Part { data, superblock, heap, tree, header };
 
@@ -47,6 +50,13 @@ class OrderedFile {
     // what is no longer within them. Throws std::system_error, for instance when the disk is full.
     enum class Order { growing, shrinking };
     void commit(Order order = Order::growing);
+    // Forgets what is not committed, and whatever is written from here on: HDF5 can then be closed without
+    // memory or room on the disk. A commit throws std::bad_alloc.
+    void abandon() noexcept;
+    // Whether it still has a name in some folder.
+    bool has_name() const;
+    // Whether it is the file of that name.
+    bool is_at(const std::filesystem::path& path) const;
 
   private:
     struct Write {
@@ -68,6 +78,7 @@ class OrderedFile {
     std::vector<Write> pending_;                                       // in the order of writing
     std::unordered_map<std::uint64_t, std::size_t> pending_metadata_;  // offset → index of the last image
     std::unordered_set<std::uint64_t> metadata_on_disk_;               // offsets of tree nodes and headers
+    bool is_abandoned_ = false;
 };
 
 }  // namespace gxrod

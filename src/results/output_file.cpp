@@ -72,12 +72,16 @@ void make_way(const fs::path& path, Existing existing) {
     if (error) throw FileError(path, "cannot replace the results file: " + error.message());
 }
 
+// A link stays; what it points to is replaced.
+fs::path follow_link(const fs::path& path) {
+    std::error_code error;
+    return fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
+}
+
 }  // namespace
 
 int create_output_file(const fs::path& path, Existing existing) {
-    // A link stays, and what it points to is replaced.
-    std::error_code error;
-    const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
+    const fs::path target = follow_link(path);
     make_way(target, existing);
     const int descriptor = ::open(target.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0) {
@@ -87,6 +91,11 @@ int create_output_file(const fs::path& path, Existing existing) {
     lock(descriptor);
     ignore_size_limit_signal();
     return descriptor;
+}
+
+void remove_output_file(const fs::path& path) {
+    std::error_code ignored;
+    fs::remove(follow_link(path), ignored);
 }
 
 int open_output_file(const fs::path& path) {

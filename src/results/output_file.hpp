@@ -12,6 +12,9 @@ enum class Existing { refuse, replace };
 // written, or if the file exists and is not to be replaced.
 int create_output_file(const std::filesystem::path& path, Existing existing);
 
+// Takes away a file that was created so, when nothing could be written to it; of a link, what it points to.
+void remove_output_file(const std::filesystem::path& path);
+
 // Opens a results file to go on with it. Throws FileError if there is none, it may not be written, or another
 // process is writing it: both functions lock the file for their process, which keeps nobody from reading.
 int open_output_file(const std::filesystem::path& path);

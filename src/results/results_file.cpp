@@ -30,9 +30,9 @@ void writing(const std::filesystem::path& path, Action&& action) {
     try {
         action();
     } catch (const std::system_error& error) {
-        throw FileError(path, "cannot write: " + error.code().message());
+        throw WriteError(path, "cannot write: " + error.code().message());
     } catch (const std::runtime_error& error) {
-        throw FileError(path, std::string("cannot write: ") + error.what());
+        throw WriteError(path, std::string("cannot write: ") + error.what());
     }
 }
 
@@ -57,8 +57,7 @@ ResultsFile::ResultsFile(const ResultsFileOptions& options,
     try {
         writing(path_, [&] { writer_ = std::make_unique<ResultsWriter>(descriptor, deck, model, output); });
     } catch (...) {
-        std::error_code ignored;
-        std::filesystem::remove(path_, ignored);
+        remove_output_file(path_);
         throw;
     }
 }
@@ -82,6 +81,8 @@ void ResultsFile::write_frame(const Snapshot& snapshot) {
     writing(path_, [&] { writer_->write_frame(snapshot); });
 }
 
+bool ResultsFile::is_sound() const { return writer_->is_sound(); }
+
 bool ResultsFile::is_flush_due() const { return writer_->is_flush_due(); }
 
 void ResultsFile::set_restart(RestartRecord record) {
@@ -96,6 +97,9 @@ void ResultsFile::close(RunStatus status,
                         const std::string& reason,
                         std::span<const std::int64_t> reason_nodes) {
     writing(path_, [&] { writer_->close(name_of(status), reason, reason_nodes); });
+    if (!writer_->is_at(path_)) {
+        throw FileError(path_, "was moved while the run wrote it", "it is complete, under its new name");
+    }
 }
 
 }  // namespace gxrod

@@ -34,11 +34,12 @@ struct ResultsFileOptions {
 // Wherever the writer is killed, the file holds every step and frame of the last time it was written:
 // /VTKHDF/Steps@NSteps is raised after all else is there, then /histories/time and /VTKHDF/Steps/Values.
 //
-// Every member but the destructor throws FileError if the file cannot be created or written. After that the
-// file still holds what was written before.
+// Every member but the destructor throws WriteError if the file cannot be written, std::bad_alloc if there is
+// too little memory for that. After that the file still holds what was written before.
 class ResultsFile {
   public:
-    // `model` must outlive the file. Names of histories are unique, not "time", and without '/' (asserted).
+    // Throws FileError, too, if the file cannot be created. `model` must outlive the file. Names of histories
+    // are unique, not "time", and without '/' (asserted).
     ResultsFile(const ResultsFileOptions& options,
                 const DeckRecord& deck,
                 const Model& model,
@@ -55,6 +56,8 @@ class ResultsFile {
     void record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
     // Adds a frame to /VTKHDF.
     void write_frame(const Snapshot& snapshot);
+    // Whether no call has failed so far. After one that did, only the destructor may be called.
+    bool is_sound() const;
     // Whether it is time to write what is gathered: five times a second, or when it is much.
     bool is_flush_due() const;
     // What a resumed run goes on from, once it is written: after the steps and frames added so far.
@@ -62,7 +65,7 @@ class ResultsFile {
     // Writes now what is gathered.
     void flush();
     // Writes all, with the status, its reason and the nodes that the reason names. Nothing may be added after
-    // it.
+    // it. Throws FileError, too, if the file has another name by now.
     void close(RunStatus status, const std::string& reason, std::span<const std::int64_t> reason_nodes = {});
 
   private:

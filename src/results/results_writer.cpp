@@ -4,10 +4,12 @@
 #include <cassert>
 #include <filesystem>
 #include <set>
+#include <stdexcept>
 
 #include "model/version.hpp"
 #include "results/deck_reading.hpp"
 #include "results/digest.hpp"
+#include "results/memory_reserve.hpp"
 #include "results/ordered_driver.hpp"
 
 namespace gxrod {
@@ -19,6 +21,7 @@ constexpr auto flush_interval = 200ms;
 constexpr std::size_t most_buffered_bytes = std::size_t{16} << 20;
 
 Hdf5Handle create_hdf5(OrderedFile& file) {
+    require_memory(2 * hdf5_reserve);  // for the library and for the tables
     silence_hdf5();
     const Hdf5Handle access = make_ordered_access(file);
     // The name matters to messages only.
@@ -30,11 +33,22 @@ Hdf5Handle open_root(const Hdf5Handle& file) {
 }
 
 Hdf5Handle open_hdf5(OrderedFile& file) {
+    require_memory(2 * hdf5_reserve);
     silence_hdf5();
     const Hdf5Handle access = make_ordered_access(file);
     Hdf5Handle hdf5(H5Fopen("results", H5F_ACC_RDWR, access.id()), H5Fclose, "opening the file");
     file.adopt();
     return hdf5;
+}
+
+// What HDF5 may keep of a frame: two chunks of each of its fields.
+std::size_t count_frame_bytes(const Model& model) {
+    constexpr std::size_t fields = 14;
+    return fields * std::min(model.nodes.size() * sizeof(Vec3), 2 * most_chunk_bytes);
+}
+
+void check_name(const OrderedFile& file) {
+    if (!file.has_name()) throw std::runtime_error("it was removed while the run wrote it");
 }
 
 // Each under its file's name; where two folders have files of one name, the later with a number before it.
@@ -95,7 +109,8 @@ ResultsWriter::ResultsWriter(int descriptor,
                              const DeckRecord& deck,
                              const Model& model,
                              const OutputSettings& output)
-    : file_(descriptor), hdf5_(create_hdf5(file_)), root_(open_root(hdf5_)) {
+    : file_(std::make_shared<OrderedFile>(descriptor)), hdf5_(create_hdf5(*file_)), root_(open_root(hdf5_)) {
+    frame_bytes_ = count_frame_bytes(model);
     write_provenance(root_, deck);
     tables_.emplace(root_, deck, model, output, 0, 0);
     commit();
@@ -106,7 +121,10 @@ ResultsWriter::ResultsWriter(ResumableFile file,
                              const DeckRecord& deck,
                              const Model& model,
                              const OutputSettings& output)
-    : file_(file.release()), hdf5_(open_hdf5(file_)), root_(open_root(hdf5_)) {
+    : file_(std::make_shared<OrderedFile>(file.release())),
+      hdf5_(open_hdf5(*file_)),
+      root_(open_root(hdf5_)) {
+    frame_bytes_ = count_frame_bytes(model);
     write_resumption(root_, file.deck(), deck);
     tables_.emplace(root_, deck, model, output, file.place().steps, file.place().frames);
     commit();
@@ -118,7 +136,7 @@ ResultsWriter::ResultsWriter(ResumableFile file,
 }
 
 ResultsWriter::~ResultsWriter() {
-    if (!tables_) return;
+    if (!tables_ || !is_sound_) return;
     try {
         flush();
         close_hdf5();
@@ -127,14 +145,25 @@ ResultsWriter::~ResultsWriter() {
     }
 }
 
+// What is half done when an exception comes must not be written later: rows of some tables only, say.
+template <class Action>
+void ResultsWriter::attempt(std::size_t bytes, Action&& action) {
+    assert(tables_ && is_sound_);
+    is_sound_ = false;
+    require_memory(hdf5_reserve + bytes);
+    action();
+    is_sound_ = true;
+}
+
 void ResultsWriter::record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver) {
-    assert(tables_);
+    assert(tables_ && is_sound_);
+    is_sound_ = false;  // nothing of HDF5 here: only rows are gathered
     tables_->append_step(snapshot, ledger, solver);
+    is_sound_ = true;
 }
 
 void ResultsWriter::write_frame(const Snapshot& snapshot) {
-    assert(tables_);
-    tables_->append_frame(snapshot);
+    attempt(frame_bytes_, [&] { tables_->append_frame(snapshot); });
 }
 
 bool ResultsWriter::is_flush_due() const {
@@ -142,22 +171,23 @@ bool ResultsWriter::is_flush_due() const {
 }
 
 void ResultsWriter::set_restart(RestartRecord record) {
-    assert(tables_);
-    tables_->set_restart(std::move(record));
+    attempt(0, [&] { tables_->set_restart(std::move(record)); });
 }
 
 void ResultsWriter::flush() {
-    assert(tables_);
     const auto start = Clock::now();
-    tables_->flush_rows();
-    commit();
-    tables_->flush_frame_count();
-    commit();
-    tables_->flush_times();
-    commit();
-    tables_->switch_restart();
-    commit();
-    H5garbage_collect();  // what HDF5 keeps for more frames of that size
+    attempt(tables_->buffered_bytes() + frame_bytes_, [&] {
+        check_name(*file_);
+        tables_->flush_rows();
+        commit();
+        tables_->flush_frame_count();
+        commit();
+        tables_->flush_times();
+        commit();
+        tables_->switch_restart();
+        commit();
+        H5garbage_collect();  // what HDF5 keeps for more frames of that size
+    });
     // A slow disk takes at most a tenth of the time.
     const auto end = Clock::now();
     next_flush_ = end + std::max<Clock::duration>(flush_interval, 10 * (end - start));
@@ -165,26 +195,29 @@ void ResultsWriter::flush() {
 
 void ResultsWriter::commit(OrderedFile::Order order) {
     check_hdf5(H5Fflush(hdf5_.id(), H5F_SCOPE_LOCAL), "flushing");
-    file_.commit(order);
+    file_->commit(order);
 }
 
 void ResultsWriter::close_hdf5() {
     tables_.reset();
     check_hdf5(root_.reset(), "closing the root");
     check_hdf5(hdf5_.reset(), "closing the file");
-    file_.commit();
+    file_->commit();
 }
 
 void ResultsWriter::close(const std::string& status,
                           const std::string& reason,
                           std::span<const std::int64_t> reason_nodes) {
     flush();
-    tables_->trim();
-    commit(OrderedFile::Order::shrinking);  // what was freed is used again by later commits only
-    rewrite_attribute(root_.id(), "reason", reason);
-    if (!reason_nodes.empty()) rewrite_attribute(root_.id(), "reason_nodes", reason_nodes);
-    rewrite_attribute(root_.id(), "status", status);
-    close_hdf5();
+    attempt(0, [&] {
+        tables_->trim();
+        commit(OrderedFile::Order::shrinking);  // what was freed is used again by later commits only
+        rewrite_attribute(root_.id(), "reason", reason);
+        if (!reason_nodes.empty()) rewrite_attribute(root_.id(), "reason_nodes", reason_nodes);
+        rewrite_attribute(root_.id(), "status", status);
+        close_hdf5();
+        check_name(*file_);
+    });
 }
 
 }  // namespace gxrod

@@ -14,6 +14,7 @@ namespace gxrod {
 namespace {
 
 constexpr const char* failure = "cannot be resumed: ";
+constexpr const char* anew = "if its run was stopped before it first wrote, gxrod run --force begins it anew";
 
 struct Contents {
     RestartPlace place;
@@ -23,7 +24,9 @@ struct Contents {
 
 Contents read_contents(const std::filesystem::path& path) {
     std::string reason;
+    std::string hint;
     try {
+        if (H5Fis_hdf5(path.c_str()) == 0) hint = anew;
         const Hdf5Reader file(path);
         if (!file.has_attribute("/", "gxrod_version")) {
             reason = "it is not a results file of gxrod";
@@ -32,11 +35,12 @@ Contents read_contents(const std::filesystem::path& path) {
                 *std::move(place), read_deck_record(file), file.text_attribute("/", "status") == "complete"};
         } else {
             reason = "it has no state to go on from";
+            hint = anew;
         }
     } catch (const std::runtime_error& error) {
         reason = error.what();
     }
-    throw FileError(path, failure + reason);
+    throw FileError(path, failure + reason, hint);
 }
 
 }  // namespace

@@ -45,6 +45,17 @@ TEST_CASE("Replacing a link replaces what it points to", "[results]") {
     CHECK(content(folder / "target").empty());
 }
 
+TEST_CASE("What could not be begun is taken away, and a link to it stays", "[results]") {
+    const sample::ScratchFolder folder;
+    std::ofstream(folder / "target") << "old";
+    fs::create_symlink("target", folder / "link");
+    create(folder / "link", Existing::replace);
+    REQUIRE(fs::exists(folder / "target"));
+    remove_output_file(folder / "link");
+    CHECK(fs::is_symlink(folder / "link"));
+    CHECK(!fs::exists(folder / "target"));
+}
+
 TEST_CASE("A folder or a device is no results file", "[results]") {
     const sample::ScratchFolder folder;
     for (const Existing existing : {Existing::refuse, Existing::replace}) {

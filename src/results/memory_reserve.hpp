@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstddef>
+
+namespace gxrod {
+
+// HDF5 does not bear it if an allocation of its own fails: it may crash. So it is only called when there is
+// room for what it may need: of what the caller hands over, and these bytes for itself.
+inline constexpr std::size_t hdf5_reserve = std::size_t{4} << 20;
+
+// Throws std::bad_alloc if the process may not have so many bytes more.
+void require_memory(std::size_t bytes);
+
+}  // namespace gxrod

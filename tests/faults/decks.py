@@ -1,0 +1,84 @@
+"""Decks whose runs are disturbed: small, and of every kind that a results file knows."""
+
+import dataclasses
+
+ROD = """title = "A hose that swings"
+gravity = [0, 0, -9.81]
+[section.s]
+shape = {{ circle = {{ radius = 0.02 }} }}
+material = {{ E = 1e7, nu = 0.5, density = 1000 }}
+damping = {{ kelvin_voigt = 1e-3 }}
+[rod.hose]
+section = "s"
+line = {{ from = [0, 0, 0], to = [3, 0, 0] }}
+elements = {elements}
+[[support]]
+at = "hose.start"
+fix = "all"
+[analysis]
+{analysis}
+[output]
+{output}
+[[history]]
+name = "tip"
+at = "hose.end"
+quantities = ["position", "moment", "acceleration"]
+[[history]]
+name = "middle"
+at = "hose@0.43"
+quantities = ["quaternion", "strain"]
+"""
+
+BODY = """title = "A body that spins"
+[body.top]
+mass = 2.0
+inertia = [1.0, 1.0, 0.75]
+at = [0, 0, 0]
+angular_velocity = [0, 0, 3]
+[[load]]
+at = "top"
+moment = ["0.5*sin(t)", 0, 0]
+[analysis]
+kind = "dynamic"
+end_time = 6.0
+steps = 600
+[output]
+every = 10
+[[history]]
+name = "spin"
+at = "top"
+quantities = ["angular_velocity", "position"]
+"""
+
+
+def rod(elements, analysis, output="every = 4"):
+    return ROD.format(elements=elements, analysis=analysis, output=output)
+
+
+@dataclasses.dataclass(frozen=True)
+class Deck:
+    """What is run, and how: `tick` microseconds pass each time a run looks at its clock, so that it writes several
+    times; `long` is a change of the deck that lets it take a second or so by a true clock."""
+    name: str
+    text: str
+    tick: int
+    long: tuple = ()
+    threads: int = 1
+
+
+DYNAMIC = 'kind = "dynamic"\nend_time = 0.6\ntime_step = 0.01'
+
+# Of so many elements that memory is what it lacks first.
+LARGE = Deck("large", rod(20000, 'kind = "dynamic"\nend_time = 0.002\ntime_step = 0.001', "every = 1"), 20000)
+
+DECKS = {deck.name: deck for deck in (
+    Deck("body", BODY, 200, ("analysis.steps=30000",)),
+    Deck("rod", rod(12, DYNAMIC), 3000, ("analysis.time_step=0.0005",)),
+    Deck("deflated", rod(12, DYNAMIC, 'every = 3\ncompression = "deflate"'), 3000, ("analysis.time_step=0.001",)),
+    Deck("adaptive", rod(6, 'kind = "dynamic"\nintegrator = "sdirk-4"\nend_time = 0.4\ntime_step = 0.005\n'
+                            'adaptive = { tolerance = 1e-4, min_step = 1e-6, max_step = 0.1 }'), 2000,
+         ("analysis.adaptive.tolerance=1e-9",)),
+    Deck("static", rod(12, 'kind = "static"\nsteps = 60'), 3000, ("analysis.steps=1000",)),
+    Deck("threads", rod(260, 'kind = "dynamic"\nend_time = 0.2\ntime_step = 0.01'), 1500, ("analysis.time_step=0.002",),
+         threads=2),
+)}
