@@ -9,7 +9,7 @@ ROWS = {
     "kill_in_write": ("`kill -9` within writing", "the same", "before the n-th call that changes a file, n over all calls of a run"),
     "torn_write": ("`kill -9` in the middle of a write", "the same", "the n-th call writes some of its pages of memory, then the process is killed, as the system does it"),
     "sigterm": ("SIGTERM", "the run ends after the step at hand, exit code 130", "at a random moment"),
-    "ctrl_c_twice": ("Ctrl-C twice", "the run ends at once, as if killed", "at a random moment, 0 to 10 ms between the two"),
+    "ctrl_c_twice": ("Ctrl-C twice", "the run ends at once, as if killed, unless it has ended after the step at hand", "at a random moment, 0 to 10 ms between the two"),
     "disk_full": ("full disk", "exit code 4, told with how to go on; what was written stays", "from the n-th call on none that takes room succeeds"),
     "disk_full_once": ("disk full for a moment", "the same, or the write is made good", "the n-th call alone fails"),
     "file_size_limit": ("limit on the size of files", "as a full disk", "`RLIMIT_FSIZE` anywhere below what is needed"),
