@@ -1,0 +1,157 @@
+"""Runs a random deck and judges what became of it.
+
+A verdict is one of four kinds. "sound": done, the results are consistent, and the energy balances, or balances better
+with shorter steps. "warned": done and consistent, and gxrod said that the energy does not balance. "refused" and
+"failed": exit code 2 or 3 with a message that has what it needs. Anything else is a "finding"."""
+
+import dataclasses
+import json
+import re
+import subprocess
+
+import decks
+import soundness
+
+WARNING = "the energy does not balance"
+BALANCED = 1e-3  # relative; above, shorter steps must help
+TOLERABLE = 0.1  # above, gxrod must warn
+LONGEST = 60.0  # seconds
+CRASH = re.compile(r"Sanitizer|runtime error|Assertion|terminate called|internal error", re.IGNORECASE)
+FAILURE = re.compile(
+    r"gxrod: (the initial accelerations cannot be found|the step from (t = |load factor )\S+ failed, even with "
+    r"(Δt = |one of )\S+): .+\. Try .+\nResults up to t = \S+ are in deck\.vtkhdf")
+REFUSAL = re.compile(r"deck\.toml(:\d+:\d+: [\w\[\].-]+: \S|: error: .+; a static analysis needs supports)")
+
+
+@dataclasses.dataclass
+class Verdict:
+    index: int
+    kind: str
+    reason: str = ""
+    imbalance: float = 0.0
+    seconds: float = 0.0
+    message: str = ""
+
+
+class Judge:
+    """Runs decks of one seed by one program in one folder."""
+
+    def __init__(self, program, seed, folder):
+        self.program = program
+        self.seed = seed
+        self.folder = folder
+
+    def run(self, *arguments):
+        return subprocess.run([self.program, *arguments], cwd=self.folder, capture_output=True, text=True,
+                              errors="replace", timeout=LONGEST)
+
+    def run_deck(self, *settings):
+        changes = [word for setting in settings for word in ("--set", setting)]
+        return self.run("run", "deck.toml", "--force", "--quiet", "--summary", "summary.json", *changes)
+
+    def read_summary(self):
+        return json.loads((self.folder / "summary.json").read_text())
+
+    def judge(self, index):
+        for file in self.folder.iterdir():
+            file.unlink()
+        decks.write_deck(self.seed, index, self.folder)
+        try:
+            return self.judge_run(index, self.run_deck())
+        except subprocess.TimeoutExpired:
+            return Verdict(index, "finding", f"not done in {LONGEST:.0f} s")
+
+    def judge_run(self, index, done):
+        message = done.stderr.strip()
+        if done.returncode not in (0, 2, 3) or CRASH.search(message):
+            return Verdict(index, "finding", f"exit code {done.returncode}", message=message)
+        checked = self.run("check", "deck.toml")
+        faults = find_disagreement(done, checked)
+        if done.returncode == 2:
+            verdict = judge_refusal(index, message)
+        else:
+            summary = self.read_summary()
+            faults += soundness.find_faults(self.folder / "deck.vtkhdf", summary)
+            verdict = (judge_failure(index, message) if done.returncode == 3 else
+                       self.judge_balance(index, message))
+            verdict.seconds = summary["wall_seconds"]["total"]
+        if faults:
+            return Verdict(index, "finding", "; ".join(faults), message=message)
+        return verdict
+
+    def judge_balance(self, index, message):
+        error = soundness.read_imbalance(self.folder / "deck.vtkhdf")
+        has_warned = WARNING in message
+        if has_warned != (error > TOLERABLE):
+            return Verdict(index, "finding", "the warning of the energy is not what the ledger says", error)
+        if error <= BALANCED:
+            return Verdict(index, "sound", "energy balances", error)
+        return self.judge_finer(index, error, has_warned)
+
+    def judge_finer(self, index, error, has_warned):
+        """With shorter steps: the error of every scheme falls with them, sooner or later."""
+        kind = "warned" if has_warned else "sound"
+        for finer in (4, 16, 64):
+            done = self.run_deck(*shorter_steps(decks.make_deck(self.seed, index)[0], finer))
+            if done.returncode != 0:
+                return Verdict(index, kind, "energy does not balance; shorter steps fail", error)
+            if soundness.read_imbalance(self.folder / "deck.vtkhdf") < 0.5 * error:
+                return Verdict(index, kind, "energy balances better with shorter steps", error)
+        reason = "energy does not balance better with shorter steps"
+        return Verdict(index, kind if has_warned else "finding", reason, error)
+
+    def report_faults(self):
+        """What is wrong with the page made of the last results."""
+        done = self.run("report", "deck.vtkhdf", "-o", "page.html")
+        page = self.folder / "page.html"
+        if done.returncode != 0 or "</html>" not in page.read_text(encoding="utf-8", errors="replace"):
+            return [f"no report: exit code {done.returncode}, {done.stderr.strip()}"]
+        return []
+
+
+def number_of(value):
+    """That of the expressions that Draw.number writes."""
+    return eval(value, {"__builtins__": {}}) if isinstance(value, str) else value  # pylint: disable=eval-used
+
+
+def shorter_steps(deck, finer):
+    analysis = deck["analysis"]
+    if "adaptive" in analysis:
+        step = number_of(analysis["end_time"]) / finer
+        return [f"analysis.adaptive.max_step={step / 10!r}", "analysis.adaptive.min_step=0"]
+    if "time_step" in analysis:
+        return [f"analysis.time_step={analysis['time_step'] / finer!r}"]
+    return [f"analysis.steps={analysis.get('steps', 10) * finer}"]
+
+
+def find_disagreement(done, checked):
+    """gxrod check must find what gxrod run finds before its first step, and nothing else."""
+    starts = "initial accelerations" not in done.stderr
+    expected = done.returncode if done.returncode == 2 or not starts else 0
+    if checked.returncode != expected:
+        return [f"check ends with {checked.returncode}, run with {done.returncode}: {checked.stderr.strip()}"]
+    return []
+
+
+def judge_refusal(index, message):
+    lines = [line for line in message.splitlines() if ": warning: " not in line]
+    if not lines or not all(REFUSAL.match(line) for line in lines):
+        return Verdict(index, "finding", "a refusal without place, key or reason", message=message)
+    return Verdict(index, "refused", message_class(lines[0]), message=message)
+
+
+def judge_failure(index, message):
+    if not FAILURE.search(message):
+        return Verdict(index, "finding", "a failure without time, place or advice", message=message)
+    return Verdict(index, "failed", message_class(FAILURE.search(message).group(0)), message=message)
+
+
+def message_class(message):
+    """The message without its numbers, names and places."""
+    text = message.split(". Try ")[0].replace("deck.toml", "")
+    text = re.sub(r"^: error: ", "", re.sub(r"^:\d+:\d+: ", "", text))
+    text = re.sub(r" (at|through) [^.:;]*?\([^)]*\)", "", text)
+    text = re.sub(r"(the part with .*?|rods? [\w, ]+?) can ", "… can ", text)
+    text = re.sub(r"\b[rbs]\d+([.@][\w.]+)?( node \d+)?( \(\w+\))?", "…", text)
+    text = re.sub(r"[-+]?\d[\d.]*(e[-+]?\d+)?", "…", text)
+    return re.sub(r"(… ?,? ?(and )?)+", "… ", text).strip()
