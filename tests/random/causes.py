@@ -27,7 +27,9 @@ def of_time(draw, plan, size):
     forms += [f"{{a!r}}*{name}(t)" for name in plan.functions]
     if draw.chance(0.45):
         return draw.number(size)
-    return draw.pick(forms).format(a=float(size), T=span, w=draw.uniform(0.5, 10.0) / span, h=draw.uniform(0.1, 0.9) * span)
+    form = draw.pick(forms)
+    plan.jumps |= "exp" in form or ">" in form
+    return form.format(a=float(size), T=span, w=draw.uniform(0.5, 10.0) / span, h=draw.uniform(0.1, 0.9) * span)
 
 
 def from_zero(draw, plan, size):
@@ -72,7 +74,9 @@ def moves_of(draw, plan, held):
     for component in sorted(held):
         if not draw.chance(0.5):
             continue
-        turn = draw.pick([0.3, 1.0, np.pi, 2 * np.pi, 12 * np.pi]) * draw.pick([1.0, draw.uniform(-1, 1)])
+        # In dynamics a span may be shorter than waves take to pass on a turn.
+        turns = [0.3, 1.0, np.pi, 2 * np.pi, 12 * np.pi] if plan.scales.is_static or draw.chance(0.2) else [0.01, 0.1]
+        turn = draw.pick(turns) * draw.pick([1.0, draw.uniform(-1, 1)])
         size = turn if component in ROTATIONS else draw.uniform(-1, 1) * plan.move_size
         moves[component] = from_zero(draw, plan, size)
     has_turn = any(component in ROTATIONS for component in moves)

@@ -46,6 +46,11 @@ def straight(draw, start, end):
     return Centreline(keys, start, end, float(np.linalg.norm(end - start)), is_straight=True)
 
 
+def pieces_of(angle):
+    """Elements in which a curve turns by less than half a turn."""
+    return int(abs(angle) / 3.0) + 1
+
+
 def arc(draw, start, length):
     axis = along_axes(draw)
     angle = draw.pick([-1, 1]) * draw.pick([draw.uniform(0.01, 2 * np.pi), 2 * np.pi, np.pi])
@@ -59,7 +64,7 @@ def arc(draw, start, length):
     else:
         keys = {"arc": {"centre": list(map(float, centre)), "axis": draw.numbers(axis * draw.log_uniform(0.1, 10)),
                         "from": list(map(float, start)), "angle": draw.number(angle)}}
-    return Centreline(keys, start, end, length)
+    return Centreline(keys, start, end, length, pieces=pieces_of(angle))
 
 
 def helix(draw, start, length):
@@ -72,7 +77,7 @@ def helix(draw, start, length):
     end = centre + turn(axis, angle, start - centre) + abs(turns) * pitch * axis
     keys = {"helix": {"centre": list(map(float, centre)), "axis": draw.numbers(axis), "from": list(map(float, start)),
                       "turns": draw.number(turns), "pitch": draw.number(pitch)}}
-    return Centreline(keys, start, end, length)
+    return Centreline(keys, start, end, length, pieces=pieces_of(angle))
 
 
 def points_along(draw, start, length, count):

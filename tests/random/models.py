@@ -11,7 +11,7 @@ from sections import add_section
 def rod_keys(draw, line, fractions):
     """Keys of a rod beside its section and centreline."""
     pieces = line.pieces + len(fractions)
-    keys = {"elements": pieces + draw.integer(0, 4)}
+    keys = {"elements": pieces + draw.integer(0, 2)}
     if draw.chance(0.8):
         keys["order"] = draw.integer(1, 4)
     add_axes(draw, keys)
@@ -24,7 +24,7 @@ def add_axes(draw, keys):
     if draw.chance(0.4):
         keys["y_axis"] = draw.numbers(draw.direction() * draw.log_uniform(1e-3, 1e3))
     if draw.chance(0.2):
-        keys["twist"] = draw.number(draw.uniform(-2 * np.pi, 2 * np.pi))
+        keys["twist"] = draw.number(draw.uniform(-0.9 * np.pi, 0.9 * np.pi))
 
 
 def choose_section(draw, plan):
@@ -104,7 +104,7 @@ def add_ring(draw, plan):
     centre = start - radius * centrelines.across(draw, axis)
     line = centrelines.Centreline(
         {"arc": {"centre": list(map(float, centre)), "axis": list(map(float, axis)), "from": list(map(float, start)),
-                 "angle": "2*pi"}}, start, start, plan.scales.length, pieces=2)
+                 "angle": "2*pi"}}, start, start, plan.scales.length, pieces=3)
     first, last, *_ = add_rod(draw, plan, line)
     connect(plan, first, last)
 
@@ -177,7 +177,7 @@ def add_model(draw, plan):
             add_body(draw, plan)
         return
     if kind in ("rod", "tree"):
-        add_tree(draw, plan, 1 if kind == "rod" else draw.integer(2, 5))
+        add_tree(draw, plan, 1 if kind == "rod" else draw.integer(2, 4))
     else:
         {"ring": add_ring, "grid": add_grid, "mesh": add_meshed_rod}[kind](draw, plan)
     if draw.chance(0.3):

@@ -69,6 +69,7 @@ class Plan:
     functions: list = dataclasses.field(default_factory=list)  # names of the deck's functions
     move_size: float = 0.0
     wants_symmetry: bool = False  # dead forces only
+    jumps: bool = False  # some load jumps, at t = 0 or later
 
     def parts(self):
         return sorted({node.part for node in self.nodes})

@@ -80,7 +80,7 @@ def material(draw, wanted, area, second_moment, is_massive):
     if draw.chance(0.7):
         entries["nu"] = draw.pick([0.0, 0.3, 0.5, draw.uniform(-0.9, 0.5)])
     else:
-        entries["G"] = float(wanted["bending"] / second_moment * draw.uniform(0.2, 0.6))
+        entries["G"] = float(wanted["bending"] / second_moment * draw.uniform(0.335, 2.0))
     if is_massive:
         entries["density"] = draw.number(wanted["mass"] / area)
     if draw.chance(0.3):

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "model/model.hpp"
+
+namespace gxrod {
+
+// The strain energy that round-off of positions and rotations makes of no strain: an energy below it means
+// nothing, and neither does that it does not balance.
+double compute_energy_round_off(const Model& model);
+
+}  // namespace gxrod
