@@ -13,7 +13,7 @@ FREE = ["angular_velocity_material"]
 def newton(draw, plan, scheme):
     settings = {}
     if draw.chance(0.5):
-        settings["tolerance"] = draw.number(draw.log_uniform(1e-12, 1e-5))
+        settings["tolerance"] = float(draw.log_uniform(1e-12, 1e-5))
     if draw.chance(0.5):
         settings["max_iterations"] = draw.integer(5, 60)
     if draw.chance(0.5) or not settings:
@@ -21,7 +21,7 @@ def newton(draw, plan, scheme):
         if sum(rod.elements * rod.order for rod in plan.rods) < 12:
             tangents.append("difference")  # slow
         if scheme == "newmark-simplified" and not plan.rods:
-            tangents.append("paper")
+            tangents += ["paper"] * 3
         settings["tangent"] = draw.pick(tangents)
     return settings
 
@@ -41,10 +41,10 @@ def choose_scheme(draw, plan, analysis):
     if scheme != "newmark-simplified" or draw.chance(0.8):
         analysis["integrator"] = scheme
     if scheme.startswith("newmark") and draw.chance(0.3):
-        analysis["beta"] = draw.number(draw.pick([0.25, 0.3025, draw.uniform(0.15, 0.5)]))
-        analysis["gamma"] = draw.number(draw.pick([0.5, 0.6, draw.uniform(0.5, 1.0)]))
+        analysis["beta"] = float(draw.pick([0.25, 0.3025, draw.uniform(0.15, 0.5)]))
+        analysis["gamma"] = float(draw.pick([0.5, 0.6, draw.uniform(0.5, 1.0)]))
     if scheme == "generalized-alpha" and draw.chance(0.7):
-        analysis["spectral_radius"] = draw.number(draw.pick([0.0, 1.0, draw.uniform(0, 1)]))
+        analysis["spectral_radius"] = float(draw.pick([0.0, 1.0, draw.uniform(0, 1)]))
     if scheme in IMPLICIT and draw.chance(0.4):
         analysis["newton"] = newton(draw, plan, scheme)
     return scheme
@@ -53,11 +53,11 @@ def choose_scheme(draw, plan, analysis):
 def adaptive(draw, plan, step):
     settings = {}
     if draw.chance(0.6):
-        settings["tolerance"] = draw.number(draw.log_uniform(1e-5, 1e-2))
+        settings["tolerance"] = float(draw.log_uniform(1e-5, 1e-2))
     if draw.chance(0.4):
-        settings["min_step"] = draw.number(step * draw.log_uniform(1e-6, 1e-2))
+        settings["min_step"] = float(step * draw.log_uniform(1e-6, 1e-2))
     if draw.chance(0.4) or not settings:
-        settings["max_step"] = draw.number(step * draw.uniform(1.0, 10.0))
+        settings["max_step"] = float(step * draw.uniform(1.0, 10.0))
     return settings
 
 
@@ -73,7 +73,7 @@ def add_dynamic(draw, plan):
     is_adaptive = scheme == "sdirk-4" and draw.chance(0.4)
     if is_adaptive:
         step, plan.span = 0.1 * step, 0.1 * plan.span  # stiff rods take very many steps
-    analysis["end_time"] = draw.number(plan.span)
+    analysis["end_time"] = float(plan.span)
     if draw.chance(0.5):
         analysis["steps"] = steps
     else:
@@ -107,8 +107,7 @@ def quantities(draw, node, name, is_relative):
     known += ["centre_of_mass"] if is_body else []
     if not is_relative:
         known += FREE + ([] if is_body else OF_RODS) + (REACTIONS if node.held else [])
-    words = draw.some(known, 6)
-    return words[0] if len(words) == 1 and draw.chance(0.5) else words
+    return draw.pick(known) if draw.chance(0.4) else draw.some(known, 6)
 
 
 def add_history(draw, plan, number):

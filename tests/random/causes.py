@@ -2,6 +2,8 @@
 
 import numpy as np
 
+from draw import floats
+
 DISPLACEMENTS = ("x", "y", "z")
 ROTATIONS = ("rx", "ry", "rz")
 
@@ -12,7 +14,8 @@ def time_functions(draw, plan):
         return []
     span = plan.span
     first = {"table": [[0.0, 0.0], [0.3 * span, draw.uniform(-1, 1)], [0.6 * span, draw.uniform(-1, 1)],
-                       [span, 0.0]]} if draw.chance(0.5) else {"expression": f"sin({draw.uniform(1, 10) / span!r}*t)"}
+                       [span, 0.0]]} if draw.chance(0.5) else {
+                           "expression": draw.pick([f"sin({draw.uniform(1, 10) / span!r}*t)", 0.5])}
     plan.deck["function"] = {"pulse": first}
     if draw.chance(0.3):
         plan.deck["function"]["twice"] = {"expression": "pulse(t)*pulse(0.5*t)"}
@@ -26,7 +29,7 @@ def of_time(draw, plan, size):
              "t < {h!r} ? {a!r}*t/{h!r} : {a!r}", "{a!r}*min(t/{h!r}, 1)", "t > {h!r} ? {a!r} : 0"]
     forms += [f"{{a!r}}*{name}(t)" for name in plan.functions]
     if draw.chance(0.45):
-        return draw.number(size)
+        return float(size)
     form = draw.pick(forms)
     plan.jumps |= "exp" in form or ">" in form
     return form.format(a=float(size), T=span, w=draw.uniform(0.5, 10.0) / span, h=draw.uniform(0.1, 0.9) * span)
@@ -37,7 +40,7 @@ def from_zero(draw, plan, size):
     forms = ["{a!r}*t/{T!r}", "{a!r}*sin({w!r}*t)", "{a!r}*(1 - cos({w!r}*t))/2", "{a!r}*(t/{T!r})^2",
              "{a!r}*(3 - 2*t/{T!r})*(t/{T!r})^2"]
     if plan.scales.is_static and draw.chance(0.4):
-        return draw.number(size)
+        return float(size)
     return draw.pick(forms).format(a=float(size), T=plan.span, w=draw.uniform(0.5, 6.0) / plan.span)
 
 
@@ -51,6 +54,8 @@ def choose_held(draw):
     """Components that a support can hold: of the rotations none, two or all."""
     rotations = draw.weighted({"none": 3, "hinge": 1, "all": 4})
     displacements = draw.some(DISPLACEMENTS, 3) if draw.chance(0.3) else list(DISPLACEMENTS)
+    if draw.chance(0.1):
+        return set(ROTATIONS)
     held = set(displacements)
     if rotations == "all":
         held |= set(ROTATIONS)
@@ -95,7 +100,7 @@ def add_support(draw, plan, node, held):
         support["move"] = moves
         node.is_moved = True
     if draw.chance(0.2):
-        support["axes"] = [list(map(float, row)) for row in draw.rotation()]
+        support["axes"] = [floats(row) for row in draw.rotation()]
     plan.deck.setdefault("support", []).append(support)
     node.held |= held
 
@@ -167,14 +172,14 @@ def add_body_velocities(draw, plan):
         if node.is_of_rod or node.held or not draw.chance(0.6):
             continue
         keys = plan.deck["body"][node.bodies[0]]
-        spin = draw.numbers(draw.direction() * draw.log_uniform(1e-2, 30.0) / plan.span)
+        spin = floats(draw.direction() * draw.log_uniform(1e-2, 30.0) / plan.span)
         if draw.chance(0.3):
-            entry = {"on": node.bodies[0], "velocity": draw.numbers(draw.vector(plan.scales.length / plan.span))}
+            entry = {"on": node.bodies[0], "velocity": floats(draw.vector(plan.scales.length / plan.span))}
             if draw.chance(0.5):
                 entry["angular_velocity"] = spin
             plan.deck.setdefault("initial", []).append(entry)
             continue
-        keys["velocity"] = draw.numbers(draw.vector(plan.scales.length / plan.span))
+        keys["velocity"] = floats(draw.vector(plan.scales.length / plan.span))
         keys[draw.pick(["angular_velocity", "angular_velocity_material"])] = spin
 
 

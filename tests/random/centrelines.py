@@ -4,6 +4,8 @@ import dataclasses
 
 import numpy as np
 
+from draw import floats
+
 
 @dataclasses.dataclass
 class Centreline:
@@ -42,7 +44,7 @@ def line(draw, start, length):
 
 
 def straight(draw, start, end):
-    keys = {"line": {"from": draw.numbers(start), "to": draw.numbers(end)}}
+    keys = {"line": {"from": floats(start), "to": floats(end)}}
     return Centreline(keys, start, end, float(np.linalg.norm(end - start)), is_straight=True)
 
 
@@ -59,11 +61,11 @@ def arc(draw, start, length):
     end = centre + turn(axis, angle, start - centre)
     if draw.chance(0.5) and abs(angle) < 6.0:
         through = centre + turn(axis, angle * draw.uniform(0.3, 0.7), start - centre)
-        keys = {"arc": {"from": list(map(float, start)), "through": list(map(float, through)),
-                        "to": list(map(float, end))}}
+        keys = {"arc": {"from": floats(start), "through": floats(through),
+                        "to": floats(end)}}
     else:
-        keys = {"arc": {"centre": list(map(float, centre)), "axis": draw.numbers(axis * draw.log_uniform(0.1, 10)),
-                        "from": list(map(float, start)), "angle": draw.number(angle)}}
+        keys = {"arc": {"centre": floats(centre), "axis": floats(axis * draw.log_uniform(0.1, 10)),
+                        "from": floats(start), "angle": float(angle)}}
     return Centreline(keys, start, end, length, pieces=pieces_of(angle))
 
 
@@ -75,8 +77,8 @@ def helix(draw, start, length):
     centre = start - radius * across(draw, axis)
     angle = 2 * np.pi * turns
     end = centre + turn(axis, angle, start - centre) + abs(turns) * pitch * axis
-    keys = {"helix": {"centre": list(map(float, centre)), "axis": draw.numbers(axis), "from": list(map(float, start)),
-                      "turns": draw.number(turns), "pitch": draw.number(pitch)}}
+    keys = {"helix": {"centre": floats(centre), "axis": floats(axis), "from": floats(start),
+                      "turns": float(turns), "pitch": float(pitch)}}
     return Centreline(keys, start, end, length, pieces=pieces_of(angle))
 
 
@@ -93,13 +95,13 @@ def points_along(draw, start, length, count):
 
 def polyline(draw, start, length):
     points = points_along(draw, start, length, draw.integer(1, 3))
-    return Centreline({"polyline": [draw.numbers(point) for point in points]}, start, points[-1], length,
+    return Centreline({"polyline": [floats(point) for point in points]}, start, points[-1], length,
                       pieces=len(points) - 1)
 
 
 def spline(draw, start, length):
     points = points_along(draw, start, length, draw.integer(1, 5))
-    return Centreline({"spline": [draw.numbers(point) for point in points]}, start, points[-1], length)
+    return Centreline({"spline": [floats(point) for point in points]}, start, points[-1], length)
 
 
 SHAPES = {line: 5, arc: 3, helix: 2, polyline: 2, spline: 2}

@@ -63,7 +63,7 @@ def make_plan(seed, index):
     add_output(draw, plan)
     if draw.chance(0.3):
         use_parameter(draw, plan.deck)
-    plan.deck = ordered(plan.deck)
+    plan.deck = draw.with_expressions(ordered(plan.deck))
     return plan
 
 

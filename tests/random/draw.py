@@ -2,6 +2,13 @@
 
 import numpy as np
 
+LITERAL = ("group",)  # keys whose numbers are no expressions
+
+
+def floats(values):
+    """Of an array, for a deck."""
+    return [float(value) for value in values]
+
 
 class Draw:
     def __init__(self, seed, index):
@@ -49,13 +56,13 @@ class Draw:
             matrix[:, 0] = -matrix[:, 0]
         return matrix
 
-    def number(self, value):
-        """As a deck may have it: the number, or now and then an expression of the same value."""
-        value = float(value)
-        if not self.chance(0.05):
+    def with_expressions(self, value, key=""):
+        """The part of a deck, now and then a number replaced by an expression of the same value."""
+        if isinstance(value, dict):
+            return {name: self.with_expressions(entry, name) for name, entry in value.items()}
+        if isinstance(value, list):
+            return [self.with_expressions(entry, key) for entry in value]
+        if key in LITERAL or not isinstance(value, (int, float)) or not self.chance(0.08):
             return value
         form = self.pick(["{}", "2*({})/2", "0 + ({})", "-(-({}))"])
         return form.format(repr(value))
-
-    def numbers(self, values):
-        return [self.number(value) for value in values]

@@ -4,6 +4,7 @@ import numpy as np
 
 import centrelines
 import meshes
+from draw import floats
 from plan import Node, RodPlan
 from sections import add_section
 
@@ -22,9 +23,9 @@ def add_axes(draw, keys):
     if draw.chance(0.5):
         keys["element"] = draw.pick(["objective", "simo"])
     if draw.chance(0.4):
-        keys["y_axis"] = draw.numbers(draw.direction() * draw.log_uniform(1e-3, 1e3))
+        keys["y_axis"] = floats(draw.direction() * draw.log_uniform(1e-3, 1e3))
     if draw.chance(0.2):
-        keys["twist"] = draw.number(draw.uniform(-0.9 * np.pi, 0.9 * np.pi))
+        keys["twist"] = float(draw.uniform(-0.9 * np.pi, 0.9 * np.pi))
 
 
 def choose_section(draw, plan):
@@ -103,7 +104,7 @@ def add_ring(draw, plan):
     radius = plan.scales.length / 2 / np.pi
     centre = start - radius * centrelines.across(draw, axis)
     line = centrelines.Centreline(
-        {"arc": {"centre": list(map(float, centre)), "axis": list(map(float, axis)), "from": list(map(float, start)),
+        {"arc": {"centre": floats(centre), "axis": floats(axis), "from": floats(start),
                  "angle": "2*pi"}}, start, start, plan.scales.length, pieces=3)
     first, last, *_ = add_rod(draw, plan, line)
     connect(plan, first, last)
@@ -131,10 +132,10 @@ def inertia_of(draw, mass, radius):
     a, b, c = (mass * radius**2 * draw.log_uniform(0.1, 1.0) for _ in range(3))
     principal = np.array([b + c, c + a, a + b])
     if draw.chance(0.6):
-        return draw.numbers(principal)
+        return floats(principal)
     axes = draw.rotation()
     matrix = axes @ np.diag(principal) @ axes.T
-    return [list(map(float, row)) for row in (matrix + matrix.T) / 2]
+    return [floats(row) for row in (matrix + matrix.T) / 2]
 
 
 def add_body(draw, plan, node=None):
@@ -142,18 +143,18 @@ def add_body(draw, plan, node=None):
     name = f"b{len(plan.deck.get('body', {}))}"
     size = plan.scales.length * draw.log_uniform(0.01, 0.3)
     mass = plan.scales.mass * (draw.log_uniform(1e-6, 1e6) if draw.chance(0.2) else draw.log_uniform(0.01, 10.0))
-    keys = {"mass": draw.number(mass)}
+    keys = {"mass": float(mass)}
     if node is None or draw.chance(0.7):
         keys["inertia"] = inertia_of(draw, mass, size)
     if draw.chance(0.5):
-        keys["centre_of_mass"] = draw.numbers(draw.vector(size))
+        keys["centre_of_mass"] = floats(draw.vector(size))
     if draw.chance(0.5):
         angle = draw.pick([draw.uniform(0, np.pi), np.pi, 2 * np.pi, draw.uniform(0, 20.0)])
-        keys["rotation_vector"] = draw.numbers(angle * draw.direction())
+        keys["rotation_vector"] = floats(angle * draw.direction())
     if node is None:
         position = draw.vector(plan.scales.length)
         if draw.chance(0.8):
-            keys["at"] = draw.numbers(position)
+            keys["at"] = floats(position)
         else:
             position = np.zeros(3)
         node = Node([], position, 1000 + len(plan.nodes))
@@ -165,7 +166,7 @@ def add_body(draw, plan, node=None):
     plan.deck.setdefault("body", {})[name] = keys
 
 
-KINDS = {"rod": 5, "tree": 5, "ring": 1, "grid": 1, "mesh": 0.6, "bodies": 2}
+KINDS = {"rod": 5, "tree": 5, "ring": 1, "grid": 1, "mesh": 0.6, "bodies": 3}
 
 
 def add_model(draw, plan):

@@ -4,6 +4,8 @@ import dataclasses
 
 import numpy as np
 
+from draw import floats
+
 
 @dataclasses.dataclass
 class SectionPlan:
@@ -29,7 +31,7 @@ def inertia(draw, wanted):
     entries = {"rhoA": wanted["mass"], "rhoIy": wanted["rotary"], "rhoIz": wanted["rotary"] * draw.uniform(1.0, 3.0)}
     if draw.chance(0.3):
         entries["rhoJ"] = wanted["rotary"] * draw.uniform(1.0, 4.0)
-    return {key: draw.number(value) for key, value in entries.items()}
+    return {key: float(value) for key, value in entries.items()}
 
 
 def coupled(draw, diagonal):
@@ -54,7 +56,7 @@ def mass_matrix(draw, wanted):
     matrix[:3, 3:] = -mass * skew
     matrix[3:, :3] = mass * skew
     matrix[3:, 3:] = about_centre - mass * skew @ skew
-    return [list(map(float, row)) for row in matrix]
+    return [floats(row) for row in matrix]
 
 
 def shape(draw, wanted):
@@ -63,7 +65,7 @@ def shape(draw, wanted):
     kind = draw.pick(["circle", "tube", "rectangle"])
     if kind == "circle":
         outer = 2.0 * radius
-        return {"circle": {"radius": draw.number(outer)}}, np.pi * outer**2, np.pi * outer**4 / 4
+        return {"circle": {"radius": float(outer)}}, np.pi * outer**2, np.pi * outer**4 / 4
     if kind == "tube":
         share = draw.uniform(0.05, 0.98)
         outer = 2.0 * radius / np.sqrt(1 + share**2)
@@ -76,13 +78,13 @@ def shape(draw, wanted):
 
 
 def material(draw, wanted, area, second_moment, is_massive):
-    entries = {"E": draw.number(wanted["bending"] / second_moment)}
+    entries = {"E": float(wanted["bending"] / second_moment)}
     if draw.chance(0.7):
         entries["nu"] = draw.pick([0.0, 0.3, 0.5, draw.uniform(-0.9, 0.5)])
     else:
         entries["G"] = float(wanted["bending"] / second_moment * draw.uniform(0.335, 2.0))
     if is_massive:
-        entries["density"] = draw.number(wanted["mass"] / area)
+        entries["density"] = float(wanted["mass"] / area)
     if draw.chance(0.3):
         entries["shear_factor"] = draw.pick([1.0, draw.uniform(0.3, 1.2)])
     return entries
@@ -91,18 +93,18 @@ def material(draw, wanted, area, second_moment, is_massive):
 def damping(draw, period):
     entries = {}
     if draw.chance(0.7):
-        entries["kelvin_voigt"] = draw.number(period * draw.log_uniform(1e-7, 1e-2))
+        entries["kelvin_voigt"] = float(period * draw.log_uniform(1e-7, 1e-2))
     if draw.chance(0.5):
-        entries["mass_proportional"] = draw.number(draw.log_uniform(1e-3, 1e1) / period)
+        entries["mass_proportional"] = float(draw.log_uniform(1e-3, 1e1) / period)
     return entries or {"kelvin_voigt": 0.0, "mass_proportional": 0.0}
 
 
 def add_stiffness(draw, wanted, is_massive, section):
     kind = draw.weighted({"stiffness": 4, "stiffness_matrix": 2, "shape": 3})
     if kind == "stiffness":
-        section["stiffness"] = {key: draw.number(value) for key, value in constants(draw, wanted).items()}
+        section["stiffness"] = {key: float(value) for key, value in constants(draw, wanted).items()}
     elif kind == "stiffness_matrix":
-        section["stiffness_matrix"] = [list(map(float, row)) for row in
+        section["stiffness_matrix"] = [floats(row) for row in
                                        coupled(draw, list(constants(draw, wanted).values()))]
     else:
         section["shape"], area, second_moment = shape(draw, wanted)

@@ -130,7 +130,7 @@ class Judge:
 
 
 def number_of(value):
-    """That of the expressions that Draw.number writes."""
+    """That of the expressions that Draw.with_expressions writes."""
     return eval(value, {"__builtins__": {}}) if isinstance(value, str) else value  # pylint: disable=eval-used
 
 
@@ -140,8 +140,8 @@ def shorter_steps(deck, finer):
         step = number_of(analysis["end_time"]) / finer
         return [f"analysis.adaptive.max_step={step / 10!r}", "analysis.adaptive.min_step=0"]
     if "time_step" in analysis:
-        return [f"analysis.time_step={analysis['time_step'] / finer!r}"]
-    return [f"analysis.steps={analysis.get('steps', 10) * finer}"]
+        return [f"analysis.time_step={number_of(analysis['time_step']) / finer!r}"]
+    return [f"analysis.steps={int(number_of(analysis.get('steps', 10))) * finer}"]
 
 
 def find_disagreement(done, checked):
