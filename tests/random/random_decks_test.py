@@ -21,7 +21,7 @@ import soundness  # noqa: E402  pylint: disable=wrong-import-position
 from verdict import Judge, judge_failure, judge_refusal  # noqa: E402  pylint: disable=wrong-import-position
 
 GXROD = pathlib.Path(os.environ["GXROD"])
-SHORT = 12 if os.environ.get("GXROD_SANITIZED") == "1" else 40
+SHORT = 8 if os.environ.get("GXROD_SANITIZED") == "1" else 30
 SEED = 7
 
 BEAM = """[section.s]
