@@ -73,6 +73,15 @@ def has_no_energy(path, plan):
     return 0.0 < largest < estimate
 
 
+def hardly_moves(path):
+    """Whether displacements and rotations have few digits beside positions and a radian."""
+    with h5py.File(path) as file:
+        points = file["VTKHDF/PointData"]
+        size = np.abs(file["VTKHDF/Points"][:]).max(initial=0.0)
+        moved = np.abs(points["displacement"][:]).max(initial=0.0) / (size or 1.0)
+        return max(moved, np.abs(points["rotation_vector"][:]).max(initial=0.0)) < 1e-10
+
+
 def check_ledger(ledger):
     energy = ledger["kinetic_energy"] + ledger["strain_energy"]
     if energy.size == 0:
