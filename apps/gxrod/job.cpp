@@ -8,6 +8,7 @@
 #include "analyses/model_examination.hpp"
 #include "batch/plan.hpp"
 #include "exit_code.hpp"
+#include "model/energy_round_off.hpp"
 #include "model/file_error.hpp"
 #include "parallel/cores.hpp"
 #include "progress_line.hpp"
@@ -53,9 +54,9 @@ void tell(const JobOptions& options, const RunSummary& summary, bool is_resumed)
     }
 }
 
-void warn_of_energy(const RunSummary& summary) {
-    const std::string imbalance =
-        describe_imbalance(summary.totals.largest_energy, summary.totals.largest_energy_error);
+void warn_of_energy(const RunSummary& summary, const Model& model) {
+    const std::string imbalance = describe_imbalance(
+        summary.totals.largest_energy, summary.totals.largest_energy_error, compute_energy_round_off(model));
     if (!imbalance.empty()) say(stderr, "warning: {}\n", imbalance);
 }
 
@@ -105,7 +106,7 @@ int run_and_tell(const RunRequest& request, const JobOptions& options, ProgressL
     const RunSummary summary = run_analysis(request);
     line.finish();
     tell(options, summary, request.resumed != nullptr);
-    warn_of_energy(summary);
+    warn_of_energy(summary, request.model);
     if (!options.summary.empty()) write_summary(options.summary, summary, options.deck, options.results);
     return exit_code_of(summary, summary.deck_fault);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "analyses/stiffness_contrast.hpp"
 #include "analyses/unconnected_points.hpp"
 #include "analyses/unsupported_motions.hpp"
 #include "model/parts.hpp"
@@ -107,7 +108,12 @@ void find_missing_causes(const Model& model,
 std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& analysis) {
     const std::vector<ModelPart> parts = find_parts(model);
     std::vector<Finding> findings;
-    if (std::holds_alternative<StaticSettings>(analysis)) find_drifting_parts(model, parts, findings);
+    if (std::holds_alternative<StaticSettings>(analysis)) {
+        find_drifting_parts(model, parts, findings);
+        for (const std::string& sentence : find_stiffness_contrasts(model, parts)) {
+            findings.push_back({Severity::warning, sentence});
+        }
+    }
     for (const std::string& sentence : find_unconnected_points(model)) {
         findings.push_back({Severity::warning, sentence});
     }

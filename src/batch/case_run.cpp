@@ -11,6 +11,7 @@
 #include "analyses/run.hpp"
 #include "batch/collector.hpp"
 #include "batch/seconds_since.hpp"
+#include "model/energy_round_off.hpp"
 #include "model/file_error.hpp"
 #include "results/energy_warning.hpp"
 
@@ -69,7 +70,7 @@ class CaseRun {
             if (finding.severity == Severity::warning) add_warning(row_, finding.message);
         }
         Collector collector(context_.plan.collections, problem);
-        take(run(problem, collector));
+        take(run(problem, collector), compute_energy_round_off(problem.model));
         row_.collected = collector.values();
     }
 
@@ -99,13 +100,15 @@ class CaseRun {
         return run_analysis(request);
     }
 
-    void take(const RunSummary& summary) {
+    void take(const RunSummary& summary, double energy_round_off) {
         row_.steps = summary.totals.steps;
         row_.newton_iterations = summary.totals.newton_iterations;
         row_.rejected_steps = summary.totals.rejected_steps;
         row_.time = summary.time;
-        add_warning(row_,
-                    describe_imbalance(summary.totals.largest_energy, summary.totals.largest_energy_error));
+        add_warning(
+            row_,
+            describe_imbalance(
+                summary.totals.largest_energy, summary.totals.largest_energy_error, energy_round_off));
         if (summary.status == RunStatus::interrupted) {
             end(CaseStatus::time_limit,
                 fmt::format("the time limit of {} s was over at t = {:.10g}",

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "deck/element_turn.hpp"
 #include "deck/geometry/curve.hpp"
 #include "deck/section_axes.hpp"
 
@@ -62,6 +63,7 @@ struct NetBuilder {
     Rod& rod;
     double twist;        // from start to end of each chain
     double start = 0.0;  // arc length where the chain starts
+    double largest_turn = 0.0;
 
     void add_chain(const NetChain& chain, Quat axes) {
         double s = 0.0;
@@ -76,6 +78,8 @@ struct NetBuilder {
                 rod.arc_length.push_back(start + at);
                 rod.triads.push_back(twisted(element.transports[i] * axes, twist * at / chain.length));
             }
+            largest_turn = std::max(
+                largest_turn, compute_element_turn(element.turn, twist * element.length() / chain.length));
             axes = (element.transports.back() * axes).normalized();
             s += element.length();
         }
@@ -125,6 +129,7 @@ void build_net(const CheckedTable& table, const NamedNet& named, int index, Buil
     }
     NetBuilder builder{rod, table.get<double>("twist")};
     for (std::size_t i = 0; i < net.chains.size(); ++i) builder.add_chain(net.chains[i], axes[i]);
+    check_element_turn(builder.largest_turn, net.order, table, context);
     context.rod_fractions[static_cast<std::size_t>(index)] = named.points.fractions;
 }
 

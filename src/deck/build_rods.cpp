@@ -8,6 +8,7 @@
 #include "deck/build_centreline.hpp"
 #include "deck/build_nets.hpp"
 #include "deck/choices.hpp"
+#include "deck/element_turn.hpp"
 #include "deck/rod_mesh.hpp"
 #include "deck/schema_tables.hpp"
 #include "deck/section_axes.hpp"
@@ -88,6 +89,9 @@ class LineBuilder {
           nodes_(context.model.nodes),
           fractions_(context.rod_fractions[static_cast<std::size_t>(index)]) {}
 
+    // The largest turn within one of the elements that were added.
+    double largest_turn() const { return largest_turn_; }
+
     void add(const std::vector<double>& element_fractions) {
         rod_.length = line_.length();
         const std::vector<double> within = compute_element_nodes(rod_.order);
@@ -96,6 +100,8 @@ class LineBuilder {
             const double first = element_fractions[e];
             const double last = element_fractions[e + 1];
             const std::size_t piece = line_.piece_at(0.5 * (first + last));
+            largest_turn_ = std::max(
+                largest_turn_, compute_element_turn(line_.turn(piece, first, last), twist_ * (last - first)));
             for (std::size_t i = 0; i < within.size(); ++i) {
                 const bool is_last = i + 1 == within.size();
                 const double fraction = is_last ? last : first + (last - first) * within[i];
@@ -137,6 +143,7 @@ class LineBuilder {
     Rod& rod_;
     std::vector<Node>& nodes_;
     std::vector<double>& fractions_;  // of nodes
+    double largest_turn_ = 0.0;
 };
 
 void build_line(const CheckedTable& table,
@@ -149,8 +156,11 @@ void build_line(const CheckedTable& table,
     if (!line) return;
     const std::optional<Quat> axes = find_start_axes(table, line->start_tangent(), context);
     if (!axes || fractions.empty()) return;
-    context.model.rods[static_cast<std::size_t>(index)].order = static_cast<int>(table.get<long>("order"));
-    LineBuilder(*line, *axes, table.get<double>("twist"), points, index, context).add(fractions);
+    const auto order = static_cast<int>(table.get<long>("order"));
+    context.model.rods[static_cast<std::size_t>(index)].order = order;
+    LineBuilder builder(*line, *axes, table.get<double>("twist"), points, index, context);
+    builder.add(fractions);
+    check_element_turn(builder.largest_turn(), order, table, context);
 }
 
 }  // namespace

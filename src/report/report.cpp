@@ -45,7 +45,7 @@ class Page {
         for (const StepChart& chart : charts_) content_.columns += chart.columns();
         content_.arrows = story_.arrows.size();
         content_.is_static = story_.is_static;
-        warnings_ = list_warnings(file, content_.steps);
+        warnings_ = list_warnings(file, story_, content_.steps);
     }
 
     ReportSummary write(std::ostream& out) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "model/energy_round_off.hpp"
 #include "report/step_blocks.hpp"
 #include "results/deck_reading.hpp"
 #include "results/energy_warning.hpp"
@@ -105,7 +106,7 @@ RunStory read_run_story(const Hdf5Reader& file) {
     return story;
 }
 
-std::vector<std::string> list_warnings(const Hdf5Reader& file, std::size_t steps) {
+std::vector<std::string> list_warnings(const Hdf5Reader& file, const RunStory& story, std::size_t steps) {
     std::vector<std::string> warnings;
     const std::string status = text_of(file, "status");
     const std::string reason = text_of(file, "reason");
@@ -117,7 +118,8 @@ std::vector<std::string> list_warnings(const Hdf5Reader& file, std::size_t steps
             "The run had not ended when this page was made, or was killed; this is what it got to.");
     }
     const EnergyBalance energy = survey_energy(file, steps);
-    const std::string imbalance = describe_imbalance(energy.largest, energy.error);
+    const double round_off = story.problem ? compute_energy_round_off(story.problem->model) : 0.0;
+    const std::string imbalance = describe_imbalance(energy.largest, energy.error, round_off);
     if (!imbalance.empty()) warnings.push_back("Mind that " + imbalance + ".");
     return warnings;
 }

@@ -31,7 +31,7 @@ RunStory read_run_story(const Hdf5Reader& file);
 
 // What is to be known before trusting the results: that the run is not complete, that the energy does not
 // balance over the first `steps` steps. Throws Hdf5Error.
-std::vector<std::string> list_warnings(const Hdf5Reader& file, std::size_t steps);
+std::vector<std::string> list_warnings(const Hdf5Reader& file, const RunStory& story, std::size_t steps);
 
 // All of it for the page. Throws Hdf5Error.
 nlohmann::ordered_json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbers& number);

@@ -105,14 +105,23 @@ H5FD_class_t make_driver() {
     return driver;
 }
 
+// For the rest of the program: when a file is closed, HDF5 lets go of the driver first and calls it then, so
+// it must not go with its last file.
+hid_t find_driver() {
+    static const hid_t driver = [] {
+        const H5FD_class_t description = make_driver();
+        return H5FDregister(&description);
+    }();
+    check_hdf5(driver < 0 ? -1 : 0, "registering the file driver");
+    return driver;
+}
+
 }  // namespace
 
 Hdf5Handle make_ordered_access(OrderedFile& file) {
-    const H5FD_class_t description = make_driver();
-    Hdf5Handle driver(H5FDregister(&description), H5FDunregister, "registering the file driver");
     Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file access properties");
     OrderedFile* const information = &file;
-    check_hdf5(H5Pset_driver(access.id(), driver.id(), &information), "choosing the file driver");
+    check_hdf5(H5Pset_driver(access.id(), find_driver(), &information), "choosing the file driver");
     check_hdf5(H5Pset_libver_bounds(access.id(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "file format");
     constexpr hsize_t page = 4096;
     check_hdf5(H5Pset_alignment(access.id(), page / 2, page), "alignment");

@@ -101,6 +101,17 @@ TEST_CASE("huge loads in one step end where many steps end, or are refused", "[a
     }
 }
 
+TEST_CASE("a load that is there at load factor 0 does the work that the rod stores", "[analyses][static]") {
+    Model model = make_bend(0.0, {4, 2});
+    NodalLoad load;
+    load.node = last_node(model);
+    load.force = {0.0, 0.0, 1.0};
+    model.loads.push_back(load);
+    const StaticRun run = run_static(model, make_static_settings(4));
+    CHECK(run.ledger.strain_energy > 1e-6);
+    CHECK(std::abs(run.ledger.energy_error) < 1e-4 * run.ledger.strain_energy);
+}
+
 TEST_CASE("the energy error of statics falls with the square of the steps", "[analyses][static]") {
     Model model = make_bend(300.0, {4, 2});
     model.sections[0].mass.topLeftCorner<3, 3>().setIdentity();

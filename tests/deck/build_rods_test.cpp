@@ -41,6 +41,47 @@ TEST_CASE("A rod needs an element for each piece between its points", "[deck]") 
           "deck names, found 2");
 }
 
+TEST_CASE("A rod needs elements that are bent and twisted by less than half a turn from their middle",
+          "[deck]") {
+    const auto circle = [](const std::string& angle, const std::string& elements) {
+        return replaced(replaced(rod_deck,
+                                 "line = { from = [0, 0, 0], to = [10, 0, 0] }",
+                                 "arc = { centre = [0, 0, 0], axis = [0, 0, 1], from = [5, 0, 0], angle = " +
+                                     angle + " }"),
+                        "elements = 10",
+                        elements);
+    };
+    CHECK(faults_of(circle("\"2*pi\"", "elements = 1")) ==
+          "x.toml:7:12: rod.r.elements: the rod is bent and twisted by 360° within one element of order 1; "
+          "expected less than 180°: more elements");
+    CHECK(faults_of(circle("\"2*pi\"", "elements = 1\norder = 4")) ==
+          "x.toml:7:12: rod.r.elements: the rod is bent and twisted by 360° within one element of order 4; "
+          "expected less than 360°: more elements");
+    CHECK(faults_of(circle("\"-pi\"", "elements = 1")) ==
+          "x.toml:7:12: rod.r.elements: the rod is bent and twisted by 180° within one element of order 1; "
+          "expected less than 180°: more elements");
+    CHECK(faults_of(circle("\"0.99*pi\"", "elements = 1")).empty());
+    CHECK(faults_of(circle("\"1.99*pi\"", "elements = 1\norder = 2")).empty());
+    CHECK(faults_of(circle("\"2*pi\"", "elements = 3")).empty());
+    // A whole turn would be none for the element, two would be none for both.
+    const std::string straight = replaced(rod_deck, "elements = 10", "elements = 2");
+    CHECK(faults_of(straight, {"rod.r.twist=\"4*pi\""}) ==
+          "x.toml:7:12: rod.r.elements: the rod is bent and twisted by 360° within one element of order 1; "
+          "expected less than 180°: more elements");
+    CHECK(faults_of(straight, {"rod.r.twist=\"1.99*pi\""}).empty());
+    // A helix of little radius hardly bends, a spline here bends by a right angle twice.
+    const std::string helix = replaced(rod_deck,
+                                       "line = { from = [0, 0, 0], to = [10, 0, 0] }",
+                                       "helix = { centre = [0, 0, 0], axis = [0, 0, 1], from = [1e-3, 0, 0], "
+                                       "turns = 3, pitch = 10 }");
+    CHECK(faults_of(helix, {"rod.r.elements=1"}).empty());
+    const std::string spline = replaced(rod_deck,
+                                        "line = { from = [0, 0, 0], to = [10, 0, 0] }",
+                                        "spline = [[0, 0, 0], [3, 5, 0], [5, 5.5, 0], [7, 5, 0], [4, 0, 0]]");
+    CHECK_THAT(faults_of(spline, {"rod.r.elements=1"}), Catch::Contains("within one element of order 1"));
+    CHECK(faults_of(spline, {"rod.r.elements=2"}).empty());
+}
+
 TEST_CASE("Section axes are right-handed, x along the rod, y as given", "[deck]") {
     const auto triad = [](const std::string& to, const std::string& y_axis) {
         const std::string line = y_axis.empty() ? "" : "\ny_axis = " + y_axis;

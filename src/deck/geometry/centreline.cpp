@@ -47,4 +47,9 @@ Quat Centreline::transport(std::size_t piece, double fraction) const {
     return pieces_[piece]->transport(arc_length_on(piece, fraction)) * to_piece_[piece];
 }
 
+double Centreline::turn(std::size_t piece, double first, double last) const {
+    const Curve& curve = *pieces_[piece];
+    return curve.turn(arc_length_on(piece, last)) - curve.turn(arc_length_on(piece, first));
+}
+
 }  // namespace gxrod

@@ -25,6 +25,8 @@ class Centreline {
     Vec3 position(std::size_t piece, double fraction) const;
     // The rotation that carries axes from the start of the centreline to there.
     Quat transport(std::size_t piece, double fraction) const;
+    // By how much the tangent turns from one fraction of the whole length to a later one, both on a piece.
+    double turn(std::size_t piece, double first, double last) const;
 
   private:
     double arc_length_on(std::size_t piece, double fraction) const;

@@ -16,6 +16,8 @@ class Curve {
     // The rotation that carries axes along the curve from its start to s, turning them with the tangent but
     // never about it (parallel transport): it takes tangent(0) to tangent(s).
     virtual Quat transport(double s) const = 0;
+    // The angle by which the tangent has turned from the start to s: that of all its turns, whichever way.
+    virtual double turn(double s) const = 0;
 };
 
 // The smallest rotation that takes one unit vector to another; they must not be opposite.

@@ -33,4 +33,10 @@ Quat HelixCurve::transport(double s) const {
            exp_quaternion(-torsion_angle * tangent(0.0));
 }
 
+// The tangent leans towards the axis and so turns less than the radius does.
+double HelixCurve::turn(double s) const {
+    const double lean = std::abs(shape_.angle) * shape_.radius.norm() / length_;
+    return s / length_ * std::abs(shape_.angle) * lean;
+}
+
 }  // namespace gxrod

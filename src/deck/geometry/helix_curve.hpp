@@ -22,6 +22,7 @@ class HelixCurve final : public Curve {
     Vec3 tangent(double s) const override;
     // Carried axes fall behind the curve's own frame (tangent, normal, binormal) by torsion × length.
     Quat transport(double s) const override;
+    double turn(double s) const override;
 
   private:
     HelixShape shape_;

@@ -20,6 +20,7 @@ class LineCurve final : public Curve {
     }
     Vec3 tangent(double /*s*/) const override { return tangent_; }
     Quat transport(double /*s*/) const override { return Quat::Identity(); }
+    double turn(double /*s*/) const override { return 0.0; }
 
   private:
     Vec3 from_, to_, tangent_;

@@ -43,6 +43,13 @@ Quat compute_transport(const Cubic& cubic, double u) {
            exp_quaternion(compute_carried_angle(cubic, k, u) * k);
 }
 
+// Between the tangents at 0 and u.
+double compute_turn(const Cubic& cubic, double u) {
+    const Vec3 first = cubic.slope(0.0);
+    const Vec3 last = cubic.slope(u);
+    return std::atan2(first.cross(last).norm(), first.dot(last));
+}
+
 // The part from u = first to first + width, by a u of its own.
 Cubic part_of(const Cubic& cubic, double first, double width) {
     return {{cubic.position(first),
@@ -126,8 +133,10 @@ void PolynomialCurve::add_segments(const Cubic& cubic,
 
 void PolynomialCurve::add_segment(const Cubic& cubic, double first_parameter, double parameter_width) {
     const double length = compute_length(cubic, 1.0);
-    segments_.push_back({cubic, first_parameter, parameter_width, length_, length, end_transport_});
+    segments_.push_back(
+        {cubic, first_parameter, parameter_width, length_, length, end_transport_, end_turn_});
     length_ += length;
+    end_turn_ += compute_turn(cubic, 1.0);
     end_transport_ = (compute_transport(cubic, 1.0) * end_transport_).normalized();
 }
 
@@ -167,6 +176,11 @@ Vec3 PolynomialCurve::tangent(double s) const {
 Quat PolynomialCurve::transport(double s) const {
     const Place place = place_of(s);
     return compute_transport(place.segment.cubic, place.u) * place.segment.transport;
+}
+
+double PolynomialCurve::turn(double s) const {
+    const Place place = place_of(s);
+    return place.segment.turn + compute_turn(place.segment.cubic, place.u);
 }
 
 double PolynomialCurve::arc_length_at(double parameter) const {

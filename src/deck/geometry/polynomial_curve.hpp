@@ -36,6 +36,7 @@ class PolynomialCurve final : public Curve {
     Vec3 position(double s) const override;
     Vec3 tangent(double s) const override;
     Quat transport(double s) const override;
+    double turn(double s) const override;
 
     double arc_length_at(double parameter) const;
 
@@ -48,6 +49,7 @@ class PolynomialCurve final : public Curve {
         double start;  // arc length of the curve at u = 0
         double length;
         Quat transport;  // from the start of the curve to u = 0
+        double turn;     // likewise
     };
     struct Place {
         const Segment& segment;
@@ -61,6 +63,7 @@ class PolynomialCurve final : public Curve {
     std::vector<Segment> segments_;
     double length_ = 0.0;
     Quat end_transport_ = Quat::Identity();
+    double end_turn_ = 0.0;
 };
 
 }  // namespace gxrod

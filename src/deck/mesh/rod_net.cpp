@@ -64,7 +64,9 @@ class NetMaker {
     NetElement make_element(const ChainLink& link) {
         const Cubic cubic = find_curve(link);
         const PolynomialCurve curve({&cubic, 1});
-        NetElement element{.start_tangent = curve.tangent(0.0), .end_tangent = curve.tangent(curve.length())};
+        NetElement element{.start_tangent = curve.tangent(0.0),
+                           .end_tangent = curve.tangent(curve.length()),
+                           .turn = curve.turn(curve.length())};
         const std::vector<double> parameters = compute_element_nodes(net_.order);
         for (std::size_t i = 0; i <= order_; ++i) {
             const std::size_t mesh_node = node_of(link.element, link.is_reversed ? order_ - i : i);

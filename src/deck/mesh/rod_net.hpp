@@ -14,6 +14,7 @@ struct NetElement {
     std::vector<Quat> transports =
         {};  // carry axes from the start of the element to its nodes, without twisting
     Vec3 start_tangent, end_tangent;
+    double turn = 0.0;  // of the tangent, from start to end
 
     double length() const { return arc_length.back(); }
 };
