@@ -29,13 +29,14 @@ Hdf5Reader open_results(const std::filesystem::path& path) {
 
 void read_results(const std::filesystem::path& path, const std::function<void(const Hdf5Reader&)>& read) {
     for (int attempt = 1;; ++attempt) {
+        const bool is_written = is_being_written(path).value_or(true);
         try {
             read(open_results(path));
             return;
         } catch (const FileError&) {
             throw;
         } catch (const std::runtime_error& fault) {
-            if (attempt == most_attempts) {
+            if (attempt == most_attempts || !is_written) {
                 throw FileError(path, "cannot be read as results of gxrod", fault.what());
             }
         }

@@ -89,7 +89,8 @@ void check_model(const Model& model) {
     }
     for (const Rod& rod : model.rods) {
         for (const Quat& axes : rod.triads) {
-            expect(std::abs(axes.norm() - 1.0) < 1e-9, "the rod " + rod.name + " has axes that are no rotation");
+            expect(std::abs(axes.norm() - 1.0) < 1e-9,
+                   "the rod " + rod.name + " has axes that are no rotation");
         }
     }
 }

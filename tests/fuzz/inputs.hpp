@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-// What the readers are tried with: each of these takes any bytes and hands them to one reader. They return if the
-// reader takes the input or refuses it as documented; whatever else it throws comes out of them.
+// What the readers are tried with: each of these takes any bytes and hands them to one reader. They return if
+// the reader takes the input or refuses it as documented; whatever else it throws comes out of them.
 namespace gxrod::fuzz {
 
 // A deck. Lines that start with "#set " are overrides too. What is accepted can be written and read again.

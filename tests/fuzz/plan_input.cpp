@@ -27,7 +27,8 @@ void check_cases(const Plan& plan) {
     expect(cases.count() >= 1, "a plan without cases");
     for (const long number : {1L, (cases.count() + 1) / 2, cases.count()}) {
         expect(cases.overrides(number).size() == plan.variations.size(), "a case without all its overrides");
-        expect(cases.parameters(number).size() == cases.parameter_names().size(), "a case without all its values");
+        expect(cases.parameters(number).size() == cases.parameter_names().size(),
+               "a case without all its values");
         (void)cases.describe(number);
     }
 }
