@@ -14,7 +14,7 @@
 #include "batch/batch_index.hpp"
 #include "batch/batch_lock.hpp"
 #include "batch/gathering.hpp"
-#include "batch/machine_memory.hpp"
+#include "machine/machine_memory.hpp"
 #include "batch/seconds_since.hpp"
 #include "batch/worker_pool.hpp"
 #include "model/file_error.hpp"

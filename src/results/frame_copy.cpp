@@ -39,7 +39,7 @@ DatasetCopy copy_rows(const Hdf5Reader& file, const std::string& path, hsize_t f
                   file.text_attribute(path, "frame"),
                   file.text_attribute(path, "dimension")};
     copy.size = file.size(path);
-    if (copy.size.at(0) < first + count) throw std::runtime_error(path + " is too short");
+    if (first > copy.size.at(0) || count > copy.size[0] - first) throw std::runtime_error(path + " is too short");
     copy.size[0] = count;
 
     const Hdf5Handle dataset = open_dataset(file.id(), path);

@@ -38,6 +38,8 @@ class Hdf5Reader {
     hid_t id() const { return file_.id(); }
 
   private:
+    // Of so many in each direction; throws if the file is too small to hold them.
+    std::size_t count_values(const std::string& dataset, const std::vector<hsize_t>& extent) const;
     Hdf5Handle open_dataset(const std::string& name) const;
     Hdf5Handle file_;
 };

@@ -8,6 +8,7 @@
 #include "results/deck_reading.hpp"
 #include "results/output_file.hpp"
 #include "results/restart_table.hpp"
+#include "results/survey.hpp"
 
 namespace gxrod {
 
@@ -22,6 +23,7 @@ struct Contents {
 };
 
 Contents read_contents(const std::filesystem::path& path) {
+    survey_file(path);
     std::string reason;
     try {
         const Hdf5Reader file(path);

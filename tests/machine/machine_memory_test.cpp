@@ -1,4 +1,4 @@
-#include "batch/machine_memory.hpp"
+#include "machine/machine_memory.hpp"
 
 #include <unistd.h>
 
@@ -6,7 +6,7 @@
 
 namespace gxrod::test {
 
-TEST_CASE("What may be used is some of what the machine has", "[batch]") {
+TEST_CASE("What may be used is some of what the machine has", "[machine]") {
     const double machine =
         static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
     CHECK(count_usable_bytes() <= machine);

@@ -1,4 +1,4 @@
-#include "batch/machine_memory.hpp"
+#include "machine/machine_memory.hpp"
 
 #include <unistd.h>
 
