@@ -12,6 +12,7 @@
 #include "elements/lanes/instruction_set.hpp"
 #include "exit_code.hpp"
 #include "model/file_error.hpp"
+#include "model/printable.hpp"
 #include "model/version.hpp"
 #include "verbs.hpp"
 
@@ -93,7 +94,7 @@ int main(int argc, char** argv) {
         fmt::print(stderr, "{}\n", error.what());
         return gxrod::exit_bad_input;
     } catch (const gxrod::FileError& error) {
-        fmt::print(stderr, "gxrod: {}\n", error.what());
+        fmt::print(stderr, "gxrod: {}\n", gxrod::printable(error.what()));
         return gxrod::exit_file;
     } catch (const std::bad_alloc&) {
         fmt::print(stderr, "gxrod: out of memory\n");

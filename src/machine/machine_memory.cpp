@@ -1,5 +1,6 @@
 #include "machine/machine_memory.hpp"
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -24,6 +25,12 @@ std::string find_control_group() {
 double count_usable_bytes() {
     double bytes =
         static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+    for (const auto limited : {RLIMIT_AS, RLIMIT_DATA}) {
+        rlimit limit{};
+        if (::getrlimit(limited, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
+            bytes = std::min(bytes, static_cast<double>(limit.rlim_cur));
+        }
+    }
     // A limit of any group around it counts.
     std::string group = find_control_group();
     while (!group.empty()) {

@@ -43,7 +43,7 @@ void read_surveyed_results(const std::filesystem::path& path,
             return;
         } catch (const FileError&) {
             throw;
-        } catch (const std::runtime_error& fault) {
+        } catch (const std::exception& fault) {
             if (attempt == most_attempts || !is_written) {
                 throw FileError(path, "cannot be read as results of gxrod", fault.what());
             }

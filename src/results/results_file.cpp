@@ -31,7 +31,7 @@ void writing(const std::filesystem::path& path, Action&& action) {
         action();
     } catch (const std::system_error& error) {
         throw FileError(path, "cannot write: " + error.code().message());
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
         throw FileError(path, std::string("cannot write: ") + error.what());
     }
 }

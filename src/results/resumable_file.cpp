@@ -35,7 +35,7 @@ Contents read_contents(const std::filesystem::path& path) {
         } else {
             reason = "it has no state to go on from";
         }
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
         reason = error.what();
     }
     throw FileError(path, failure + reason);
