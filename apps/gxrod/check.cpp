@@ -9,6 +9,7 @@
 #include "deck/problem.hpp"
 #include "exit_code.hpp"
 #include "job.hpp"
+#include "results/results_size.hpp"
 #include "verbs.hpp"
 
 namespace gxrod {
@@ -20,6 +21,12 @@ struct CheckArguments {
     std::vector<std::string> overrides;
 };
 
+std::string describe_size(const Problem& problem) {
+    constexpr double megabyte = 1e6;
+    const ResultsSize size = estimate_results_size(problem.model, problem.analysis, problem.output);
+    return size.bytes == 0.0 ? "" : fmt::format("results: at least {:.3g} MB\n", size.bytes / megabyte);
+}
+
 int check(const CheckArguments& arguments) {
     const Problem problem = read_job_problem(arguments.deck, arguments.overrides);
     if (!problem.record.title.empty()) fmt::print("{}\n", problem.record.title);
@@ -27,6 +34,7 @@ int check(const CheckArguments& arguments) {
                describe_model(problem.model),
                describe_analysis(problem.analysis),
                describe_output(problem.analysis, problem.output));
+    fmt::print("{}", describe_size(problem));
     for (const std::string& note : problem.notes) fmt::print("note: {}\n", note);
     const std::vector<Finding> findings = examine_model(problem.model, problem.analysis);
     for (const Finding& finding : findings) {

@@ -4,8 +4,8 @@
 #include "deck/problem.hpp"
 #include "deck/toml_writing.hpp"
 #include "deck/validation.hpp"
-#include "expectation.hpp"
-#include "inputs.hpp"
+#include "fuzz/expectation.hpp"
+#include "fuzz/inputs.hpp"
 #include "model/evaluation_error.hpp"
 #include "model/file_error.hpp"
 

@@ -1,7 +1,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "inputs.hpp"
+#include "fuzz/inputs.hpp"
 
 // Where libFuzzer enters a program. GXROD_FUZZ_INPUT is the function that it tries.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,8 +2,8 @@
 #include <string>
 
 #include "deck/expression.hpp"
-#include "expectation.hpp"
-#include "inputs.hpp"
+#include "fuzz/expectation.hpp"
+#include "fuzz/inputs.hpp"
 #include "model/evaluation_error.hpp"
 
 namespace gxrod::fuzz {

@@ -3,10 +3,10 @@
 #include "batch/case_list.hpp"
 #include "batch/plan.hpp"
 #include "deck/fault.hpp"
-#include "expectation.hpp"
-#include "inputs.hpp"
+#include "fuzz/expectation.hpp"
+#include "fuzz/inputs.hpp"
+#include "fuzz/scratch_folder.hpp"
 #include "model/file_error.hpp"
-#include "scratch_folder.hpp"
 
 namespace gxrod::fuzz {
 namespace {

@@ -2,14 +2,14 @@
 #include <cstdint>
 
 #include "deck/problem.hpp"
-#include "inputs.hpp"
+#include "fuzz/inputs.hpp"
+#include "fuzz/results_sample.hpp"
+#include "fuzz/scratch_folder.hpp"
 #include "model/file_error.hpp"
 #include "report/report.hpp"
 #include "results/csv_export.hpp"
 #include "results/results_file.hpp"
 #include "results/series_export.hpp"
-#include "results_sample.hpp"
-#include "scratch_folder.hpp"
 
 namespace gxrod::fuzz {
 namespace {

@@ -1,9 +1,9 @@
-#include "results_sample.hpp"
+#include "fuzz/results_sample.hpp"
 
 #include "deck/problem.hpp"
 #include "deck/text_file.hpp"
+#include "fuzz/scratch_folder.hpp"
 #include "results/results_file.hpp"
-#include "scratch_folder.hpp"
 
 namespace gxrod::fuzz {
 namespace {

@@ -1,4 +1,4 @@
-#include "scratch_folder.hpp"
+#include "fuzz/scratch_folder.hpp"
 
 #include <stdlib.h>
 
