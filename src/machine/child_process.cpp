@@ -80,8 +80,14 @@ int wait_for_end(pid_t process) {
 
 std::string describe_end(int status, const ChildLimits& limits) {
     if (!WIFSIGNALED(status)) {
-        return WEXITSTATUS(status) == cannot_be_confined ? "this system cannot keep it from running programs"
-                                                         : "there is no memory for it";
+        switch (WEXITSTATUS(status)) {
+            case cannot_be_confined:
+                return "this system cannot keep it from running programs";
+            case has_thrown:
+                return "there is no memory for it";
+            default:  // a sanitizer's
+                return fmt::format("it breaks down: exit code {}", WEXITSTATUS(status));
+        }
     }
     switch (WTERMSIG(status)) {
         case SIGSYS:

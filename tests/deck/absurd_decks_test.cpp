@@ -94,7 +94,7 @@ TEST_CASE("A model larger than the memory is refused with its size", "[deck]") {
     };
     CHECK(faults_with(1e10) == "");
     CHECK(faults_with(1e9) ==
-          "x.toml:7:12: rod.r.elements: the model would have 2000001 nodes and need more than 5.98 GB of "
+          "x.toml:7:12: rod.r.elements: the model would have 2000001 nodes and need more than 5.95 GB of "
           "memory, where "
           "1 GB may be used; expected fewer elements");
     // The reader asks the machine; no machine has as much.
@@ -105,7 +105,7 @@ TEST_CASE("A model larger than the memory is refused with its size", "[deck]") {
             "10000000\norder = 4\n",
             i);
     }
-    CHECK_THAT(faults_of(many), Catch::Contains("need more than 4.79e+04 GB of memory"));
+    CHECK_THAT(faults_of(many), Catch::Contains("need more than 4.76e+04 GB of memory"));
 }
 
 }  // namespace gxrod::test

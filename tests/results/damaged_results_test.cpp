@@ -1,6 +1,7 @@
+#include <fmt/format.h>
 #include <hdf5.h>
 #include <catch2/catch.hpp>
-#include <fstream>
+#include <limits>
 
 #include "deck/text_file.hpp"
 #include "fuzz/results_sample.hpp"

@@ -30,8 +30,10 @@ TEST_CASE("The size of results is known before the run", "[results]") {
     const sample::ScratchFolder folder;
     OutputSettings output = sample::make_output();
     output.every = every;
-    const ResultsSize size =
-        estimate_results_size(sample::make_model(), DynamicSettings{.end_time = 1.0, .steps = steps}, output);
+    DynamicSettings dynamic;
+    dynamic.end_time = 1.0;
+    dynamic.steps = steps;
+    const ResultsSize size = estimate_results_size(sample::make_model(), dynamic, output);
     CHECK(size.steps == steps);
     CHECK(size.frames == 1 + steps / every);
     const auto written = static_cast<double>(write_results(folder / "size.vtkhdf"));
@@ -42,7 +44,9 @@ TEST_CASE("The size of results is known before the run", "[results]") {
 TEST_CASE("Of results whose size the deck does not tell only what it tells is estimated", "[results]") {
     const Model model = sample::make_model();
     OutputSettings output;
-    DynamicSettings dynamic{.end_time = 1.0, .steps = 1000};
+    DynamicSettings dynamic;
+    dynamic.end_time = 1.0;
+    dynamic.steps = 1000;
     const double with_frames = estimate_results_size(model, dynamic, output).bytes;
     output.compression = Compression::deflate;
     const double of_steps = estimate_results_size(model, dynamic, output).bytes;
@@ -50,5 +54,8 @@ TEST_CASE("Of results whose size the deck does not tell only what it tells is es
     CHECK(of_steps > 0.0);
     dynamic.adaptive = AdaptiveSettings{};
     CHECK(estimate_results_size(model, dynamic, output).bytes == 0.0);
-    CHECK(estimate_results_size(model, StaticSettings{.steps = 9}, OutputSettings{.every = 4}).frames == 4.0);
+    StaticSettings load_steps;
+    load_steps.steps = 9;
+    output.every = 4;
+    CHECK(estimate_results_size(model, load_steps, output).frames == 4.0);
 }
