@@ -91,7 +91,7 @@ std::string describe_end(int status, const ChildLimits& limits) {
     }
     switch (WTERMSIG(status)) {
         case SIGSYS:
-            return "it tries to run a program or to write";
+            return "it tries to run a program";
         case SIGPROF:
             return fmt::format("it does not come to an end in {} s", limits.processor_seconds);
         default:

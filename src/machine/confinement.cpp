@@ -29,28 +29,34 @@ constexpr std::uint32_t machine = 0;
 constexpr std::uint32_t call_of_x32 = 0;
 #endif
 
-// Calls that change what is outside of the process.
-constexpr std::uint32_t forbidden[] = {
+// Calls that start programs, and with which others are reached.
+constexpr std::uint32_t deadly[] = {
 #ifdef SYS_fork
-    SYS_fork,           SYS_vfork,
-    SYS_creat,          SYS_rename,
-    SYS_unlink,         SYS_mkdir,
-    SYS_rmdir,          SYS_link,
-    SYS_symlink,        SYS_chmod,
-    SYS_chown,          SYS_lchown,
-    SYS_mknod,
+    SYS_fork,
+    SYS_vfork,
 #endif
-    SYS_execve,         SYS_execveat,
-    SYS_renameat2,      SYS_unlinkat,
-    SYS_mkdirat,        SYS_linkat,
-    SYS_symlinkat,      SYS_fchmodat,
-    SYS_fchownat,       SYS_mknodat,
-    SYS_truncate,       SYS_socket,
-    SYS_ptrace,         SYS_process_vm_writev,
-    SYS_mount,          SYS_setxattr,
-    SYS_lsetxattr,      SYS_bpf,
-    SYS_io_uring_setup, SYS_kill,
-    SYS_tkill,          SYS_pidfd_send_signal};
+    SYS_execve,
+    SYS_execveat,
+    SYS_socket,
+    SYS_ptrace,
+    SYS_process_vm_writev,
+    SYS_bpf,
+    SYS_kill,
+    SYS_tkill,
+    SYS_mount,
+    SYS_pidfd_send_signal};
+
+// Calls that change files by their names: refused as if the user had no right to.
+constexpr std::uint32_t refused[] = {
+#ifdef SYS_fork
+    SYS_creat,     SYS_rename,   SYS_unlink,   SYS_mkdir,     SYS_rmdir,     SYS_link,          SYS_symlink,
+    SYS_chmod,     SYS_chown,    SYS_lchown,   SYS_mknod,
+#endif
+#ifdef SYS_renameat
+    SYS_renameat,
+#endif
+    SYS_renameat2, SYS_unlinkat, SYS_mkdirat,  SYS_linkat,    SYS_symlinkat, SYS_fchmodat,      SYS_fchownat,
+    SYS_mknodat,   SYS_truncate, SYS_setxattr, SYS_lsetxattr, SYS_utimensat, SYS_io_uring_setup};
 
 class Filter {
   public:
@@ -59,17 +65,15 @@ class Filter {
         unless_equal(machine, SECCOMP_RET_KILL_PROCESS);
         load(offsetof(seccomp_data, nr));
         jump(BPF_JGE, call_of_x32, SECCOMP_RET_KILL_PROCESS);
-        for (const std::uint32_t call : forbidden) jump(BPF_JEQ, call, SECCOMP_RET_KILL_PROCESS);
-#ifdef SYS_renameat
-        jump(BPF_JEQ, SYS_renameat, SECCOMP_RET_KILL_PROCESS);
-#endif
+        for (const std::uint32_t call : deadly) jump(BPF_JEQ, call, SECCOMP_RET_KILL_PROCESS);
+        for (const std::uint32_t call : refused) jump(BPF_JEQ, call, SECCOMP_RET_ERRNO | EACCES);
         // Their arguments cannot be seen; whoever calls them does without.
         jump(BPF_JEQ, SYS_clone3, SECCOMP_RET_ERRNO | ENOSYS);
         jump(BPF_JEQ, SYS_openat2, SECCOMP_RET_ERRNO | ENOSYS);
         constexpr std::uint32_t writing = O_WRONLY | O_RDWR | O_CREAT | O_TRUNC;
-        forbid_flags(SYS_openat, 2, writing);
+        refuse_flags(SYS_openat, 2, writing);
 #ifdef SYS_open
-        forbid_flags(SYS_open, 1, writing);
+        refuse_flags(SYS_open, 1, writing);
 #endif
         require_flag(SYS_clone, 0, CLONE_THREAD);
         finish(SECCOMP_RET_ALLOW);
@@ -99,10 +103,10 @@ class Filter {
         return offsetof(seccomp_data, args) + index * sizeof(std::uint64_t);
     }
     // Of one call; what follows sees its number again.
-    void forbid_flags(std::uint32_t call, std::size_t index, std::uint32_t flags) {
+    void refuse_flags(std::uint32_t call, std::size_t index, std::uint32_t flags) {
         add(BPF_JMP | BPF_JEQ | BPF_K, call, 0, 4);
         load(argument(index));
-        jump(BPF_JSET, flags, SECCOMP_RET_KILL_PROCESS);
+        jump(BPF_JSET, flags, SECCOMP_RET_ERRNO | EACCES);
         finish(SECCOMP_RET_ALLOW);
     }
     void require_flag(std::uint32_t call, std::size_t index, std::uint32_t flag) {

@@ -159,8 +159,11 @@ TEST_CASE("A geometry script runs no programs and writes no files", "[deck][mesh
                                       "Mesh 1; Save " + name + ";\n"}) {
         INFO(action);
         const ScratchFile script("script.geo", line + action);
-        CHECK_THROWS_WITH(read_line_mesh(script.path()),
-                          "Gmsh cannot read it: it tries to run a program or to write");
+        const bool is_program = action.find("System") != std::string::npos;
+        CHECK_THROWS_WITH(
+            read_line_mesh(script.path()),
+            Catch::StartsWith("Gmsh cannot read it: ") &&
+                Catch::Contains(is_program ? "it tries to run a program" : "Unable to open file"));
         CHECK_FALSE(std::filesystem::exists(made));
     }
 }
