@@ -38,7 +38,8 @@ TEST_CASE("The size of results is known before the run", "[results]") {
     CHECK(size.frames == 1 + steps / every);
     const auto written = static_cast<double>(write_results(folder / "size.vtkhdf"));
     CHECK(size.bytes < written);
-    CHECK(size.bytes > 0.9 * written);
+    // The rest is HDF5's index, which is most where rows are short.
+    CHECK(size.bytes > 0.8 * written);
 }
 
 TEST_CASE("Of results whose size the deck does not tell only what it tells is estimated", "[results]") {

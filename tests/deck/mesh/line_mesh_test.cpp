@@ -156,7 +156,7 @@ TEST_CASE("A geometry script runs no programs and writes no files", "[deck][mesh
                                       "NonBlockingSystemCall \"touch " + made.string() + "\";\n",
                                       "Printf(\"x\") > " + name + ";\n",
                                       "Printf(\"x\") >> " + name + ";\n",
-                                      "Mesh 1; Save " + name + ";\n"}) {
+                                      "Mesh 1; Save \"" + made.string() + ".msh\";\n"}) {
         INFO(action);
         const ScratchFile script("script.geo", line + action);
         const bool is_program = action.find("System") != std::string::npos;
