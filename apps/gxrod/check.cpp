@@ -7,6 +7,7 @@
 #include "deck/problem.hpp"
 #include "exit_code.hpp"
 #include "job.hpp"
+#include "results/results_size.hpp"
 #include "say.hpp"
 #include "verbs.hpp"
 
@@ -19,14 +20,21 @@ struct CheckArguments {
     std::vector<std::string> overrides;
 };
 
+std::string describe_size(const Problem& problem) {
+    constexpr double megabyte = 1e6;
+    const ResultsSize size = estimate_results_size(problem.model, problem.analysis, problem.output);
+    return size.bytes == 0.0 ? "" : fmt::format("results: at least {:.3g} MB\n", size.bytes / megabyte);
+}
+
 int check(const CheckArguments& arguments) {
     const Problem problem = read_job_problem(arguments.deck, arguments.overrides);
     if (!problem.record.title.empty()) say(stdout, "{}\n", problem.record.title);
     say(stdout,
-        "{}{}{}",
+        "{}{}{}{}",
         describe_model(problem.model),
         describe_analysis(problem.analysis),
-        describe_output(problem.analysis, problem.output));
+        describe_output(problem.analysis, problem.output),
+        describe_size(problem));
     for (const std::string& note : problem.notes) say(stdout, "note: {}\n", note);
     const std::vector<Finding> findings = examine_model(problem.model, problem.analysis);
     for (const Finding& finding : findings) {

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <new>
 
 #include "analyses/model_examination.hpp"
@@ -13,6 +14,7 @@
 #include "parallel/cores.hpp"
 #include "progress_line.hpp"
 #include "results/energy_warning.hpp"
+#include "results/results_size.hpp"
 #include "say.hpp"
 #include "summary.hpp"
 
@@ -101,6 +103,25 @@ bool examine(const JobOptions& options, const Problem& problem) {
     return !has_error(findings);
 }
 
+// Throws FileError if the disk is too small for what the run would write: told now, not after days.
+void check_room(const JobOptions& options, const Problem& problem) {
+    constexpr double gigabyte = 1e9;
+    const ResultsSize size = estimate_results_size(problem.model, problem.analysis, problem.output);
+    const std::filesystem::path folder = std::filesystem::path(options.results).parent_path();
+    std::error_code error;
+    const std::filesystem::space_info room = std::filesystem::space(folder.empty() ? "." : folder, error);
+    if (error || size.bytes <= static_cast<double>(room.available)) return;
+    throw FileError(
+        options.results,
+        fmt::format("would take more than {:.3g} GB, for {:.6g} steps and {:.6g} frames, where {:.3g} GB "
+                    "are free",
+                    size.bytes / gigabyte,
+                    size.steps,
+                    size.frames,
+                    static_cast<double>(room.available) / gigabyte),
+        "a larger output.every makes fewer frames; each step is recorded");
+}
+
 // Runs and tells how it went.
 int run_and_tell(const RunRequest& request, const JobOptions& options, ProgressLine& line) {
     const RunSummary summary = run_analysis(request);
@@ -136,6 +157,7 @@ Problem read_job_problem(const std::string& deck, const std::vector<std::string>
 
 int run_job(const Problem& problem, const JobOptions& options, ResumableFile* resumed) {
     if (!examine(options, problem)) return exit_bad_input;
+    if (resumed == nullptr) check_room(options, problem);
     warn_of_threads(options);
     std::signal(SIGINT, ask_to_end);
     std::signal(SIGTERM, ask_to_end);

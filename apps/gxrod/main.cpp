@@ -14,6 +14,7 @@
 #include "elements/lanes/instruction_set.hpp"
 #include "exit_code.hpp"
 #include "model/file_error.hpp"
+#include "model/printable.hpp"
 #include "model/version.hpp"
 #include "say.hpp"
 #include "verbs.hpp"
@@ -123,7 +124,7 @@ int main(int argc, char** argv) {
         gxrod::say(stderr, "{}\n", error.what());
         return gxrod::exit_bad_input;
     } catch (const gxrod::FileError& error) {
-        gxrod::say(stderr, "gxrod: {}\n", error.what());
+        gxrod::say(stderr, "gxrod: {}\n", gxrod::printable(error.what()));
         return gxrod::exit_file;
     } catch (const std::bad_alloc&) {
         gxrod::say_text(stderr, gxrod::out_of_memory);

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "exit_code.hpp"
+#include "model/printable.hpp"
 #include "progress_line.hpp"
 #include "report/batch_report.hpp"
 #include "say.hpp"
@@ -48,7 +49,7 @@ int report_run(const ReportArguments& arguments) {
     options.most_bytes = arguments.most_bytes();
     options.existing = arguments.existing();
     const ReportSummary summary = write_report(options);
-    for (const std::string& warning : summary.warnings) say(stderr, "warning: {}\n", warning);
+    for (const std::string& warning : summary.warnings) say(stderr, "warning: {}\n", printable(warning));
     for (const std::string& sentence : summary.left_out) say(stdout, "{}\n", sentence);
     tell_page(options.page, summary.bytes);
     return exit_done;

@@ -55,9 +55,9 @@ struct RunSummary {
 };
 
 // Runs and leaves a closed results file, whatever happens. Not converging, running out of memory, or a load
-// that is no number, is a failed summary. Throws FileError if the file cannot be created, or cannot be resumed
-// with this analysis; WriteError if it cannot be written, and std::bad_alloc if there is too little memory for
-// that: what was written stays.
+// that is no number, is a failed summary. Throws FileError if the file cannot be created, or cannot be
+// resumed with this analysis; WriteError if it cannot be written, and std::bad_alloc if there is too little
+// memory for that: what was written stays.
 RunSummary run_analysis(const RunRequest& request);
 
 }  // namespace gxrod

@@ -14,9 +14,9 @@
 #include "batch/batch_index.hpp"
 #include "batch/batch_lock.hpp"
 #include "batch/gathering.hpp"
-#include "batch/machine_memory.hpp"
 #include "batch/seconds_since.hpp"
 #include "batch/worker_pool.hpp"
+#include "machine/machine_memory.hpp"
 #include "model/file_error.hpp"
 
 namespace gxrod {

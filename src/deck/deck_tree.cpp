@@ -1,11 +1,14 @@
 #include "deck/deck_tree.hpp"
 
+#include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 
 #include "deck/syntax_fault.hpp"
+#include "model/printable.hpp"
 
 namespace gxrod {
 namespace {
@@ -58,6 +61,84 @@ DeckNode convert(const toml::node& node) {
     return result;
 }
 
+// The longest run of parts with dots between, as in a.b.c, and the line that it is in.
+struct DottedRun {
+    int parts = 0;
+    int line = 1;
+};
+
+DottedRun find_longest_run(std::string_view text) {
+    const auto is_letter = [](char letter) {
+        return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_' || letter == '-' ||
+               letter == '"' || letter == '\'';
+    };
+    DottedRun longest;
+    int line = 1;
+    int parts = 0;
+    char before = '.';  // the last letter that was not a blank
+    bool is_blank_before = false;
+    for (const char letter : text) {
+        if (letter == ' ' || letter == '\t') {
+            is_blank_before = true;
+            continue;
+        }
+        if (letter == '\n') ++line;
+        const bool goes_on = is_letter(letter) ? before == '.' || (is_letter(before) && !is_blank_before)
+                                               : letter == '.' && is_letter(before);
+        if (!goes_on) parts = 0;
+        if (is_letter(letter) && (before == '.' || !goes_on)) ++parts;
+        if (parts > longest.parts) longest = {parts, line};
+        before = letter;
+        is_blank_before = false;
+    }
+    return longest;
+}
+
+// What reads, checks and frees a deck goes as deep as its tables; toml++ bounds that of brackets, not of
+// a.b.c.
+void check_depth(std::string_view text, const std::string& file) {
+    constexpr int most_parts = 16;
+    const DottedRun longest = find_longest_run(text);
+    if (longest.parts <= most_parts) return;
+    const std::string message =
+        fmt::format("a key of {} parts, where a.b.c has 3; {} are the most", longest.parts, most_parts);
+    throw DeckError({{file, longest.line, 1, "", message}});
+}
+
+void check_letters(std::string_view text, const Place& place, const std::string& file) {
+    const std::size_t at = find_control_character(text);
+    if (at == std::string_view::npos) return;
+    const std::string shown = printable(text.substr(at, 2)).substr(0, 4);
+    throw DeckError(
+        {{file,
+          place.line,
+          place.column,
+          "",
+          fmt::format("has the control character {}; expected a text that can be shown", shown)}});
+}
+
+// Whatever a text is for, in the end it is shown somewhere: by a terminal, in a page, by other programs.
+void check_texts(const DeckNode& node, const std::string& file) {
+    if (node.text() != nullptr) check_letters(*node.text(), node.place, file);
+    if (node.array() != nullptr) {
+        for (const DeckNode& element : *node.array()) check_texts(element, file);
+    }
+    if (node.table() == nullptr) return;
+    for (const DeckEntry& entry : *node.table()) {
+        check_letters(entry.key, entry.place, file);
+        check_texts(entry.node, file);
+    }
+}
+
+DeckNode parse_toml(std::string_view text, const std::string& file) {
+    try {
+        const toml::table table = toml::parse(text, std::string_view(file));
+        return {convert_table(table), {}};
+    } catch (const toml::parse_error& error) {
+        throw DeckError({explain_syntax_fault(text, file, place_of(error.source()), error.description())});
+    }
+}
+
 }  // namespace
 
 const DeckEntry* DeckNode::find(std::string_view key) const {
@@ -72,12 +153,10 @@ DeckEntry* DeckNode::find(std::string_view key) {
 }
 
 DeckNode read_toml(std::string_view text, const std::string& file) {
-    try {
-        const toml::table table = toml::parse(text, std::string_view(file));
-        return {convert_table(table), {}};
-    } catch (const toml::parse_error& error) {
-        throw DeckError({explain_syntax_fault(text, file, place_of(error.source()), error.description())});
-    }
+    check_depth(text, file);
+    DeckNode tree = parse_toml(text, file);
+    check_texts(tree, file);
+    return tree;
 }
 
 }  // namespace gxrod

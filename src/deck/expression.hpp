@@ -26,6 +26,8 @@ struct FunctionDefinition {
     std::vector<std::pair<double, double>>
         table;  // (t, value), t increasing; empty if there is an expression
     std::string expression;
+    double operations = 1.0;  // of one evaluation, at most
+    int depth = 1;            // of functions that call functions
 };
 
 // The names that a deck defines. A nullopt stands for one that is defined but wrong, and already reported.

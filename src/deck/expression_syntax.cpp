@@ -44,6 +44,7 @@ class ExpressionCheck {
             check_token();
         }
         if (groups_.size() > 1) throw ExpressionError("a \")\" is missing");
+        check_effort();
         return names_;
     }
 
@@ -56,6 +57,20 @@ class ExpressionCheck {
 
     const Token& token() const { return tokens_[at_]; }
     bool next_is_open() const { return at_ + 1 < tokens_.size() && tokens_[at_ + 1].kind == TokenKind::open; }
+
+    void check_effort() {
+        names_.operations += static_cast<double>(tokens_.size());
+        if (names_.operations > most_operations) {
+            throw ExpressionError(fmt::format(
+                "with the functions that it calls it takes {:.3g} operations to evaluate; {} are the most",
+                names_.operations,
+                most_operations));
+        }
+        if (names_.depth >= most_function_depth) {
+            throw ExpressionError(
+                fmt::format("functions that call functions go more than {} deep", most_function_depth));
+        }
+    }
 
     // Two values side by side: 2t, (a)(b).
     void check_neighbour() const {
@@ -181,6 +196,10 @@ class ExpressionCheck {
                 "\"{}\" is a function of time, which is not allowed here: this value is a constant", name));
         }
         names_.functions.insert(name);
+        const std::optional<FunctionDefinition>& definition = symbols_.functions.find(name)->second;
+        if (!definition) return;
+        names_.operations += definition->operations;
+        names_.depth = std::max(names_.depth, definition->depth);
     }
 
     bool is_function(const std::string& name) const {
@@ -217,6 +236,10 @@ std::string explain_unusable_name(const std::string& name) {
 }
 
 ExpressionNames check_expression(const std::string& expression, const Symbols& symbols, Variables variables) {
+    if (expression.size() > most_expression_letters) {
+        throw ExpressionError(
+            fmt::format("has {} letters; {} are the most", expression.size(), most_expression_letters));
+    }
     const std::vector<Token> tokens = split_expression(expression);
     return ExpressionCheck(tokens, symbols, variables).run();
 }

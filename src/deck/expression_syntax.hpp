@@ -23,6 +23,8 @@ struct ExpressionNames {
     std::set<std::string> parameters;
     std::set<std::string> functions;
     std::set<std::string> variables;
+    double operations = 0.0;  // of one evaluation at most, with those of the functions it calls
+    int depth = 0;            // of functions that call functions
 };
 
 // Whether expressions can use the word as a name: letters, digits and _, no digit first.
@@ -30,6 +32,11 @@ bool is_identifier(const std::string& word);
 
 // Why a parameter or function cannot have this name, or "".
 std::string explain_unusable_name(const std::string& name);
+
+// Bounds of what evaluating one expression may take.
+inline constexpr std::size_t most_expression_letters = 10'000;
+inline constexpr double most_operations = 1e5;
+inline constexpr int most_function_depth = 100;
 
 // Checks an expression up to the arrangement of its operators. Throws ExpressionError.
 ExpressionNames check_expression(const std::string& expression, const Symbols& symbols, Variables variables);

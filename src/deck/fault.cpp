@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "model/printable.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -20,7 +22,7 @@ std::string describe(const DeckFault& fault) {
     std::string line = fault.file;
     if (fault.line > 0) line += fmt::format(":{}:{}", fault.line, fault.column);
     if (!fault.key.empty()) line += ": " + fault.key;
-    return line + ": " + fault.message;
+    return printable(line + ": " + fault.message);
 }
 
 DeckError::DeckError(std::vector<DeckFault> all)

@@ -12,6 +12,7 @@
 #include "deck/build_sections.hpp"
 #include "deck/build_supports.hpp"
 #include "deck/check_functions.hpp"
+#include "deck/check_memory.hpp"
 #include "deck/check_points.hpp"
 #include "deck/check_velocities.hpp"
 #include "deck/overrides.hpp"
@@ -19,6 +20,7 @@
 #include "deck/resumption.hpp"
 #include "deck/text_file.hpp"
 #include "deck/validation.hpp"
+#include "machine/machine_memory.hpp"
 #include "model/file_error.hpp"
 
 namespace gxrod {
@@ -38,6 +40,8 @@ void check_names(const CheckedTable& deck, FaultList& faults) {
 Problem build_problem(const CheckedTable& deck, const MeshFiles& files, FaultList& faults) {
     Problem problem;
     const RodNets nets = read_rod_nets(deck, files, faults, problem.record.meshes);
+    check_memory(deck, nets, count_usable_bytes(), faults);
+    faults.throw_if_any();
     const PointNames names(deck, points_of(nets));
     BuildContext context{deck, names, faults, problem.notes, problem.model};
     check_names(deck, faults);

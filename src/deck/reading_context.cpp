@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "model/printable.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -12,7 +14,9 @@ struct FoundDescription {
     std::string operator()(const DeckNode::Array& array) const {
         return array.empty() ? "an empty array" : fmt::format("an array of {}", array.size());
     }
-    std::string operator()(const std::string& text) const { return fmt::format("the text \"{}\"", text); }
+    std::string operator()(const std::string& text) const {
+        return fmt::format("the text \"{}\"", shorten(text));
+    }
     std::string operator()(std::int64_t number) const { return fmt::format("{}", number); }
     std::string operator()(double number) const {
         if (std::isnan(number)) return "nan";

@@ -26,6 +26,10 @@ that the reader itself checks a deck with; `gxrod schema` writes the same as a J
 - **Names** of sections, rods and bodies have letters, digits, `_` and `-`; those of parameters and functions letters,
   digits and `_`, no digit first.
 - Unknown keys are errors. TOML wants a digit on both sides of a decimal point: `1.0` and `0.5`, not `1.` and `.5`.
+- **Limits**: an expression has at most 10000 letters and, with the functions that it calls, takes at most 100000
+  operations; functions call functions at most 100 deep; parameters rest on each other at most 1000 deep; keys have at
+  most 16 parts; texts have no control characters but newlines and tabs. Models that need more memory than there is and
+  results that need more room than the disk has are refused before they are begun, with their sizes.
 
 ## Expressions
 

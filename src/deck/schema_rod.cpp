@@ -2,23 +2,18 @@
 
 #include <cmath>
 
+#include "deck/check_memory.hpp"
 #include "deck/choices.hpp"
 #include "deck/schema_tables.hpp"
-#include "state/motion.hpp"
 
 // [rod.NAME].
 namespace gxrod {
 namespace {
 
-// A lower bound: motions of a node at two time levels, a row of the block-tridiagonal tangent and of its
-// factors.
 std::string describe_memory_of_largest_rod() {
-    constexpr double bytes_per_entry = sizeof(double) + sizeof(int);
-    constexpr double entries = 3 * 6 * 6;
-    constexpr double bytes = 2.0 * sizeof(NodeMotion) + 2.0 * entries * bytes_per_entry;
     return fmt::format("{} elements already need more than {:.0f} GB of memory",
                        largest_element_count,
-                       bytes * static_cast<double>(largest_element_count) / 1e9);
+                       least_bytes_of_node() * static_cast<double>(largest_element_count) / 1e9);
 }
 
 KeySpec vector_key(const char* name, const char* dimension, Presence presence, const char* sentence) {

@@ -49,6 +49,11 @@ std::string describe_cycle(const std::vector<std::string>& cycle) {
     return fmt::format("{} → {}", fmt::join(cycle, " → "), cycle.front());
 }
 
+std::string explain_depth() {
+    return fmt::format("is used through {} others, each by the one before; no more can be followed",
+                       most_use_depth);
+}
+
 void read_parameters(const DeckNode& deck, Symbols& symbols, FaultList& faults) {
     const DeckNode* const table =
         deck.find("parameters") == nullptr ? nullptr : &deck.find("parameters")->node;
@@ -61,6 +66,9 @@ void read_parameters(const DeckNode& deck, Symbols& symbols, FaultList& faults) 
         faults.add(table->find(cycle.front())->node.place,
                    "parameters." + cycle.front(),
                    "the value depends on itself: " + describe_cycle(cycle));
+    }
+    for (const std::string& name : order.too_deep) {
+        faults.add(table->find(name)->place, "parameters." + name, explain_depth());
     }
     const KeySpec number{.name = "parameter", .type = ValueType::number};
     for (const std::string& name : order.names) {
@@ -133,12 +141,20 @@ void read_functions(const DeckNode& deck, Symbols& symbols, FaultList& faults) {
                    "function." + cycle.front() + ".expression",
                    "the function depends on itself: " + describe_cycle(cycle));
     }
+    for (const std::string& name : order.too_deep) {
+        faults.add(table->find(name)->place, "function." + name, explain_depth());
+    }
     for (const std::string& name : order.names) {
         if (order.in_cycle.contains(name)) continue;
-        const auto definition = read_definition(table->find(name)->node, name, symbols);
+        auto definition = read_definition(table->find(name)->node, name, symbols);
         if (!definition) continue;
-        if (definition->table.empty() && !compiles(definition->expression, symbols)) continue;
-        symbols.functions[name] = definition;
+        if (definition->table.empty()) {
+            if (!compiles(definition->expression, symbols)) continue;
+            const ExpressionNames names = check_expression(definition->expression, symbols, Variables::time);
+            definition->operations = names.operations;
+            definition->depth = names.depth + 1;
+        }
+        symbols.functions[name] = std::move(definition);
     }
 }
 

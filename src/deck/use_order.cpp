@@ -16,7 +16,9 @@ class Search {
             result_.in_cycle.insert(open, path_.end());
             return;
         }
-        if (!visited_.insert(name).second) return;
+        if (visited_.contains(name)) return;
+        if (path_.size() >= most_use_depth) return result_.too_deep.push_back(name);
+        visited_.insert(name);
         path_.push_back(name);
         for (const std::string& used : uses_.at(name)) visit(used);
         path_.pop_back();

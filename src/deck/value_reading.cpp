@@ -7,6 +7,7 @@
 
 #include "deck/array_reading.hpp"
 #include "deck/word_reading.hpp"
+#include "model/printable.hpp"
 
 namespace gxrod {
 namespace {
@@ -26,7 +27,7 @@ class ValueReader {
             try {
                 value = evaluate_constant(*text, context_.symbols);
             } catch (const ExpressionError& error) {
-                add(node, path, fmt::format("\"{}\": {}", *text, error.what()));
+                add(node, path, fmt::format("\"{}\": {}", shorten(*text), error.what()));
             }
         } else {
             expect(node, path, number_expected());
@@ -175,7 +176,7 @@ class ValueReader {
             try {
                 return compile(*text, path, context_.symbols);
             } catch (const ExpressionError& error) {
-                add(node, path, fmt::format("\"{}\": {}", *text, error.what()));
+                add(node, path, fmt::format("\"{}\": {}", shorten(*text), error.what()));
             }
             return std::nullopt;
         }

@@ -18,6 +18,13 @@ Quat read_axes(const std::array<std::vector<double>, 3>& axes, std::size_t node)
     return Quat(matrix).normalized();
 }
 
+// Of a place in a list, or its end.
+std::size_t index_of(double number, std::size_t size) {
+    if (!(number >= 0.0 && number <= static_cast<double>(size)))
+        throw std::runtime_error("a cell has points that are not there");
+    return static_cast<std::size_t>(number);
+}
+
 double semi_axis(double bending, double axial, double otherwise) {
     const double radius = 2.0 * std::sqrt(bending / axial);
     return std::isfinite(radius) ? radius : otherwise;
@@ -44,25 +51,25 @@ bool has_cells_of(const Model& model, const FrameTopology& topology) {
 
 FrameTopology read_topology(const Hdf5Reader& file) {
     FrameTopology topology;
-    topology.nodes = static_cast<int>(file.numbers("/VTKHDF/NumberOfPoints").at(0));
-    topology.cells = static_cast<int>(file.numbers("/VTKHDF/NumberOfCells").at(0));
+    topology.nodes = file.count("/VTKHDF/NumberOfPoints");
+    topology.cells = file.count("/VTKHDF/NumberOfCells");
     const std::vector<double> connectivity = file.numbers("/VTKHDF/Connectivity");
     const std::vector<double> offsets = file.numbers("/VTKHDF/Offsets");
     const std::vector<double> types = file.numbers("/VTKHDF/Types");
     const std::vector<double> radius =
-        file.rows("/VTKHDF/CellData/radius", 0, static_cast<hsize_t>(topology.cells));
+        file.rows("/VTKHDF/CellData/radius", 0, static_cast<hsize_t>(topology.cells), 1);
     const auto nodes = static_cast<hsize_t>(topology.nodes);
-    const std::array<std::vector<double>, 3> axes{file.rows("/VTKHDF/PointData/axis_x", 0, nodes),
-                                                  file.rows("/VTKHDF/PointData/axis_y", 0, nodes),
-                                                  file.rows("/VTKHDF/PointData/axis_z", 0, nodes)};
+    const std::array<std::vector<double>, 3> axes{file.rows("/VTKHDF/PointData/axis_x", 0, nodes, 3),
+                                                  file.rows("/VTKHDF/PointData/axis_y", 0, nodes, 3),
+                                                  file.rows("/VTKHDF/PointData/axis_z", 0, nodes, 3)};
     for (std::size_t cell = 0; cell < types.size(); ++cell) {
         DrawnCell drawn;
-        for (auto i = static_cast<std::size_t>(offsets.at(cell));
-             i < static_cast<std::size_t>(offsets.at(cell + 1));
+        for (std::size_t i = index_of(offsets.at(cell), connectivity.size());
+             i < index_of(offsets.at(cell + 1), connectivity.size());
              ++i) {
-            const int node = static_cast<int>(connectivity.at(i));
-            if (node < 0 || node >= topology.nodes)
+            if (!(connectivity[i] >= 0.0 && connectivity[i] < topology.nodes))
                 throw std::runtime_error("a cell has a point that is not there");
+            const int node = static_cast<int>(connectivity[i]);
             drawn.nodes.push_back(node);
             drawn.axes.push_back(read_axes(axes, static_cast<std::size_t>(node)));
         }

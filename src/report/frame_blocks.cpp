@@ -26,8 +26,8 @@ std::vector<float> read_reference(const Hdf5Reader& file,
                                   const ReportPlan& plan,
                                   const ReportContent& content) {
     const auto rows = static_cast<hsize_t>(content.topology->nodes);
-    const std::vector<double> points = file.rows("/VTKHDF/Points", 0, rows);
-    const std::vector<double> displacement = file.rows("/VTKHDF/PointData/displacement", 0, rows);
+    const std::vector<double> points = file.rows("/VTKHDF/Points", 0, rows, 3);
+    const std::vector<double> displacement = file.rows("/VTKHDF/PointData/displacement", 0, rows, 3);
     std::vector<float> values;
     for (const int node : plan.nodes) {
         for (int i = 0; i < 3; ++i) {
@@ -97,7 +97,7 @@ void write_frame_blocks(const Hdf5Reader& file,
                         const std::vector<LoadArrow>& arrows,
                         std::ostream& out) {
     const std::vector<std::size_t> frames = plan.frames(content.frames);
-    const std::vector<double> all_times = file.rows("/VTKHDF/Steps/Values", 0, content.frames);
+    const std::vector<double> all_times = file.rows("/VTKHDF/Steps/Values", 0, content.frames, 1);
     std::vector<double> times;
     for (const std::size_t frame : frames) times.push_back(all_times[frame]);
     write_block(out, "frame-times", times);

@@ -26,8 +26,9 @@ constexpr double bytes_in_megabyte = 1e6;
 
 // Frames that the file counts and has times of.
 std::size_t count_frames(const Hdf5Reader& file) {
-    const auto counted = static_cast<std::size_t>(file.integer_attribute("/VTKHDF/Steps", "NSteps"));
-    return std::min<std::size_t>(counted, file.size("/VTKHDF/Steps/Values").at(0));
+    const long long counted = file.integer_attribute("/VTKHDF/Steps", "NSteps");
+    return std::min(static_cast<std::size_t>(std::max(counted, 0LL)),
+                    static_cast<std::size_t>(file.size("/VTKHDF/Steps/Values").at(0)));
 }
 
 // A page in the making, of results that are open.

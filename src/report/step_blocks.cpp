@@ -41,7 +41,7 @@ void for_each_row(
     const Hdf5Reader& file, const std::string& dataset, std::size_t width, std::size_t steps, Add&& add) {
     for (std::size_t first = 0; first < steps; first += most_rows_at_once) {
         const std::size_t count = std::min(most_rows_at_once, steps - first);
-        const std::vector<double> rows = file.rows(dataset, first, count);
+        const std::vector<double> rows = file.rows(dataset, first, count, width);
         for (std::size_t row = 0; row < count; ++row)
             add(std::span<const double>(rows).subspan(row * width, width));
     }
@@ -143,10 +143,10 @@ EnergyBalance survey_energy(const Hdf5Reader& file, std::size_t steps) {
     EnergyBalance balance;
     for (std::size_t first = 0; first < steps; first += most_rows_at_once) {
         const std::size_t count = std::min(most_rows_at_once, steps - first);
-        const std::vector<double> kinetic = file.rows("/ledger/kinetic_energy", first, count);
-        const std::vector<double> strain = file.rows("/ledger/strain_energy", first, count);
-        const std::vector<double> work = file.rows("/ledger/external_work", first, count);
-        const std::vector<double> error = file.rows("/ledger/energy_error", first, count);
+        const std::vector<double> kinetic = file.rows("/ledger/kinetic_energy", first, count, 1);
+        const std::vector<double> strain = file.rows("/ledger/strain_energy", first, count, 1);
+        const std::vector<double> work = file.rows("/ledger/external_work", first, count, 1);
+        const std::vector<double> error = file.rows("/ledger/energy_error", first, count, 1);
         for (std::size_t i = 0; i < count; ++i) {
             balance.largest = std::max({balance.largest, kinetic[i] + strain[i], std::abs(work[i])});
             balance.error = std::max(balance.error, std::abs(error[i]));

@@ -54,7 +54,7 @@ void append_rows(const Hdf5Reader& file,
                  hsize_t count,
                  fmt::memory_buffer& text) {
     std::vector<std::vector<double>> values;
-    for (const Column& column : columns) values.push_back(file.rows(column.path, first, count));
+    for (const Column& column : columns) values.push_back(file.rows(column.path, first, count, column.width));
     for (hsize_t row = 0; row < count; ++row) {
         const char* separator = "";
         for (std::size_t i = 0; i < columns.size(); ++i) {

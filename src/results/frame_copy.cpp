@@ -5,8 +5,6 @@
 #include <cerrno>
 #include <cstdint>
 #include <fstream>
-#include <functional>
-#include <numeric>
 #include <system_error>
 
 #include "model/file_error.hpp"
@@ -39,13 +37,15 @@ DatasetCopy copy_rows(const Hdf5Reader& file, const std::string& path, hsize_t f
                   file.text_attribute(path, "frame"),
                   file.text_attribute(path, "dimension")};
     copy.size = file.size(path);
-    if (copy.size.at(0) < first + count) throw std::runtime_error(path + " is too short");
+    if (first > copy.size.at(0) || count > copy.size[0] - first)
+        throw std::runtime_error(path + " is too short");
     copy.size[0] = count;
 
     const Hdf5Handle dataset = open_dataset(file.id(), path);
     copy.type = Hdf5Handle(H5Dget_type(dataset.id()), H5Tclose, "type");
-    copy.bytes.resize(std::accumulate(
-        copy.size.begin(), copy.size.end(), H5Tget_size(copy.type.id()), std::multiplies<>()));
+    const H5T_class_t kind = H5Tget_class(copy.type.id());
+    if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw std::runtime_error(path + " holds no numbers");
+    copy.bytes.resize(file.count_values(path, copy.size) * H5Tget_size(copy.type.id()));
     read_rows(dataset, first, copy);
     return copy;
 }
@@ -103,8 +103,8 @@ FrameCopy read_frame(const Hdf5Reader& results, hsize_t frame) {
         const std::string path = std::string("/VTKHDF/") + name;
         copy.push_back(copy_rows(results, path, 0, results.size(path).at(0)));
     }
-    const auto points = static_cast<hsize_t>(results.numbers("/VTKHDF/NumberOfPoints").at(0));
-    const auto cells = static_cast<hsize_t>(results.numbers("/VTKHDF/NumberOfCells").at(0));
+    const auto points = static_cast<hsize_t>(results.count("/VTKHDF/NumberOfPoints"));
+    const auto cells = static_cast<hsize_t>(results.count("/VTKHDF/NumberOfCells"));
     copy.push_back(copy_rows(results, "/VTKHDF/Points", frame * points, points));
     for (const std::string& name : results.members("/VTKHDF/PointData")) {
         copy.push_back(copy_rows(results, "/VTKHDF/PointData/" + name, frame * points, points));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
 namespace gxrod {
 namespace {
@@ -166,6 +167,10 @@ std::vector<std::string> list_members(hid_t group) {
     return names;
 }
 
+void check_single(const Hdf5Handle& space, const std::string& name) {
+    if (H5Sget_simple_extent_npoints(space.id()) != 1) throw std::runtime_error(name + " is not one value");
+}
+
 std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t, void*)>& read) {
     if (H5Tis_variable_str(type.id()) > 0) {
         char* text = nullptr;
@@ -174,7 +179,11 @@ std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t
         H5free_memory(text);
         return result;
     }
-    std::string text(H5Tget_size(type.id()), '\0');
+    // What is read in the type of the file; no text of another kind is that long.
+    constexpr std::size_t most = 1 << 20;
+    const std::size_t size = H5Tget_size(type.id());
+    if (H5Tget_class(type.id()) != H5T_STRING || size > most) throw std::runtime_error("a text is none");
+    std::string text(size, '\0');
     check_hdf5(read(type.id(), text.data()), "reading a string");
     return text;
 }
@@ -182,6 +191,7 @@ std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t
 std::string read_text_attribute(hid_t object, const std::string& name) {
     const Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "opening an attribute");
     const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose, "type");
+    check_single(Hdf5Handle(H5Aget_space(attribute.id()), H5Sclose, "dataspace"), name);
     return read_string(
         type, [&](hid_t memory_type, void* buffer) { return H5Aread(attribute.id(), memory_type, buffer); });
 }

@@ -28,6 +28,8 @@ std::vector<std::string> list_members(hid_t group);
 
 // A string of any kind; `read` reads it as a type into a buffer.
 std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t, void*)>& read);
+// Throws std::runtime_error, with the name, if a dataset or an attribute does not hold one value.
+void check_single(const Hdf5Handle& space, const std::string& name);
 std::string read_text_attribute(hid_t object, const std::string& name);
 
 // A variable-length UTF-8 string, which h5py reads as str.

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -40,7 +42,9 @@ Hdf5Handle Hdf5Reader::open_dataset(const std::string& name) const {
 std::vector<hsize_t> Hdf5Reader::size(const std::string& name) const {
     const Hdf5Handle dataset = open_dataset(name);
     const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose, "dataspace");
-    std::vector<hsize_t> size(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space.id())));
+    const int rank = H5Sget_simple_extent_ndims(space.id());
+    if (rank < 0) throw Hdf5Error("the size of a dataset");
+    std::vector<hsize_t> size(static_cast<std::size_t>(rank));
     H5Sget_simple_extent_dims(space.id(), size.data(), nullptr);
     return size;
 }
@@ -50,13 +54,27 @@ std::vector<double> Hdf5Reader::numbers(const std::string& name) const {
     return rows(name, 0, extent.empty() ? 1 : extent[0]);
 }
 
+std::size_t Hdf5Reader::count_values(const std::string& name, const std::vector<hsize_t>& extent) const {
+    // Deflate makes of a byte a thousand at most. Small files may have rows that were never written.
+    constexpr double most_inflated = 1100.0;
+    constexpr double always_fine = 1e8;
+    hsize_t file_bytes = 0;
+    check_hdf5(H5Fget_filesize(file_.id(), &file_bytes), "the file's size");
+    double bytes = sizeof(double);
+    for (const hsize_t length : extent) bytes *= static_cast<double>(length);
+    if (bytes > always_fine + most_inflated * static_cast<double>(file_bytes)) {
+        throw std::runtime_error(
+            fmt::format("{} would have {:.3g} bytes, more than its file can hold", name, bytes));
+    }
+    return std::accumulate(extent.begin(), extent.end(), std::size_t{1}, std::multiplies<>());
+}
+
 std::vector<double> Hdf5Reader::rows(const std::string& name, hsize_t first, hsize_t count) const {
     std::vector<hsize_t> extent = size(name);
     if (extent.empty()) extent = {1};
-    if (extent[0] < first + count) throw std::runtime_error(name + " is too short");
+    if (first > extent[0] || count > extent[0] - first) throw std::runtime_error(name + " is too short");
     extent[0] = count;
-    std::vector<double> values(
-        std::accumulate(extent.begin(), extent.end(), std::size_t{1}, std::multiplies<>()));
+    std::vector<double> values(count_values(name, extent));
     if (values.empty()) return values;
 
     const Hdf5Handle dataset = open_dataset(name);
@@ -72,9 +90,27 @@ std::vector<double> Hdf5Reader::rows(const std::string& name, hsize_t first, hsi
     return values;
 }
 
+std::vector<double> Hdf5Reader::rows(const std::string& name,
+                                     hsize_t first,
+                                     hsize_t count,
+                                     hsize_t width) const {
+    std::vector<double> values = rows(name, first, count);
+    if (values.size() != count * width) throw std::runtime_error(name + " has rows of another width");
+    return values;
+}
+
+int Hdf5Reader::count(const std::string& name) const {
+    const double number = rows(name, 0, 1).at(0);
+    const bool is_count =
+        number >= 0.0 && number <= std::numeric_limits<int>::max() && number == std::floor(number);
+    if (!is_count) throw std::runtime_error(fmt::format("{} is {}, which is no count", name, number));
+    return static_cast<int>(number);
+}
+
 std::string Hdf5Reader::text(const std::string& name) const {
     const Hdf5Handle dataset = open_dataset(name);
     const Hdf5Handle type(H5Dget_type(dataset.id()), H5Tclose, "type");
+    check_single(Hdf5Handle(H5Dget_space(dataset.id()), H5Sclose, "dataspace"), name);
     return read_string(type, [&](hid_t memory_type, void* buffer) {
         return H5Dread(dataset.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
     });
@@ -82,7 +118,8 @@ std::string Hdf5Reader::text(const std::string& name) const {
 
 std::string Hdf5Reader::bytes(const std::string& name) const {
     const std::vector<hsize_t> extent = size(name);
-    std::string bytes(extent.empty() ? 1 : extent[0], '\0');
+    if (extent.size() != 1) throw std::runtime_error(name + " is no list of bytes");
+    std::string bytes(count_values(name, extent), '\0');
     const Hdf5Handle dataset = open_dataset(name);
     check_hdf5(H5Dread(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()),
                "reading bytes");
@@ -99,6 +136,7 @@ long long Hdf5Reader::integer_attribute(const std::string& path, const std::stri
         H5Aopen_by_name(file_.id(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
         H5Aclose,
         "opening an attribute");
+    check_single(Hdf5Handle(H5Aget_space(attribute.id()), H5Sclose, "dataspace"), path + "@" + name);
     long long value = 0;
     check_hdf5(H5Aread(attribute.id(), H5T_NATIVE_LLONG, &value), "reading an attribute");
     return value;
@@ -111,7 +149,10 @@ std::vector<std::int64_t> Hdf5Reader::integers_attribute(const std::string& path
         H5Aclose,
         "opening an attribute");
     const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose, "dataspace");
-    std::vector<std::int64_t> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
+    constexpr hssize_t most = 1 << 20;  // an attribute has less than 64 KiB
+    const hssize_t count = H5Sget_simple_extent_npoints(space.id());
+    if (count < 0 || count > most) throw std::runtime_error(path + "@" + name + " is too long");
+    std::vector<std::int64_t> values(static_cast<std::size_t>(count));
     if (values.empty()) return values;
     check_hdf5(H5Aread(attribute.id(), H5T_NATIVE_INT64, values.data()), "reading an attribute");
     return values;

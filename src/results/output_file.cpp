@@ -35,22 +35,19 @@ std::string hint_for(const fs::path& path, int error) {
     return "";
 }
 
-// Of the open file, not of the process, and none that readers who lock whole files would see. False if
-// another process has it; true also where the file system knows no locks.
-bool lock(int descriptor) {
+// Of the open file, not of the process, and none that readers who lock whole files would see.
+struct flock whole_file_lock() {
     struct flock whole {};
     whole.l_type = F_WRLCK;
     whole.l_whence = SEEK_SET;
-    if (::fcntl(descriptor, F_OFD_SETLK, &whole) == 0) return true;
-    return errno != EAGAIN && errno != EACCES;
+    return whole;
 }
 
-bool is_being_written(const fs::path& path) {
-    const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
-    if (descriptor < 0) return false;
-    const bool is_free = lock(descriptor);
-    ::close(descriptor);
-    return !is_free;
+// False if another process has it; true also where the file system knows no locks.
+bool lock(int descriptor) {
+    struct flock whole = whole_file_lock();
+    if (::fcntl(descriptor, F_OFD_SETLK, &whole) == 0) return true;
+    return errno != EAGAIN && errno != EACCES;
 }
 
 void make_way(const fs::path& path, Existing existing) {
@@ -66,7 +63,7 @@ void make_way(const fs::path& path, Existing existing) {
     if (existing == Existing::refuse) {
         throw FileError(path, std::string(failure) + "it exists already", "--force replaces it");
     }
-    if (is_being_written(path)) throw FileError(path, busy);
+    if (is_being_written(path).value_or(false)) throw FileError(path, busy);
     // Not truncated: whoever reads the old file goes on reading it.
     fs::remove(path, error);
     if (error) throw FileError(path, "cannot replace the results file: " + error.message());
@@ -79,6 +76,16 @@ fs::path follow_link(const fs::path& path) {
 }
 
 }  // namespace
+
+std::optional<bool> is_being_written(const fs::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) return false;
+    // Asked for, not taken: a writer must not find it gone.
+    struct flock whole = whole_file_lock();
+    const bool is_told = ::fcntl(descriptor, F_OFD_GETLK, &whole) == 0;
+    ::close(descriptor);
+    return is_told ? std::optional(whole.l_type != F_UNLCK) : std::nullopt;
+}
 
 int create_output_file(const fs::path& path, Existing existing) {
     const fs::path target = follow_link(path);

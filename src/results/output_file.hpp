@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 namespace gxrod {
 
@@ -18,5 +19,8 @@ void remove_output_file(const std::filesystem::path& path);
 // Opens a results file to go on with it. Throws FileError if there is none, it may not be written, or another
 // process is writing it: both functions lock the file for their process, which keeps nobody from reading.
 int open_output_file(const std::filesystem::path& path);
+
+// Whether another process has it open by one of these; nullopt where the file system knows no locks.
+std::optional<bool> is_being_written(const std::filesystem::path& path);
 
 }  // namespace gxrod

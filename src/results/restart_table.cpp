@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
@@ -100,6 +101,22 @@ void visit_numbers(Place& place, Visitor&& visit) {
     visit("newton_iterations", record.totals.newton_iterations);
     visit("largest_energy", record.totals.largest_energy);
     visit("largest_energy_error", record.totals.largest_energy_error);
+}
+
+// A number as it was before it was written as a double.
+template <class Number>
+Number restore(double number) {
+    constexpr double exactly_whole = 9007199254740992.0;  // 2^53
+    if constexpr (std::is_same_v<Number, double>) {
+        return number;
+    } else if constexpr (std::is_same_v<Number, bool>) {
+        return number != 0.0;
+    } else {
+        if (!(std::abs(number) <= exactly_whole && (std::is_signed_v<Number> || number >= 0.0))) {
+            throw std::runtime_error("its state has a count that is none");
+        }
+        return static_cast<Number>(number);
+    }
 }
 
 DatasetLabel numbers_label() {
@@ -218,7 +235,7 @@ std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
     std::size_t count = 0;
     visit_numbers(place, [&](const char*, auto& value) {
         if (count >= single.values.size()) throw std::runtime_error(slot + "numbers is damaged");
-        value = static_cast<std::remove_reference_t<decltype(value)>>(single.values[count++]);
+        value = restore<std::remove_reference_t<decltype(value)>>(single.values[count++]);
     });
     RestartRecord& record = place.record;
     const auto read_rows = [&]<class Row>(const DatasetLabel& label, std::vector<Row>& rows) {

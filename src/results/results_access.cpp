@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "model/file_error.hpp"
+#include "results/survey.hpp"
 
 namespace gxrod {
 
@@ -28,14 +29,22 @@ Hdf5Reader open_results(const std::filesystem::path& path) {
 }  // namespace
 
 void read_results(const std::filesystem::path& path, const std::function<void(const Hdf5Reader&)>& read) {
+    // Of one that grows meanwhile a survey may see what does not fit together.
+    if (!is_being_written(path).value_or(false)) survey_file(path);
+    read_surveyed_results(path, read);
+}
+
+void read_surveyed_results(const std::filesystem::path& path,
+                           const std::function<void(const Hdf5Reader&)>& read) {
     for (int attempt = 1;; ++attempt) {
+        const bool is_written = is_being_written(path).value_or(true);
         try {
             read(open_results(path));
             return;
         } catch (const FileError&) {
             throw;
-        } catch (const std::runtime_error& fault) {
-            if (attempt == most_attempts) {
+        } catch (const std::exception& fault) {
+            if (attempt == most_attempts || !is_written) {
                 throw FileError(path, "cannot be read as results of gxrod", fault.what());
             }
         }

@@ -16,6 +16,10 @@ namespace gxrod {
 // read; a FileError of `read` ends it.
 void read_results(const std::filesystem::path& path, const std::function<void(const Hdf5Reader&)>& read);
 
+// The same for a file that read_results has read already.
+void read_surveyed_results(const std::filesystem::path& path,
+                           const std::function<void(const Hdf5Reader&)>& read);
+
 // Makes the folder, if need be. Throws FileError if that fails, or if one of the files exists and is not to
 // be replaced.
 void prepare_export(const std::filesystem::path& folder,

@@ -31,7 +31,9 @@ void writing(const std::filesystem::path& path, Action&& action) {
         action();
     } catch (const std::system_error& error) {
         throw WriteError(path, "cannot write: " + error.code().message());
-    } catch (const std::runtime_error& error) {
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception& error) {
         throw WriteError(path, std::string("cannot write: ") + error.what());
     }
 }

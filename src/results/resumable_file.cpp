@@ -8,6 +8,7 @@
 #include "results/deck_reading.hpp"
 #include "results/output_file.hpp"
 #include "results/restart_table.hpp"
+#include "results/survey.hpp"
 
 namespace gxrod {
 
@@ -23,6 +24,7 @@ struct Contents {
 };
 
 Contents read_contents(const std::filesystem::path& path) {
+    survey_file(path);
     std::string reason;
     std::string hint;
     try {
@@ -37,7 +39,7 @@ Contents read_contents(const std::filesystem::path& path) {
             reason = "it has no state to go on from";
             hint = anew;
         }
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
         reason = error.what();
     }
     throw FileError(path, failure + reason, hint);

@@ -45,12 +45,12 @@ kind = "d"
 
 TEST_CASE("A deck that is written reads the same", "[deck]") {
     const std::string toml =
-        "t = \"a\\\"b\\\\c\\n\\t\\u0001é\"\nb = [true, false]\nd = 1979-05-27T07:32:00Z\n"
+        "t = \"a\\\"b\\\\c\\n\\t\\ré\"\nb = [true, false]\nd = 1979-05-27T07:32:00Z\n"
         "big = 9223372036854775807\nempty = []\nnone = ''\n[s.'a.b']\nx = -0.0\n";
     const std::string once = written_again(toml);
     CHECK(written_again(once) == once);
     const DeckNode deck = read_toml(once, "");
-    CHECK(*deck.find("t")->node.text() == "a\"b\\c\n\t\x01é");
+    CHECK(*deck.find("t")->node.text() == "a\"b\\c\n\t\ré");
     CHECK(std::get<std::int64_t>(deck.find("big")->node.value) == std::numeric_limits<std::int64_t>::max());
     CHECK(std::get<DeckDate>(deck.find("d")->node.value).text == "1979-05-27T07:32:00Z");
     CHECK(std::signbit(std::get<double>(deck.find("s")->node.find("a.b")->node.find("x")->node.value)));

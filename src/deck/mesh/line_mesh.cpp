@@ -4,10 +4,13 @@
 #include <cerrno>
 #include <fstream>
 #include <set>
+#include <stdexcept>
 #include <system_error>
 #include <unordered_map>
 
 #include "deck/mesh/gmsh_session.hpp"
+#include "deck/mesh/line_mesh_bytes.hpp"
+#include "machine/child_process.hpp"
 
 namespace gxrod {
 namespace {
@@ -71,23 +74,25 @@ MeshPoints read_points(const GmshSession& session, const GmshSession::Group& gro
     return points;
 }
 
+// A file of any other beginning Gmsh would take for a geometry script and run.
+bool starts_as_mesh(std::ifstream& stream) {
+    std::string line;
+    std::getline(stream, line);
+    return line.starts_with("$MeshFormat") || line.starts_with("$NOD") || line.starts_with("$Comments");
+}
+
 void check_file(const std::filesystem::path& file) {
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored)) throw MeshError("is a folder, expected a mesh");
     std::ifstream stream(file);
     if (!stream) throw MeshError("cannot be read (" + std::generic_category().message(errno) + ")");
-    // Anything else would be parsed as geometry.
-    char first = '\0';
-    if (file.extension() == ".msh" && (!(stream >> first) || first != '$')) {
+    if (file.extension() == ".msh" && !starts_as_mesh(stream)) {
         throw MeshError("is no mesh; a .msh file starts with $MeshFormat");
     }
 }
 
-}  // namespace
-
-LineMesh read_line_mesh(const std::filesystem::path& file) {
-    check_file(file);
-    GmshSession session(gmsh_library());
+LineMesh read_with_gmsh(const GmshLibrary& gmsh, const std::filesystem::path& file) {
+    GmshSession session(gmsh);
     session.open(file);
     GmshSession::Nodes nodes = session.nodes();
     if (nodes.numbers.empty()) {
@@ -108,6 +113,39 @@ LineMesh read_line_mesh(const std::filesystem::path& file) {
         }
     }
     return mesh;
+}
+
+constexpr char is_mesh = 'm';
+constexpr char is_message = 'e';
+
+// What the child has to say: a mesh, or why there is none.
+std::string answer(const GmshLibrary& gmsh, const std::filesystem::path& file) {
+    try {
+        return is_mesh + write_mesh_bytes(read_with_gmsh(gmsh, file));
+    } catch (const MeshError& error) {
+        return is_message + std::string(error.what());
+    } catch (const std::out_of_range&) {
+        return is_message + std::string("an element or a group has a node that the mesh lacks");
+    }
+}
+
+}  // namespace
+
+// Gmsh breaks down over some files that are no meshes, and a geometry script may run programs and write
+// files: so it reads in a process of its own, which can do neither.
+LineMesh read_line_mesh(const std::filesystem::path& file) {
+    constexpr int processor_seconds = 600;
+    check_file(file);
+    const GmshLibrary& gmsh = gmsh_library();
+    std::string said;
+    try {
+        said = run_in_child([&] { return answer(gmsh, file); }, {processor_seconds, true});
+    } catch (const ChildError& error) {
+        throw MeshError(std::string("Gmsh cannot read it: ") + error.what());
+    }
+    const std::string_view content = std::string_view(said).substr(std::min<std::size_t>(1, said.size()));
+    if (said.empty() || said[0] != is_mesh) throw MeshError(std::string(content));
+    return read_mesh_bytes(content);
 }
 
 std::string name_of_group(int number, const std::string& name) {

@@ -114,6 +114,19 @@ TEST_CASE("A mesh that cannot be read is an error with the reason", "[deck][mesh
     CHECK_THROWS_WITH(
         read_line_mesh(wrong.path()),
         Catch::StartsWith("Gmsh cannot read it: ") && Catch::EndsWith("line 2: syntax error (;)"));
+    const ScratchFile nowhere("nowhere.msh", R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$Nodes
+1
+1 0 0 0
+$EndNodes
+$Elements
+1
+1 1 2 1 1 1 9
+$EndElements
+)");
+    CHECK_THROWS_AS(read_line_mesh(nowhere.path()), MeshError);
     // The log of one file does not reach the next.
     CHECK(read_line_mesh(meshes + "truss.geo").lines.size() == 2);
     const ScratchFile cut("cut.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0");
@@ -122,6 +135,37 @@ TEST_CASE("A mesh that cannot be read is an error with the reason", "[deck][mesh
     CHECK_THROWS_WITH(read_line_mesh(other.path()), "is no mesh; a .msh file starts with $MeshFormat");
     const ScratchFile empty("empty.msh", "");
     CHECK_THROWS_WITH(read_line_mesh(empty.path()), "is no mesh; a .msh file starts with $MeshFormat");
+}
+
+// Gmsh takes what does not begin as a mesh for a script, whatever the file is called.
+TEST_CASE("A file that is called a mesh is not run as a script", "[deck][mesh]") {
+    const ScratchFile script("evil.msh", "$Foo;\n;\nPoint(1) = {0, 0, 0};\nPhysical Point(\"p\") = {1};\n");
+    CHECK_THROWS_WITH(read_line_mesh(script.path()), "is no mesh; a .msh file starts with $MeshFormat");
+    const ScratchFile blank("blank.msh", "\n$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
+    CHECK_THROWS_WITH(read_line_mesh(blank.path()), "is no mesh; a .msh file starts with $MeshFormat");
+}
+
+TEST_CASE("A geometry script runs no programs and writes no files", "[deck][mesh]") {
+    const std::string line =
+        "Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0}; Line(1) = {1, 2};\nPhysical Curve(\"c\") = {1};\n";
+    const ScratchFile harmless("harmless.geo", line);
+    CHECK(read_line_mesh(harmless.path()).lines.size() == 1);
+    const std::filesystem::path made = harmless.path().parent_path() / "made";
+    const std::string name = "\"" + made.string() + "\"";
+    for (const std::string& action : {"SystemCall \"touch " + made.string() + "\";\n",
+                                      "NonBlockingSystemCall \"touch " + made.string() + "\";\n",
+                                      "Printf(\"x\") > " + name + ";\n",
+                                      "Printf(\"x\") >> " + name + ";\n",
+                                      "Mesh 1; Save \"" + made.string() + ".msh\";\n"}) {
+        INFO(action);
+        const ScratchFile script("script.geo", line + action);
+        const bool is_program = action.find("System") != std::string::npos;
+        CHECK_THROWS_WITH(
+            read_line_mesh(script.path()),
+            Catch::StartsWith("Gmsh cannot read it: ") &&
+                Catch::Contains(is_program ? "it tries to run a program" : "Unable to open file"));
+        CHECK_FALSE(std::filesystem::exists(made));
+    }
 }
 
 }  // namespace gxrod::test

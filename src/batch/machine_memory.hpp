@@ -1,9 +1,0 @@
-#pragma once
-
-namespace gxrod {
-
-// Bytes of memory that the processes of this one's group may use in all: those of the machine, or of the
-// control group that a container or a cluster's job puts them in.
-double count_usable_bytes();
-
-}  // namespace gxrod

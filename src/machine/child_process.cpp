@@ -1,0 +1,131 @@
+#include "machine/child_process.hpp"
+
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <string_view>
+#include <system_error>
+
+#include "machine/confinement.hpp"
+
+namespace gxrod {
+namespace {
+
+constexpr int done = 0;
+constexpr int has_thrown = 3;
+constexpr int cannot_be_confined = 4;
+
+[[noreturn]] void fail(const char* action) {
+    throw std::system_error(errno, std::generic_category(), action);
+}
+
+bool write_all(int descriptor, std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) return false;
+        bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
+std::string read_all(int descriptor) {
+    std::string bytes;
+    std::array<char, 65536> buffer{};
+    while (true) {
+        const ssize_t got = ::read(descriptor, buffer.data(), buffer.size());
+        if (got < 0 && errno == EINTR) continue;
+        if (got <= 0) return bytes;
+        bytes.append(buffer.data(), static_cast<std::size_t>(got));
+    }
+}
+
+// Ends with its parent, leaves no core, and dies of faults at once, whatever this program does about them
+// otherwise.
+void prepare_child(const ChildLimits& limits) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGSYS, SIGPROF, SIGALRM, SIGPIPE}) {
+        std::signal(signal, SIG_DFL);
+    }
+    const rlimit none{0, 0};
+    ::setrlimit(RLIMIT_CORE, &none);
+    restart_processor_clock(limits);
+}
+
+// The exit code of the child.
+int do_work(const std::function<std::string()>& work, const ChildLimits& limits, int channel) {
+    prepare_child(limits);
+    if (limits.reads_only && !allow_reading_only()) return cannot_be_confined;
+    try {
+        return write_all(channel, work()) ? done : has_thrown;
+    } catch (...) {
+        return has_thrown;
+    }
+}
+
+int wait_for_end(pid_t process) {
+    int status = 0;
+    while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status;
+}
+
+std::string describe_end(int status, const ChildLimits& limits) {
+    if (!WIFSIGNALED(status)) {
+        switch (WEXITSTATUS(status)) {
+            case cannot_be_confined:
+                return "this system cannot keep it from running programs";
+            case has_thrown:
+                return "there is no memory for it";
+            default:  // a sanitizer's
+                return fmt::format("it breaks down: exit code {}", WEXITSTATUS(status));
+        }
+    }
+    switch (WTERMSIG(status)) {
+        case SIGSYS:
+            return "it tries to run a program";
+        case SIGPROF:
+            return fmt::format("it does not come to an end in {} s", limits.processor_seconds);
+        default:
+            return fmt::format("it breaks down: {}", ::strsignal(WTERMSIG(status)));
+    }
+}
+
+}  // namespace
+
+std::string run_in_child(const std::function<std::string()>& work, const ChildLimits& limits) {
+    std::array<int, 2> channel{};
+    if (::pipe(channel.data()) != 0) fail("making a pipe");
+    const pid_t process = ::fork();
+    if (process == 0) {
+        ::close(channel[0]);
+        // Nothing of the parent's is to be done at its end.
+        ::_exit(do_work(work, limits, channel[1]));
+    }
+    ::close(channel[1]);
+    if (process < 0) {
+        ::close(channel[0]);
+        fail("starting a process");
+    }
+    std::string bytes = read_all(channel[0]);
+    ::close(channel[0]);
+    const int status = wait_for_end(process);
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != done) throw ChildError(describe_end(status, limits));
+    return bytes;
+}
+
+void restart_processor_clock(const ChildLimits& limits) {
+    itimerval timer{};
+    timer.it_value.tv_sec = limits.processor_seconds;
+    ::setitimer(ITIMER_PROF, &timer, nullptr);
+}
+
+}  // namespace gxrod

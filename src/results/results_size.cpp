@@ -1,0 +1,47 @@
+#include "results/results_size.hpp"
+
+#include <cmath>
+
+namespace gxrod {
+namespace {
+
+// Numbers of a row of each table (results/frame_table, results/step_tables).
+constexpr double numbers_of_point = 8.0 * 3.0 + 1.0;
+constexpr double numbers_of_cell = 4.0 * 3.0 + 1.0;
+constexpr double numbers_of_step = 1.0 + 5.0 + 2.0 * 3.0 + 4.0;  // time, ledger, solver
+
+double count_frame_numbers(const Model& model) {
+    double cells = static_cast<double>(model.bodies.size());
+    for (const Rod& rod : model.rods) cells += rod.element_count();
+    return numbers_of_point * static_cast<double>(model.nodes.size()) + numbers_of_cell * cells;
+}
+
+double count_step_numbers(const OutputSettings& output) {
+    double numbers = numbers_of_step;
+    for (const HistoryRequest& history : output.histories) {
+        for (const Quantity quantity : history.quantities) {
+            const bool is_quaternion = quantity == Quantity::quaternion || quantity == Quantity::orientation;
+            numbers += is_quaternion ? 4.0 : 3.0;
+        }
+    }
+    return numbers;
+}
+
+}  // namespace
+
+ResultsSize estimate_results_size(const Model& model,
+                                  const AnalysisSettings& analysis,
+                                  const OutputSettings& output) {
+    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
+    if (dynamic != nullptr && dynamic->adaptive) return {};
+    ResultsSize size;
+    size.steps =
+        static_cast<double>(dynamic != nullptr ? dynamic->steps : std::get<StaticSettings>(analysis).steps);
+    size.frames = 1.0 + std::ceil(size.steps / static_cast<double>(output.every));
+    double numbers = (size.steps + 1.0) * count_step_numbers(output);
+    if (output.compression == Compression::none) numbers += size.frames * count_frame_numbers(model);
+    size.bytes = numbers * sizeof(double);
+    return size;
+}
+
+}  // namespace gxrod

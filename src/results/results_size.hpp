@@ -1,0 +1,20 @@
+#pragma once
+
+#include "model/model.hpp"
+#include "model/settings.hpp"
+
+namespace gxrod {
+
+// What a run writes, as far as its deck tells: nothing of steps that are chosen by their error, and of frames
+// that are compressed.
+struct ResultsSize {
+    double steps = 0.0;
+    double frames = 0.0;
+    double bytes = 0.0;
+};
+
+ResultsSize estimate_results_size(const Model& model,
+                                  const AnalysisSettings& analysis,
+                                  const OutputSettings& output);
+
+}  // namespace gxrod

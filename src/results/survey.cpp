@@ -1,0 +1,99 @@
+#include "results/survey.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "machine/child_process.hpp"
+#include "model/file_error.hpp"
+#include "results/hdf5_reader.hpp"
+
+// What fails with an error here does so for the reader, too, who tells of it; so errors are passed over.
+namespace gxrod {
+namespace {
+
+constexpr ChildLimits limits{.processor_seconds = 5};
+constexpr hssize_t most_bytes = 1 << 20;  // of numbers, which are all read alike
+
+// Texts are followed to where they lie, numbers read if they are few.
+bool is_read_whole(hid_t type, hssize_t count) {
+    const auto size = static_cast<hssize_t>(H5Tget_size(type));
+    return H5Tdetect_class(type, H5T_VLEN) > 0 || H5Tis_variable_str(type) > 0 ||
+           (count > 0 && size > 0 && count <= most_bytes / size);
+}
+
+// Calls read(buffer) with room for what a dataset or an attribute holds.
+template <class Read>
+void survey_values(const Hdf5Handle& type, const Hdf5Handle& space, Read read) {
+    constexpr hssize_t most_texts = 1 << 16;
+    const hssize_t count = H5Sget_simple_extent_npoints(space.id());
+    if (count <= 0 || !is_read_whole(type.id(), count)) return;
+    const bool is_text = H5Tis_variable_str(type.id()) > 0;
+    if (is_text && count > most_texts) return;
+    std::vector<std::byte> buffer(static_cast<std::size_t>(count) * H5Tget_size(type.id()));
+    if (read(buffer.data()) >= 0 && is_text)
+        H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, buffer.data());
+}
+
+void survey_attribute(hid_t object, hsize_t index) {
+    const Hdf5Handle attribute(
+        H5Aopen_by_idx(object, ".", H5_INDEX_NAME, H5_ITER_INC, index, H5P_DEFAULT, H5P_DEFAULT),
+        H5Aclose,
+        "an attribute");
+    const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose, "type");
+    const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose, "dataspace");
+    survey_values(type, space, [&](void* buffer) { return H5Aread(attribute.id(), type.id(), buffer); });
+}
+
+void survey_dataset(hid_t dataset) {
+    const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, "type");
+    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "dataspace");
+    hsize_t chunks = 0;
+    H5Dget_num_chunks(dataset, space.id(), &chunks);  // goes through their index
+    survey_values(type, space, [&](void* buffer) {
+        return H5Dread(dataset, type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
+    });
+}
+
+template <class Action>
+void pass_over_errors(Action&& action) {
+    restart_processor_clock(limits);
+    try {
+        action();
+    } catch (const std::exception&) {
+        H5Eclear2(H5E_DEFAULT);
+    }
+}
+
+herr_t survey_object(hid_t root, const char* name, const H5O_info_t* information, void*) {
+    pass_over_errors([&] {
+        const Hdf5Handle object(H5Oopen(root, name, H5P_DEFAULT), H5Oclose, "an object");
+        if (information->type == H5O_TYPE_DATASET) pass_over_errors([&] { survey_dataset(object.id()); });
+        for (hsize_t i = 0; i < information->num_attrs; ++i) {
+            pass_over_errors([&] { survey_attribute(object.id(), i); });
+        }
+    });
+    return 0;
+}
+
+std::string survey(const std::filesystem::path& path) {
+    try {
+        const Hdf5Reader file(path);
+        H5Ovisit2(file.id(), H5_INDEX_NAME, H5_ITER_INC, survey_object, nullptr, H5O_INFO_ALL);
+    } catch (const std::runtime_error&) {
+        return "";
+    }
+    return "";
+}
+
+}  // namespace
+
+void survey_file(const std::filesystem::path& path) {
+    try {
+        run_in_child([&] { return survey(path); }, limits);
+    } catch (const ChildError& error) {
+        throw FileError(path, std::string("is damaged: where HDF5's library reads it, ") + error.what());
+    }
+}
+
+}  // namespace gxrod

@@ -1,0 +1,49 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "deck/text_file.hpp"
+#include "fuzz/inputs.hpp"
+
+// What libFuzzer found worth keeping, and what once broke a reader, through the same functions. Each input is
+// small.
+
+namespace {
+
+const std::filesystem::path kept = GXROD_SOURCE_DIR "/tests/fuzz";
+
+// How many inputs there are for a reader, each of which was tried.
+int replay(const std::string& reader, void (*attempt)(std::string_view)) {
+    int count = 0;
+    for (const char* const group : {"corpus", "findings"}) {
+        const std::filesystem::path folder = kept / group / reader;
+        if (!std::filesystem::exists(folder)) continue;
+        for (const auto& file : std::filesystem::directory_iterator(folder)) {
+            INFO(file.path().string());
+            CHECK_NOTHROW(attempt(gxrod::read_text_file(file.path())));
+            ++count;
+        }
+    }
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("Decks that were tried are read or refused", "[fuzz]") {
+    CHECK(replay("deck", gxrod::fuzz::try_deck) > 10);
+}
+
+TEST_CASE("Plans that were tried are read or refused", "[fuzz]") {
+    CHECK(replay("plan", gxrod::fuzz::try_plan) > 10);
+}
+
+TEST_CASE("Expressions that were tried are read or refused", "[fuzz]") {
+    CHECK(replay("expression", gxrod::fuzz::try_expression) > 10);
+}
+
+TEST_CASE("Meshes that were tried are read or refused", "[fuzz]") {
+    CHECK(replay("mesh", gxrod::fuzz::try_mesh) > 10);
+}
+
+TEST_CASE("Results that were changed are read or refused", "[fuzz]") {
+    CHECK(replay("results", gxrod::fuzz::try_results) > 10);
+}

@@ -1,0 +1,16 @@
+#include "machine/machine_memory.hpp"
+
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+
+namespace gxrod::test {
+
+TEST_CASE("What may be used is some of what the machine has", "[machine]") {
+    const double machine =
+        static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+    CHECK(count_usable_bytes() <= machine);
+    CHECK(count_usable_bytes() > 1e7);
+}
+
+}  // namespace gxrod::test

@@ -1,0 +1,194 @@
+#include <fmt/format.h>
+#include <hdf5.h>
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "deck/text_file.hpp"
+#include "fuzz/results_sample.hpp"
+#include "fuzz/scratch_folder.hpp"
+#include "model/file_error.hpp"
+#include "report/report.hpp"
+#include "results/csv_export.hpp"
+#include "results/hdf5_objects.hpp"
+#include "results/hdf5_reader.hpp"
+#include "results/results_access.hpp"
+#include "results/resumable_file.hpp"
+#include "results/series_export.hpp"
+
+// What reads results of files whose objects are not what gxrod writes.
+
+namespace gxrod::fuzz {
+namespace {
+
+// A results file in which some objects are replaced.
+class Damaged {
+  public:
+    Damaged() : path_(folder_.write("damaged.vtkhdf", results_sample())) {
+        file_ = Hdf5Handle(H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, "opening");
+    }
+
+    void replace_attribute(const char* object,
+                           const char* name,
+                           std::vector<hsize_t> size,
+                           double value = 0.0) {
+        H5Adelete_by_name(file_.id(), object, name, H5P_DEFAULT);
+        const Hdf5Handle space = make_space(size);
+        const Hdf5Handle attribute(H5Acreate_by_name(file_.id(),
+                                                     object,
+                                                     name,
+                                                     H5T_NATIVE_DOUBLE,
+                                                     space.id(),
+                                                     H5P_DEFAULT,
+                                                     H5P_DEFAULT,
+                                                     H5P_DEFAULT),
+                                   H5Aclose,
+                                   "creating");
+        const std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())),
+                                         value);
+        H5Awrite(attribute.id(), H5T_NATIVE_DOUBLE, values.data());
+    }
+
+    void replace_dataset(const char* name, std::vector<hsize_t> size, double value = 0.0) {
+        H5Ldelete(file_.id(), name, H5P_DEFAULT);
+        const Hdf5Handle space = make_space(size);
+        const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "properties");
+        const bool is_huge = H5Sget_simple_extent_npoints(space.id()) > 1000000;
+        if (is_huge)
+            H5Pset_chunk(
+                creation.id(), static_cast<int>(size.size()), std::vector<hsize_t>(size.size(), 1).data());
+        const Hdf5Handle dataset(
+            H5Dcreate2(
+                file_.id(), name, H5T_NATIVE_DOUBLE, space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
+            H5Dclose,
+            "creating");
+        write_label(dataset.id(), {name, "in place of another", "none", "1"});
+        if (is_huge) return;
+        const std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())),
+                                         value);
+        H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    }
+
+    std::string report_fault() {
+        return fault([&] {
+            write_report(
+                {.results = path_, .page = folder_.path() / "page.html", .existing = Existing::replace});
+        });
+    }
+    std::string csv_fault() {
+        return fault([&] { export_csv(path_, folder_.path() / "csv", Existing::replace); });
+    }
+    std::string series_fault() {
+        return fault([&] { export_series(path_, folder_.path() / "series", Existing::replace); });
+    }
+    std::string resume_fault() {
+        return fault([&] { ResumableFile file(path_); });
+    }
+
+  private:
+    static Hdf5Handle make_space(const std::vector<hsize_t>& size) {
+        return {H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose, "dataspace"};
+    }
+
+    // What an action says of the file, without its name.
+    template <class Action>
+    std::string fault(Action&& action) {
+        file_.reset();
+        try {
+            action();
+        } catch (const FileError& error) {
+            const std::string text = error.what();
+            return text.substr(text.find(": ") + 2);
+        }
+        return "";
+    }
+
+    ScratchFolder folder_;
+    std::filesystem::path path_;
+    Hdf5Handle file_;
+};
+
+std::string unreadable(const std::string& why) { return "cannot be read as results of gxrod (" + why + ")"; }
+
+}  // namespace
+
+TEST_CASE("The sample that is damaged can be read", "[results]") {
+    CHECK(Damaged().report_fault() == "");
+    CHECK(Damaged().csv_fault() == "");
+    CHECK(Damaged().series_fault() == "");
+    CHECK(Damaged().resume_fault() == "");
+}
+
+TEST_CASE("Rows of another width are an error, not what lies behind them", "[results]") {
+    for (const char* name :
+         {"/VTKHDF/PointData/axis_x", "/VTKHDF/PointData/displacement", "/VTKHDF/Points"}) {
+        Damaged damaged;
+        damaged.replace_dataset(name, {100, 1});
+        CHECK(damaged.report_fault() == unreadable(std::string(name) + " has rows of another width"));
+    }
+    Damaged damaged;
+    damaged.replace_dataset("/histories/time", {6, 0});
+    CHECK(damaged.report_fault() == unreadable("/histories/time has rows of another width"));
+}
+
+TEST_CASE("Counts that are none are an error", "[results]") {
+    for (const double count : {-1.0, 0.5, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+        Damaged damaged;
+        damaged.replace_dataset("/VTKHDF/NumberOfPoints", {1}, count);
+        const std::string told =
+            unreadable(fmt::format("/VTKHDF/NumberOfPoints is {}, which is no count", count));
+        CHECK(damaged.report_fault() == told);
+        CHECK(damaged.series_fault() == told);
+    }
+    for (const double offset : {-1.0, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+        Damaged damaged;
+        damaged.replace_dataset("/VTKHDF/Offsets", {5}, offset);
+        CHECK(damaged.report_fault() == unreadable("a cell has points that are not there"));
+    }
+    Damaged damaged;
+    damaged.replace_dataset("/restart/a/numbers", {20, 1}, -1e300);
+    damaged.replace_dataset("/restart/b/numbers", {20, 1}, -1e300);
+    CHECK(damaged.resume_fault() == "cannot be resumed: its state has a count that is none");
+}
+
+TEST_CASE("A list where one value belongs is an error", "[results]") {
+    Damaged slots;
+    slots.replace_attribute("/restart", "slot", {1000});
+    CHECK(slots.resume_fault() == "cannot be resumed: /restart@slot is not one value");
+    Damaged frames;
+    frames.replace_attribute("/VTKHDF/Steps", "NSteps", {1000});
+    CHECK(frames.report_fault() == unreadable("/VTKHDF/Steps@NSteps is not one value"));
+    Damaged number;
+    number.replace_attribute("/", "title", {1});
+    CHECK(number.resume_fault() == "cannot be resumed: a text is none");
+    Damaged titles;
+    titles.replace_attribute("/", "title", {2});
+    CHECK(titles.resume_fault() == "cannot be resumed: title is not one value");
+    Damaged text;
+    text.replace_dataset("/deck/text", {3});
+    CHECK(text.resume_fault() == "cannot be resumed: /deck/text is not one value");
+}
+
+TEST_CASE("A dataset that the file is too small for takes no memory", "[results]") {
+    Damaged damaged;
+    damaged.replace_dataset("/VTKHDF/Connectivity", {1'000'000'000'000});
+    CHECK(damaged.report_fault() ==
+          unreadable("/VTKHDF/Connectivity would have 8e+12 bytes, more than its file can hold"));
+    CHECK(damaged.series_fault() ==
+          unreadable("/VTKHDF/Connectivity would have 8e+12 bytes, more than its file can hold"));
+}
+
+// The first entry of a heap of texts is one without an end and without a length: HDF5 1.10 looks for the next
+// for ever.
+TEST_CASE("A file over which HDF5 does not come back is an error", "[results]") {
+    const ScratchFolder folder;
+    std::string bytes = results_sample();
+    const std::size_t heap = bytes.find("GCOL");
+    REQUIRE(heap != std::string::npos);
+    constexpr std::size_t header = 16;  // of the heap, and of each entry
+    bytes.replace(heap + header, header, header, '\0');
+    const std::filesystem::path path = folder.write("damaged.vtkhdf", bytes);
+    CHECK_THROWS_WITH(read_results(path, [](const Hdf5Reader&) {}),
+                      Catch::Contains("is damaged: where HDF5's library reads it, it"));
+}
+
+}  // namespace gxrod::fuzz
