@@ -1,0 +1,168 @@
+#!/usr/bin/python3
+"""Runs three motions for a million steps with every integrator, and tells how far energy, momentum and rotations drift.
+
+Keeps what it finds in long_runs.json, draws figures/long_runs.png, and renews the table of long_runs.md. `--pages` renews
+picture and table without a run. A whole run takes about half an hour and 2 GB of disk in a temporary folder.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import time
+
+import h5py
+import numpy as np
+
+FOLDER = pathlib.Path(__file__).resolve().parent
+SOURCE = FOLDER.parents[1]
+sys.path.insert(0, str(SOURCE / "apps"))
+from gxrod_plot import style  # noqa: E402 — after the path to it
+
+STEPS = 1_000_000
+SAMPLES = 400  # of each curve: the largest value of a part of the run
+BLOCK = 50_000  # rows read at once
+SCHEMES = ("newmark-simplified", "newmark-ibrahimbegovic", "generalized-alpha", "sdirk-4", "runge-kutta-4")
+# Example, time step, keys that are changed.
+CASES = {
+    "heavy_top": (2e-4, []),
+    "dzhanibekov": (1e-3, ["analysis.newton={tolerance = 1e-12}"]),
+    "tumbling_rod": (5e-3, ["rod.rod.order=1"]),
+}
+# The mesh's highest frequency is 657, so an explicit step would have to be a tenth of this one.
+EXPLICIT_IS_UNSTABLE = {"tumbling_rod"}
+
+
+def deck_without_newton(text):
+    """runge-kutta-4 takes no [analysis] newton."""
+    return re.sub(r"^newton *=.*\n", "", text, flags=re.M)
+
+
+def largest_in_parts(values):
+    """The largest of each of SAMPLES parts of a run."""
+    parts = np.array_split(np.asarray(values), SAMPLES)
+    return np.array([np.max(part) for part in parts if len(part)])
+
+
+def read_drift(file):
+    """Relative errors of energy and angular momentum, and |ΛᵀΛ − I|, of each step and of the frames."""
+    ledger = file["ledger"]
+    kinetic, strain, work = (ledger[name][:] for name in ("kinetic_energy", "strain_energy", "external_work"))
+    energy = kinetic + strain - work
+    scale = np.max(np.abs(kinetic + strain))
+    momentum = ledger["angular_momentum"][:]
+    conserved = momentum[:, 2:] if np.any(work != 0.0) else momentum  # under gravity about z alone
+    size = np.max(np.linalg.norm(conserved, axis=1))
+    orthogonality = 0.0
+    for name, history in file["histories"].items():
+        if name != "time" and "orientation" in history:
+            q = history["orientation"]
+            for first in range(0, len(q), BLOCK):
+                norm = np.sum(np.square(q[first:first + BLOCK]), axis=1)
+                # Λ(q) of a quaternion q is |q|² times a rotation, so |ΛᵀΛ − I| = √3 ||q|⁴ − 1|.
+                orthogonality = max(orthogonality, float(np.sqrt(3.0) * np.max(np.abs(norm ** 2 - 1.0))))
+    return {"energy": np.abs(energy - energy[0]) / scale,
+            "signed_energy": float((energy[-1] - energy[0]) / scale),
+            "momentum": np.linalg.norm(conserved - conserved[0], axis=1) / size,
+            "orthogonality": orthogonality}
+
+
+def run(program, example, scheme, folder):
+    step, changes = CASES[example]
+    text = (SOURCE / "docs" / "examples" / example / f"{example}.toml").read_text()
+    text = deck_without_newton(text)
+    if "orientation" not in text:
+        text = text.replace('quantities = ["position", "velocity"]', 'quantities = ["position", "orientation"]')
+    deck = folder / f"{example}.toml"
+    deck.write_text(text)
+    options = [f"analysis.integrator={scheme}", f"analysis.end_time={STEPS * step!r}", f"analysis.time_step={step!r}",
+               "output.every=10000", *(changes if scheme != "runge-kutta-4" else [])]
+    arguments = [str(deck), *(part for option in options for part in ("--set", option))]
+    told = subprocess.run([program, "check", *arguments], stdout=subprocess.PIPE, text=True, check=True).stdout
+    predicted = float(re.search(r"^results: at least ([\d.e+]+) MB", told, re.M)[1])
+    results = folder / "run.vtkhdf"
+    started = time.monotonic()
+    with open(folder / "summary.json", "w") as said:
+        process = subprocess.Popen([program, "run", *arguments, "-o", str(results), "--force", "--quiet", "--summary", "-"], stdout=said)
+        _, _, used = os.wait4(process.pid, 0)
+    seconds = time.monotonic() - started
+    summary = json.loads((folder / "summary.json").read_text())
+    with h5py.File(results) as file:
+        drift = read_drift(file)
+    row = {"case": example, "scheme": scheme, "time_step": step, "status": summary["status"], "steps": summary["steps"],
+           "newton_iterations": summary["newton_iterations"], "seconds": round(seconds, 1),
+           "processor_seconds": round(used.ru_utime, 1),
+           "megabytes": round(results.stat().st_size / 1e6, 1), "predicted_megabytes": predicted,
+           "peak_megabytes": round(used.ru_maxrss / 1e3, 1),
+           "energy": float(drift["energy"].max()), "energy_at_end": drift["signed_energy"],
+           "momentum": float(drift["momentum"].max()), "orthogonality": drift["orthogonality"],
+           "energy_curve": [float(f"{value:.3g}") for value in largest_in_parts(drift["energy"])],
+           "momentum_curve": [float(f"{value:.3g}") for value in largest_in_parts(drift["momentum"])]}
+    if summary["status"] != "complete":
+        row["reason"] = summary["reason"]
+    results.unlink()
+    print(f"{example}, {scheme}: {row['status']}, {row['steps']} steps, {row['seconds']} s, energy {row['energy']:.1e}, "
+          f"momentum {row['momentum']:.1e}, orthogonality {row['orthogonality']:.1e}", flush=True)
+    return row
+
+
+def make_table(rows):
+    lines = ["| motion | scheme | steps | energy, largest | at the end | momentum, largest | \\|ΛᵀΛ − I\\| | file, MB (predicted) | memory, MB |",
+             "|---|---|---|---|---|---|---|---|---|"]
+    for row in rows:
+        steps = f"{row['steps']:,}".replace(",", "\u202f")
+        lines.append(f"| {row['case']} | {row['scheme']} | {steps} | {row['energy']:.1e} | {row['energy_at_end']:+.1e} | "
+                     f"{row['momentum']:.1e} | {row['orthogonality']:.0e} | {row['megabytes']:.0f} ({row['predicted_megabytes']:.0f}) | "
+                     f"{row['peak_megabytes']:.0f} |")
+    return "\n".join(lines)
+
+
+def renew_page(rows):
+    page = FOLDER / "long_runs.md"
+    text = page.read_text()
+    renewed = re.sub(r"(<!-- table -->\n).*?(\n<!-- end -->)", lambda match: match[1] + make_table(rows) + match[2], text, flags=re.S)
+    page.write_text(renewed)
+
+
+def draw(rows):
+    figure = style.new_figure(9.6, 7.6)
+    axes = figure.subplots(len(CASES), 2, squeeze=False)
+    colours = dict(zip(SCHEMES, (style.BLUE, style.GREEN, style.ORANGE, style.PURPLE, style.BLACK)))
+    for pair, case in zip(axes, CASES):
+        for row in (row for row in rows if row["case"] == case):
+            for panel, quantity in zip(pair, ("energy", "momentum")):
+                curve = np.array(row[f"{quantity}_curve"])
+                at = np.linspace(0.0, row["steps"], len(curve))
+                panel.semilogy(at[curve > 0], curve[curve > 0], color=colours[row["scheme"]], label=row["scheme"])
+        for panel, quantity in zip(pair, ("energy", "angular momentum")):
+            panel.set(title=f"{case}: {quantity}", xlabel="steps", xlim=(0, STEPS))
+    axes[0][1].legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)
+    figure.savefig(FOLDER / "figures" / "long_runs.png")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("program", nargs="?", default=str(SOURCE / "build" / "release" / "gxrod"), help="gxrod [build/release/gxrod]")
+    parser.add_argument("--pages", action="store_true", help="renew picture and table from long_runs.json, without a run")
+    arguments = parser.parse_args()
+    record = FOLDER / "long_runs.json"
+    if not arguments.pages:
+        rows = []
+        with tempfile.TemporaryDirectory() as folder:
+            for example in CASES:
+                for scheme in SCHEMES:
+                    if scheme == "runge-kutta-4" and example in EXPLICIT_IS_UNSTABLE:
+                        continue
+                    rows.append(run(arguments.program, example, scheme, pathlib.Path(folder)))
+        record.write_text(json.dumps(rows, indent=1) + "\n")
+    rows = json.loads(record.read_text())
+    renew_page(rows)
+    draw(rows)
+
+
+if __name__ == "__main__":
+    main()
