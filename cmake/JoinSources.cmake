@@ -16,9 +16,5 @@ function(gxrod_join_sources target)
   # Inlined otherwise and with sanitizers, g++ 12 sees values of std::optional used before they are set.
   if(GXROD_SANITIZE)
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-  else()
-    # As in the library with its precompiled headers: copies out of bounds where there are none.
-    target_compile_options(${target} PRIVATE
-      $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>)
   endif()
 endfunction()
