@@ -3,6 +3,7 @@
 #include <fcntl.h>
 
 #include <catch2/catch.hpp>
+#include <memory>
 
 #include "results/sample.hpp"
 
@@ -14,8 +15,9 @@ TEST_CASE("The file driver stays when its last file is closed", "[results]") {
     const sample::ScratchFolder folder;
     hid_t driver = H5I_INVALID_HID;
     for (const char* name : {"a", "b"}) {
-        OrderedFile file(::open((folder / name).c_str(), O_RDWR | O_CREAT, 0600));
-        Hdf5Handle access = make_ordered_access(file);
+        const auto file =
+            std::make_shared<OrderedFile>(::open((folder / name).c_str(), O_RDWR | O_CREAT, 0600));
+        Hdf5Handle access = make_ordered_access(*file);
         driver = H5Pget_driver(access.id());
         Hdf5Handle hdf5(
             H5Fcreate("results", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "creating the file");
