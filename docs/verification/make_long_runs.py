@@ -97,7 +97,6 @@ def run(program, example, scheme, folder):
            "newton_iterations": summary["newton_iterations"], "seconds": round(seconds, 1),
            "processor_seconds": round(used.ru_utime, 1),
            "megabytes": round(results.stat().st_size / 1e6, 1), "predicted_megabytes": predicted,
-           "peak_megabytes": round(used.ru_maxrss / 1e3, 1),
            "energy": float(drift["energy"].max()), "energy_at_end": drift["signed_energy"],
            "momentum": float(drift["momentum"].max()), "orthogonality": drift["orthogonality"],
            "energy_curve": [float(f"{value:.3g}") for value in largest_in_parts(drift["energy"])],
@@ -111,13 +110,12 @@ def run(program, example, scheme, folder):
 
 
 def make_table(rows):
-    lines = ["| motion | scheme | steps | energy, largest | at the end | momentum, largest | \\|ΛᵀΛ − I\\| | file, MB (predicted) | memory, MB |",
-             "|---|---|---|---|---|---|---|---|---|"]
+    lines = ["| motion | scheme | steps | energy, largest | at the end | momentum, largest | \\|ΛᵀΛ − I\\| | file, MB (predicted) |",
+             "|---|---|---|---|---|---|---|---|"]
     for row in rows:
         steps = f"{row['steps']:,}".replace(",", "\u202f")
         lines.append(f"| {row['case']} | {row['scheme']} | {steps} | {row['energy']:.1e} | {row['energy_at_end']:+.1e} | "
-                     f"{row['momentum']:.1e} | {row['orthogonality']:.0e} | {row['megabytes']:.0f} ({row['predicted_megabytes']:.0f}) | "
-                     f"{row['peak_megabytes']:.0f} |")
+                     f"{row['momentum']:.1e} | {row['orthogonality']:.0e} | {row['megabytes']:.0f} ({row['predicted_megabytes']:.0f}) |")
     return "\n".join(lines)
 
 
