@@ -57,7 +57,6 @@ int verify_deck(const VerifyDeckArguments& arguments) {
     std::signal(SIGINT, ask_study_to_end);
     std::signal(SIGTERM, ask_study_to_end);
     DeckStudyOptions options;
-    options.levels = arguments.levels;
     options.seed = arguments.seed;
     options.tolerance = arguments.tolerance;
     options.is_interrupted = [] { return is_asked_to_end != 0; };

@@ -44,7 +44,6 @@ struct SeriesReport {
 };
 
 struct DeckStudyOptions {
-    int levels = 2;           // of refinement: 1 or 2
     unsigned seed = 1;        // of the random rotation
     double tolerance = 0.01;  // of errors, by the scale of each series, that the user calls right
     std::function<bool()> is_interrupted = [] { return false; };

@@ -116,7 +116,7 @@ DeckStudy study(const std::string& text,
     const DeckFile file(text);
     const DeckTemplate deck = file.read();
     std::vector<DeckVariant> variants;
-    for (const DeckVariant& variant : list_variants(deck.build(overrides), options.levels)) {
+    for (const DeckVariant& variant : list_variants(deck.build(overrides), 2)) {
         const bool is_wanted = variant.kind == VariantKind::as_it_is ||
                                std::find(kinds.begin(), kinds.end(), variant.kind) != kinds.end();
         if (is_wanted) variants.push_back(variant);
@@ -207,11 +207,9 @@ TEST_CASE("errors of step and mesh are estimated, and are those that are there",
     // The clamp stays.
     CHECK(find(coarse, "beam.start position").is_still);
     // Against a run on a mesh and with steps so fine that its own errors do not matter.
-    DeckStudyOptions none;
-    none.levels = 1;
     const std::vector<std::string> finest{
         "rod.beam.elements=16", "rod.beam.order=3", "analysis.time_step=0.002"};
-    const DeckStudy fine = study(swing, {}, finest, none);
+    const DeckStudy fine = study(swing, {}, finest);
     const auto last = [](const DeckStudy& study) {
         const HistoryPoint::Row& row = study.base_rows[2].back();
         return Vec3(row[0], row[1], row[2]);
