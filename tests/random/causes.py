@@ -22,6 +22,11 @@ def time_functions(draw, plan):
     return list(plan.deck["function"])
 
 
+def functions_are_constant(plan):
+    """Whether those of the deck have one value, so that a load by them is there at once."""
+    return plan.deck["function"]["pulse"].get("expression") == 0.5
+
+
 def of_time(draw, plan, size):
     """A number, or f(t) as large as it."""
     span = plan.span
@@ -31,7 +36,8 @@ def of_time(draw, plan, size):
     if draw.chance(0.45):
         return float(size)
     form = draw.pick(forms)
-    plan.jumps |= "exp" in form or ">" in form
+    is_by_function = any(f"{name}(t)" in form for name in plan.functions)
+    plan.jumps |= "exp" in form or ">" in form or (is_by_function and functions_are_constant(plan))
     return form.format(a=float(size), T=span, w=draw.uniform(0.5, 10.0) / span, h=draw.uniform(0.1, 0.9) * span)
 
 

@@ -74,12 +74,28 @@ def has_no_energy(path, plan):
 
 
 def hardly_moves(path):
-    """Whether displacements and rotations have few digits beside positions and a radian."""
+    """Whether displacements, or the accelerations that steps make of them, have few digits beside positions; or
+    displacements and rotations hardly any."""
     with h5py.File(path) as file:
         points = file["VTKHDF/PointData"]
         size = np.abs(file["VTKHDF/Points"][:]).max(initial=0.0)
         moved = np.abs(points["displacement"][:]).max(initial=0.0) / (size or 1.0)
-        return max(moved, np.abs(points["rotation_vector"][:]).max(initial=0.0)) < 1e-10
+        turned = np.abs(points["rotation_vector"][:]).max(initial=0.0)
+        steps = len(file["histories/time"]) if text(file.attrs["analysis"]) == "dynamic" else 1
+    return 0.0 < moved < max(1e-13, 2e-12 * steps**2) or max(moved, turned) < 1e-10
+
+
+def loses_energy_at_once(path):
+    """Whether nine tenths of the error of the energy come from three steps."""
+    with h5py.File(path) as file:
+        changes = np.sort(np.abs(np.diff(file["ledger/energy_error"][:])))
+    return changes.size > 30 and changes[-3:].sum() > 0.9 * changes.sum()
+
+
+def has_gone_on(path):
+    """Whether a run that was killed left many steps, all of them finite."""
+    with h5py.File(path) as file:
+        return len(file["histories/time"]) > 100 and not any(find_numbers_that_are_none(datasets(file)))
 
 
 def check_ledger(ledger):
