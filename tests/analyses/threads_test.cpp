@@ -108,7 +108,7 @@ bool are_same(const std::vector<T>& a, const std::vector<T>& b) {
 }  // namespace
 
 TEST_CASE("The number of threads changes no bit", "[analyses][threads]") {
-    const std::string dynamic = "[analysis]\nkind = \"dynamic\"\nend_time = 0.03\ntime_step = 0.01\n";
+    const std::string dynamic = "[analysis]\nkind = \"dynamic\"\nend_time = 0.02\ntime_step = 0.01\n";
     const std::string analysis = GENERATE_COPY(
         as<std::string>{},
         dynamic,
@@ -117,7 +117,7 @@ TEST_CASE("The number of threads changes no bit", "[analyses][threads]") {
         dynamic + "integrator = \"sdirk-4\"\n",
         dynamic + "linear_solver = \"klu\"\n",
         "[analysis]\nkind = \"dynamic\"\nend_time = 2e-7\ntime_step = 1e-7\nintegrator = \"runge-kutta-4\"\n",
-        "[analysis]\nkind = \"static\"\nsteps = 3\n");
+        "[analysis]\nkind = \"static\"\nsteps = 2\n");
     INFO(analysis);
     const Outcome alone = run(analysis, 1);
     REQUIRE(alone.summary.status == RunStatus::complete);
