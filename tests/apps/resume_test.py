@@ -22,16 +22,19 @@ class Resume(ProgramTest):
         self.write("body.toml", SPINNING_BODY)
 
     def start_long_run(self, deck=LONG):
-        """A run of a second or more, when it has written its first steps."""
+        """A run of a second or more, when it has written steps twice, so that the first time is all in the file."""
         self.write("long.toml", deck)
         process = subprocess.Popen([GXROD, "run", "long.toml"], cwd=self.folder, stdout=subprocess.DEVNULL,
                                    stderr=subprocess.PIPE, text=True)
         self.addCleanup(process.wait)
         self.addCleanup(process.stderr.close)
         self.addCleanup(process.kill)
+        first = 0
         for _ in range(2000):
-            if self.steps("long.vtkhdf") > 1:
+            steps = self.steps("long.vtkhdf")
+            if steps > first > 1:
                 return process
+            first = steps
             time.sleep(0.01)
         self.fail("no steps within 20 s")
 

@@ -119,10 +119,10 @@ class Judge:
 
     def judge_finer(self, index, error, kind):
         """With shorter steps: the error of every scheme falls once they are short beside every vibration, but as it
-        likes where a load jumps within a step."""
+        likes where a load jumps within a step; in statics once they are shorter than those that were cut."""
         plan = decks.make_plan(self.seed, index)
         is_static = plan.scales.is_static
-        for finer in (4, 16, 64, 256) if plan.jumps and not is_static else (4, 16):
+        for finer in (4, 16, 64, 256) if plan.jumps or is_static else (4, 16):
             done = self.run_deck(*shorter_steps(decks.make_deck(self.seed, index)[0], finer))
             if done.returncode != 0:
                 return Verdict(index, kind, "energy does not balance; shorter steps fail", error)
@@ -130,17 +130,12 @@ class Judge:
                 return Verdict(index, kind, "energy balances better with shorter steps", error)
         if is_static and plan.jumps:
             return Verdict(index, kind, "energy does not balance; a load jumps, in any steps", error)
-        if is_static and self.jumps(index):
+        if is_static and soundness.loses_energy_at_once(self.folder / "deck.vtkhdf"):
             return Verdict(index, kind, "energy does not balance; the structure jumps, in any steps", error)
         if not self.resolves_vibrations():
             return Verdict(index, kind, "energy does not balance; vibrations or turns shorter than any steps tried", error)
         reason = "energy does not balance better with shorter steps"
         return Verdict(index, kind if kind == "warned" else "finding", reason, error)
-
-    def jumps(self, index):
-        """Whether a structure goes to another equilibrium at once, seen in many steps."""
-        done = self.run_deck(*shorter_steps(decks.make_deck(self.seed, index)[0], 256))
-        return done.returncode == 0 and soundness.loses_energy_at_once(self.folder / "deck.vtkhdf")
 
     def resolves_vibrations(self):
         """Whether the steps of the last run are short beside the shortest period of the model and the fastest turn, both

@@ -186,7 +186,7 @@ TEST_CASE("A killed writer leaves a file with all that it had flushed", "[result
         CHECK(is_complete(path));
         most_steps = std::max(most_steps, found.steps);
     }
-    CHECK(most_steps > 1000);
+    CHECK(most_steps > 10 * 37);
 }
 
 namespace {
