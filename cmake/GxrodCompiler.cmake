@@ -10,7 +10,10 @@ target_compile_options(gxrod_compiler INTERFACE
 if(GXROD_WARNINGS_AS_ERRORS)
   target_compile_options(gxrod_compiler INTERFACE -Werror)
 endif()
-if(GXROD_SANITIZE)
+if(GXROD_SANITIZE STREQUAL "thread")
+  target_compile_options(gxrod_compiler INTERFACE -fsanitize=thread -fno-omit-frame-pointer -O1)
+  target_link_options(gxrod_compiler INTERFACE -fsanitize=thread)
+elseif(GXROD_SANITIZE)
   # Null pointers end in AddressSanitizer's report, misaligned ones in Eigen's assertions: to check both at every
   # access as well takes a third of the build's time.
   target_compile_options(gxrod_compiler INTERFACE

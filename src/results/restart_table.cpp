@@ -238,7 +238,8 @@ std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
         value = restore<std::remove_reference_t<decltype(value)>>(single.values[count++]);
     });
     RestartRecord& record = place.record;
-    const auto read_rows = [&]<class Row>(const DatasetLabel& label, std::vector<Row>& rows) {
+    const auto read_rows = [&](const DatasetLabel& label, auto& rows) {
+        using Row = typename std::remove_reference_t<decltype(rows)>::value_type;
         rows = rows_of<Row>(read(label, count_columns<Row>()));
     };
     read_rows(nodes_label, record.nodes);

@@ -34,18 +34,21 @@ constexpr std::array<double, 20> far_poles = {
     1.3375664093215244457e-35, 8.4702273286502466427e-38, 5.3638310466556986463e-40,
     3.3966848266497806992e-42, 2.1509755511832567368e-44};
 
-constexpr auto d_series = [] {
+constexpr std::array<double, 13> make_d_series() {
     std::array<double, 13> factors{};
     for (std::size_t j = 0; j < factors.size(); ++j) factors[j] = far_poles[j];
     return factors;
-}();
+}
 
-constexpr auto d1_series = [] {
+constexpr std::array<double, 19> make_d1_series() {
     std::array<double, 19> factors{};
     for (std::size_t j = 0; j < factors.size(); ++j)
         factors[j] = 2.0 * static_cast<double>(j + 1) * far_poles[j + 1];
     return factors;
-}();
+}
+
+constexpr std::array<double, 13> d_series = make_d_series();
+constexpr std::array<double, 19> d1_series = make_d1_series();
 
 // 4π² − x.
 double distance_to_first_pole(double x) {

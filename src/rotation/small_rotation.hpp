@@ -66,6 +66,35 @@ class SmallRotation {
     formulas::Slopes<Real> slopes_;
 };
 
+// Of d = Σ 2 ζ(2j + 2) (x/4π²)^j/4π²; truncated below 1e-17 for x ≤ 1.
+constexpr std::array<double, 11> make_small_rotation_series() {
+    constexpr std::array<long double, 11> zeta = {1.64493406684822643647L,
+                                                  1.08232323371113819152L,
+                                                  1.01734306198444913971L,
+                                                  1.00407735619794433938L,
+                                                  1.00099457512781808534L,
+                                                  1.00024608655330804830L,
+                                                  1.00006124813505870483L,
+                                                  1.00001528225940865187L,
+                                                  1.00000381729326499984L,
+                                                  1.00000095396203387280L,
+                                                  1.00000023845050272773L};
+    constexpr long double four_pi_squared = 39.4784176043574344753L;
+    std::array<double, 11> factors{};
+    long double power = 1.0L / four_pi_squared;
+    for (std::size_t j = 0; j < factors.size(); ++j, power /= four_pi_squared)
+        factors[j] = static_cast<double>(2.0L * zeta[j] * power);
+    return factors;
+}
+
+// Of its derivative.
+constexpr std::array<double, 10> make_slope_series(const std::array<double, 11>& series) {
+    std::array<double, 10> factors{};
+    for (std::size_t j = 0; j < factors.size(); ++j)
+        factors[j] = 2.0 * static_cast<double>(j + 1) * series[j + 1];
+    return factors;
+}
+
 // T(φ)⁻¹ and derivatives of it, of rotations of less than 1 rad.
 template <class Real>
 class SmallInverseRotation {
@@ -85,32 +114,8 @@ class SmallInverseRotation {
     }
 
   private:
-    // d = Σ 2 ζ(2j + 2) (x/4π²)^j/4π²; truncated below 1e-17 for x ≤ 1.
-    static constexpr std::array<double, 11> series = [] {
-        constexpr std::array<long double, 11> zeta = {1.64493406684822643647L,
-                                                      1.08232323371113819152L,
-                                                      1.01734306198444913971L,
-                                                      1.00407735619794433938L,
-                                                      1.00099457512781808534L,
-                                                      1.00024608655330804830L,
-                                                      1.00006124813505870483L,
-                                                      1.00001528225940865187L,
-                                                      1.00000381729326499984L,
-                                                      1.00000095396203387280L,
-                                                      1.00000023845050272773L};
-        constexpr long double four_pi_squared = 39.4784176043574344753L;
-        std::array<double, 11> factors{};
-        long double power = 1.0L / four_pi_squared;
-        for (std::size_t j = 0; j < factors.size(); ++j, power /= four_pi_squared)
-            factors[j] = static_cast<double>(2.0L * zeta[j] * power);
-        return factors;
-    }();
-    static constexpr std::array<double, 10> slope_series = [] {
-        std::array<double, 10> factors{};
-        for (std::size_t j = 0; j < factors.size(); ++j)
-            factors[j] = 2.0 * static_cast<double>(j + 1) * series[j + 1];
-        return factors;
-    }();
+    static constexpr std::array<double, 11> series = make_small_rotation_series();
+    static constexpr std::array<double, 10> slope_series = make_slope_series(series);
 
     Vec3 phi_;
     Real d_, d1_;
