@@ -26,6 +26,11 @@ class Site:
     replaced: str
     number: int = 0
 
+    @property
+    def place(self):
+        """Which it is, for a record of it."""
+        return self.file, self.line, self.code
+
 
 def blank(text):
     """The text with what is not computed with as spaces, at the same places."""

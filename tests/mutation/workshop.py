@@ -1,9 +1,9 @@
 """A copy of the sources in which signs and coefficients can be made wrong, built and tested."""
 
+import json
 import os
 import pathlib
 import re
-import shutil
 import subprocess
 
 from sites import apply
@@ -19,48 +19,50 @@ class Workshop:
         self.folder, self.jobs = folder, jobs
         self.copy, self.build_folder = folder / "source", folder / "build"
         self.tests = self.build_folder / "tests" / "gxrod_tests"
+        self.program = self.build_folder / "gxrod"
+        self.texts = {}  # of sources, as they were first read
 
-    def set_up(self):
-        """Copies what is under version control and configures it."""
-        shutil.rmtree(self.copy, ignore_errors=True)
-        names = subprocess.run(["git", "ls-files", "-z"], cwd=SOURCE, check=True, stdout=subprocess.PIPE).stdout
-        for name in names.decode().split("\0"):
-            if name and (SOURCE / name).is_file():
+    def set_up(self, left):
+        """Copies what is under version control, but for these sources if they are there, and configures it."""
+        said = subprocess.run(["git", "ls-files", "-z"], cwd=SOURCE, check=True, stdout=subprocess.PIPE).stdout
+        names = {name for name in said.decode().split("\0") if name and (SOURCE / name).is_file()}
+        for name in names:
+            if name not in left or not (self.copy / name).exists():
                 (self.copy / name).parent.mkdir(parents=True, exist_ok=True)
-                shutil.copy2(SOURCE / name, self.copy / name)
-        flags = f"-O1 -include {self.copy}/tests/mutation/mutants.hpp"
+                self.write(name, (SOURCE / name).read_bytes())
+        for path in self.copy.rglob("*"):
+            if path.is_file() and path.relative_to(self.copy).as_posix() not in names:
+                path.unlink()
+        flags = f"-O1 -w -include {self.copy}/tests/mutation/mutants.hpp"
         subprocess.run(["cmake", "-S", self.copy, "-B", self.build_folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                        f"-DCMAKE_CXX_FLAGS={flags}", "-DCMAKE_CXX_FLAGS_RELEASE=", "-DGXROD_WARNINGS_AS_ERRORS=OFF"],
-                       check=True, stdout=subprocess.DEVNULL)
+                        f"-DCMAKE_CXX_FLAGS={flags}", "-DCMAKE_CXX_FLAGS_RELEASE=", "-DGXROD_WARNINGS_AS_ERRORS=OFF",
+                        "-DGXROD_JOIN_SOURCES=gxrod_tests"], check=True, stdout=subprocess.DEVNULL)
 
     def read(self, file):
-        return (SOURCE / file).read_text()
+        if file not in self.texts:
+            self.texts[file] = (SOURCE / file).read_text()
+        return self.texts[file]
 
-    def write(self, file, text):
+    def write(self, file, content):
         path = self.copy / file
-        if path.read_text() != text:
-            path.write_text(text)
+        if not path.exists() or path.read_bytes() != content:
+            path.write_bytes(content)
 
-    def build(self, target="gxrod_tests"):
+    def build(self):
         """What the compiler said, "" if it was content."""
-        done = subprocess.run(["cmake", "--build", self.build_folder, "--target", target, "--", "-k", "0", "-j", str(self.jobs)],
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        return "" if done.returncode == 0 else done.stdout
+        for targets in (["gxrod_library"], ["gxrod_tests", "gxrod"]):  # in the first are most errors
+            done = subprocess.run(["cmake", "--build", self.build_folder, "--target", *targets, "--", "-k", "0", "-j", str(self.jobs)],
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+            if done.returncode != 0:
+                return done.stdout
+        return ""
 
     def build_switches(self, sites):
         """Builds with all sites that can be switched at run time; returns them. The others are left as they were."""
-        kept = list(sites)
-        while True:
-            by_file = {}
-            for site in kept:
-                by_file.setdefault(site.file, []).append(site)
-            for file in {site.file for site in sites}:
-                chosen = by_file.get(file, [])
-                switch = lambda site: site.switched.replace("MUTANT", str(site.number))
-                self.write(file, apply(self.read(file), chosen, switch))
-            said = self.build()
-            if not said:
-                return kept
+        record = self.folder / "not_switched.json"  # with what earlier campaigns found
+        known = {tuple(row) for row in json.loads(record.read_text())} if record.exists() else set()
+        kept = [site for site in sites if site.place not in known]
+        while said := self.build_with_switches(kept, {site.file for site in sites}):
             places = self.places_of(said)
             fewer = [site for site in kept if (site.file, site.line) not in places]
             if len(fewer) == len(kept):  # an error elsewhere: what comes with it is in one of these files
@@ -70,6 +72,17 @@ class Workshop:
                 raise RuntimeError(said[-4000:])
             print(f"  {len(kept) - len(fewer)} sites cannot be switched at run time", flush=True)
             kept = fewer
+            known |= {site.place for site in sites} - {site.place for site in kept}
+            record.write_text(json.dumps(sorted(known)))
+        return kept
+
+    def build_with_switches(self, sites, files):
+        """What the compiler says of these files with switches at these sites."""
+        for file in files:
+            chosen = [site for site in sites if site.file == file]
+            switch = lambda site: site.switched.replace("MUTANT", str(site.number))  # noqa: E731
+            self.write(file, apply(self.read(file), chosen, switch).encode())
+        return self.build()
 
     def places_of(self, said):
         """The lines that the compiler names, whether it blames them or comes from them."""
@@ -84,23 +97,36 @@ class Workshop:
 
     def replace(self, site):
         """Makes one site wrong for good; returns what the compiler said."""
-        self.write(site.file, apply(self.read(site.file), [site], lambda it: it.replaced))
+        self.write(site.file, apply(self.read(site.file), [site], lambda it: it.replaced).encode())
         return self.build()
 
     def restore(self, file):
-        self.write(file, self.read(file))
+        self.write(file, self.read(file).encode())
 
-    def test(self, filters, mutant, seconds):
-        """"" if the tests pass, else which test failed first, or how they ended."""
+    def run(self, command, mutant, seconds):
+        """Exit code and output, or None if it does not end."""
         environment = {**os.environ, "GXROD_MUTANT": str(mutant)}
         try:
-            done = subprocess.run([self.tests, *filters, "-a", "-r", "compact"], env=environment, timeout=seconds,
-                                  cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace")
+            done = subprocess.run(command, env=environment, timeout=seconds, cwd=self.folder, stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT, text=True, errors="replace")
         except subprocess.TimeoutExpired:
+            return None
+        return done.returncode, done.stdout
+
+    def test(self, tags, mutant, seconds):
+        """"" if the tests with these tags pass, else which failed first, or how they ended."""
+        done = self.run([self.tests, tags, "-a", "-r", "compact"], mutant, seconds)
+        if done is None:
             return "no end"
-        if done.returncode == 0:
-            return ""
-        failed = re.search(r"^(\S+?/tests/\S+?):\d+: failed", done.stdout, re.M)
-        if failed:
-            return re.sub(r".*/tests/", "tests/", failed[1])
-        return f"ended with code {done.returncode}"
+        code, said = done
+        failed = re.search(r"^(\S*?tests/\S+?):\d+: failed", said, re.M)
+        return "" if code == 0 else re.sub(r".*tests/", "tests/", failed[1]) if failed else f"ended with code {code}"
+
+    def verify(self, mutant, seconds):
+        """"" if the validation book's values are found, else what is missed first."""
+        done = self.run([self.program, "verify", "--all"], mutant, seconds)
+        if done is None:
+            return "no end"
+        code, said = done
+        missed = re.search(r"^(\w+) \(.*\n(?:  .*\n)*?  .*MISSED", said, re.M)
+        return "" if code == 0 else f"gxrod verify {missed[1]}" if missed else f"gxrod verify ended with code {code}"
