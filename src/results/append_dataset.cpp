@@ -25,12 +25,24 @@ hid_t memory_type() {
         return H5T_NATIVE_INT64;
 }
 
-// Rows come one after the other: two chunks are enough to hold.
-Hdf5Handle make_access() {
+// Rows come one after the other: two chunks are enough to hold. HDF5 would hold all that fit into its cache,
+// so that the memory of a run would grow for a million steps.
+Hdf5Handle make_access(std::size_t chunk_bytes) {
     Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "dataset properties");
-    check_hdf5(H5Pset_chunk_cache(access.id(), H5D_CHUNK_CACHE_NSLOTS_DEFAULT, 2 * most_chunk_bytes, 1.0),
-               "the cache of chunks");
+    check_hdf5(
+        H5Pset_chunk_cache(
+            access.id(), H5D_CHUNK_CACHE_NSLOTS_DEFAULT, 2 * std::min(chunk_bytes, most_chunk_bytes), 1.0),
+        "the cache of chunks");
     return access;
+}
+
+std::size_t count_chunk_bytes(const Hdf5Handle& group, const std::string& name) {
+    const Hdf5Handle dataset(H5Dopen2(group.id(), name.c_str(), H5P_DEFAULT), H5Dclose, "opening a dataset");
+    const Hdf5Handle properties(H5Dget_create_plist(dataset.id()), H5Pclose, "dataset properties");
+    const Hdf5Handle type(H5Dget_type(dataset.id()), H5Tclose, "type of a dataset");
+    std::array<hsize_t, 2> chunk{1, 1};
+    if (H5Pget_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()) < 0) return 0;
+    return chunk[0] * chunk[1] * H5Tget_size(type.id());
 }
 
 // Rows of a dataset on disk, and as many in memory.
@@ -60,9 +72,9 @@ AppendDataset<Number>::AppendDataset(
         if (rows > 0) set_extent(rows);
         return;
     }
-    dataset_ = Hdf5Handle(H5Dopen2(group.id(), label.name.c_str(), make_access().id()),
-                          H5Dclose,
-                          "opening a dataset to go on with");
+    const Hdf5Handle access = make_access(count_chunk_bytes(group, label.name));
+    dataset_ = Hdf5Handle(
+        H5Dopen2(group.id(), label.name.c_str(), access.id()), H5Dclose, "opening a dataset to go on with");
     const Hdf5Handle space(H5Dget_space(dataset_.id()), H5Sclose, "dataspace");
     std::array<hsize_t, 2> size{0, 1};
     const int rank = H5Sget_simple_extent_ndims(space.id());
@@ -93,7 +105,7 @@ void AppendDataset<Number>::create(const Hdf5Handle& group, const DatasetLabel& 
         check_hdf5(H5Pset_shuffle(properties.id()), "compression");
         check_hdf5(H5Pset_deflate(properties.id(), fastest), "compression");
     }
-    const Hdf5Handle access = make_access();
+    const Hdf5Handle access = make_access(chunk[0] * chunk[1] * sizeof(Number));
     const Number missing =
         std::numeric_limits<Number>::has_quiet_NaN ? std::numeric_limits<Number>::quiet_NaN() : 0;
     check_hdf5(H5Pset_fill_value(properties.id(), memory_type<Number>(), &missing), "dataset properties");

@@ -6,8 +6,8 @@
 namespace gxrod {
 
 // File access properties that make HDF5 read and write through `file`, which it shares. `file` must outlive
-// these. Earliest file format, so that every reader opens it; larger pieces start at a page of memory, so
-// that a B-tree node is never written in part. Throws Hdf5Error.
+// these. Earliest file format, so that every reader opens it; a B-tree node is within a page of memory, so
+// that it is never written in part. Throws Hdf5Error.
 Hdf5Handle make_ordered_access(OrderedFile& file);
 
 }  // namespace gxrod

@@ -2,9 +2,14 @@
 
 #include <fcntl.h>
 
+#include <array>
 #include <catch2/catch.hpp>
+#include <fstream>
+#include <iterator>
 #include <memory>
+#include <string>
 
+#include "results/append_dataset.hpp"
 #include "results/sample.hpp"
 
 using namespace gxrod;
@@ -25,4 +30,42 @@ TEST_CASE("The file driver stays when its last file is closed", "[results]") {
         CHECK(hdf5.reset() >= 0);
         CHECK(H5Iis_valid(driver) > 0);
     }
+}
+
+TEST_CASE("Many chunks leave no gaps to keep account of, and no B-tree node across two pages", "[results]") {
+    silence_hdf5();
+    const sample::ScratchFolder folder;
+    const std::string path = folder / "a";
+    {
+        const auto file = std::make_shared<OrderedFile>(::open(path.c_str(), O_RDWR | O_CREAT, 0600));
+        const Hdf5Handle access = make_ordered_access(*file);
+        const Hdf5Handle hdf5(
+            H5Fcreate("results", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "creating the file");
+        const Hdf5Handle root(H5Gopen2(hdf5.id(), "/", H5P_DEFAULT), H5Gclose, "opening the root");
+        AppendDataset<double> vectors(root, {"vectors", "", "", ""}, RowShape{3, true}, 0);
+        AppendDataset<double> numbers(root, {"numbers", "", "", ""}, RowShape{1, false}, 0);
+        for (int row = 0; row < 200'000; ++row) {
+            const double value = row;
+            vectors.append(std::array{value, -value, 0.0});
+            numbers.append(std::array{value});
+        }
+        vectors.flush();
+        numbers.flush();
+        CHECK(H5Fget_free_sections(hdf5.id(), H5FD_MEM_DEFAULT, 0, nullptr) < 10);
+        REQUIRE(H5Fflush(hdf5.id(), H5F_SCOPE_LOCAL) >= 0);
+        file->commit();
+    }
+
+    std::ifstream stream(path, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    const std::string node_of_chunks = "TREE\x01";
+    constexpr std::size_t page = 4096;
+    constexpr std::size_t least_node = 2096;  // 64 places of chunks: HDF5's file format, III.A.1
+    int nodes = 0;
+    for (std::size_t at = bytes.find(node_of_chunks); at != std::string::npos;
+         at = bytes.find(node_of_chunks, at + 1), ++nodes) {
+        INFO("byte " << at);
+        CHECK(at % page <= page - least_node);
+    }
+    CHECK(nodes > 20);
 }
