@@ -24,6 +24,7 @@ sys.path.insert(0, str(SOURCE / "apps"))
 from gxrod_plot import style  # noqa: E402 — after the path to it
 
 STEPS = 1_000_000
+SHORT = 100_000  # steps of a run whose memory is compared with that of the long one
 SAMPLES = 400  # of each curve: the largest value of a part of the run
 BLOCK = 50_000  # rows read at once
 SCHEMES = ("newmark-simplified", "newmark-ibrahimbegovic", "generalized-alpha", "sdirk-4", "runge-kutta-4")
@@ -71,6 +72,21 @@ def read_drift(file):
             "orthogonality": orthogonality}
 
 
+def watch(arguments, said):
+    """Runs a program; returns the largest memory it had, in MB, and its seconds of processor time. What the kernel tells of
+    a child's largest memory counts this Python, as long as it was the child."""
+    process = subprocess.Popen(arguments, stdout=said)
+    largest = 0.0
+    while True:
+        ended, _, used = os.wait4(process.pid, os.WNOHANG)
+        if ended:
+            return largest, used.ru_utime
+        status = pathlib.Path(f"/proc/{process.pid}/status").read_text()
+        if "gxrod" in status.splitlines()[0] and (told := re.search(r"VmHWM:\s*(\d+) kB", status)):
+            largest = int(told[1]) / 1e3
+        time.sleep(0.01)
+
+
 def run(program, example, scheme, folder):
     step, changes = CASES[example]
     text = (SOURCE / "docs" / "examples" / example / f"{example}.toml").read_text()
@@ -85,18 +101,20 @@ def run(program, example, scheme, folder):
     told = subprocess.run([program, "check", *arguments], stdout=subprocess.PIPE, text=True, check=True).stdout
     predicted = float(re.search(r"^results: at least ([\d.e+]+) MB", told, re.M)[1])
     results = folder / "run.vtkhdf"
+    command = [program, "run", *arguments, "-o", str(results), "--force", "--quiet"]
+    early, _ = watch([*command, "--set", f"analysis.end_time={SHORT * step!r}"], subprocess.DEVNULL)
     started = time.monotonic()
     with open(folder / "summary.json", "w") as said:
-        process = subprocess.Popen([program, "run", *arguments, "-o", str(results), "--force", "--quiet", "--summary", "-"], stdout=said)
-        _, _, used = os.wait4(process.pid, 0)
+        memory, processor_seconds = watch([*command, "--summary", "-"], said)
     seconds = time.monotonic() - started
     summary = json.loads((folder / "summary.json").read_text())
     with h5py.File(results) as file:
         drift = read_drift(file)
     row = {"case": example, "scheme": scheme, "time_step": step, "status": summary["status"], "steps": summary["steps"],
            "newton_iterations": summary["newton_iterations"], "seconds": round(seconds, 1),
-           "processor_seconds": round(used.ru_utime, 1),
+           "processor_seconds": round(processor_seconds, 1),
            "megabytes": round(results.stat().st_size / 1e6, 1), "predicted_megabytes": predicted,
+           "memory": round(memory, 1), "early_memory": round(early, 1),
            "energy": float(drift["energy"].max()), "energy_at_end": drift["signed_energy"],
            "momentum": float(drift["momentum"].max()), "orthogonality": drift["orthogonality"],
            "energy_curve": [float(f"{value:.3g}") for value in largest_in_parts(drift["energy"])],
@@ -110,12 +128,13 @@ def run(program, example, scheme, folder):
 
 
 def make_table(rows):
-    lines = ["| motion | scheme | steps | energy, largest | at the end | momentum, largest | \\|ΛᵀΛ − I\\| | file, MB (predicted) |",
-             "|---|---|---|---|---|---|---|---|"]
+    lines = ["| motion | scheme | steps | energy, largest | at the end | momentum, largest | \\|ΛᵀΛ − I\\| | file, MB (predicted) | memory, MB (of 10⁵ steps) |",
+             "|---|---|---|---|---|---|---|---|---|"]
     for row in rows:
         steps = f"{row['steps']:,}".replace(",", "\u202f")
         lines.append(f"| {row['case']} | {row['scheme']} | {steps} | {row['energy']:.1e} | {row['energy_at_end']:+.1e} | "
-                     f"{row['momentum']:.1e} | {row['orthogonality']:.0e} | {row['megabytes']:.0f} ({row['predicted_megabytes']:.0f}) |")
+                     f"{row['momentum']:.1e} | {row['orthogonality']:.0e} | {row['megabytes']:.0f} ({row['predicted_megabytes']:.0f}) | "
+                     f"{row['memory']:.1f} ({row['early_memory']:.1f}) |")
     return "\n".join(lines)
 
 
