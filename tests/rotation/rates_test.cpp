@@ -231,7 +231,7 @@ void check_limits_at_half_turn(const Path& path, bool rises) {
 TEST_CASE("(3.12-3.13): the limits at half a turn", "[rotation][rates]") {
     samples::Random random(38);
     for (int i = 0; i < 50; ++i) {
-        const double rate = random.between(0.1, 2.0);
+        const double rate = std::pow(10.0, random.between(-3.0, 0.3));
         const double second = random.between(-2.0, 2.0);
         check_limits_at_half_turn(make_path_through_half_turn(random, rate, second), true);
         check_limits_at_half_turn(make_path_through_half_turn(random, -rate, second), false);
