@@ -57,12 +57,6 @@ SectionFields InterpolatedRod<Nodes>::interpolate(const ForcePoint& point, const
 }
 
 template <int Nodes>
-SectionFields InterpolatedRod<Nodes>::interpolate_middle(const LocalMotion<Nodes>& motion) {
-    const NodeValues<Nodes> slope = compute_shape_slopes<Nodes>(0.0);
-    return {motion.r * slope, motion.theta * compute_shape_functions<Nodes>(0.0), motion.theta * slope};
-}
-
-template <int Nodes>
 void InterpolatedRod<Nodes>::add_force(const ForcePoint& point,
                                        const Vec9& density,
                                        NodalVector<Nodes>& force) {
@@ -230,7 +224,7 @@ void InterpolatedRod<Nodes>::advance(const LocalMotion<Nodes>& motion,
                                      std::span<SectionHistory> histories) const {
     for (int p = 0; p < point_count; ++p) {
         const SectionFields fields = interpolate(force_point(p), motion);
-        histories[p] = {compute_section_axes(fields, histories[p]).normalized(),
+        histories[p] = {compute_section_axes(fields.theta, histories[p]).normalized(),
                         compute_total_curvature(fields, histories[p])};
     }
 }

@@ -88,8 +88,6 @@ class InterpolatedRod {
                                    const std::array<Vec6, 2>& end_resultants,
                                    double xi) const;
 
-    static SectionFields interpolate_middle(const LocalMotion<Nodes>& motion);
-
   private:
     struct ForcePoint {
         NodeValues<Nodes> shape;  // N_I

@@ -299,8 +299,8 @@ SectionValues RodElement<Nodes, Map>::section_values(const Motions<Nodes>& motio
     Quat axes;
     if constexpr (Nodes % 2 == 0) {
         // A force point lies in the middle.
-        const SectionFields fields = Rod::interpolate_middle(map.local());
-        axes = map.turn_out(compute_section_axes(fields, known[Nodes / 2 - 1]));
+        const Vec3 theta = map.local().theta * compute_shape_functions<Nodes>(0.0);
+        axes = map.turn_out(compute_section_axes(theta, known[Nodes / 2 - 1]));
     } else {
         axes = motions[Nodes / 2]->Lambda * triads()[Nodes / 2];
     }

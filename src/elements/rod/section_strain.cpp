@@ -10,14 +10,14 @@ Vec3 compute_total_curvature(const SectionFields& fields, const SectionHistory& 
     return history.K + history.Lambda.conjugate() * spun;
 }
 
-Quat compute_section_axes(const SectionFields& fields, const SectionHistory& history) {
-    return exp_quaternion(fields.theta) * history.Lambda;
+Quat compute_section_axes(const Vec3& theta, const SectionHistory& history) {
+    return exp_quaternion(theta) * history.Lambda;
 }
 
 Vec6 compute_strain(const SectionFields& fields,
                     const SectionHistory& history,
                     const ReferenceStrain& reference) {
-    const Quat Lambda = compute_section_axes(fields, history);
+    const Quat Lambda = compute_section_axes(fields.theta, history);
     Vec6 strain;
     strain << Lambda.conjugate() * fields.r_prime - reference.Gamma,
         compute_total_curvature(fields, history) - reference.Kappa;
@@ -27,7 +27,7 @@ Vec6 compute_strain(const SectionFields& fields,
 StrainGradient compute_strain_gradient(const SectionFields& fields, const SectionHistory& history) {
     const Mat3 T = tangent_map(fields.theta);
     const Mat3 Lambda_n = history.Lambda.toRotationMatrix();
-    const Mat3 Lambda_transposed = compute_section_axes(fields, history).conjugate().toRotationMatrix();
+    const Mat3 Lambda_transposed = compute_section_axes(fields.theta, history).conjugate().toRotationMatrix();
     StrainGradient gradient = StrainGradient::Zero();
     gradient.block<3, 3>(0, 0) = Lambda_transposed;
     gradient.block<3, 3>(0, 3) = Lambda_transposed * spin(fields.r_prime) * T;
@@ -41,7 +41,7 @@ Mat9 compute_geometric_hessian(const SectionFields& fields,
                                const SectionHistory& history,
                                const Vec6& resultants) {
     const Mat3 T = tangent_map(fields.theta);
-    const Vec3 n = compute_section_axes(fields, history) * resultants.head<3>();
+    const Vec3 n = compute_section_axes(fields.theta, history) * resultants.head<3>();
     const Vec3 m_n = history.Lambda * resultants.tail<3>();  // M turned to the axes of the last step
     const Mat3 spin_n = spin(n);
     const Mat3 spin_r = spin(fields.r_prime);
@@ -82,7 +82,7 @@ StrainGradient compute_strain_rate_gradient(const SectionFields& fields,
     const Vec3& theta = fields.theta;
     const Mat3 T = tangent_map(theta);
     const Mat3 Lambda_n_transposed = history.Lambda.conjugate().toRotationMatrix();
-    const Mat3 Lambda_transposed = compute_section_axes(fields, history).conjugate().toRotationMatrix();
+    const Mat3 Lambda_transposed = compute_section_axes(fields.theta, history).conjugate().toRotationMatrix();
     const Vec3 omega = T * rates.theta;
     const Vec3 y = rates.r_prime + fields.r_prime.cross(omega);  // Γ̇ = Λᵀ y
     StrainGradient gradient = StrainGradient::Zero();

@@ -35,7 +35,7 @@ Vec6 compute_strain(const SectionFields& fields,
 Vec3 compute_total_curvature(const SectionFields& fields, const SectionHistory& history);
 
 // Λ = exp(θ) Λ_n.
-Quat compute_section_axes(const SectionFields& fields, const SectionHistory& history);
+Quat compute_section_axes(const Vec3& theta, const SectionHistory& history);
 
 // The derivative of the strains with respect to (r′, θ, θ′).
 StrainGradient compute_strain_gradient(const SectionFields& fields, const SectionHistory& history);

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "elements/element_samples.hpp"
+#include "elements/rod/shape_functions.hpp"
 #include "rotation/rotation_map.hpp"
 
 using namespace gxrod;
@@ -82,5 +83,22 @@ TEST_CASE("a point between the nodes goes with a rigid motion", "[elements]") {
         CHECK((after.motion.r - turn * before.motion.r - shift).norm() < 1e-13);
         CHECK(after.motion.Lambda.angularDistance(turn * before.motion.Lambda) < 1e-7);
         CHECK((after.triad.coeffs() - before.triad.coeffs()).norm() == 0.0);
+    });
+}
+
+TEST_CASE("at force points, strains of damped rods are those of the motion", "[elements]") {
+    for_each_rod_sample([](const auto& sample) {
+        INFO(sample.name);
+        constexpr int nodes = std::remove_cvref_t<decltype(sample)>::node_count;
+        constexpr int points = nodes - 1;
+        REQUIRE(sample.element.is_damped());
+        // Values of the middle are those of the point there, or the mean of the two beside it.
+        const SectionValues middle =
+            sample.element.section_values(sample.point_at(sample.motions), sample.histories);
+        const auto rule = compute_gauss_rule<points>();
+        const PointValues left = values_at(sample, sample.motions, rule[(points - 1) / 2].xi);
+        const PointValues right = values_at(sample, sample.motions, rule[points / 2].xi);
+        CHECK((0.5 * (left.strain + right.strain) - middle.strain).norm() < 1e-13);
+        CHECK((0.5 * (left.curvature + right.curvature) - middle.curvature).norm() < 1e-13);
     });
 }
