@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "elements/element_samples.hpp"
+#include "elements/rigid_body.hpp"
 #include "elements/rod/rod_run.hpp"
 #include "tools/difference.hpp"
 
@@ -188,4 +189,6 @@ TEST_CASE("the largest relative rotation is that between middle nodes or of a no
     // None is interpolated.
     RodRun<SimoElement<2>> run(line, 1.0, 1, {"tube", Mat6::Identity(), Mat6::Identity()});
     CHECK(run.elements[0].largest_relative_rotation(run.motions_of(0)) == 0.0);
+    const NodeMotion motion;
+    CHECK(RigidBody(Body{}).largest_relative_rotation({&motion}) == 0.0);
 }
