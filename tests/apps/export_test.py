@@ -2,15 +2,13 @@
 
 import csv
 import json
-import resource
-import signal
 import subprocess
 import time
 import unittest
 
 import h5py
 import numpy as np
-from program import GXROD, SOURCE, SPINNING_BODY, ProgramTest
+from program import GXROD, SOURCE, SPINNING_BODY, ProgramTest, limit_file_size
 
 
 def read_table(path):
@@ -136,12 +134,8 @@ steps = 2
             run.wait()
 
     def test_a_full_disk_is_told(self):
-        def limit_file_sizes():
-            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-            resource.setrlimit(resource.RLIMIT_FSIZE, (5000, 5000))
-
         for form, file in (("--csv", "ledger.csv"), ("--series", "body_0000.hdf")):
-            done = self.gxrod("export", "body.vtkhdf", form, "full", code=4, preexec_fn=limit_file_sizes)
+            done = self.gxrod("export", "body.vtkhdf", form, "full", code=4, preexec_fn=limit_file_size(5000))
             self.assertIn(f"full/{file}: cannot be written (File too large)", done.stderr)
 
     def test_what_cannot_be_exported(self):

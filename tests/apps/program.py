@@ -3,7 +3,9 @@
 import os
 import pathlib
 import re
+import resource
 import shlex
+import signal
 import subprocess
 import sys
 import tempfile
@@ -46,6 +48,17 @@ def commands_of(page):
     blocks = [block for language, block in fenced if not language]
     lines = [line for block in blocks for line in block.splitlines()]
     return [line for line in lines if line.startswith(COMMANDS)]
+
+
+def limit_file_size(size):
+    """What a program is to do before it starts, so that its files end after so many bytes: a full disk, as far as it can
+    tell, since writes fail with no signal."""
+    def limit():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+        os.environ["GCOV_PREFIX"] = "/dev/null"  # lest it cuts off what tests/coverage counts
+
+    return limit
 
 
 class ProgramTest(unittest.TestCase):

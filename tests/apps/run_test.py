@@ -3,7 +3,6 @@
 import hashlib
 import json
 import os
-import resource
 import signal
 import subprocess
 import time
@@ -12,13 +11,7 @@ import unittest
 import h5py
 import numpy as np
 
-from program import GXROD, SPINNING_BODY, ProgramTest
-
-
-def limit_file_size():
-    # A full disk, as far as the program can tell: writes fail, with no signal.
-    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-    resource.setrlimit(resource.RLIMIT_FSIZE, (60000, 60000))
+from program import GXROD, SPINNING_BODY, ProgramTest, limit_file_size
 
 
 LONG_ROD = """gravity = [0, 0, -9.81]
@@ -161,7 +154,7 @@ class Run(ProgramTest):
 
     def test_a_full_disk_ends_the_run_and_keeps_a_readable_file(self):
         done = self.gxrod("run", "body.toml", "--set", "analysis.steps=200000", "--set", "output.every=20000", code=4,
-                          preexec_fn=limit_file_size)
+                          preexec_fn=limit_file_size(60000))
         self.assertIn("body.vtkhdf", done.stderr)
         with h5py.File(self.folder / "body.vtkhdf") as file:
             self.assertGreaterEqual(len(file["histories/time"]), 0)
