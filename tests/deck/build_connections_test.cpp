@@ -91,6 +91,20 @@ TEST_CASE("Points that are not at one place are not connected", "[deck]") {
           R"(x.toml:24:20: connect[0].points[1]: "r@1" is the same point as "r.end")");
 }
 
+TEST_CASE("An element whose ends become one node is refused", "[deck]") {
+    const std::string line = "line = { from = [0, 0, 0], to = [10, 0, 0] }";
+    const std::string ring =
+        replaced(replaced(rod_deck, line, "spline = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0]]"),
+                 "elements = 10",
+                 "elements = 1\norder = 4") +
+        connect(R"("r.start", "r.end")");
+    CHECK(faults_of(ring) ==
+          "x.toml:15:10: connect[0].points: both ends of an element of rod.r become one node; give the rod "
+          "two elements at "
+          "least between them");
+    CHECK(faults_of(replaced(ring, "elements = 1", "elements = 2")).empty());
+}
+
 TEST_CASE("Connections name two points of rods at least", "[deck]") {
     CHECK(
         faults_of(branch + connect(R"("r.end")")) ==
