@@ -223,6 +223,22 @@ TEST_CASE("errors of step and mesh are estimated, and are those that are there",
     CHECK(estimated < 2.0 * error);
 }
 
+TEST_CASE("without histories, the ends of rods and the bodies are followed", "[verification]") {
+    const DeckStudy bodies = study(
+        "[body.top]\nmass = 2\ninertia = [1, 2, 3]\nat = [1, 0, 0]\n"
+        "velocity = [0.5, 0, 0]\nangular_velocity = [0.1, 2, 0.1]\n"
+        "[analysis]\nkind = \"dynamic\"\nend_time = 1\nsteps = 50\n",
+        {VariantKind::finer_steps, VariantKind::turned});
+    CHECK_FALSE(bodies.has_own_histories);
+    REQUIRE(bodies.series.size() == 2);
+    CHECK(find(bodies, "top position").relative(find(bodies, "top position").turned_difference) < 1e-12);
+    CHECK(*find(bodies, "top orientation").steps.order == Approx(2.0).margin(0.1));
+    // Half a metre a second along x.
+    const HistoryPoint::Row& place = bodies.base_rows[0].back();
+    CHECK(place[0] == Approx(1.5).epsilon(1e-13));
+    CHECK(bodies.is_sound());
+}
+
 TEST_CASE("stopping and threads change nothing", "[verification]") {
     const DeckStudy study_of = study(swing, {VariantKind::resumed, VariantKind::two_threads});
     REQUIRE(study_of.runs.size() == 3);
