@@ -57,6 +57,16 @@ expression = "f(t)")x") == "x.toml:9:14: function.f.expression: the function dep
 expression = "f(t)")x") == "x.toml:9:14: function.f.expression: the function depends on itself: f → f");
 }
 
+TEST_CASE("A function may be a whole number", "[deck]") {
+    const Model model = read(body_deck + R"x([function.f]
+expression = 3
+[[load]]
+at = "top"
+force = ["f(t)*t", 0, 0])x")
+                            .model;
+    CHECK(model.loads.at(0).force[0](0.5) == 1.5);
+}
+
 TEST_CASE("A wrong function is reported once", "[deck]") {
     CHECK(faults_of(body_deck + R"x([function.f]
 expression = "1 +"

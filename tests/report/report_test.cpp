@@ -36,8 +36,8 @@ void write_still(const std::filesystem::path& path, const DeckRecord& deck, cons
     file.close(RunStatus::complete, "");
 }
 
-// A rod of 25 000 elements, with supports at 500 of its last nodes and 300 loads there.
-Problem make_large_problem() {
+// A rod of 25 000 elements, with supports at 500 of its last nodes, or more, and 300 loads there, or more.
+Problem make_large_problem(int supports = 500, int loads = 300) {
     std::string deck = R"(
 [section.s]
 stiffness = { EA = 1, GAy = 1, GAz = 1, GJ = 1, EIy = 1, EIz = 1 }
@@ -48,10 +48,10 @@ elements = 25000
 [analysis]
 kind = "static"
 )";
-    for (int i = 0; i < 500; ++i) {
+    for (int i = 0; i < supports; ++i) {
         const double place = 1.0 - 0.001 * i;
         deck += fmt::format("[[support]]\nat = \"r@{}\"\nfix = \"all\"\n", place);
-        if (i < 300) deck += fmt::format("[[load]]\nat = \"r@{}\"\nforce = [0, 0, 1]\n", place);
+        if (i < loads) deck += fmt::format("[[load]]\nat = \"r@{}\"\nforce = [0, 0, 1]\n", place);
     }
     return read_problem_text(deck, "large.toml");
 }
@@ -125,6 +125,16 @@ TEST_CASE("Numbers of nodes have their room in a budget", "[report]") {
         CHECK(summary.bytes <= budget);
         (summary.left_out.size() > all ? small : large) = budget;
     }
+}
+
+TEST_CASE("Of very many supports and loads the first are drawn", "[report]") {
+    const sample::ScratchFolder folder;
+    const Problem problem = make_large_problem(503, 302);
+    write_still(folder / "a.vtkhdf", problem.record, problem.model);
+    const ReportSummary summary = write_report({folder / "a.vtkhdf", folder / "a.html", 100'000'000});
+    CHECK_THAT(summary.left_out,
+               Catch::VectorContains(std::string("Of 302 arrows of loads, the first 300 are drawn.")) &&
+                   Catch::VectorContains(std::string("Of 503 supports, the first 500 are drawn.")));
 }
 
 TEST_CASE("Very many bodies fit, of which the first are drawn", "[report]") {

@@ -150,6 +150,13 @@ TEST_CASE("Counts that are none are an error", "[results]") {
     CHECK(damaged.resume_fault() == "cannot be resumed: its state has a count that is none");
 }
 
+TEST_CASE("A state of another version is not gone on from", "[results]") {
+    Damaged damaged;
+    damaged.replace_attribute("/restart", "version", {}, 99.0);
+    CHECK(damaged.resume_fault() ==
+          "cannot be resumed: its state was written in another form, by another version of gxrod");
+}
+
 TEST_CASE("A list where one value belongs is an error", "[results]") {
     Damaged slots;
     slots.replace_attribute("/restart", "slot", {1000});

@@ -5,7 +5,9 @@
 #include <numbers>
 
 #include "integrators/integrator.hpp"
+#include "model/parts.hpp"
 #include "rotation/rotation_map.hpp"
+#include "solvers/free_motions.hpp"
 #include "solvers/mechanisms.hpp"
 #include "state/increment.hpp"
 #include "tools/tops.hpp"
@@ -188,4 +190,17 @@ TEST_CASE("without unknowns or finite values there is no weakness", "[solvers]")
     const System system(model);
     const State state = system.initial_state();
     CHECK_FALSE(describe_weakness(system, state, compute_static_tangent(system, state)));
+}
+
+TEST_CASE("a screw is none of the simple motions", "[solvers]") {
+    const Model model = make_cantilever({});
+    const System system(model);
+    const State state = system.initial_state();
+    const ModelPart part = find_parts(model).front();
+    const auto describe = [&](const Vec3& displacement, const Vec3& rotation) {
+        return describe_rigid_motion({displacement, rotation, Vec3(1.0, 0.0, 0.0)}, part, system, state);
+    };
+    CHECK(describe({0.0, 2.0, 0.0}, {0.0, 3.0, 0.0}) == "moves and turns as a whole");
+    CHECK(describe({0.0, 0.0, 0.0}, {0.0, 3.0, 0.0}) == "turns about y through cable.start");
+    CHECK(describe({0.0, 2.0, 0.0}, {0.0, 0.0, 0.0}) == "moves along y");
 }
