@@ -83,7 +83,7 @@ RodPiece<Nodes> make_rod_piece(RandomValues& random) {
     section.mass.bottomLeftCorner<3, 3>() = rho_A * offset;
     section.mass.bottomRightCorner<3, 3>() = random.positive_definite<3>() - rho_A * offset * offset;
     section.kelvin_voigt = 0.3;
-    section.mass_proportional = 0.7;
+    section.mass_proportional = 0.09;
     const Quat axes = random.rotation();
     const Vec3 start = random.vector();
     const Vec3 turn = random.vector(0.4);

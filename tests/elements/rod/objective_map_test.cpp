@@ -177,6 +177,7 @@ TEST_CASE("the largest relative rotation is that between middle nodes or of a no
     const auto check = [&]<class E>(std::type_identity<E>) {
         INFO(name_of_rod<E>());
         RodRun<E> run(line, 1.0, 1, {"tube", Mat6::Identity(), Mat6::Identity()});
+        CHECK(run.elements[0].largest_relative_rotation(run.motions_of(0)) == 0.0);
         constexpr double turn = 1.2;
         run.strain(Vec3::Zero(), turn * Vec3::UnitY(), Quat::Identity());
         const double to_triad = 0.5 * turn;

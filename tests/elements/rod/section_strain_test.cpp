@@ -54,8 +54,8 @@ TEST_CASE("strains are those of the interpolated section axes", "[elements][rod]
             curvature - it.reference.Kappa;
         CHECK(relative_difference(compute_strain(it.fields, it.history, it.reference), expected) < 1e-10);
         CHECK(relative_difference(compute_total_curvature(it.fields, it.history), curvature) < 1e-10);
-        CHECK(relative_difference(compute_section_axes(it.fields.theta, it.history).toRotationMatrix(), axes(0.0)) <
-              1e-14);
+        CHECK(relative_difference(compute_section_axes(it.fields.theta, it.history).toRotationMatrix(),
+                                  axes(0.0)) < 1e-14);
     }
 }
 

@@ -50,6 +50,8 @@ void check_gauss_rule() {
             CHECK(error > 5e-4);  // one degree more is beyond the rule
         }
     }
+    const auto rule = compute_gauss_rule<Points>();
+    for (int i = 1; i < Points; ++i) CHECK(rule[i].xi > rule[i - 1].xi);
 }
 
 }  // namespace
