@@ -1,7 +1,17 @@
 """Where a C++ source can be made wrong by one sign or one coefficient, and how."""
 
 import dataclasses
+import pathlib
 import re
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+GROUPS = {
+    "rotation": ["src/rotation/*.cpp", "src/rotation/*.hpp"],
+    "strain and tangent": ["src/elements/*.cpp", "src/elements/*.hpp", "src/elements/rod/*.cpp", "src/elements/rod/*.hpp"],
+    "several elements at once": ["src/elements/lanes/*.cpp", "src/elements/lanes/*.hpp"],
+    "time integration": ["src/integrators/*.cpp", "src/integrators/*.hpp"],
+    "loads and supports": ["src/loads/*.cpp", "src/constraints/*.cpp"],
+}
 
 # Code that is not computed with: comments, texts, the preprocessor, what a debug build asserts.
 SKIPPED = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'|^[ \t]*#[^\n]*'
@@ -82,3 +92,18 @@ def apply(text, sites, how):
     for site in sorted(sites, key=lambda site: -site.start):
         text = text[:site.start] + how(site) + text[site.end:]
     return text
+
+
+def collect_sites(groups):
+    """All sites of these groups, numbered from 1 on in an order that does not depend on the choice of groups."""
+    sites, number = [], 0
+    for group, patterns in GROUPS.items():
+        for pattern in patterns:
+            for path in sorted(SOURCE.glob(pattern)):
+                file = path.relative_to(SOURCE).as_posix()
+                for site in find_sites(file, path.read_text()):
+                    number += 1
+                    site.number = number
+                    if group in groups:
+                        sites.append((group, site))
+    return sites

@@ -6,9 +6,8 @@ import pathlib
 import re
 import subprocess
 
-from sites import apply
+from sites import SOURCE, apply
 
-SOURCE = pathlib.Path(__file__).resolve().parents[2]
 ERROR = re.compile(r"^(?P<file>[^\s:]+):(?P<line>\d+):\d+: (?:fatal )?error:|^\s+(?:required from|from) .*?(?P<from>[^\s:]+):(?P<at>\d+)", re.M)
 
 
