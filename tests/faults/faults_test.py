@@ -13,10 +13,11 @@ from catalogue import FAULTS, run_fault
 from decks import DECKS, LARGE
 from memory_faults import judge_memory_error, run_limited
 from table import read_record, write_table
+from writing_faults import may_mount
 
 SANITIZED = os.environ["GXROD_SANITIZED"] == "1"
 # Trials of each. Sanitizers slow every run, and want memory of their own; other tests kill and interrupt runs under them.
-COUNTS = {"kill": 3, "sigterm": 2, "ctrl_c_twice": 2, "file_size_limit": 3,
+COUNTS = {"kill": 3, "sigterm": 2, "ctrl_c_twice": 2, "file_size_limit": 3, "small_disk": 2, "kill_resumed": 2,
           "kill_in_write": 12, "torn_write": 3, "disk_full": 9, "disk_full_once": 3, "io_error": 3,
           "read_only": 1, "removed": 1, "moved": 1, "locked": 1, "clock_jumps": 1, "short_writes": 2,
           "truncated": 3, "memory_limit": 0, "allocation": 20, "kill_batch": 1, "kill_worker": 1}
@@ -36,6 +37,8 @@ class Faults(unittest.TestCase):
         count = (SANITIZED_COUNTS if SANITIZED else COUNTS)[name]
         if count == 0:
             self.skipTest("tests/faults/campaign tries it")
+        if name == "small_disk" and not may_mount():
+            self.skipTest("this machine does not let its users have disks of their own")
         trials = run_fault(name, self.bench, QUICK, count, random.Random(name))
         self.assertGreaterEqual(len(trials), count)
         self.assertEqual([trial.lost for trial in trials if trial.lost], [])

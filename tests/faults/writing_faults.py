@@ -3,9 +3,10 @@
 import re
 import resource
 import signal
+import subprocess
 import time
 
-from bench import Trial, describe_end
+from bench import NOTHING_TO_RESUME, Trial, describe_end
 
 
 def at_calls(fault):
@@ -82,6 +83,65 @@ def limit_file_size(bench, deck, random):
     return bench.recover(deck, Trial(describe_end(done.returncode), "", message=done.stderr.strip(), lost=lost))
 
 
+# A disk of its own, in memory, that something else fills up after so many seconds; what the run left there is copied out.
+SMALL_DISK = """mount -t tmpfs -o size="$1" tmpfs disk || exit 99
+path=$2 seconds=$3
+shift 3
+"$@" &
+sleep "$seconds"
+cat /dev/zero > disk/other 2>/dev/null
+wait $!
+code=$?
+rm disk/other
+[ ! -e "disk/$path" ] || cp "disk/$path" "$path"
+exit $code"""
+UNSHARE = ["unshare", "--user", "--map-root-user", "--mount"]
+
+
+def may_mount():
+    """Whether this machine lets anybody have a disk of their own."""
+    done = subprocess.run([*UNSHARE, "mount", "-t", "tmpfs", "tmpfs", "/mnt"], capture_output=True, check=False)
+    return done.returncode == 0
+
+
+def fill_disk(bench, deck, random):
+    """A disk that something else fills up, at a random moment of a run."""
+    bench.path(deck).unlink(missing_ok=True)
+    (bench.folder / "disk").mkdir(exist_ok=True)
+    seconds = bench.seconds(deck)
+    room = 2 * bench.whole(deck, is_long=True)[0].stat().st_size + (1 << 20)
+    name = bench.path(deck).name
+    arguments = bench.arguments(deck, is_long=True, name=f"disk/{name}")
+    done = subprocess.run([*UNSHARE, "sh", "-c", SMALL_DISK, "sh", str(room), name, str(random.uniform(0.0, seconds)), bench.program,
+                           *map(str, arguments), "--quiet"],
+                          cwd=bench.folder, text=True, capture_output=True, timeout=300, check=False,
+                          env=bench.environment(CLOCK_TICK=deck.tick))
+    lost = judge_write_error(done, name)
+    # A run that begins when the disk is full already is refused with the size that it would need.
+    if done.returncode == 4 and re.search(rf"{name}: would take more than \S+ GB, .* are free", done.stderr):
+        lost = ""
+    trial = Trial(describe_end(done.returncode), "", message=done.stderr.strip(), lost=lost)
+    return bench.recover(deck, trial, is_long=True)
+
+
+def kill_resumed(bench, deck, random):
+    """A kill at a random moment of a run, and another of what goes on from there."""
+    bench.path(deck).unlink(missing_ok=True)
+    seconds = bench.seconds(deck)
+    code, errors = 0, ""
+    for arguments in ([*bench.arguments(deck, is_long=True), "--quiet"],
+                      ["resume", bench.path(deck).name, "--threads", deck.threads]):
+        process = bench.start(*arguments, environment=bench.environment(CLOCK_TICK=deck.tick))
+        time.sleep(random.uniform(0.0, seconds))
+        process.kill()
+        errors = process.communicate(timeout=300)[1]
+        code = process.returncode
+    trial = Trial(describe_end(code), "", message=errors.strip())
+    if code not in (-signal.SIGKILL, 0) and not re.search(NOTHING_TO_RESUME + "|no such file", errors):
+        trial.lost = f"{trial.end}: {errors}"
+    return bench.recover(deck, trial, is_long=True)
+
+
 # Signals before the program listens end it as any other.
 SIGNALLED = (-signal.SIGINT, -signal.SIGTERM, 130, 0)
 RANDOM_FAULTS = {
@@ -89,6 +149,8 @@ RANDOM_FAULTS = {
     "sigterm": at_moment(terminate, SIGNALLED),
     "ctrl_c_twice": at_moment(interrupt_twice, SIGNALLED),
     "file_size_limit": limit_file_size,
+    "small_disk": fill_disk,
+    "kill_resumed": kill_resumed,
 }
 CALL_FAULTS = {
     "kill_in_write": at_calls("kill"),
