@@ -13,8 +13,8 @@ function(gxrod_join_sources target)
     set_source_files_properties("${CMAKE_MATCH_2}" PROPERTIES UNITY_GROUP "${CMAKE_MATCH_1}")
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # Inlined otherwise and with sanitizers, g++ 12 sees values of std::optional used before they are set.
-  if(GXROD_SANITIZE)
-    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-  endif()
+  # Inlined otherwise, g++ 12 sees values of std::optional, and Eigen's, used before they are set, and copies of texts out of
+  # bounds.
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized;-Wno-array-bounds;
+    -Wno-stringop-overflow;-Wno-stringop-overread>)
 endfunction()
