@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "results/ordered_driver.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -92,7 +94,7 @@ void AppendDataset<Number>::create(const Hdf5Handle& group, const DatasetLabel& 
     const int rank = shape_.is_vector ? 2 : 1;
     const std::array<hsize_t, 2> size{0, columns};
     const std::array<hsize_t, 2> limit{H5S_UNLIMITED, columns};
-    constexpr hsize_t usual_bytes = 4096;
+    constexpr hsize_t usual_bytes = text_heap_bytes - sizeof(Number);  // not to be taken for one
     const hsize_t usual_rows = std::max<hsize_t>(1, usual_bytes / (columns * sizeof(Number)));
     const std::array<hsize_t, 2> chunk{chunks.rows > 0 ? chunks.rows : usual_rows, columns};
 

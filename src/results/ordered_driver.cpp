@@ -65,15 +65,24 @@ herr_t set_allocated(H5FD_t* base, H5FD_mem_t, haddr_t end) {
     return 0;
 }
 
-// New room at the end. A killed write ends between two pages of memory, so metadata that fits into a page is
-// not put across two. HDF5's own alignment and blocks of metadata would leave gaps that it keeps account of
-// in memory, as long as the file is open: as many as there are chunks.
+// Bytes after a piece that keep HDF5 from making it longer when it is the last of the file.
+constexpr haddr_t hedge = 8;
+
+bool is_within_page(H5FD_mem_t type, hsize_t size) {
+    return type != H5FD_MEM_DRAW || size == text_heap_bytes;
+}
+
+// New room at the end. A killed write ends between two pages of memory, so what HDF5 needs whole, metadata
+// and heaps of texts, is not put across two if it fits into one, and stays there. HDF5's own alignment and
+// blocks of metadata would leave gaps that it keeps account of in memory, as long as the file is open: as
+// many as there are chunks.
 haddr_t allocate(H5FD_t* base, H5FD_mem_t type, hid_t, hsize_t size) {
     constexpr haddr_t page = 4096;
+    const bool is_whole = is_within_page(type, size);
     haddr_t start = get_allocated(base, type);
     const haddr_t in_page = start % page;
-    if (type != H5FD_MEM_DRAW && in_page != 0 && in_page + size > page) start += page - in_page;
-    set_allocated(base, type, start + size);
+    if (is_whole && in_page != 0 && in_page + size > page) start += page - in_page;
+    set_allocated(base, type, start + size + (is_whole ? hedge : 0));
     return start;
 }
 

@@ -4,12 +4,15 @@
 
 #include <array>
 #include <catch2/catch.hpp>
-#include <fstream>
-#include <iterator>
+#include <cstdint>
+#include <cstring>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "deck/text_file.hpp"
 #include "results/append_dataset.hpp"
+#include "results/hdf5_objects.hpp"
 #include "results/sample.hpp"
 
 using namespace gxrod;
@@ -56,8 +59,7 @@ TEST_CASE("Many chunks leave no gaps to keep account of, and no B-tree node acro
         file->commit();
     }
 
-    std::ifstream stream(path, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+    const std::string bytes = read_text_file(path);
     const std::string node_of_chunks = "TREE\x01";
     constexpr std::size_t page = 4096;
     constexpr std::size_t least_node = 2096;  // 64 places of chunks: HDF5's file format, III.A.1
@@ -68,4 +70,37 @@ TEST_CASE("Many chunks leave no gaps to keep account of, and no B-tree node acro
         CHECK(at % page <= page - least_node);
     }
     CHECK(nodes > 20);
+}
+
+TEST_CASE("A heap of texts keeps to one page, and is not made longer", "[results]") {
+    silence_hdf5();
+    const sample::ScratchFolder folder;
+    const std::string path = folder / "a";
+    {
+        const auto file = std::make_shared<OrderedFile>(::open(path.c_str(), O_RDWR | O_CREAT, 0600));
+        const Hdf5Handle access = make_ordered_access(*file);
+        const Hdf5Handle hdf5(
+            H5Fcreate("results", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "creating the file");
+        const Hdf5Handle root(H5Gopen2(hdf5.id(), "/", H5P_DEFAULT), H5Gclose, "opening the root");
+        const std::vector<std::uint8_t> odd(1001);
+        for (int i = 0; i < 20; ++i) {
+            write_dataset(root, {"bytes" + std::to_string(i), "", "", ""}, odd);
+            write_attribute(root.id(), "text" + std::to_string(i), std::string(700, 'a'));
+            REQUIRE(H5Fflush(hdf5.id(), H5F_SCOPE_LOCAL) >= 0);
+            file->commit();
+        }
+    }
+
+    const std::string bytes = read_text_file(path);
+    constexpr std::size_t page = 4096;
+    int heaps = 0;
+    for (std::size_t at = bytes.find("GCOL"); at != std::string::npos;
+         at = bytes.find("GCOL", at + 1), ++heaps) {
+        std::uint64_t size = 0;  // HDF5's file format, III.E
+        std::memcpy(&size, bytes.data() + at + 8, sizeof size);
+        INFO("byte " << at);
+        CHECK(at % page == 0);
+        CHECK(size == page);
+    }
+    CHECK(heaps >= 4);
 }
