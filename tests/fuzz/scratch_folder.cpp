@@ -20,6 +20,8 @@ ScratchFolder::~ScratchFolder() {
 
 std::filesystem::path ScratchFolder::write(const std::string& name, std::string_view bytes) const {
     const std::filesystem::path path = path_ / name;
+    // A new file: what HDF5 could not close goes on holding the lock of the one before.
+    std::filesystem::remove(path);
     std::ofstream file(path, std::ios::binary | std::ios::trunc);
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     if (!file.flush()) throw std::runtime_error("cannot write " + path.string());
