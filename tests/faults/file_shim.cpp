@@ -3,7 +3,8 @@
 //
 //   FAULT      kill     the process is killed before the call
 //              torn     some of the pages that the call writes are written, then the process is killed: the
-//                       system looks for that signal between pages of memory, not within one
+//                       system looks for that signal between pages of memory, not within one; other calls
+//                       than writes are not done
 //              full     this and every later call that takes room fails: no space left on the device
 //              once     this call alone fails so
 //              io       this call alone fails: input/output error
@@ -64,16 +65,19 @@ bool is_file(int descriptor) {
     return ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
 }
 
+enum class Call { write, growth, other };
+
 // Counts a call. True if it is to fail, with errno as the device would set it.
-bool fails(bool takes_room) {
+bool fails(Call kind) {
     const long call = ++calls;
+    const bool takes_room = kind != Call::other;
     if (fault == Fault::full && fault_at > 0 && call >= fault_at && takes_room) {
         errno = ENOSPC;
         return true;
     }
     if (call != fault_at) return false;
     if (fault == Fault::kill) die();
-    if (fault == Fault::torn && !takes_room) die();
+    if (fault == Fault::torn && kind != Call::write) die();
     if (fault != Fault::once && fault != Fault::io) return false;
     errno = fault == Fault::io ? EIO : ENOSPC;
     return true;
@@ -90,7 +94,7 @@ std::size_t cut_at_page(std::size_t size, off64_t offset) {
 // Writes `size` bytes by `write_part(bytes)`, or what the fault leaves of it.
 template <class WritePart>
 ssize_t write_faultily(std::size_t size, off64_t offset, WritePart&& write_part) {
-    if (fails(true)) return -1;
+    if (fails(Call::write)) return -1;
     if (fault == Fault::torn && calls == fault_at) {
         write_part(cut_at_page(size, offset));
         die();
@@ -130,7 +134,7 @@ ssize_t write(int descriptor, const void* bytes, std::size_t size) {
 
 ssize_t writev(int descriptor, const iovec* parts, int count) {
     static const auto write_real = real(&::writev, "writev");
-    if (is_file(descriptor) && fails(true)) return -1;
+    if (is_file(descriptor) && fails(Call::growth)) return -1;
     return write_real(descriptor, parts, count);
 }
 
@@ -138,7 +142,7 @@ int ftruncate64(int descriptor, off64_t size) noexcept {
     static const auto truncate_real = real(&::ftruncate64, "ftruncate64");
     struct stat status {};
     const bool grows = ::fstat(descriptor, &status) == 0 && size > status.st_size;
-    if (fails(grows)) return -1;
+    if (fails(grows ? Call::growth : Call::other)) return -1;
     return truncate_real(descriptor, size);
 }
 
@@ -146,19 +150,19 @@ int ftruncate(int descriptor, off_t size) noexcept { return ::ftruncate64(descri
 
 int rename(const char* before, const char* after) noexcept {
     static const auto rename_real = real(&::rename, "rename");
-    if (fails(false)) return -1;
+    if (fails(Call::other)) return -1;
     return rename_real(before, after);
 }
 
 int unlink(const char* path) noexcept {
     static const auto unlink_real = real(&::unlink, "unlink");
-    if (fails(false)) return -1;
+    if (fails(Call::other)) return -1;
     return unlink_real(path);
 }
 
 int remove(const char* path) noexcept {
     static const auto remove_real = real(&::remove, "remove");
-    if (fails(false)) return -1;
+    if (fails(Call::other)) return -1;
     return remove_real(path);
 }
 
@@ -170,7 +174,7 @@ int open64(const char* path, int flags, ...) {
         va_start(arguments, flags);
         mode = va_arg(arguments, mode_t);
         va_end(arguments);
-        if (fails(true)) return -1;
+        if (fails(Call::growth)) return -1;
     }
     return open_real(path, flags, mode);
 }
