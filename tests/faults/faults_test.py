@@ -81,7 +81,10 @@ class Faults(unittest.TestCase):
 
 
 def add_test(name):
-    setattr(Faults, f"test_{name}", lambda self: self.check(name))
+    def test(self):
+        self.check(name)
+
+    setattr(Faults, f"test_{name}", test)
 
 
 for fault in FAULTS.keys() - {"kill_in_write", "disk_full", "allocation"}:
