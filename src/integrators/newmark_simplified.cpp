@@ -42,7 +42,7 @@ void NewmarkSimplified::linearize_nodes_as_paper(const State&,
     const double acceleration = newmark_.acceleration_rate(stage.time_step);
     const NodeLinearization same{
         1.0, rate, acceleration, rate * Mat3::Identity(), acceleration * Mat3::Identity()};
-    std::fill(linearizations.begin() + nodes.first, linearizations.begin() + nodes.last, same);
+    for (std::size_t i = nodes.first; i < nodes.last; ++i) linearizations[i] = same;
 }
 
 }  // namespace gxrod

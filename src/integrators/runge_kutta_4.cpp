@@ -71,8 +71,7 @@ void RungeKutta4::linearize_nodes(const State&,
                                   const Stage&,
                                   NodeRange nodes,
                                   std::vector<NodeLinearization>& linearizations) const {
-    std::fill(
-        linearizations.begin() + nodes.first, linearizations.begin() + nodes.last, mass_linearization());
+    for (std::size_t i = nodes.first; i < nodes.last; ++i) linearizations[i] = mass_linearization();
 }
 
 void RungeKutta4::finish_nodes(State& state, const Stage& stage, NodeRange nodes) const {

@@ -26,6 +26,19 @@ struct Parameters {
 
 }  // namespace
 
+TEST_CASE("generalized-alpha begins a step as if A_n went on", "[integrators]") {
+    const GeneralizedAlpha scheme(0.4);
+    State state = make_random_state(scheme, 92);
+    scheme.begin_stage(state, make_stage(0));
+    const NodeMotion& previous = state.previous[1];
+    const AlgorithmicAcceleration& A_n = state.algorithmic_previous[1];
+    const auto predict = [](const Vec3& rate, const Vec3& acceleration) -> Vec3 {
+        return dt * rate + 0.5 * dt * dt * acceleration;
+    };
+    CHECK(relative_difference(state.trial[1].r - previous.r, predict(previous.v, A_n.a)) < 1e-13);
+    CHECK(relative_difference(state.trial[1].theta, predict(previous.omega, A_n.alpha)) < 1e-13);
+}
+
 TEST_CASE("generalized-alpha updates as Arnold and Bruels state it", "[integrators]") {
     for (const double radius : {0.0, 0.4, 0.9, 1.0}) {
         INFO("radius " << radius);

@@ -99,7 +99,10 @@ TEST_CASE("the error estimate of sdirk-4 is that of the worst node and component
         CHECK(error.node == 1);
         CHECK(error.component == component);
     };
-    CHECK(scheme.estimate_error(state, 0.2, 5.0).size == 0.0);
+    const StepError none = scheme.estimate_error(state, 0.2, 5.0);
+    CHECK(none.size == 0.0);
+    CHECK(none.node == -1);
+    CHECK(none.component == -1);
     rates.v = Vec3(0.0, -3.0, 1.0);
     check(weight * 3.0 / 5.0, 1);
     rates.theta_dot = Vec3(0.0, 0.0, 0.7);
