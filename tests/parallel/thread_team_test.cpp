@@ -56,10 +56,12 @@ TEST_CASE("A team wakes up after a pause", "[parallel]") {
     const ThreadTeam team(2);
     for (int loop = 0; loop < 3; ++loop) {
         std::atomic<int> arrived{0};
+        std::atomic<int> met{0};
         team.for_each(2, [&](std::size_t) {
             ++arrived;
-            CHECK(wait_for(arrived, 2));
+            if (wait_for(arrived, 2)) ++met;
         });
+        CHECK(met == 2);
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
 }
