@@ -67,11 +67,12 @@ class Running(BatchTest):
         self.assertEqual(self.values_of("alone.vtkhdf"), self.values_of("plan/cases/0004.vtkhdf"))
 
     def values_of(self, name):
-        """The bytes of every dataset."""
+        """The bytes of every dataset, but for states to go on from: the older of two is that of some moment of the clock."""
         values = {}
         with h5py.File(self.folder / name) as file:
             file.visititems(lambda path, item: values.update({path: np.asarray(item[()]).tobytes()})
-                            if isinstance(item, h5py.Dataset) and item.dtype.kind in "fiu" else None)
+                            if isinstance(item, h5py.Dataset) and item.dtype.kind in "fiu"
+                            and not path.startswith("restart/") else None)
         self.assertGreater(len(values), 20)
         return values
 
