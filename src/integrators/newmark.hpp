@@ -8,8 +8,10 @@
 namespace gxrod {
 
 struct Newmark {
-    double beta = 0.25;
-    double gamma = 0.5;
+    Newmark(double beta_, double gamma_) : beta(beta_), gamma(gamma_) {}
+
+    double beta;
+    double gamma;
 
     // The acceleration at the end of a step whose mean velocity was w = increment/Δt, (4.7a).
     Vec3 acceleration(const Vec3& w,

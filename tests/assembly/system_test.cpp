@@ -97,7 +97,7 @@ TEST_CASE("the residual is the sum over elements less loads", "[assembly]") {
     const Model model = make_sample_model();
     const System system(model);
     State state = make_sample_state(system, 1);
-    NewmarkSimplified({}).update_rates(state, {0, 0.6, 0.1, 0.7});
+    NewmarkSimplified({0.25, 0.5}).update_rates(state, {0, 0.6, 0.1, 0.7});
     std::vector<Vec6> expected(model.nodes.size(), Vec6::Zero());
     for (const Body& body : model.bodies) add_element(RigidBody(body), model, state, 0, expected);
     int history = 0;
@@ -120,7 +120,7 @@ TEST_CASE("the residual is the sum over elements less loads", "[assembly]") {
 TEST_CASE("the assembled tangent is the derivative of the residual", "[assembly]") {
     const Model model = make_sample_model();
     const System system(model);
-    const NewmarkSimplified scheme({});
+    const NewmarkSimplified scheme({0.25, 0.5});
     const Stage stage{0, 0.6, 0.1, now};
     for (unsigned seed = 1; seed <= 3; ++seed) {
         State state = make_sample_state(system, seed);
