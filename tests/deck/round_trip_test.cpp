@@ -12,6 +12,8 @@
 namespace gxrod::test {
 namespace {
 
+AdaptiveSettings adaptive_of(const Problem& p) { return dynamic_of(p).adaptive.value_or(AdaptiveSettings{}); }
+
 // A deck with a value other than the default for one key, and whether the problem has that value.
 struct RoundTrip {
     std::string key;  // path in the schema
@@ -392,13 +394,13 @@ std::vector<RoundTrip> analysis_trips() {
          [](const Problem& p) { return dynamic_of(p).spectral_radius == 0.3; }},
         {"analysis.adaptive.tolerance",
          body_deck + "integrator = \"sdirk-4\"\nadaptive = { tolerance = 1e-5 }",
-         [](const Problem& p) { return dynamic_of(p).adaptive->tolerance == 1e-5; }},
+         [](const Problem& p) { return adaptive_of(p).tolerance == 1e-5; }},
         {"analysis.adaptive.min_step",
          body_deck + "integrator = \"sdirk-4\"\nadaptive = { min_step = 1e-5 }",
-         [](const Problem& p) { return dynamic_of(p).adaptive->min_step == 1e-5; }},
+         [](const Problem& p) { return adaptive_of(p).min_step == 1e-5; }},
         {"analysis.adaptive.max_step",
          body_deck + "integrator = \"sdirk-4\"\nadaptive = { max_step = 0.2 }",
-         [](const Problem& p) { return dynamic_of(p).adaptive->max_step == 0.2; }},
+         [](const Problem& p) { return adaptive_of(p).max_step == 0.2; }},
         {"analysis.newton.tolerance",
          body_deck + "newton = { tolerance = 1e-5 }",
          [](const Problem& p) { return dynamic_of(p).newton.tolerance == 1e-5; }},
