@@ -17,6 +17,25 @@
 
 using namespace gxrod;
 
+namespace {
+
+struct NewFile {
+    explicit NewFile(const std::string& path)
+        : file(std::make_shared<OrderedFile>(::open(path.c_str(), O_RDWR | O_CREAT, 0600))),
+          access(make_ordered_access(*file)),
+          hdf5(H5Fcreate("results", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "creating the file"),
+          root(H5Gopen2(hdf5.id(), "/", H5P_DEFAULT), H5Gclose, "opening the root") {}
+    void commit() const {
+        REQUIRE(H5Fflush(hdf5.id(), H5F_SCOPE_LOCAL) >= 0);
+        file->commit();
+    }
+
+    std::shared_ptr<OrderedFile> file;
+    Hdf5Handle access, hdf5, root;
+};
+
+}  // namespace
+
 TEST_CASE("The file driver stays when its last file is closed", "[results]") {
     // Closing a file, HDF5 reads the driver after it has let go of it.
     silence_hdf5();
@@ -40,13 +59,9 @@ TEST_CASE("Many chunks leave no gaps to keep account of, and no B-tree node acro
     const sample::ScratchFolder folder;
     const std::string path = folder / "a";
     {
-        const auto file = std::make_shared<OrderedFile>(::open(path.c_str(), O_RDWR | O_CREAT, 0600));
-        const Hdf5Handle access = make_ordered_access(*file);
-        const Hdf5Handle hdf5(
-            H5Fcreate("results", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "creating the file");
-        const Hdf5Handle root(H5Gopen2(hdf5.id(), "/", H5P_DEFAULT), H5Gclose, "opening the root");
-        AppendDataset<double> vectors(root, {"vectors", "", "", ""}, RowShape{3, true}, 0);
-        AppendDataset<double> numbers(root, {"numbers", "", "", ""}, RowShape{1, false}, 0);
+        const NewFile file(path);
+        AppendDataset<double> vectors(file.root, {"vectors", "", "", ""}, RowShape{3, true}, 0);
+        AppendDataset<double> numbers(file.root, {"numbers", "", "", ""}, RowShape{1, false}, 0);
         for (int row = 0; row < 200'000; ++row) {
             const double value = row;
             vectors.append(std::array{value, -value, 0.0});
@@ -54,9 +69,8 @@ TEST_CASE("Many chunks leave no gaps to keep account of, and no B-tree node acro
         }
         vectors.flush();
         numbers.flush();
-        CHECK(H5Fget_free_sections(hdf5.id(), H5FD_MEM_DEFAULT, 0, nullptr) < 10);
-        REQUIRE(H5Fflush(hdf5.id(), H5F_SCOPE_LOCAL) >= 0);
-        file->commit();
+        CHECK(H5Fget_free_sections(file.hdf5.id(), H5FD_MEM_DEFAULT, 0, nullptr) < 10);
+        file.commit();
     }
 
     const std::string bytes = read_text_file(path);
@@ -77,17 +91,12 @@ TEST_CASE("A heap of texts keeps to one page, and is not made longer", "[results
     const sample::ScratchFolder folder;
     const std::string path = folder / "a";
     {
-        const auto file = std::make_shared<OrderedFile>(::open(path.c_str(), O_RDWR | O_CREAT, 0600));
-        const Hdf5Handle access = make_ordered_access(*file);
-        const Hdf5Handle hdf5(
-            H5Fcreate("results", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "creating the file");
-        const Hdf5Handle root(H5Gopen2(hdf5.id(), "/", H5P_DEFAULT), H5Gclose, "opening the root");
+        const NewFile file(path);
         const std::vector<std::uint8_t> odd(1001);
         for (int i = 0; i < 20; ++i) {
-            write_dataset(root, {"bytes" + std::to_string(i), "", "", ""}, odd);
-            write_attribute(root.id(), "text" + std::to_string(i), std::string(700, 'a'));
-            REQUIRE(H5Fflush(hdf5.id(), H5F_SCOPE_LOCAL) >= 0);
-            file->commit();
+            write_dataset(file.root, {"bytes" + std::to_string(i), "", "", ""}, odd);
+            write_attribute(file.root.id(), "text" + std::to_string(i), std::string(700, 'a'));
+            file.commit();
         }
     }
 
