@@ -72,13 +72,13 @@ DYNAMIC = 'kind = "dynamic"\nend_time = 0.6\ntime_step = 0.01'
 LARGE = Deck("large", rod(20000, 'kind = "dynamic"\nend_time = 0.002\ntime_step = 0.001', "every = 1"), 20000)
 
 DECKS = {deck.name: deck for deck in (
-    Deck("body", BODY, 200, ("analysis.steps=30000",)),
-    Deck("rod", rod(12, DYNAMIC), 3000, ("analysis.time_step=0.0005",)),
-    Deck("deflated", rod(12, DYNAMIC, 'every = 3\ncompression = "deflate"'), 3000, ("analysis.time_step=0.001",)),
+    Deck("body", BODY, 200, ("analysis.steps=80000",)),
+    Deck("rod", rod(12, DYNAMIC), 3000, ("analysis.time_step=0.0002",)),
+    Deck("deflated", rod(12, DYNAMIC, 'every = 3\ncompression = "deflate"'), 3000, ("analysis.time_step=0.0004",)),
     Deck("adaptive", rod(6, 'kind = "dynamic"\nintegrator = "sdirk-4"\nend_time = 0.4\ntime_step = 0.005\n'
                             'adaptive = { tolerance = 1e-4, min_step = 1e-6, max_step = 0.1 }'), 2000,
-         ("analysis.adaptive.tolerance=1e-9",)),
-    Deck("static", rod(12, 'kind = "static"\nsteps = 60'), 3000, ("analysis.steps=1000",)),
-    Deck("threads", rod(260, 'kind = "dynamic"\nend_time = 0.2\ntime_step = 0.01'), 1500, ("analysis.time_step=0.002",),
+         ("analysis.adaptive.tolerance=3e-11",)),
+    Deck("static", rod(12, 'kind = "static"\nsteps = 60'), 3000, ("analysis.steps=3000",)),
+    Deck("threads", rod(260, 'kind = "dynamic"\nend_time = 0.2\ntime_step = 0.01'), 1500, ("analysis.time_step=0.001",),
          threads=2),
 )}

@@ -52,24 +52,28 @@ def read_only(bench, deck, _):
 
 
 def start_and_wait(bench, deck, random):
-    """A long run at a random moment after its file is there."""
-    bench.path(deck).unlink(missing_ok=True)
+    """A long run at a random moment after its file is there and before its end."""
     seconds = bench.seconds(deck)
-    process = bench.start(*bench.arguments(deck, is_long=True), "--quiet")
-    while not results.count_steps(bench.path(deck)) and process.poll() is None:
-        time.sleep(0.001)
-    time.sleep(random.uniform(0.0, 0.8 * seconds))
-    return process
+    for _ in range(20):
+        bench.path(deck).unlink(missing_ok=True)
+        begin = time.monotonic()
+        process = bench.start(*bench.arguments(deck, is_long=True), "--quiet")
+        while not results.count_steps(bench.path(deck)) and process.poll() is None:
+            time.sleep(0.001)
+        time.sleep(random.uniform(0.0, max(0.0, 0.9 * seconds - (time.monotonic() - begin))))
+        if process.poll() is None:
+            return process
+        process.communicate()
+    raise RuntimeError(f"{deck.name} always ended before it could be disturbed")
 
 
 def removed(bench, deck, random):
     """The results file is removed while the run writes it: it ends and says so."""
     process = start_and_wait(bench, deck, random)
-    has_ended = process.poll() is not None
     bench.path(deck).unlink()
     errors = process.communicate(timeout=300)[1]
     trial = Trial(describe_end(process.returncode), "", message=errors.strip())
-    if not has_ended and not (process.returncode == 4 and "it was removed while the run wrote it" in errors):
+    if not (process.returncode == 4 and "it was removed while the run wrote it" in errors):
         trial.lost = f"{trial.end}: {errors}"
     return bench.recover(deck, trial, is_long=True)
 
@@ -77,12 +81,11 @@ def removed(bench, deck, random):
 def moved(bench, deck, random):
     """The results file is moved while the run writes it: it is complete under its new name, and that is told."""
     process = start_and_wait(bench, deck, random)
-    has_ended = process.poll() is not None
     new = bench.folder / "moved.vtkhdf"
     bench.path(deck).rename(new)
     errors = process.communicate(timeout=300)[1]
     trial = Trial(describe_end(process.returncode), "", message=errors.strip())
-    if not has_ended and not (process.returncode == 4 and "was moved while the run wrote it" in errors):
+    if not (process.returncode == 4 and "was moved while the run wrote it" in errors):
         trial.lost = f"{trial.end}: {errors}"
     new.rename(bench.path(deck))
     return bench.recover(deck, trial, is_long=True)

@@ -8,6 +8,7 @@ from decks import LARGE
 
 # Below this the system cannot load the program.
 LOADING = ("error while loading shared libraries", "cannot allocate")
+REFUSED = "GB of memory, where"
 
 
 def judge_memory_error(done):
@@ -15,6 +16,8 @@ def judge_memory_error(done):
     if done.returncode == 0:
         return ""
     if done.returncode == 127 and any(words in done.stderr for words in LOADING):
+        return ""
+    if done.returncode == 2 and REFUSED in done.stderr:
         return ""
     if done.returncode in (1, 4) and ("memory" in done.stderr or "threads can be had" in done.stderr):
         return ""
