@@ -23,8 +23,8 @@ bool moves(const Support& support, int first) {
     return support.moved[first] || support.moved[first + 1] || support.moved[first + 2];
 }
 
-bool holds(const Support& support, int first) {
-    return support.holds(first) || support.holds(first + 1) || support.holds(first + 2);
+bool holds_position(const Support& support) {
+    return support.holds(0) || support.holds(1) || support.holds(2);
 }
 
 struct Derivatives {
@@ -44,12 +44,12 @@ Derivatives differentiate(const Support& support, int first, const StepDifferenc
     return derivatives;
 }
 
-// Puts those of three components of `value` that the support holds, seen in its axes, to what is wanted.
-void replace_held(const Support& support, int first, const Mat3& axes, const Vec3& wanted, Vec3& value) {
-    if (!holds(support, first)) return;
+// Puts those components of a position or its rate that the support holds to what is wanted in its axes.
+void replace_held(const Support& support, const Mat3& axes, const Vec3& wanted, Vec3& value) {
+    if (!holds_position(support)) return;
     Vec3 own = axes.transpose() * value;
     for (int i = 0; i < 3; ++i) {
-        if (support.holds(first + i)) own[i] = wanted[i];
+        if (support.holds(i)) own[i] = wanted[i];
     }
     value = axes * own;
 }
@@ -74,7 +74,7 @@ void Supports::place_position(const Support& support, double time, NodeMotion& m
     const Mat3& Q = axes(support.node);
     const Vec3& reference = model_->nodes[support.node].position;
     Vec3 displacement = motion.r - reference;
-    replace_held(support, 0, Q, motion_at(support, 0, time), displacement);
+    replace_held(support, Q, motion_at(support, 0, time), displacement);
     motion.r = reference + displacement;
 }
 
@@ -105,8 +105,8 @@ void Supports::set_rates(double time, const TimeSpan& step, std::vector<NodeMoti
         const Mat3& Q = axes(support.node);
         NodeMotion& motion = motions[support.node];
         const Derivatives of_position = differentiate(support, 0, differences);
-        replace_held(support, 0, Q, of_position.first, motion.v);
-        replace_held(support, 0, Q, of_position.second, motion.a);
+        replace_held(support, Q, of_position.first, motion.v);
+        replace_held(support, Q, of_position.second, motion.a);
         const Derivatives of_rotation = differentiate(support, 3, differences);
         if (moves(support, 3)) {
             const Vec3 phi = Q * motion_at(support, 3, time);

@@ -84,6 +84,29 @@ TEST_CASE("a support's axes are its own", "[constraints]") {
     CHECK_FALSE(supports.has_own_axes(1));
 }
 
+TEST_CASE("axes a hair from the global ones are a support's own", "[constraints]") {
+    const Quat tilted = exp_quaternion(Vec3(0.0, 1e-6, 0.0));
+    const Model model = make_model({.fixed = {true}, .axes = tilted});
+    const Supports supports(model);
+    CHECK(supports.has_own_axes(0));
+    CHECK(supports.axes(0) == tilted.toRotationMatrix());
+}
+
+TEST_CASE("a position is held in each component alone", "[constraints]") {
+    for (int i = 0; i < 3; ++i) {
+        Support support{.axes = axes};
+        support.moved[i] = true;
+        support.motion[i] = TimeFunction([](double t) { return 3.0 * t; });
+        const Model model = make_model(support);
+        State state = make_state(model);
+        Supports(model).place(2.0, state);
+        const Vec3 displacement = axes.conjugate() * (state.trial[0].r - model.nodes[0].position);
+        CHECK((displacement - 6.0 * Vec3::Unit(i)).norm() < 1e-14);
+        Supports(model).set_rates(2.0, {1.9, 0.2}, state.trial);
+        CHECK((axes.conjugate() * state.trial[0].v - 3.0 * Vec3::Unit(i)).norm() < 1e-12);
+    }
+}
+
 TEST_CASE("a position is placed along the support's own axes", "[constraints]") {
     // x moves, y is fixed, z is free.
     Support support{.axes = axes};
@@ -122,6 +145,16 @@ TEST_CASE("a rotation is placed through a hundred turns, each step's whole", "[c
     State state = make_state(model);
     supports.place(5.0 * std::numbers::pi, state);
     CHECK((state.trial[0].theta - 5.0 * std::numbers::pi * (axes * direction)).norm() < 1e-12);
+}
+
+TEST_CASE("a rotation that begins with a jump is a step from no rotation", "[constraints]") {
+    const Model model = make_model(make_turning({TimeFunction(0.0), TimeFunction(0.0), TimeFunction(4.0)}));
+    State state = make_state(model);
+    Supports(model).place(0.5, state);
+    CHECK((state.trial[0].theta - axes * Vec3(0.0, 0.0, 4.0)).norm() < 1e-14);
+    commit(state, 0.05);  // the same function from then on turns nothing
+    Supports(model).place(0.5, state);
+    CHECK(state.trial[0].theta.norm() < 1e-14);
 }
 
 TEST_CASE("a rotation whose axis leans while it turns takes steps of its angular velocity", "[constraints]") {
