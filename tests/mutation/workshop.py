@@ -1,9 +1,11 @@
 """A copy of the sources in which signs and coefficients can be made wrong, built and tested."""
 
+import copy
 import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 
 from sites import SOURCE, apply
@@ -101,6 +103,18 @@ class Workshop:
 
     def restore(self, file):
         self.write(file, self.read(file).encode())
+
+    def set_aside(self, number):
+        """A workshop with copies of the programs, which stay as they are while this one builds others."""
+        aside = copy.copy(self)
+        aside.folder = self.folder / "aside" / str(number)
+        aside.folder.mkdir(parents=True, exist_ok=True)
+        aside.tests = shutil.copy(self.tests, aside.folder)
+        aside.program = shutil.copy(self.program, aside.folder)
+        return aside
+
+    def remove_aside(self):
+        shutil.rmtree(self.folder)
 
     def run(self, command, mutant, seconds):
         """Exit code and output, or None if it does not end."""
