@@ -15,8 +15,7 @@ namespace {
 constexpr std::size_t most_rows_at_once = 4096;
 
 StepChart::Source find_source(const Hdf5Reader& file, const std::string& dataset, const std::string& label) {
-    const std::vector<hsize_t> size = file.size(dataset);
-    const std::size_t width = size.size() > 1 ? size[1] : 1;
+    const std::size_t width = file.width(dataset);
     if (width == 3) return {dataset, {"x", "y", "z", "magnitude"}, width};
     if (width == 4) return {dataset, {"w", "x", "y", "z"}, width};
     return {dataset, std::vector<std::string>(width, label), width};

@@ -42,8 +42,7 @@ std::vector<Column> find_columns(const Hdf5Reader& file, const std::string& grou
     for (const std::string& name : file.members(group)) {
         if (name == "time") continue;
         const std::string path = fmt::format("{}/{}", group, name);
-        const std::vector<hsize_t> size = file.size(path);
-        columns.push_back({path, name, size.size() > 1 ? size[1] : 1});
+        columns.push_back({path, name, file.width(path)});
     }
     return columns;
 }

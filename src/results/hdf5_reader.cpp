@@ -49,6 +49,14 @@ std::vector<hsize_t> Hdf5Reader::size(const std::string& name) const {
     return size;
 }
 
+hsize_t Hdf5Reader::width(const std::string& name) const {
+    constexpr hsize_t most_numbers = 64;
+    const std::vector<hsize_t> extent = size(name);
+    const hsize_t width = extent.size() > 1 ? extent[1] : 1;
+    if (width > most_numbers) throw std::runtime_error(fmt::format("{} has rows of {} numbers", name, width));
+    return width;
+}
+
 std::vector<double> Hdf5Reader::numbers(const std::string& name) const {
     const std::vector<hsize_t> extent = size(name);
     return rows(name, 0, extent.empty() ? 1 : extent[0]);

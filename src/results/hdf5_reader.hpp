@@ -21,6 +21,8 @@ class Hdf5Reader {
     // How many values so many in each direction are. Throws std::runtime_error if the file is too small for
     // them.
     std::size_t count_values(const std::string& dataset, const std::vector<hsize_t>& extent) const;
+    // How many numbers a row has, of which gxrod writes few; more are a std::runtime_error.
+    hsize_t width(const std::string& dataset) const;
     // All numbers, the last direction fastest.
     std::vector<double> numbers(const std::string& dataset) const;
     // `count` rows from `first` on; all of them must be there.

@@ -184,6 +184,14 @@ TEST_CASE("A dataset that the file is too small for takes no memory", "[results]
           unreadable("/VTKHDF/Connectivity would have 8e+12 bytes, more than its file can hold"));
 }
 
+TEST_CASE("Rows of more numbers than there are make no columns", "[results]") {
+    Damaged damaged;
+    damaged.replace_dataset("/ledger/strain_energy", {1, 1ull << 50});
+    const std::string told = unreadable("/ledger/strain_energy has rows of 1125899906842624 numbers");
+    CHECK(damaged.report_fault() == told);
+    CHECK(damaged.csv_fault() == told);
+}
+
 // The first entry of a heap of texts is one without an end and without a length: HDF5 1.10 looks for the next
 // for ever.
 TEST_CASE("A file over which HDF5 does not come back is an error", "[results]") {
