@@ -21,6 +21,9 @@ BINARY = re.compile(rf"(?<={OPERAND} )(?P<sign>[+-])(?=\s+[\w(\-])")
 COMPOUND = re.compile(rf"(?<={OPERAND} )(?P<sign>[+-])=(?= )")
 UNARY = re.compile(r"(?:(?<=[=,?:*/] )|(?<=[({\[<])|(?<=return ))(?P<sign>-)(?=[\w(])")
 NUMBER = re.compile(r"(?<![\w.])(?P<number>\d+\.\d*(?:[eE][+-]?\d+)?|\d+[eE][+-]?\d+)(?![\w.])")
+# Real numbers that are known when compiled, and what computes them.
+CONSTANT = re.compile(r"^(?P<before> *(?:inline |static )?)constexpr (?=(?:std::array<(?:long )?double|auto|double|long double|Switches)\b)",
+                      re.MULTILINE)
 
 
 @dataclasses.dataclass
@@ -92,6 +95,24 @@ def apply(text, sites, how):
     for site in sorted(sites, key=lambda site: -site.start):
         text = text[:site.start] + how(site) + text[site.end:]
     return text
+
+
+def loosen(file, text):
+    """The text with real constants computed at run time, where a switch can make them wrong."""
+
+    def replace(match):
+        before = match["before"]
+        if "static" in before and file.endswith(".hpp"):
+            return before + "inline const "
+        return before + "const " if before else "inline const "
+
+    return CONSTANT.sub(replace, text)
+
+
+def list_files():
+    """All sources that can be made wrong."""
+    patterns = [pattern for group in GROUPS.values() for pattern in group]
+    return {path.relative_to(SOURCE).as_posix() for pattern in patterns for path in SOURCE.glob(pattern)}
 
 
 def collect_sites(groups):

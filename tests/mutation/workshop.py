@@ -8,7 +8,7 @@ import re
 import shutil
 import subprocess
 
-from sites import SOURCE, apply
+from sites import SOURCE, apply, list_files, loosen
 
 ERROR = re.compile(r"^(?P<file>[^\s:]+):(?P<line>\d+):\d+: (?:fatal )?error:|^\s+(?:required from|from) .*?(?P<from>[^\s:]+):(?P<at>\d+)", re.M)
 
@@ -21,6 +21,7 @@ class Workshop:
         self.copy, self.build_folder = folder / "source", folder / "build"
         self.tests = self.build_folder / "tests" / "gxrod_tests"
         self.program = self.build_folder / "gxrod"
+        self.kernels = list_files()
         self.texts = {}  # of sources, as they were first read
 
     def set_up(self, left):
@@ -30,7 +31,8 @@ class Workshop:
         for name in names:
             if name not in left or not (self.copy / name).exists():
                 (self.copy / name).parent.mkdir(parents=True, exist_ok=True)
-                self.write(name, (SOURCE / name).read_bytes())
+                content = (SOURCE / name).read_bytes()
+                self.write(name, loosen(name, content.decode()).encode() if name in self.kernels else content)
         for path in self.copy.rglob("*"):
             if path.is_file() and path.relative_to(self.copy).as_posix() not in names:
                 path.unlink()
@@ -49,10 +51,14 @@ class Workshop:
         if not path.exists() or path.read_bytes() != content:
             path.write_bytes(content)
 
-    def build(self):
-        """What the compiler said, "" if it was content."""
+    def write_changed(self, file, sites, how):
+        self.write(file, loosen(file, apply(self.read(file), sites, how)).encode())
+
+    def build(self, most_errors):
+        """What the compiler said until there were so many errors, 0 for all; "" if it was content."""
         for targets in (["gxrod_library"], ["gxrod_tests", "gxrod"]):  # in the first are most errors
-            done = subprocess.run(["cmake", "--build", self.build_folder, "--target", *targets, "--", "-k", "0", "-j", str(self.jobs)],
+            done = subprocess.run(["cmake", "--build", self.build_folder, "--target", *targets, "--", "-k", str(most_errors), "-j",
+                                   str(self.jobs)],
                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
             if done.returncode != 0:
                 return done.stdout
@@ -82,8 +88,8 @@ class Workshop:
         for file in files:
             chosen = [site for site in sites if site.file == file]
             switch = lambda site: site.switched.replace("MUTANT", str(site.number))  # noqa: E731
-            self.write(file, apply(self.read(file), chosen, switch).encode())
-        return self.build()
+            self.write_changed(file, chosen, switch)
+        return self.build(most_errors=0)
 
     def places_of(self, said):
         """The lines that the compiler names, whether it blames them or comes from them."""
@@ -98,11 +104,11 @@ class Workshop:
 
     def replace(self, site):
         """Makes one site wrong for good; returns what the compiler said."""
-        self.write(site.file, apply(self.read(site.file), [site], lambda it: it.replaced).encode())
-        return self.build()
+        self.write_changed(site.file, [site], lambda it: it.replaced)
+        return self.build(most_errors=1)
 
     def restore(self, file):
-        self.write(file, self.read(file).encode())
+        self.write_changed(file, [], None)
 
     def set_aside(self, number):
         """A workshop with copies of the programs, which stay as they are while this one builds others."""

@@ -44,7 +44,7 @@ inline double just_above(double value) {
 
 // Every angle at which a coefficient changes from series to closed form.
 inline std::vector<double> switch_angles() {
-    constexpr auto s = coefficients::switches;
+    const auto& s = coefficients::switches;
     return {s.b, s.a1, s.b1, s.c1, s.a2, s.b2, s.c2, s.d, s.d1};
 }
 
