@@ -1,4 +1,5 @@
-// Kelvin & Voigt's damping: resultants C (E + τ Ė), of the very strains that the element makes.
+// Kelvin & Voigt's damping: resultants C (E + τ Ė), of the very strains that the element makes. And damping
+// by the momenta.
 #include <catch2/catch.hpp>
 
 #include "elements/element_samples.hpp"
@@ -19,7 +20,8 @@ struct MovingSample {
     Section section;
     double length;
 
-    explicit MovingSample(unsigned seed) : MovingSample(RandomValues(seed)) {}
+    explicit MovingSample(unsigned seed, double kelvin_voigt = delay, double mass_proportional = 0.0)
+        : MovingSample(RandomValues(seed), kelvin_voigt, mass_proportional) {}
 
     typename ElementSample<E>::Nodal at(double t) const {
         auto nodal = sample.motions;
@@ -54,10 +56,10 @@ struct MovingSample {
     }
 
   private:
-    explicit MovingSample(RandomValues random)
-        : MovingSample(random, make_rod_piece<E::node_count>(random)) {}
-    MovingSample(RandomValues& random, RodPiece<E::node_count> piece)
-        : sample{"", make_element(piece), piece.geometry.positions, {}, {}, {}},
+    MovingSample(RandomValues random, double kelvin_voigt, double mass_proportional)
+        : MovingSample(random, make_piece(random, kelvin_voigt, mass_proportional)) {}
+    MovingSample(RandomValues& random, const RodPiece<E::node_count>& piece)
+        : sample{"", E(piece.geometry, piece.section), piece.geometry.positions, {}, {}, {}},
           section(piece.section),
           length((piece.geometry.positions.back() - piece.geometry.positions.front()).norm()) {
         const Quat turn = random.rotation();
@@ -73,10 +75,13 @@ struct MovingSample {
             sample.histories.push_back({random.rotation(), random.vector(0.5)});
         }
     }
-    static E make_element(RodPiece<E::node_count>& piece) {
-        piece.section.kelvin_voigt = delay;
-        piece.section.mass_proportional = 0.0;
-        return E(piece.geometry, piece.section);
+    static RodPiece<E::node_count> make_piece(RandomValues& random,
+                                              double kelvin_voigt,
+                                              double mass_proportional) {
+        RodPiece<E::node_count> piece = make_rod_piece<E::node_count>(random);
+        piece.section.kelvin_voigt = kelvin_voigt;
+        piece.section.mass_proportional = mass_proportional;
+        return piece;
     }
 };
 
@@ -109,6 +114,18 @@ TEST_CASE("damping of a two-node element dissipates L tau dE/dt . C dE/dt", "[el
     };
     check(std::type_identity<ObjectiveElement<2>>());
     check(std::type_identity<SimoElement<2>>());
+}
+
+TEST_CASE("mass-proportional damping alone takes 2 c times the kinetic energy", "[elements][rod]") {
+    for_each_rod([]<class E>(std::type_identity<E>) {
+        INFO(name_of_rod<E>());
+        for (const double c : {0.02, 3.0}) {
+            const MovingSample<E> moving(76, 0.0, c);
+            const double power = moving.power(moving.sample.damping_force(moving.sample.motions));
+            CHECK(power ==
+                  Approx(2.0 * c * moving.sample.kinetic_energy(moving.sample.motions)).epsilon(1e-12));
+        }
+    });
 }
 
 TEST_CASE("rates of a constant strain are damped alike along a whole element", "[elements][rod]") {
