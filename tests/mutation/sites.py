@@ -13,9 +13,10 @@ GROUPS = {
     "loads and supports": ["src/loads/*.cpp", "src/constraints/*.cpp"],
 }
 
-# Code that is not computed with: comments, texts, the preprocessor, what a debug build asserts.
+# Code that is not computed with: comments, texts, the preprocessor, what a debug build asserts, how many rows arrays have.
 SKIPPED = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'|^[ \t]*#[^\n]*'
-                     r'|\b(?:static_assert|assert)\s*\([^;]*;|^[ \t]*template\s*<[^>]*>', re.DOTALL | re.MULTILINE)
+                     r'|\b(?:static_assert|assert)\s*\([^;]*;|^[ \t]*template\s*<[^>]*>'
+                     r'|\bconstexpr int \w+_rows = [^;]*;', re.DOTALL | re.MULTILINE)
 OPERAND = r"[\w)\]]"
 BINARY = re.compile(rf"(?<={OPERAND} )(?P<sign>[+-])(?=\s+[\w(\-])")
 COMPOUND = re.compile(rf"(?<={OPERAND} )(?P<sign>[+-])=(?= )")
