@@ -33,6 +33,7 @@ class Workshop:
                 (self.copy / name).parent.mkdir(parents=True, exist_ok=True)
                 content = (SOURCE / name).read_bytes()
                 self.write(name, loosen(name, content.decode()).encode() if name in self.kernels else content)
+        shutil.rmtree(self.folder / "aside", ignore_errors=True)
         for path in self.copy.rglob("*"):
             if path.is_file() and path.relative_to(self.copy).as_posix() not in names:
                 path.unlink()
