@@ -38,13 +38,29 @@ Hdf5Handle make_access(std::size_t chunk_bytes) {
     return access;
 }
 
-std::size_t count_chunk_bytes(const Hdf5Handle& group, const std::string& name) {
+struct ChunkForm {
+    hsize_t rows = 1;
+    std::size_t bytes = 0;
+};
+
+ChunkForm read_chunk_form(const Hdf5Handle& group, const std::string& name) {
     const Hdf5Handle dataset(H5Dopen2(group.id(), name.c_str(), H5P_DEFAULT), H5Dclose, "opening a dataset");
     const Hdf5Handle properties(H5Dget_create_plist(dataset.id()), H5Pclose, "dataset properties");
     const Hdf5Handle type(H5Dget_type(dataset.id()), H5Tclose, "type of a dataset");
     std::array<hsize_t, 2> chunk{1, 1};
-    if (H5Pget_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()) < 0) return 0;
-    return chunk[0] * chunk[1] * H5Tget_size(type.id());
+    if (H5Pget_chunk(properties.id(), static_cast<int>(chunk.size()), chunk.data()) < 0) return {};
+    return {std::max<hsize_t>(1, chunk[0]), chunk[0] * chunk[1] * H5Tget_size(type.id())};
+}
+
+// Most chunks that the file of a dataset can have: on disk, where each takes more than its entry in the
+// index, and of a last flush that was cut short.
+hsize_t most_chunks(const Hdf5Handle& dataset) {
+    constexpr hsize_t entry_bytes = 32;
+    constexpr hsize_t unwritten = 65536;
+    const Hdf5Handle file(H5Iget_file_id(dataset.id()), H5Fclose, "file of a dataset");
+    hsize_t bytes = 0;
+    check_hdf5(H5Fget_filesize(file.id(), &bytes), "size of the file");
+    return bytes / entry_bytes + unwritten;
 }
 
 // Rows of a dataset on disk, and as many in memory.
@@ -74,7 +90,8 @@ AppendDataset<Number>::AppendDataset(
         if (rows > 0) set_extent(rows);
         return;
     }
-    const Hdf5Handle access = make_access(count_chunk_bytes(group, label.name));
+    const ChunkForm chunk = read_chunk_form(group, label.name);
+    const Hdf5Handle access = make_access(chunk.bytes);
     dataset_ = Hdf5Handle(
         H5Dopen2(group.id(), label.name.c_str(), access.id()), H5Dclose, "opening a dataset to go on with");
     const Hdf5Handle space(H5Dget_space(dataset_.id()), H5Sclose, "dataspace");
@@ -84,6 +101,10 @@ AppendDataset<Number>::AppendDataset(
     H5Sget_simple_extent_dims(space.id(), size.data(), nullptr);
     if (size[1] != static_cast<hsize_t>(shape.columns) || size[0] < rows) {
         throw std::runtime_error(label.name + " has another shape, or lacks rows");
+    }
+    // HDF5 looks for each chunk that it is to cut off, whether it is there or not.
+    if ((size[0] - rows) / chunk.rows > most_chunks(dataset_)) {
+        throw std::runtime_error(label.name + " has more rows than its file can hold");
     }
     extent_ = size[0];
 }

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "deck/problem.hpp"
 #include "deck/text_file.hpp"
 #include "fuzz/results_sample.hpp"
 #include "fuzz/scratch_folder.hpp"
@@ -12,6 +13,7 @@
 #include "results/hdf5_objects.hpp"
 #include "results/hdf5_reader.hpp"
 #include "results/results_access.hpp"
+#include "results/results_file.hpp"
 #include "results/resumable_file.hpp"
 #include "results/series_export.hpp"
 
@@ -83,6 +85,14 @@ class Damaged {
     std::string resume_fault() {
         return fault([&] { ResumableFile file(path_); });
     }
+    std::string go_on_fault() {
+        return fault([&] {
+            ResumableFile file(path_);
+            const Problem problem = read_resumption(file.deck(), "", {});
+            ResultsFile results(problem.record, problem.model, problem.output, std::move(file));
+            results.close(RunStatus::complete, "");
+        });
+    }
 
   private:
     static Hdf5Handle make_space(const std::vector<hsize_t>& size) {
@@ -116,6 +126,7 @@ TEST_CASE("The sample that is damaged can be read", "[results]") {
     CHECK(Damaged().csv_fault() == "");
     CHECK(Damaged().series_fault() == "");
     CHECK(Damaged().resume_fault() == "");
+    CHECK(Damaged().go_on_fault() == "");
 }
 
 TEST_CASE("Rows of another width are an error, not what lies behind them", "[results]") {
@@ -190,6 +201,15 @@ TEST_CASE("Rows of more numbers than there are make no columns", "[results]") {
     const std::string told = unreadable("/ledger/strain_energy has rows of 1125899906842624 numbers");
     CHECK(damaged.report_fault() == told);
     CHECK(damaged.csv_fault() == told);
+}
+
+// To cut them off, HDF5 looks for each of their chunks.
+TEST_CASE("A run does not go on from rows that the file is too small for", "[results]") {
+    for (const hsize_t rows : {hsize_t{1'000'000}, hsize_t{1} << 40}) {
+        Damaged damaged;
+        damaged.replace_dataset("/ledger/strain_energy", {rows});
+        CHECK(damaged.go_on_fault() == "cannot write: strain_energy has more rows than its file can hold");
+    }
 }
 
 // The first entry of a heap of texts is one without an end and without a length: HDF5 1.10 looks for the next
