@@ -1,6 +1,7 @@
 #include "results/survey.hpp"
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,11 +36,7 @@ void survey_values(const Hdf5Handle& type, const Hdf5Handle& space, Read read) {
         H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, buffer.data());
 }
 
-void survey_attribute(hid_t object, hsize_t index) {
-    const Hdf5Handle attribute(
-        H5Aopen_by_idx(object, ".", H5_INDEX_NAME, H5_ITER_INC, index, H5P_DEFAULT, H5P_DEFAULT),
-        H5Aclose,
-        "an attribute");
+void survey_attribute(const Hdf5Handle& attribute) {
     const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose, "type");
     const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose, "dataspace");
     survey_values(type, space, [&](void* buffer) { return H5Aread(attribute.id(), type.id(), buffer); });
@@ -65,35 +62,74 @@ void pass_over_errors(Action&& action) {
     }
 }
 
-herr_t survey_object(hid_t root, const char* name, const H5O_info_t* information, void*) {
-    pass_over_errors([&] {
-        const Hdf5Handle object(H5Oopen(root, name, H5P_DEFAULT), H5Oclose, "an object");
-        if (information->type == H5O_TYPE_DATASET) pass_over_errors([&] { survey_dataset(object.id()); });
-        for (hsize_t i = 0; i < information->num_attrs; ++i) {
-            pass_over_errors([&] { survey_attribute(object.id(), i); });
-        }
-    });
+herr_t add_hard_link(hid_t, const char* name, const H5L_info_t* information, void* names) {
+    if (information->type == H5L_TYPE_HARD) static_cast<std::vector<std::string>*>(names)->push_back(name);
     return 0;
 }
 
+// Visits all objects of a file. What cannot even be listed is not passed over: a reader, who asks by name,
+// may come to what lies behind it.
+class Survey {
+  public:
+    void visit(const Hdf5Handle& object) {
+        restart_processor_clock(limits);
+        H5O_info_t information{};
+        expect_listed(H5Oget_info2(object.id(), &information, H5O_INFO_BASIC | H5O_INFO_NUM_ATTRS));
+        if (!is_listed_ || !seen_.insert(information.addr).second) return;
+        if (information.type == H5O_TYPE_DATASET) pass_over_errors([&] { survey_dataset(object.id()); });
+        for (hsize_t i = 0; i < information.num_attrs; ++i) visit_attribute(object, i);
+        if (information.type == H5O_TYPE_GROUP) visit_members(object);
+    }
+    bool is_listed() const { return is_listed_; }
+
+  private:
+    void visit_attribute(const Hdf5Handle& object, hsize_t index) {
+        const hid_t id =
+            H5Aopen_by_idx(object.id(), ".", H5_INDEX_NAME, H5_ITER_INC, index, H5P_DEFAULT, H5P_DEFAULT);
+        expect_listed(id < 0 ? -1 : 0);
+        if (id < 0) return;
+        const Hdf5Handle attribute(id, H5Aclose, "an attribute");
+        pass_over_errors([&] { survey_attribute(attribute); });
+    }
+
+    void visit_members(const Hdf5Handle& group) {
+        std::vector<std::string> names;
+        expect_listed(H5Literate(group.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add_hard_link, &names));
+        for (const std::string& name : names) {
+            pass_over_errors([&] {
+                visit({H5Oopen(group.id(), name.c_str(), H5P_DEFAULT), H5Oclose, "an object"});
+            });
+        }
+    }
+
+    void expect_listed(herr_t result) { is_listed_ = is_listed_ && result >= 0; }
+
+    std::set<haddr_t> seen_;
+    bool is_listed_ = true;
+};
+
+// What is wrong with a file, empty if nothing is.
 std::string survey(const std::filesystem::path& path) {
     try {
         const Hdf5Reader file(path);
-        H5Ovisit2(file.id(), H5_INDEX_NAME, H5_ITER_INC, survey_object, nullptr, H5O_INFO_ALL);
+        Survey all;
+        all.visit({H5Oopen(file.id(), "/", H5P_DEFAULT), H5Oclose, "an object"});
+        return all.is_listed() ? "" : "it cannot list all that is there";
     } catch (const std::runtime_error&) {
         return "";
     }
-    return "";
 }
 
 }  // namespace
 
 void survey_file(const std::filesystem::path& path) {
+    std::string fault;
     try {
-        run_in_child([&] { return survey(path); }, limits);
+        fault = run_in_child([&] { return survey(path); }, limits);
     } catch (const ChildError& error) {
-        throw FileError(path, std::string("is damaged: where HDF5's library reads it, ") + error.what());
+        fault = error.what();
     }
+    if (!fault.empty()) throw FileError(path, "is damaged: where HDF5's library reads it, " + fault);
 }
 
 }  // namespace gxrod

@@ -212,6 +212,35 @@ TEST_CASE("A run does not go on from rows that the file is too small for", "[res
     }
 }
 
+// A reader asks by name, and may come to what a survey that lists all does not get to.
+TEST_CASE("A file whose objects or attributes cannot be listed is an error", "[results]") {
+    const ScratchFolder folder;
+    const std::string& sound = results_sample();
+    const auto told = [&](std::size_t place) {
+        std::string bytes = sound;
+        bytes[place] = 99;
+        try {
+            read_results(folder.write("damaged.vtkhdf", bytes), [](const Hdf5Reader&) {});
+        } catch (const FileError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const auto fault =
+        Catch::Contains("is damaged: where HDF5's library reads it, it cannot list all that is there");
+    int groups = 0;
+    for (std::size_t node = sound.find("SNOD"); node != std::string::npos;
+         node = sound.find("SNOD", node + 1)) {
+        CHECK_THAT(told(node), fault);
+        ++groups;
+    }
+    CHECK(groups > 5);
+    constexpr std::size_t before_name = 8;
+    const std::size_t name = sound.find("gxrod_version");
+    REQUIRE(name != std::string::npos);
+    CHECK_THAT(told(name - before_name), fault);
+}
+
 // The first entry of a heap of texts is one without an end and without a length: HDF5 1.10 looks for the next
 // for ever.
 TEST_CASE("A file over which HDF5 does not come back is an error", "[results]") {
