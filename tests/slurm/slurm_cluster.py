@@ -18,11 +18,12 @@ def missing_commands():
     return [name for name in COMMANDS if shutil.which(name, path=SEARCH) is None]
 
 
-def wait_until(condition, what, seconds=60.0):
+def wait_until(condition, what, seconds=60.0, tell=lambda: ""):
+    """Waits for a condition; an error says what was waited for, and what `tell` then has to say."""
     end = time.monotonic() + seconds
     while not condition():
         if time.monotonic() > end:
-            raise TimeoutError(f"after {seconds} s still not: {what}")
+            raise TimeoutError(f"after {seconds} s still not: {what}\n{tell()}")
         time.sleep(0.05)
 
 
@@ -130,7 +131,7 @@ TaskPlugin=task/none
 JobAcctGatherType=jobacct_gather/none
 MpiDefault=none
 SwitchType=switch/none
-ReturnToService=2
+ReturnToService=0
 KillWait=5
 SlurmdTimeout=300
 SelectType=select/cons_tres
@@ -181,8 +182,18 @@ PartitionName=all Nodes=ALL Default=YES State=UP
         return dict(line.split() for line in lines if len(line.split()) == 2)
 
     def wait_for_nodes(self, states):
-        wait_until(lambda: {node: state for node, state in self.node_states().items() if node in states} == states,
-                   f"nodes are {states}; {self.node_states()}")
+        self.wait_until(lambda: {node: state for node, state in self.node_states().items() if node in states} == states,
+                        f"nodes are {states}")
+
+    def wait_until(self, condition, what):
+        wait_until(condition, what, tell=self.describe)
+
+    def describe(self):
+        """The nodes, the jobs, and the end of what the controller logged but for the updates of jobs."""
+        log = (self.folder / "slurmctld.log").read_text().splitlines()
+        log = [line for line in log if "update_job" not in line and "updating accounting" not in line]
+        jobs = self.call("squeue", "-r", "-o", "%i %T %N %r %S", check=False)
+        return "\n".join([str(self.node_states()), jobs, *log[-30:]])
 
     def stop(self):
         """Ends every process of this Slurm, also those that its daemons start meanwhile."""
