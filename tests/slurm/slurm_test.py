@@ -13,7 +13,7 @@ from program import GXROD, SOURCE, SPINNING_BODY, ProgramTest
 from slurm_cluster import SlurmCluster, missing_commands
 
 QUICK = 200  # steps of a case of some milliseconds
-SLOW = 60000  # of half a second: what is done to a task meets it before its last case
+SLOW = 60000  # of a third of a second: what is done to a task meets it before its last case
 
 PLAN = """deck = "body.toml"
 [vary]
