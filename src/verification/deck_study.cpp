@@ -59,13 +59,13 @@ class DeckExaminer {
     DeckExaminer(const DeckTemplate& deck,
                  const std::vector<std::string>& overrides,
                  const DeckStudyOptions& options)
-        : deck_(&deck), overrides_(&overrides), options_(&options), base_problem_(build({})) {
+        : options_(&options), base_problem_(deck.build(overrides)) {
+        add_histories(base_problem_);
         const Problem& problem = base_problem_;
         study_.title = problem.record.title;
         study_.deck = deck.file();
         study_.is_static = std::holds_alternative<StaticSettings>(problem.analysis);
         study_.expected_order = order_of(problem.analysis);
-        study_.has_own_histories = !deck_has_no_histories_;
         study_.tolerance = options.tolerance;
         study_.times = sample_times(problem.analysis, most_samples);
         study_.end_time = study_.times.back();
@@ -89,12 +89,15 @@ class DeckExaminer {
     }
 
   private:
-    Problem build(const std::vector<std::string>& more) {
-        std::vector<std::string> all = *overrides_;
-        all.insert(all.end(), more.begin(), more.end());
-        Problem problem = deck_->build(all);
-        deck_has_no_histories_ = problem.output.histories.empty();
-        if (deck_has_no_histories_) problem.output.histories = make_end_histories(problem.model);
+    void add_histories(Problem& problem) {
+        study_.has_own_histories = !problem.output.histories.empty();
+        if (!study_.has_own_histories) problem.output.histories = make_end_histories(problem.model);
+    }
+
+    // The user's overrides are part of the deck then, so that a variant's keys may exclude theirs.
+    Problem build(const std::vector<std::string>& overrides) {
+        Problem problem = rebuild_problem(base_problem_.record, overrides);
+        add_histories(problem);
         return problem;
     }
 
@@ -258,10 +261,7 @@ class DeckExaminer {
         study_.base_rows = std::move(base_.rows);
     }
 
-    const DeckTemplate* deck_;
-    const std::vector<std::string>* overrides_;
     const DeckStudyOptions* options_;
-    bool deck_has_no_histories_ = false;  // set by build()
     Problem base_problem_;
     std::vector<Series> series_;
     Quat rotation_;

@@ -250,6 +250,13 @@ TEST_CASE("stopping and threads change nothing", "[verification]") {
     CHECK(study_of.is_sound());
 }
 
+TEST_CASE("what the user sets gives way to what a variant sets", "[verification]") {
+    const DeckStudy coarser = study(swing, {VariantKind::finer_steps}, {"analysis.time_step=0.04"});
+    REQUIRE(coarser.runs.size() == 3);
+    CHECK(coarser.runs[0].steps == 50);
+    CHECK(coarser.runs[1].steps == 100);
+}
+
 TEST_CASE("steps by their error are studied by their tolerance", "[verification]") {
     const DeckStudy adaptive = study(swing,
                                      {VariantKind::finer_steps, VariantKind::resumed},
