@@ -54,9 +54,13 @@ class Judge {
         }
         if (study_->is_interrupted) say("Interrupted: of the runs that are missing nothing is said.");
         judge_soundness();
-        judge_accuracy();
-        judge_steps();
-        judge_mesh();
+        if (study_->has_finer_steps()) {
+            judge_accuracy();
+            judge_steps();
+            judge_mesh();
+        } else {
+            tell_lack_of_steps();
+        }
         judge_books();
         tell_failures();
         return sentences_;
@@ -83,6 +87,39 @@ class Judge {
             say("The motion depends on how the model stands in space, by more than its errors. If no "
                 "expression "
                 "of the deck hides a direction, please report it.");
+        }
+        tell_turned_steps();
+    }
+
+    void tell_turned_steps() {
+        const VariantRun* turned = study_->find(VariantKind::turned);
+        if (study_->is_turned_cut_alike() || !turned->is_whole() || !study_->is_sound()) return;
+        say("Turned in space, steps were cut elsewhere, which round-off decides ({} steps, {} as it is): "
+            "that "
+            "the motion then differs by {} says nothing of its orientation.",
+            turned->steps,
+            study_->runs.front().steps,
+            describe_share(study_->largest_difference(&SeriesReport::turned_difference)));
+    }
+
+    // Where nothing is known of errors: finer steps were the same ones, nearly.
+    void tell_lack_of_steps() {
+        const VariantRun& base = study_->runs.front();
+        std::string counts = fmt::format("{}", base.steps);
+        for (int level = 1; const VariantRun* run = study_->find(VariantKind::finer_steps, level); ++level)
+            counts += fmt::format(", {} with {}", run->steps, run->variant.title);
+        if (study_->is_adaptive) {
+            say("Something else than the tolerance sets the steps ({}): what they add cannot be told, nor "
+                "how "
+                "right the series are. Choose a smaller tolerance, or a smaller max_step, before anything "
+                "else.",
+                counts);
+        } else {
+            say("Steps that did not converge were cut, and finer ones came to nearly the same ({}): what the "
+                "step adds cannot be told, nor how right the series are. Take more than {} steps before "
+                "anything else.",
+                counts,
+                base.steps);
         }
     }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "deck/sample_times.hpp"
@@ -17,10 +18,6 @@ namespace {
 
 constexpr long most_samples = 2000;
 constexpr double round_off = 1e-9;  // of a series' scale: differences below it show no order
-// What turning a model may change, by the scale: solver tolerances, and a part of the error that is there
-// anyhow.
-constexpr double turned_tolerance = 1e-6;
-constexpr double turned_part = 0.01;
 
 Quat make_random_rotation(unsigned seed) {
     std::mt19937 generator(seed);
@@ -65,6 +62,7 @@ class DeckExaminer {
         study_.title = problem.record.title;
         study_.deck = deck.file();
         study_.is_static = std::holds_alternative<StaticSettings>(problem.analysis);
+        study_.is_adaptive = is_adaptive(problem.analysis);
         study_.expected_order = order_of(problem.analysis);
         study_.tolerance = options.tolerance;
         study_.times = sample_times(problem.analysis, most_samples);
@@ -124,6 +122,7 @@ class DeckExaminer {
         run.elements = trace.elements;
         run.unknowns = trace.unknowns;
         run.steps = trace.steps;
+        run.rejected_steps = static_cast<long>(trace.rejected_at.size());
         run.newton_iterations = trace.newton_iterations;
         run.seconds = trace.seconds;
         run.failure = trace.failure;
@@ -150,6 +149,7 @@ class DeckExaminer {
                 break;
             case VariantKind::turned:
                 turned_differences_ = compare(trace, rotation_);
+                run.is_cut_alike = is_cut_alike(trace);
                 break;
             case VariantKind::two_threads:
                 run.failure = find_inequality(trace);
@@ -157,6 +157,13 @@ class DeckExaminer {
             case VariantKind::resumed:
                 break;
         }
+    }
+
+    // Times of steps by their error are never the same: of them counts are compared.
+    bool is_cut_alike(const MotionTrace& trace) const {
+        if (trace.steps != base_.steps) return false;
+        return study_.is_adaptive ? trace.rejected_at.size() == base_.rejected_at.size()
+                                  : trace.rejected_at == base_.rejected_at;
     }
 
     // The largest difference of each series to the deck as it is, that turned by `rotation`.
@@ -193,10 +200,11 @@ class DeckExaminer {
         run.elements = base.elements;
         run.unknowns = base.unknowns;
         run.steps = resumed.steps;
+        run.rejected_steps = resumed.rejected_steps;
         run.newton_iterations = resumed.newton_iterations;
         run.seconds = resumed.seconds;
         run.failure = resumed.failure;
-        if (run.failure.empty()) run.failure = find_inequality(resumed, is_adaptive(problem.analysis));
+        if (run.failure.empty()) run.failure = find_inequality(resumed, study_.is_adaptive);
     }
 
     // At samples where steps end; of steps by their error, at the end alone.
@@ -242,13 +250,17 @@ class DeckExaminer {
         if (!order_differences_.empty()) report.order_difference = order_differences_[k];
         if (!turned_differences_.empty()) report.turned_difference = turned_differences_[k];
         if (!simo_differences_.empty()) report.simo_difference = simo_differences_[k];
-        bool is_trusted = true;
+        bool is_trusted = study_.has_finer_steps();
         for (std::size_t i = 0; i < base_.samples; ++i) {
             const double error = (i < report.steps.errors.size() ? report.steps.errors[i] : 0.0) +
                                  (i < report.mesh.errors.size() ? report.mesh.errors[i] : 0.0);
             report.error = std::fmax(report.error, error);
             is_trusted = is_trusted && error <= options_->tolerance * scale.scale;
             if (is_trusted) report.trusted_until = study_.times[i];
+        }
+        if (!study_.has_finer_steps()) {
+            report.steps = {};
+            report.error = std::numeric_limits<double>::infinity();
         }
         return report;
     }
@@ -275,31 +287,6 @@ class DeckExaminer {
 };
 
 }  // namespace
-
-const VariantRun* DeckStudy::find(VariantKind kind, int level) const {
-    for (const VariantRun& run : runs) {
-        if (run.variant.kind == kind && run.variant.level == level) return &run;
-    }
-    return nullptr;
-}
-
-bool DeckStudy::is_sound() const {
-    const auto holds = [&](VariantKind kind) {
-        const VariantRun* run = find(kind);
-        return run == nullptr || run->is_whole();
-    };
-    return holds(VariantKind::resumed) && holds(VariantKind::two_threads) && holds(VariantKind::turned) &&
-           std::all_of(series.begin(), series.end(), [](const SeriesReport& report) {
-               return report.turned_difference <=
-                      std::fmax(turned_tolerance * report.scale, turned_part * report.error);
-           });
-}
-
-bool DeckStudy::is_accurate() const {
-    return std::all_of(series.begin(), series.end(), [&](const SeriesReport& report) {
-        return report.error <= tolerance * report.scale;
-    });
-}
 
 DeckStudy study_deck(const DeckTemplate& deck,
                      const std::vector<std::string>& overrides,

@@ -19,6 +19,8 @@ struct VariantRun {
     long elements = 0;
     long unknowns = 0;
     long steps = 0;
+    long rejected_steps = 0;
+    bool is_cut_alike = true;  // of the turned run: at the places of the deck as it is
     long newton_iterations = 0;
     double seconds = 0.0;
     std::string failure;  // why it ended before its end; of the resumed and threaded runs, how they differ
@@ -37,7 +39,7 @@ struct SeriesReport {
     double order_difference = 0.0;  // to elements of the next order, at most
     double turned_difference = 0.0;
     double simo_difference = 0.0;
-    double error = 0.0;          // of step and mesh together, at most
+    double error = 0.0;          // of step and mesh together, at most; infinite if it is not known
     double trusted_until = 0.0;  // the time up to which it is within the tolerance
 
     double relative(double value) const { return scale > 0.0 ? value / scale : 0.0; }
@@ -55,6 +57,7 @@ struct DeckStudy {
     std::string deck;
     double end_time = 1.0;
     bool is_static = false;
+    bool is_adaptive = false;
     double expected_order = 2.0;  // of the scheme, in the step
     bool has_own_histories = true;
     Vec3 rotation = Vec3::Zero();  // rotation vector of the turned run
@@ -66,6 +69,16 @@ struct DeckStudy {
     bool is_interrupted = false;
 
     const VariantRun* find(VariantKind kind, int level = 0) const;
+    // Whether runs with finer steps took more of them. Where steps are cut since they do not converge they
+    // may take the same ones, and equal results are then no sign of small errors.
+    bool has_finer_steps() const;
+    // Whether steps of the turned run were cut where those of the deck as it is were. If round-off decides
+    // otherwise, the two differ by the error of the step.
+    bool is_turned_cut_alike() const;
+    // The largest of all series, by their scales.
+    double largest_difference(double SeriesReport::*difference) const;
+    // How far a series may differ once the model is turned, by round-off that the motion lets grow.
+    double turned_limit(const SeriesReport& report) const;
     // Whether what must hold for any step and mesh does: no dependence on the orientation, on stopping, on
     // threads.
     bool is_sound() const;

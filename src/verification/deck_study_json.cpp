@@ -54,6 +54,7 @@ Json to_json(const VariantRun& run) {
             {"elements", run.elements},
             {"unknowns", run.unknowns},
             {"steps", run.steps},
+            {"rejected_steps", run.rejected_steps},
             {"newton_iterations", run.newton_iterations},
             {"seconds", run.seconds},
             {"failure", run.is_whole() ? Json(nullptr) : Json(run.failure)},

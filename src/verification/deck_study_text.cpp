@@ -14,6 +14,10 @@ std::string describe_order(const ErrorEstimate& estimate) {
     return "-";
 }
 
+std::string describe_error(const SeriesReport& report) {
+    return std::isfinite(report.error) ? fmt::format("{:.1e}", report.relative(report.error)) : "?";
+}
+
 // An error by the series' scale: "1.2e-03", or "?" where runs do not support it.
 std::string describe_part(const SeriesReport& report, const ErrorEstimate& estimate) {
     if (!estimate.is_known()) return "-";
@@ -22,6 +26,7 @@ std::string describe_part(const SeriesReport& report, const ErrorEstimate& estim
 }
 
 std::string describe_trust(const DeckStudy& study, const SeriesReport& report) {
+    if (!study.has_finer_steps()) return "?";
     if (report.trusted_until >= study.end_time) return "all";
     return fmt::format("{:.4g}", report.trusted_until);
 }
@@ -30,14 +35,6 @@ std::size_t longest_title(const DeckStudy& study) {
     std::size_t width = std::string("series").size();
     for (const SeriesReport& report : study.series) width = std::max(width, report.series.title().size());
     return width;
-}
-
-// By the largest of all series, by their scales.
-double largest_part(const DeckStudy& study, double SeriesReport::*difference) {
-    double most = 0.0;
-    for (const SeriesReport& report : study.series)
-        most = std::fmax(most, report.relative(report.*difference));
-    return most;
 }
 
 double ratio(double part, double whole) { return whole > 0.0 ? part / whole : 0.0; }
@@ -98,7 +95,7 @@ std::string describe_errors(const DeckStudy& study) {
                                    "error",
                                    "right to");
     for (const SeriesReport& report : study.series) {
-        text += fmt::format("{:<{}}{:>12.4g}{:>11}{:>7}{:>11}{:>7}{:>11.1e}{:>10}\n",
+        text += fmt::format("{:<{}}{:>12.4g}{:>11}{:>7}{:>11}{:>7}{:>11}{:>10}\n",
                             report.series.title(),
                             width,
                             report.is_still ? 0.0 : report.scale,
@@ -106,7 +103,7 @@ std::string describe_errors(const DeckStudy& study) {
                             describe_order(report.steps),
                             describe_part(report, report.mesh),
                             describe_order(report.mesh),
-                            report.relative(report.error),
+                            describe_error(report),
                             describe_trust(study, report));
     }
     text += fmt::format(
@@ -135,19 +132,21 @@ std::string describe_properties(const DeckStudy& study) {
                         describe_balance(study, &TraceBooks::angular_imbalance, &TraceBooks::angular_scale));
     }
     if (const VariantRun* turned = study.find(VariantKind::turned)) {
-        text += fmt::format("{} by {:.3g} rad: {}\n",
-                            turned->variant.title,
-                            study.rotation.norm(),
-                            turned->is_whole()
-                                ? fmt::format("the same, turned, to {:.1e}",
-                                              largest_part(study, &SeriesReport::turned_difference))
-                                : "failed");
+        text +=
+            fmt::format("{} by {:.3g} rad: {}\n",
+                        turned->variant.title,
+                        study.rotation.norm(),
+                        turned->is_whole()
+                            ? fmt::format("{} {:.1e}",
+                                          study.is_turned_cut_alike() ? "the same, turned, to"
+                                                                      : "steps cut elsewhere; it differs by",
+                                          study.largest_difference(&SeriesReport::turned_difference))
+                            : "failed");
     }
     for (const VariantKind kind : {VariantKind::higher_order, VariantKind::simo}) {
         const VariantRun* run = study.find(kind, kind == VariantKind::higher_order ? 1 : 0);
         if (run == nullptr) continue;
-        const double difference = largest_part(
-            study,
+        const double difference = study.largest_difference(
             kind == VariantKind::simo ? &SeriesReport::simo_difference : &SeriesReport::order_difference);
         text += fmt::format("{}: {}\n",
                             run->variant.title,

@@ -121,6 +121,8 @@ class Tracer {
     void visit(MotionTrace& trace) {
         const Snapshot snapshot = analysis_->snapshot(false);
         sampler_.add(snapshot.time, reader_.read(snapshot));
+        trace.rejected_at.insert(
+            trace.rejected_at.end(), analysis_->solver_row().rejected_steps, snapshot.time);
         const LedgerRow ledger = analysis_->ledger_row();
         TraceBooks& books = trace.books;
         const double energy = ledger.kinetic_energy + ledger.strain_energy;

@@ -50,6 +50,7 @@ ResumedRun run_with_stop(const Problem& given, double end_time, const TraceReque
     const RunSummary whole = run_analysis(second);
     if (is_ended) throw StudyInterrupted();
     result.steps = whole.totals.steps;
+    result.rejected_steps = whole.totals.rejected_steps;
     result.newton_iterations = whole.totals.newton_iterations;
     result.failure = whole.status == RunStatus::complete ? "" : whole.reason;
     return result;

@@ -10,6 +10,7 @@ struct ResumedRun {
     std::vector<double> times;                         // of accepted steps after that
     std::vector<std::vector<HistoryPoint::Row>> rows;  // of all series, of each of these
     long steps = 0;
+    long rejected_steps = 0;
     long newton_iterations = 0;
     double seconds = 0.0;
     std::string failure;

@@ -57,6 +57,20 @@ class VerifyDeck(ProgramTest):
         self.assertIn("times as many elements would bring that to", told)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["swing.toml"])
 
+    def test_steps_that_are_cut_tell_nothing(self):
+        options = ("--set", "analysis.time_step=1", "--set", "load[0].force=[0, '300*sin(t)^2', 0]")
+        told = self.gxrod("verify", self.write(), *options).stdout
+        self.assertRegex(told, r"\ntip position .*-      - .* \?         \?\n")
+        self.assertIn("\n- Steps that did not converge were cut, and finer ones came to nearly the same (", told)
+        self.assertNotIn("ight to 1 %", told)
+        found = json.loads(self.gxrod("verify", "swing.toml", "--json", *options).stdout)
+        self.assertFalse(found["accurate"])
+        self.assertIsNone(found["series"][0]["relative_error"])
+        self.assertIsNone(found["series"][0]["steps"])
+        self.assertEqual(found["runs"][0]["steps"], found["runs"][1]["steps"])
+        for run in found["runs"]:
+            self.assertGreater(run["rejected_steps"], 0, run["run"])
+
     def test_as_json(self):
         found = json.loads(self.gxrod("verify", self.write(), "--json", "--levels", "1").stdout)
         self.assertEqual((found["deck"], found["title"]), ("swing.toml", "A beam that swings"))

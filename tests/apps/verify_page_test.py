@@ -52,6 +52,13 @@ class VerifyPage(ProgramTest):
         # Too little is known for orders.
         self.assertIn("–", self.texts("#errors tbody tr:first-child td"))
 
+    def test_what_is_not_known_is_not_green(self):
+        self.show(SWING, "--set", "analysis.time_step=1", "--set", "load[0].force=[0, '300*sin(t)^2', 0]")
+        self.assertEqual(self.texts("#status"), ["errors are not known"])
+        self.assertEqual(self.texts("#errors td.right"), [])
+        self.assertEqual(self.texts("#errors td.wrong"), ["?", "?", "?"])
+        self.assertEqual(self.browser.take_errors(), [])
+
     def test_a_body_has_no_mesh(self):
         self.show(SPINNING_BODY)
         self.assertEqual(self.browser.take_errors(), [])

@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <limits>
 
 #include "verification/deck_study_text.hpp"
 
@@ -105,6 +106,64 @@ TEST_CASE("what must not be is called a fault", "[verification]") {
         CHECK_FALSE(unequal.is_sound());
         CHECK(says(unequal, "is not the same as the deck as it is: tip position differs at t = 0.5"));
     }
+}
+
+TEST_CASE("where finer steps are no finer, nothing is said of errors", "[verification]") {
+    DeckStudy study = make_study({make_report("tip", 1e-9, 1e-3)});
+    CHECK(study.is_accurate());
+    study.runs[0].steps = 90;
+    study.runs[1].steps = 120;
+    CHECK(study.has_finer_steps());
+    study.runs[1].steps = 110;
+    CHECK_FALSE(study.has_finer_steps());
+    study.series[0].steps = {};
+    study.series[0].error = std::numeric_limits<double>::infinity();
+    CHECK_FALSE(study.is_accurate());
+    CHECK(study.is_sound());
+    CHECK(says(
+        study,
+        "Steps that did not converge were cut, and finer ones came to nearly the same (90, 110 with half "
+        "the step): what the step adds cannot be told, nor how right the series are. Take more than 90 "
+        "steps before anything else."));
+    CHECK_FALSE(says(study, "ight to 1 %"));
+    CHECK_THAT(describe_errors(study),
+               Catch::Contains("          -      -    1.0e-03   2.00          ?         ?\n"));
+    CHECK(to_json(study, false)["series"][0]["relative_error"].dump() == "null");
+    // What turning may change is then told by the mesh alone.
+    study.series[0].turned_difference = 1e-3;
+    CHECK_FALSE(study.is_sound());
+    study.series[0].turned_difference = 1e-5;
+    CHECK(study.is_sound());
+    study.is_adaptive = true;
+    CHECK(says(
+        study,
+        "Something else than the tolerance sets the steps (90, 110 with half the step): what they add "
+        "cannot be told, nor how right the series are. Choose a smaller tolerance, or a smaller max_step, "
+        "before anything else."));
+    study.is_static = true;
+    CHECK(study.has_finer_steps());
+    study.is_static = false;
+    study.runs[1].failure = "the step from t = 0 failed";
+    CHECK(study.has_finer_steps());
+}
+
+TEST_CASE("a turned model whose steps are cut elsewhere may differ by the error", "[verification]") {
+    DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3)});
+    const double error = study.series[0].error;
+    study.series[0].turned_difference = 0.9 * error;
+    CHECK_FALSE(study.is_sound());
+    study.runs[2].is_cut_alike = false;
+    study.runs[2].steps = 91;
+    CHECK(study.is_sound());
+    CHECK(says(
+        study,
+        "Turned in space, steps were cut elsewhere, which round-off decides (91 steps, 0 as it is): that the "
+        "motion then differs by 0.18 % says nothing of its orientation."));
+    CHECK_THAT(describe_properties(study),
+               Catch::Contains("by 0 rad: steps cut elsewhere; it differs by 1.8e-03\n"));
+    study.series[0].turned_difference = 1.1 * error;
+    CHECK_FALSE(study.is_sound());
+    CHECK(says(study, "The motion depends on how the model stands in space"));
 }
 
 TEST_CASE("statics: the load steps must not matter", "[verification]") {

@@ -1,6 +1,7 @@
 #include "verification/deck_study.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <fstream>
 
 #include "model/temporary_folder.hpp"
@@ -255,6 +256,27 @@ TEST_CASE("what the user sets gives way to what a variant sets", "[verification]
     REQUIRE(coarser.runs.size() == 3);
     CHECK(coarser.runs[0].steps == 50);
     CHECK(coarser.runs[1].steps == 100);
+    CHECK(coarser.has_finer_steps());
+}
+
+TEST_CASE("steps that are cut wherever they begin tell nothing of errors", "[verification]") {
+    const DeckStudy cut = study(swing,
+                                {VariantKind::finer_steps, VariantKind::turned},
+                                {"analysis.time_step=1", "load[0].force=[0,\"300*sin(t)^2\",0]"});
+    REQUIRE(cut.runs.size() == 4);
+    CHECK(cut.runs[0].rejected_steps > 0);
+    // From two steps or four, the same ones come of it, with the same motion.
+    CHECK(cut.runs[1].steps == cut.runs[0].steps);
+    CHECK(cut.base_rows.size() == cut.series.size());
+    CHECK_FALSE(cut.has_finer_steps());
+    CHECK(cut.is_turned_cut_alike());
+    CHECK(cut.is_sound());
+    CHECK_FALSE(cut.is_accurate());
+    for (const SeriesReport& report : cut.series) {
+        CHECK_FALSE(report.steps.is_known());
+        CHECK(std::isinf(report.error));
+        CHECK(report.trusted_until == 0.0);
+    }
 }
 
 TEST_CASE("steps by their error are studied by their tolerance", "[verification]") {
@@ -268,6 +290,13 @@ TEST_CASE("steps by their error are studied by their tolerance", "[verification]
     CHECK(adaptive.runs[3].is_whole());
     const SeriesReport& tip = find(adaptive, "beam.end position");
     CHECK(tip.steps.differences[1] < 0.2 * tip.steps.differences[0]);
+    const DeckStudy bound =
+        study(swing,
+              {VariantKind::finer_steps},
+              {"analysis.integrator=sdirk-4", "analysis.adaptive={tolerance = 1, max_step = 0.02}"});
+    CHECK(bound.runs[0].steps == 100);
+    CHECK_FALSE(bound.has_finer_steps());
+    CHECK_THAT(judge(bound).front(), Catch::StartsWith("Something else than the tolerance sets the steps"));
 }
 
 TEST_CASE("a deck that does not converge ends its study", "[verification]") {

@@ -22,7 +22,7 @@ export function showHeader(study) {
     failed: base && base.failure ? "does not reach its end" : "something does not hold",
     interrupted: "interrupted",
     complete: `right to ${goal}`,
-    running: `not all is right to ${goal}`,
+    running: study.series.some((series) => series.relative_error === null) ? "errors are not known" : `not all is right to ${goal}`,
   };
   find("status").dataset.status = state;
   find("status").textContent = words[state];
@@ -52,9 +52,10 @@ function describePart(series, part) {
 export function showErrors(study) {
   const clock = study.analysis === "static" ? "load factor" : "time";
   const rows = study.series.map((series) => {
-    const isRight = series.relative_error <= study.tolerance;
-    const until = series.trusted_until >= study.end_time ? "the end" : formatNumber(series.trusted_until, 4);
-    const error = make("td", { className: isRight ? "right" : "wrong" }, formatShare(series.relative_error));
+    const isKnown = series.relative_error !== null;
+    const isRight = isKnown && series.relative_error <= study.tolerance;
+    const until = !isKnown ? "?" : series.trusted_until >= study.end_time ? "the end" : formatNumber(series.trusted_until, 4);
+    const error = make("td", { className: isRight ? "right" : "wrong" }, isKnown ? formatShare(series.relative_error) : "?");
     return [
       nameOf(series),
       series.still ? "none" : formatNumber(series.scale, 4),
