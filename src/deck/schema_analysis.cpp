@@ -65,8 +65,9 @@ const TableSpec& adaptive_table() {
              .dimension = "1",
              .range = positive,
              .default_value = AdaptiveSettings{}.tolerance,
-             .sentence = "Of one step's estimated error: displacements over the model's length, rotations "
-                         "in rad, and velocities times the step alike, the largest of all nodes."},
+             .sentence =
+                 "Of one step's estimated error: the length of displacements over the model's length, of "
+                 "rotations in rad, and of velocities times the step alike, the largest of all nodes."},
             {.name = "min_step",
              .type = ValueType::number,
              .dimension = "time",

@@ -17,9 +17,9 @@ struct Stage {
     double end_time;   // where the step ends: step_time + time_step but for rounding
 };
 
-// An estimate of a step's error: of displacements relative to the model's length, of rotations in rad, and of
-// velocities and angular velocities, times Δt, alike. The largest, and the node and component (0 … 5) that
-// has it.
+// An estimate of a step's error: the length of that of a node's displacement relative to the model's length,
+// of its rotation in rad, and of its velocity and angular velocity, times Δt, alike. The largest, and the
+// node that has it, with the largest component (0 … 5).
 struct StepError {
     double size = 0.0;
     int node = -1;

@@ -111,9 +111,16 @@ StepError Sdirk4::estimate_error(const State& state, double time_step, double le
             rates.head<3>() += weight * time_step / length * stage.a;
             rates.tail<3>() += weight * time_step * stage.alpha;
         }
-        int component = 0;
-        const double size = placement.cwiseAbs().cwiseMax(rates.cwiseAbs()).maxCoeff(&component);
-        if (size > error.size) error = {size, static_cast<int>(i), component};
+        for (int first = 0; first < 6; first += 3) {
+            for (const Vec6* part : {&placement, &rates}) {
+                // Lengths, so that steps do not depend on how the model stands in space.
+                const double size = part->segment<3>(first).norm();
+                if (size <= error.size) continue;
+                int component = 0;
+                part->segment<3>(first).cwiseAbs().maxCoeff(&component);
+                error = {size, static_cast<int>(i), first + component};
+            }
+        }
     }
     return error;
 }

@@ -86,7 +86,7 @@ TEST_CASE("the error estimate of sdirk-4 falls with the fourth power of the step
     CHECK(compute_orders(errors)[1] == Approx(4.0).margin(0.1));
 }
 
-TEST_CASE("the error estimate of sdirk-4 is that of the worst node and component", "[integrators]") {
+TEST_CASE("the error estimate of sdirk-4 is that of the worst node, by lengths", "[integrators]") {
     // From rates of one stage alone, with b − b̂ = 1/4 for the last.
     const Sdirk4 scheme;
     State state = make_random_state(scheme, 3);
@@ -104,13 +104,18 @@ TEST_CASE("the error estimate of sdirk-4 is that of the worst node and component
     CHECK(none.node == -1);
     CHECK(none.component == -1);
     rates.v = Vec3(0.0, -3.0, 1.0);
-    check(weight * 3.0 / 5.0, 1);
+    check(weight * std::sqrt(10.0) / 5.0, 1);
     rates.theta_dot = Vec3(0.0, 0.0, 0.7);
     check(weight * 0.7, 5);
-    rates.a = Vec3(0.0, 0.0, -20.0);
-    check(weight * 0.2 * 20.0 / 5.0, 2);
+    rates.a = Vec3(0.0, 3.0, -20.0);
+    check(weight * 0.2 * std::sqrt(409.0) / 5.0, 2);
     rates.alpha = Vec3(5.0, 0.0, 0.0);
     check(weight * 0.2 * 5.0, 3);
+    // However the model stands in space.
+    const Quat turn = exp_quaternion(Vec3(0.3, -1.1, 0.7));
+    rates.alpha = turn * Vec3(5.0, 0.1, -0.2);
+    CHECK(scheme.estimate_error(state, 0.2, 5.0).size ==
+          Approx(weight * 0.2 * std::sqrt(25.05)).epsilon(1e-14));
 }
 
 TEST_CASE("sdirk-4 is stiffly accurate and L-stable", "[integrators]") {
