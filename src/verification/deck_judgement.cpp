@@ -26,6 +26,7 @@ struct Worst {
 Worst find_worst(const DeckStudy& study, ErrorEstimate SeriesReport::*part) {
     Worst worst;
     for (const SeriesReport& report : study.series) {
+        if ((report.*part).is_round_off()) continue;
         const double share = report.relative((report.*part).largest());
         if (worst.report == nullptr || share > worst.share) worst = {&report, share};
     }
@@ -56,6 +57,7 @@ class Judge {
         judge_soundness();
         if (study_->has_finer_steps()) {
             judge_accuracy();
+            tell_round_off();
             judge_steps();
             judge_mesh();
         } else {
@@ -153,6 +155,22 @@ class Judge {
                                           : fmt::format("{} ({})", report.series.title(), size);
     }
 
+    // Of the series that has the fewest digits.
+    void tell_round_off() {
+        const SeriesReport* worst = nullptr;
+        for (const SeriesReport& report : study_->series) {
+            const double share = report.relative(report.round_off);
+            if (share > 0.5 * study_->tolerance &&
+                (worst == nullptr || share > worst->relative(worst->round_off)))
+                worst = &report;
+        }
+        if (worst == nullptr) return;
+        say("Round-off alone changes {} by {}: the model lets it have no more digits, whatever the step and "
+            "mesh.",
+            worst->series.title(),
+            describe_share(worst->relative(worst->round_off)));
+    }
+
     // Whether what a step or mesh adds may stay.
     bool is_enough(const Worst& worst) const {
         return worst.share <= 0.5 * study_->tolerance || study_->is_accurate();
@@ -240,10 +258,14 @@ class Judge {
         const TraceBooks& books = study_->runs.front().books;
         if (books.largest_energy <= 0.0) return;
         const double share = books.largest_energy_error / books.largest_energy;
-        if (share > study_->tolerance) {
-            say("Energy is out of balance by {} of its largest value; halve the step until it is not.",
-                describe_share(share));
-        }
+        if (share <= study_->tolerance) return;
+        const VariantRun* finer = study_->find(VariantKind::finer_steps, 1);
+        const bool is_mended = finer == nullptr || !finer->is_whole() ||
+                               finer->books.largest_energy_error < books.largest_energy_error;
+        say("Energy is out of balance by {} of its largest value; {}",
+            describe_share(share),
+            is_mended ? "halve the step until it is not."
+                      : fmt::format("{} does not mend that.", finer->variant.title));
     }
 
     void tell_failures() {

@@ -17,7 +17,13 @@ namespace gxrod {
 namespace {
 
 constexpr long most_samples = 2000;
-constexpr double round_off = 1e-9;  // of a series' scale: differences below it show no order
+constexpr double least_difference = 1e-9;  // of a series' scale: differences below it show no order
+constexpr double slack_in_time = 1e-9;     // of the end time
+constexpr double angle_more = 1e-6;        // rad, of the run that shows round-off
+// Differences up to this many times the round-off seen show no order, either.
+constexpr double round_off_factor = 10.0;
+// Of unit quaternions, and of places by the model's length, at least.
+constexpr double least_round_off = 4.0 * std::numeric_limits<double>::epsilon();
 
 Quat make_random_rotation(unsigned seed) {
     std::mt19937 generator(seed);
@@ -69,6 +75,7 @@ class DeckExaminer {
         study_.end_time = study_.times.back();
         series_ = list_series(problem.output);
         rotation_ = make_random_rotation(options.seed);
+        rotation_more_ = rotation_ * exp_quaternion(Vec3(angle_more, 0.0, 0.0));
         study_.rotation = log(rotation_);
     }
 
@@ -117,6 +124,7 @@ class DeckExaminer {
     void run_whole(VariantRun& run) {
         Problem problem = build(run.variant.overrides);
         if (run.variant.kind == VariantKind::turned) turn_problem(rotation_, problem);
+        if (run.variant.kind == VariantKind::turned_more) turn_problem(rotation_more_, problem);
         const int threads = run.variant.kind == VariantKind::two_threads ? 2 : 1;
         MotionTrace trace = trace_motion(problem, make_request(threads));
         run.elements = trace.elements;
@@ -142,14 +150,19 @@ class DeckExaminer {
                 if (run.is_whole()) meshes_.push_back(std::move(trace.rows));
                 break;
             case VariantKind::higher_order:
-                order_differences_ = compare(trace, Quat::Identity());
+                order_differences_ = compare(base_, trace, Quat::Identity());
                 break;
             case VariantKind::simo:
-                simo_differences_ = compare(trace, Quat::Identity());
+                simo_differences_ = compare(base_, trace, Quat::Identity());
                 break;
             case VariantKind::turned:
-                turned_differences_ = compare(trace, rotation_);
-                run.is_cut_alike = is_cut_alike(trace);
+                if (run.is_whole()) turned_differences_ = compare(base_, trace, rotation_);
+                run.is_cut_alike = is_cut_alike(base_, trace);
+                turned_ = std::move(trace);
+                break;
+            case VariantKind::turned_more:
+                if (turned_.is_whole() && run.is_whole() && is_cut_alike(turned_, trace))
+                    round_off_ = list_differences(turned_, trace, rotation_more_ * rotation_.conjugate());
                 break;
             case VariantKind::two_threads:
                 run.failure = find_inequality(trace);
@@ -160,20 +173,32 @@ class DeckExaminer {
     }
 
     // Times of steps by their error are never the same: of them counts are compared.
-    bool is_cut_alike(const MotionTrace& trace) const {
-        if (trace.steps != base_.steps) return false;
-        return study_.is_adaptive ? trace.rejected_at.size() == base_.rejected_at.size()
-                                  : trace.rejected_at == base_.rejected_at;
+    bool is_cut_alike(const MotionTrace& one, const MotionTrace& other) const {
+        if (one.steps != other.steps) return false;
+        return study_.is_adaptive ? one.rejected_at.size() == other.rejected_at.size()
+                                  : one.rejected_at == other.rejected_at;
     }
 
-    // The largest difference of each series to the deck as it is, that turned by `rotation`.
-    std::vector<double> compare(const MotionTrace& trace, const Quat& rotation) const {
-        std::vector<double> differences;
+    // Of each series, at each sample, between a run that is turned by `rotation` and another one.
+    std::vector<std::vector<double>> list_differences(const MotionTrace& one,
+                                                      const MotionTrace& other,
+                                                      const Quat& rotation) const {
+        std::vector<std::vector<double>> differences;
         for (std::size_t k = 0; k < series_.size(); ++k) {
-            std::vector<HistoryPoint::Row> turned = base_.rows[k];
+            std::vector<HistoryPoint::Row> turned = one.rows[k];
             for (HistoryPoint::Row& row : turned) row = turn_row(series_[k].turning, rotation, row);
-            differences.push_back(largest(compute_differences(series_[k], turned, trace.rows[k])));
+            differences.push_back(compute_differences(series_[k], turned, other.rows[k]));
         }
+        return differences;
+    }
+
+    // The largest of them.
+    std::vector<double> compare(const MotionTrace& one,
+                                const MotionTrace& other,
+                                const Quat& rotation) const {
+        std::vector<double> differences;
+        for (const std::vector<double>& of_series : list_differences(one, other, rotation))
+            differences.push_back(largest(of_series));
         return differences;
     }
 
@@ -204,15 +229,18 @@ class DeckExaminer {
         run.newton_iterations = resumed.newton_iterations;
         run.seconds = resumed.seconds;
         run.failure = resumed.failure;
-        if (run.failure.empty()) run.failure = find_inequality(resumed, study_.is_adaptive);
+        if (run.failure.empty() && resumed.rows.empty()) {
+            run.untried = "no step is left to resume with";
+        } else if (run.failure.empty()) {
+            run.failure = find_inequality(resumed, study_.is_adaptive);
+        }
     }
 
     // At samples where steps end; of steps by their error, at the end alone.
     std::string find_inequality(const ResumedRun& resumed, bool at_end_alone) const {
-        if (resumed.rows.empty()) return "no step is left to resume";
         std::size_t step = 0;
         for (std::size_t i = at_end_alone ? base_.samples - 1 : 0; i < base_.samples; ++i) {
-            const double slack = round_off * study_.end_time;
+            const double slack = slack_in_time * study_.end_time;
             while (step < resumed.times.size() && resumed.times[step] < study_.times[i] - slack) ++step;
             if (step == resumed.times.size())
                 return fmt::format("no step ends at t = {:.10g}", study_.times[i]);
@@ -239,12 +267,18 @@ class DeckExaminer {
         return estimate_error(differences, order, floor);
     }
 
+    double find_round_off(std::size_t k) const {
+        const double unit = series_[k].is_rotation() ? 1.0 : series_[k].is_length() ? base_.length : 0.0;
+        return std::fmax(least_round_off * unit, round_off_.empty() ? 0.0 : largest(round_off_[k]));
+    }
+
     SeriesReport report(std::size_t k, const SeriesScale& scale) const {
         SeriesReport report;
         report.series = series_[k];
         report.scale = scale.scale;
         report.is_still = scale.is_still;
-        const double floor = round_off * scale.scale;
+        report.round_off = find_round_off(k);
+        const double floor = std::fmax(least_difference * scale.scale, round_off_factor * report.round_off);
         report.steps = estimate(k, steps_, study_.expected_order, floor);
         report.mesh = estimate(k, meshes_, mesh_order_of(base_problem_.model), floor);
         if (!order_differences_.empty()) report.order_difference = order_differences_[k];
@@ -252,8 +286,11 @@ class DeckExaminer {
         if (!simo_differences_.empty()) report.simo_difference = simo_differences_[k];
         bool is_trusted = study_.has_finer_steps();
         for (std::size_t i = 0; i < base_.samples; ++i) {
-            const double error = (i < report.steps.errors.size() ? report.steps.errors[i] : 0.0) +
-                                 (i < report.mesh.errors.size() ? report.mesh.errors[i] : 0.0);
+            const auto part = [&](const std::vector<double>& of_samples) {
+                return i < of_samples.size() ? of_samples[i] : 0.0;
+            };
+            const double error = part(report.steps.errors) + part(report.mesh.errors) +
+                                 (round_off_.empty() ? 0.0 : part(round_off_[k]));
             report.error = std::fmax(report.error, error);
             is_trusted = is_trusted && error <= options_->tolerance * scale.scale;
             if (is_trusted) report.trusted_until = study_.times[i];
@@ -267,8 +304,10 @@ class DeckExaminer {
 
     void report_series() {
         const double speed = base_.mass > 0.0 ? base_.books.momentum_scale / base_.mass : 0.0;
+        std::vector<double> round_off;
+        for (std::size_t k = 0; k < series_.size(); ++k) round_off.push_back(find_round_off(k));
         const std::vector<SeriesScale> scales =
-            compute_scales(series_, base_.rows, {base_.length, speed, base_.books.largest_energy});
+            compute_scales(series_, base_.rows, {base_.length, speed, base_.books.largest_energy}, round_off);
         for (std::size_t k = 0; k < series_.size(); ++k) study_.series.push_back(report(k, scales[k]));
         study_.base_rows = std::move(base_.rows);
     }
@@ -277,8 +316,11 @@ class DeckExaminer {
     Problem base_problem_;
     std::vector<Series> series_;
     Quat rotation_;
+    Quat rotation_more_;
     DeckStudy study_;
     MotionTrace base_;
+    MotionTrace turned_;
+    std::vector<std::vector<double>> round_off_;                      // of each series, at each sample
     std::vector<std::vector<std::vector<HistoryPoint::Row>>> steps_;  // of each level, of each series
     std::vector<std::vector<std::vector<HistoryPoint::Row>>> meshes_;
     std::vector<double> order_differences_;

@@ -23,6 +23,7 @@ struct VariantRun {
     bool is_cut_alike = true;  // of the turned run: at the places of the deck as it is
     long newton_iterations = 0;
     double seconds = 0.0;
+    std::string untried;  // why there was nothing to try: it is whole then
     std::string failure;  // why it ended before its end; of the resumed and threaded runs, how they differ
     TraceBooks books;
 
@@ -38,8 +39,9 @@ struct SeriesReport {
     ErrorEstimate mesh;             // what the mesh adds
     double order_difference = 0.0;  // to elements of the next order, at most
     double turned_difference = 0.0;
+    double round_off = 0.0;  // what turning the model a little more changes
     double simo_difference = 0.0;
-    double error = 0.0;          // of step and mesh together, at most; infinite if it is not known
+    double error = 0.0;          // of step, mesh and round-off together, at most; infinite if it is not known
     double trusted_until = 0.0;  // the time up to which it is within the tolerance
 
     double relative(double value) const { return scale > 0.0 ? value / scale : 0.0; }

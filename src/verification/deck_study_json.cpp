@@ -57,6 +57,7 @@ Json to_json(const VariantRun& run) {
             {"rejected_steps", run.rejected_steps},
             {"newton_iterations", run.newton_iterations},
             {"seconds", run.seconds},
+            {"untried", run.untried.empty() ? Json(nullptr) : Json(run.untried)},
             {"failure", run.is_whole() ? Json(nullptr) : Json(run.failure)},
             {"books", to_json(run.books)}};
 }
@@ -72,6 +73,7 @@ Json to_json(const SeriesReport& report, const Chosen& chosen) {
             {"relative_error", report.relative(report.error)},
             {"trusted_until", report.trusted_until},
             {"next_order_difference", report.order_difference},
+            {"round_off", report.round_off},
             {"turned_difference", report.turned_difference},
             {"simo_difference", report.simo_difference}};
 }

@@ -54,7 +54,9 @@ std::string describe_balance(const DeckStudy& study, double TraceBooks::*error, 
 std::string describe_equality(const VariantRun& run) {
     return fmt::format("{}: {}\n",
                        run.variant.title,
-                       run.is_whole() ? "the same to the last bit" : "NOT the same: " + run.failure);
+                       !run.untried.empty() ? "not tried: " + run.untried
+                       : run.is_whole()     ? "the same to the last bit"
+                                            : "NOT the same: " + run.failure);
 }
 
 }  // namespace
@@ -142,6 +144,13 @@ std::string describe_properties(const DeckStudy& study) {
                                                                       : "steps cut elsewhere; it differs by",
                                           study.largest_difference(&SeriesReport::turned_difference))
                             : "failed");
+    }
+    if (const VariantRun* more = study.find(VariantKind::turned_more)) {
+        text += fmt::format("{}, which shows round-off: {}\n",
+                            more->variant.title,
+                            more->is_whole() ? fmt::format("differs by {:.1e}",
+                                                           study.largest_difference(&SeriesReport::round_off))
+                                             : "failed");
     }
     for (const VariantKind kind : {VariantKind::higher_order, VariantKind::simo}) {
         const VariantRun* run = study.find(kind, kind == VariantKind::higher_order ? 1 : 0);

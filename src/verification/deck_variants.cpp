@@ -82,6 +82,7 @@ std::vector<DeckVariant> list_variants(const Problem& problem, int levels) {
     }
     if (!order.overrides.empty()) variants.push_back(order);
     variants.push_back({VariantKind::turned, 0, "turned in space"});
+    variants.push_back({VariantKind::turned_more, 0, "turned by 1e-6 rad more"});
     if (!simo.overrides.empty()) variants.push_back(simo);
     variants.push_back({VariantKind::resumed, 0, "stopped midway and resumed"});
     variants.push_back({VariantKind::two_threads, 0, "two threads"});

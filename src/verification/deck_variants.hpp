@@ -13,6 +13,7 @@ enum class VariantKind {
     finer_mesh,   // twice, four times the elements
     higher_order,  // elements of the next order
     turned,        // all of it rotated rigidly
+    turned_more,   // and a little more: all that differs then is round-off
     simo,          // elements simo instead of objective
     resumed,       // stopped midway and resumed
     two_threads

@@ -18,6 +18,8 @@ struct ErrorEstimate {
     bool is_supported = false;
 
     bool is_known() const { return !differences.empty(); }
+    // Whether all there is of it is round-off.
+    bool is_round_off() const { return is_supported && !order; }
     double largest() const;
 };
 

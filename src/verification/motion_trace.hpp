@@ -21,6 +21,10 @@ struct Series {
 
     // Of rotations rows are unit quaternions (w x y z), and differences angles.
     bool is_rotation() const { return quantity == Quantity::quaternion || quantity == Quantity::orientation; }
+    bool is_length() const {
+        return quantity == Quantity::position || quantity == Quantity::displacement ||
+               quantity == Quantity::centre_of_mass;
+    }
     std::string title() const { return point + " " + name; }
 };
 

@@ -10,6 +10,8 @@ namespace {
 // Less than this part of the same quantity elsewhere, or of the model's own, is what solvers leave.
 constexpr double still = 1e-9;
 constexpr double still_by_nature = 1e-6;
+constexpr double still_place = 1e-9;  // of the model's length
+constexpr double still_by_round_off = 10.0;
 
 double length(const HistoryPoint::Row& row) {
     double sum = 0.0;
@@ -24,8 +26,7 @@ HistoryPoint::Row combine(const HistoryPoint::Row& one, double factor, const His
 }
 
 double find_scale(const Series& series, const std::vector<HistoryPoint::Row>& rows) {
-    const bool is_place =
-        series.quantity == Quantity::position || series.quantity == Quantity::centre_of_mass;
+    const bool is_place = series.is_length() && series.quantity != Quantity::displacement;
     const bool counts_from_start = is_place || series.is_rotation();
     double scale = 0.0;
     for (const HistoryPoint::Row& row : rows) {
@@ -88,7 +89,8 @@ double NaturalScales::of(Quantity quantity) const {
 
 std::vector<SeriesScale> compute_scales(const std::vector<Series>& series,
                                         const std::vector<std::vector<HistoryPoint::Row>>& rows,
-                                        const NaturalScales& natural) {
+                                        const NaturalScales& natural,
+                                        const std::vector<double>& round_off) {
     std::vector<SeriesScale> scales(series.size());
     for (std::size_t k = 0; k < series.size(); ++k) scales[k].scale = find_scale(series[k], rows[k]);
     const std::vector<SeriesScale> own = scales;
@@ -98,8 +100,13 @@ std::vector<SeriesScale> compute_scales(const std::vector<Series>& series,
             if (series[j].quantity == series[k].quantity) group = std::fmax(group, own[j].scale);
         }
         const double nature = natural.of(series[k].quantity);
-        if (own[k].scale > still * group && own[k].scale > still_by_nature * nature) continue;
+        const double least = std::max({still * group,
+                                       (series[k].is_length() ? still_place : still_by_nature) * nature,
+                                       still_by_round_off * round_off[k]});
+        if (own[k].scale > least) continue;
         scales[k] = {std::fmax(group, nature), true};
+        // Where nothing turns, a radian is as good a measure as any.
+        if (series[k].is_rotation() && group <= still_by_round_off * round_off[k]) scales[k].scale = 1.0;
     }
     return scales;
 }

@@ -29,14 +29,15 @@ struct NaturalScales {
 
 // How much each series changes in a run, the length by which its errors are to be judged: of places the way
 // from the start, of rotations at most 1 rad, of the rest the largest value. What is small beside the same
-// quantity elsewhere, or beside the model's own, is_still, as is the moment at a free end; what is large
-// there is its scale then.
+// quantity elsewhere, or beside the model's own, or within ten times what round-off alone changes, is_still,
+// as is the moment at a free end; what is large there is its scale then.
 struct SeriesScale {
     double scale = 0.0;
     bool is_still = false;
 };
 std::vector<SeriesScale> compute_scales(const std::vector<Series>& series,
                                         const std::vector<std::vector<HistoryPoint::Row>>& rows,
-                                        const NaturalScales& natural);
+                                        const NaturalScales& natural,
+                                        const std::vector<double>& round_off);
 
 }  // namespace gxrod

@@ -45,7 +45,7 @@ class VerifyDeck(ProgramTest):
 
     def test_tells_what_can_be_trusted(self):
         told = self.gxrod("verify", self.write()).stdout
-        self.assertIn("A beam that swings\n10 runs, which cost about 19.5 times what the deck costs as it is\n", told)
+        self.assertIn("A beam that swings\n11 runs, which cost about 20.5 times what the deck costs as it is\n", told)
         self.assertIn("the others will take about", told)
         self.assertIn("tip position", told)
         self.assertIn("stopped midway and resumed: the same to the last bit\n", told)
@@ -76,7 +76,7 @@ class VerifyDeck(ProgramTest):
         self.assertEqual((found["deck"], found["title"]), ("swing.toml", "A beam that swings"))
         self.assertTrue(found["sound"])
         self.assertFalse(found["accurate"])
-        self.assertEqual(len(found["runs"]), 8)
+        self.assertEqual(len(found["runs"]), 9)
         self.assertEqual(found["runs"][1]["set"], ["analysis.steps=200"])
         tip = found["series"][0]
         self.assertEqual((tip["point"], tip["quantity"], tip["steps"]["order"]), ("tip", "position", None))
@@ -100,7 +100,7 @@ class VerifyDeck(ProgramTest):
     def test_a_body(self):
         found = json.loads(self.gxrod("verify", self.write(SPINNING_BODY), "--json").stdout)
         self.assertEqual([run["run"] for run in found["runs"]],
-                         ["as it is", "half the step", "a quarter of the step", "turned in space",
+                         ["as it is", "half the step", "a quarter of the step", "turned in space", "turned by 1e-6 rad more",
                           "stopped midway and resumed", "two threads"])
         self.assertAlmostEqual(found["series"][0]["steps"]["order"], 2, delta=0.05)
         self.assertIsNone(found["series"][0]["mesh"])

@@ -30,11 +30,11 @@ class VerifyPage(ProgramTest):
         self.show(SWING)
         self.assertEqual(self.texts("h1"), ["A beam that swings"])
         self.assertEqual(self.texts("#status"), ["not all is right to 1 %"])
-        self.assertIn("gxrod verify deck.toml · dynamic · 10 runs", self.texts("#subtitle")[0])
+        self.assertIn("gxrod verify deck.toml · dynamic · 11 runs", self.texts("#subtitle")[0])
         self.assertTrue(self.texts("#judgement li")[0].startswith("Right to 1 % of their largest change: "))
         self.assertEqual(self.texts("#errors tbody th"), ["tip position", "tip moment", "root reaction force"])
         self.assertIn("the same to the last bit", self.texts("#properties td.words"))
-        self.assertEqual(len(self.texts("#runs tbody tr")), 10)
+        self.assertEqual(len(self.texts("#runs tbody tr")), 11)
         self.assertIn("tip position: estimated error, by its change", self.texts("#charts h3"))
         self.browser.wait(lambda: self.browser.run("return document.querySelectorAll('#charts canvas').length") > 1)
         for size in (PHONE, LAPTOP):

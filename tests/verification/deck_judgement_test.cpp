@@ -166,6 +166,47 @@ TEST_CASE("a turned model whose steps are cut elsewhere may differ by the error"
     CHECK(says(study, "The motion depends on how the model stands in space"));
 }
 
+TEST_CASE("round-off is told, and no refinement against it", "[verification]") {
+    DeckStudy study = make_study({make_report("root", 1e-3, 1e-3), make_report("tip", 1e-3, 1e-3)});
+    SeriesReport& tip = study.series[1];
+    tip.round_off = 0.02;
+    CHECK(says(study,
+               "Round-off alone changes tip position by 1 %: the model lets it have no more digits, whatever "
+               "the step "
+               "and mesh."));
+    tip.round_off = 0.0099;
+    CHECK_FALSE(says(study, "Round-off"));
+    // Within round-off, step and mesh have no order, and nothing is asked of them.
+    tip.round_off = 0.5;
+    tip.error = 0.5;
+    tip.steps = estimate_error({{0.1}, {0.2}}, 2.0, 5.0);
+    tip.mesh = estimate_error({{0.4}, {0.1}}, 2.0, 5.0);
+    CHECK(tip.steps.is_round_off());
+    CHECK_FALSE(says(study, "Errors do not fall"));
+    CHECK_FALSE(says(study, "adds"));
+    CHECK(says(study, "Not right to 1 %: tip position (25 %, right up to t = 1)."));
+    // Nor is the orientation to blame, up to a hundred times what was seen.
+    tip.turned_difference = 49.0;
+    CHECK(study.is_sound());
+    tip.turned_difference = 51.0;
+    CHECK_FALSE(study.is_sound());
+}
+
+TEST_CASE("a turned run that fails is a fault unless one that is turned a little more does not",
+          "[verification]") {
+    DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3)});
+    study.runs[2].failure = "the step from t = 0 failed";
+    CHECK_FALSE(study.is_sound());
+    VariantRun more;
+    more.variant = {VariantKind::turned_more, 0, "turned by 1e-6 rad more"};
+    study.runs.push_back(more);
+    CHECK(study.is_sound());
+    CHECK_THAT(describe_properties(study),
+               Catch::Contains("turned by 1e-6 rad more, which shows round-off: differs by 0.0e+00\n"));
+    study.runs.back().failure = "the step from t = 0 failed";
+    CHECK_FALSE(study.is_sound());
+}
+
 TEST_CASE("statics: the load steps must not matter", "[verification]") {
     DeckStudy study = make_study({make_report("tip", 0.05, 0.0)});
     study.is_static = true;
@@ -179,7 +220,11 @@ TEST_CASE("statics: the load steps must not matter", "[verification]") {
 TEST_CASE("energy out of balance, and runs that failed, are told", "[verification]") {
     DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3)});
     study.runs[0].books.largest_energy_error = 0.5;
-    CHECK(says(study, "Energy is out of balance by 5 % of its largest value"));
+    CHECK(
+        says(study, "Energy is out of balance by 5 % of its largest value; halve the step until it is not."));
+    study.runs[1].books.largest_energy_error = 0.6;
+    CHECK(says(study,
+               "Energy is out of balance by 5 % of its largest value; half the step does not mend that."));
     study.runs[1].failure = "the step from t = 0 failed";
     CHECK(says(study,
                "The run \"half the step\" failed, so that estimates lack it: the step from t = 0 failed."));
@@ -209,6 +254,11 @@ TEST_CASE("tables and JSON have what the study has", "[verification]") {
     CHECK(curves["times"].size() == 2);
     CHECK(curves["series"][0]["values"][1][0] == 2.0);
     CHECK(curves["series"][0]["mesh"]["errors"].size() == 2);
+    study.runs[3].untried = "no step is left to resume with";
+    CHECK_THAT(describe_properties(study),
+               Catch::Contains("stopped midway and resumed: not tried: no step is left to resume with\n"));
+    CHECK(to_json(study, false)["runs"][3]["untried"] == "no step is left to resume with");
+    study.runs[3].untried = "";
     study.runs[3].failure = "it differs";
     CHECK_THAT(describe_properties(study),
                Catch::Contains("stopped midway and resumed: NOT the same: it differs\n"));

@@ -279,6 +279,36 @@ TEST_CASE("steps that are cut wherever they begin tell nothing of errors", "[ver
     }
 }
 
+TEST_CASE("a run of one step cannot be stopped midway", "[verification]") {
+    const DeckStudy single = study(swing, {VariantKind::resumed}, {"analysis.steps=1"});
+    REQUIRE(single.runs.size() == 2);
+    CHECK(single.runs[1].is_whole());
+    CHECK(single.runs[1].untried == "no step is left to resume with");
+    CHECK(single.is_sound());
+}
+
+TEST_CASE("round-off is seen where it is all there is", "[verification]") {
+    // Stiffnesses of 1e16 and a force of 1: of forces there are no digits, of places there are.
+    const DeckStudy stiff =
+        study(swing,
+              {VariantKind::finer_steps, VariantKind::turned, VariantKind::turned_more},
+              {"section.s.stiffness={ EA = 1e16, GAy = 1e16, GAz = 1e16, GJ = 1e14, EIy = 1e14, EIz = 1e14 }",
+               "rod.beam.line={ from = [0.1, 0.2, 0.3], to = [4, 0, 0] }",
+               "history=[{ name = 'root', at = 'beam@0.1', quantities = ['force', 'position'] }]"});
+    REQUIRE(stiff.runs.size() == 5);
+    const SeriesReport& force = find(stiff, "root force");
+    INFO("round-off " << force.round_off << " of " << force.scale << ", turned " << force.turned_difference);
+    CHECK(force.round_off > 0.05);
+    CHECK(force.error >= force.round_off);
+    CHECK(force.trusted_until < 2.0);
+    CHECK(stiff.is_sound());
+    CHECK_FALSE(stiff.is_accurate());
+    CHECK(find(stiff, "root position").round_off < 1e-12);
+    // And hardly any where there is none to speak of.
+    const DeckStudy soft = study(swing, {VariantKind::turned, VariantKind::turned_more});
+    for (const SeriesReport& report : soft.series) CHECK(report.relative(report.round_off) < 1e-9);
+}
+
 TEST_CASE("steps by their error are studied by their tolerance", "[verification]") {
     const DeckStudy adaptive = study(swing,
                                      {VariantKind::finer_steps, VariantKind::resumed},
@@ -290,6 +320,12 @@ TEST_CASE("steps by their error are studied by their tolerance", "[verification]
     CHECK(adaptive.runs[3].is_whole());
     const SeriesReport& tip = find(adaptive, "beam.end position");
     CHECK(tip.steps.differences[1] < 0.2 * tip.steps.differences[0]);
+    // The error of a step, and so the next one's length, does not depend on how the model stands.
+    const DeckStudy turned = study(swing,
+                                   {VariantKind::turned},
+                                   {"analysis.integrator=sdirk-4", "analysis.adaptive={tolerance = 1e-3}"});
+    CHECK(find(turned, "beam.end position").relative(find(turned, "beam.end position").turned_difference) <
+          1e-8);
     const DeckStudy bound =
         study(swing,
               {VariantKind::finer_steps},
@@ -333,6 +369,7 @@ TEST_CASE("the variants that make sense", "[verification]") {
                                        "twice the elements",
                                        "elements of the next order",
                                        "turned in space",
+                                       "turned by 1e-6 rad more",
                                        "elements simo",
                                        "stopped midway and resumed",
                                        "two threads"};
@@ -342,11 +379,12 @@ TEST_CASE("the variants that make sense", "[verification]") {
                                               "half the step",
                                               "twice the elements",
                                               "turned in space",
+                                              "turned by 1e-6 rad more",
                                               "stopped midway and resumed",
                                               "two threads"});
     const DeckFile file(swing);
     const auto variants = list_variants(file.read().build({"rod.beam.elements=6"}), 2);
     CHECK(variants[2].overrides == std::vector<std::string>{"analysis.steps=400"});
     CHECK(variants[4].overrides == std::vector<std::string>{"rod.beam.elements=24"});
-    CHECK(total_cost(variants) == Approx(19.5));
+    CHECK(total_cost(variants) == Approx(20.5));
 }

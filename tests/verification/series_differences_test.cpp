@@ -41,28 +41,44 @@ TEST_CASE("scales: the way of places, the angle of rotations, the size of the re
     const std::vector<std::vector<Row>> rows{{{100, 0, 0, 0}, {103, 4, 0, 0}, {101, 0, 0, 0}},
                                              {turned(0.0), turned(0.2)},
                                              {{7, 0, 0, 0}, {1, 0, 0, 0}}};
-    const auto scales = compute_scales({place, attitude, force}, rows, {});
+    const auto scales = compute_scales({place, attitude, force}, rows, {}, {0.0, 0.0, 0.0});
     CHECK(scales[0].scale == Approx(5.0));
     CHECK(scales[1].scale == Approx(0.2));
     CHECK(scales[2].scale == Approx(7.0));
-    CHECK(compute_scales({attitude}, {{turned(0.0), turned(3.0)}}, {})[0].scale == 1.0);
+    CHECK(compute_scales({attitude}, {{turned(0.0), turned(3.0)}}, {}, {0.0})[0].scale == 1.0);
 }
 
 TEST_CASE("what stays where it is is judged by its like", "[verification]") {
     const std::vector<std::vector<Row>> rows{{{0, 0, 0, 0}, {1e-15, 0, 0, 0}}, {{0, 0, 0, 0}, {2, 0, 0, 0}}};
-    const auto scales = compute_scales({place, place}, rows, {});
+    const auto scales = compute_scales({place, place}, rows, {}, {0.0, 0.0});
     CHECK(scales[0].is_still);
     CHECK(scales[0].scale == 2.0);
     CHECK_FALSE(scales[1].is_still);
 }
 
+TEST_CASE("what is within round-off is still", "[verification]") {
+    const std::vector<std::vector<Row>> rows{{{0, 0, 0, 0}, {1e-7, 0, 0, 0}}};
+    CHECK_FALSE(compute_scales({force}, rows, {}, {0.9e-8})[0].is_still);
+    CHECK(compute_scales({force}, rows, {}, {1.1e-8})[0].is_still);
+    // Small places count from a billionth of the model on.
+    const NaturalScales natural{4.0, 0.0, 0.0};
+    CHECK_FALSE(compute_scales({place}, {{{1, 0, 0, 0}, {1 + 5e-9, 0, 0, 0}}}, natural, {0.0})[0].is_still);
+    CHECK(compute_scales({place}, {{{1, 0, 0, 0}, {1 + 3e-9, 0, 0, 0}}}, natural, {0.0})[0].scale == 4.0);
+    // What does not turn is judged by a radian, if nothing else turns.
+    const std::vector<std::vector<Row>> angles{{turned(0.0), turned(1e-15)}, {turned(0.0), turned(0.2)}};
+    CHECK(compute_scales({attitude}, {angles[0]}, {}, {1e-15})[0].scale == 1.0);
+    const auto scales = compute_scales({attitude, attitude}, angles, {}, {1e-15, 1e-15});
+    CHECK(scales[0].is_still);
+    CHECK(scales[0].scale == Approx(0.2));
+}
+
 TEST_CASE("what solvers leave is judged by what is large in the model", "[verification]") {
     const NaturalScales natural{4.0, 2.0, 8.0};
     // A force at a free end: energy by length is 2.
-    const auto scales = compute_scales({force}, {{{0, 0, 0, 0}, {1e-7, 0, 0, 0}}}, natural);
+    const auto scales = compute_scales({force}, {{{0, 0, 0, 0}, {1e-7, 0, 0, 0}}}, natural, {0.0});
     CHECK(scales[0].is_still);
     CHECK(scales[0].scale == 2.0);
-    CHECK_FALSE(compute_scales({force}, {{{0, 0, 0, 0}, {1e-5, 0, 0, 0}}}, natural)[0].is_still);
+    CHECK_FALSE(compute_scales({force}, {{{0, 0, 0, 0}, {1e-5, 0, 0, 0}}}, natural, {0.0})[0].is_still);
     CHECK(natural.of(Quantity::position) == 4.0);
     CHECK(natural.of(Quantity::velocity) == 2.0);
     CHECK(natural.of(Quantity::angular_velocity) == 0.5);

@@ -102,14 +102,14 @@ export function showProperties(study) {
     rows.push(["linear momentum less impulse", describeBalance(study, "linear_imbalance", "momentum_scale")]);
     rows.push(["angular momentum less impulse", describeBalance(study, "angular_imbalance", "angular_scale")]);
   }
-  const differences = { "turned in space": "turned_difference", "elements of the next order": "next_order_difference", "elements simo": "simo_difference" };
+  const differences = { "turned in space": "turned_difference", "turned by 1e-6 rad more": "round_off", "elements of the next order": "next_order_difference", "elements simo": "simo_difference" };
   for (const [name, quantity] of Object.entries(differences)) {
     const run = findRun(study, name);
     if (run) rows.push([name, describeDifference(study, run, quantity)]);
   }
   for (const name of ["stopped midway and resumed", "two threads"]) {
     const run = findRun(study, name);
-    if (run) rows.push([name, run.failure ? `not the same: ${run.failure}` : "the same to the last bit"]);
+    if (run) rows.push([name, run.untried ? `not tried: ${run.untried}` : run.failure ? `not the same: ${run.failure}` : "the same to the last bit"]);
   }
   find("properties").append(makeTable(["", ""], rows.map(([name, words]) => [name, make("td", { className: "words" }, words)])));
 }
