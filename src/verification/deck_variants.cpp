@@ -15,14 +15,15 @@ constexpr double error_fall = 16.0;  // of one step of sdirk-4, estimated with o
 
 std::string rod_key(const std::string& name, const char* key) { return join_key({"rod", name, key}, 3); }
 
-// The rods whose deck says of how many elements they are: all but those of a mesh.
-std::vector<const Rod*> list_refinable_rods(const Problem& problem) {
+// The rods whose deck says of how many elements they are, and of which order: all but those of a mesh.
+std::vector<const Rod*> list_rods(const Problem& problem, bool of_meshes) {
     const DeckNode deck = read_toml(problem.record.text, problem.record.name);
     std::vector<const Rod*> rods;
     const DeckEntry* tables = deck.find("rod");
     for (const Rod& rod : problem.model.rods) {
         const DeckEntry* table = tables == nullptr ? nullptr : tables->node.find(rod.name);
-        if (table != nullptr && table->node.find("elements") != nullptr) rods.push_back(&rod);
+        const bool is_of_mesh = table == nullptr || table->node.find("elements") == nullptr;
+        if (is_of_mesh == of_meshes) rods.push_back(&rod);
     }
     return rods;
 }
@@ -68,15 +69,17 @@ DeckVariant make_finer_mesh(const std::vector<const Rod*>& rods, int level) {
 std::vector<DeckVariant> list_variants(const Problem& problem, int levels) {
     std::vector<DeckVariant> variants{{VariantKind::as_it_is, 0, "as it is"}};
     for (int level = 1; level <= levels; ++level) variants.push_back(make_finer_steps(problem, level));
-    const std::vector<const Rod*> refinable = list_refinable_rods(problem);
+    const std::vector<const Rod*> refinable = list_rods(problem, false);
     for (int level = 1; level <= levels && !refinable.empty(); ++level) {
         variants.push_back(make_finer_mesh(refinable, level));
     }
     DeckVariant order{VariantKind::higher_order, 1, "elements of the next order", {}, 2.0};
     DeckVariant simo{VariantKind::simo, 0, "elements simo", {}, 1.5};
+    for (const Rod* rod : refinable) {
+        if (rod->order < highest_order)
+            order.overrides.push_back(fmt::format("{}={}", rod_key(rod->name, "order"), rod->order + 1));
+    }
     for (const Rod& rod : problem.model.rods) {
-        if (rod.order < highest_order)
-            order.overrides.push_back(fmt::format("{}={}", rod_key(rod.name, "order"), rod.order + 1));
         if (rod.kind == ElementKind::objective)
             simo.overrides.push_back(fmt::format("{}=simo", rod_key(rod.name, "element")));
     }
@@ -87,6 +90,12 @@ std::vector<DeckVariant> list_variants(const Problem& problem, int levels) {
     variants.push_back({VariantKind::resumed, 0, "stopped midway and resumed"});
     variants.push_back({VariantKind::two_threads, 0, "two threads"});
     return variants;
+}
+
+std::vector<std::string> list_unrefined_rods(const Problem& problem) {
+    std::vector<std::string> names;
+    for (const Rod* rod : list_rods(problem, true)) names.push_back(rod->name);
+    return names;
 }
 
 double total_cost(const std::vector<DeckVariant>& variants) {

@@ -31,6 +31,9 @@ struct DeckVariant {
 // All that make sense for this problem, the deck as it is first. `levels`: 1 or 2 refinements.
 std::vector<DeckVariant> list_variants(const Problem& problem, int levels);
 
+// The rods that no variant refines: those of meshes.
+std::vector<std::string> list_unrefined_rods(const Problem& problem);
+
 double total_cost(const std::vector<DeckVariant>& variants);
 
 }  // namespace gxrod
