@@ -28,6 +28,7 @@ Worst find_worst(const DeckStudy& study, ErrorEstimate SeriesReport::*part) {
     for (const SeriesReport& report : study.series) {
         if ((report.*part).is_round_off()) continue;
         const double share = report.relative((report.*part).largest());
+        if (!std::isfinite(share)) continue;
         if (worst.report == nullptr || share > worst.share) worst = {&report, share};
     }
     return worst;
@@ -60,6 +61,7 @@ class Judge {
             tell_round_off();
             judge_steps();
             judge_mesh();
+            tell_unrefined_rods();
         } else {
             tell_lack_of_steps();
         }
@@ -83,24 +85,25 @@ class Judge {
                 run->variant.title,
                 run->failure);
         }
-        if (!study_->is_sound() && std::all_of(study_->runs.begin(),
-                                               study_->runs.end(),
-                                               [](const VariantRun& run) { return run.is_whole(); })) {
+        if (study_->depends_on_orientation()) {
             say("The motion depends on how the model stands in space, by more than its errors. If no "
-                "expression "
-                "of the deck hides a direction, please report it.");
+                "expression of the deck hides a direction, and a smaller newton.tolerance does not mend it, "
+                "please report it.");
         }
         tell_turned_steps();
     }
 
     void tell_turned_steps() {
-        const VariantRun* turned = study_->find(VariantKind::turned);
-        if (study_->is_turned_cut_alike() || !turned->is_whole() || !study_->is_sound()) return;
-        say("Turned in space, steps were cut elsewhere, which round-off decides ({} steps, {} as it is): "
-            "that "
-            "the motion then differs by {} says nothing of its orientation.",
-            turned->steps,
-            study_->runs.front().steps,
+        if (study_->is_turned_cut_alike()) return;
+        std::vector<std::string> counts;
+        for (const VariantKind kind :
+             {VariantKind::as_it_is, VariantKind::turned, VariantKind::turned_more}) {
+            if (const VariantRun* run = study_->find(kind))
+                counts.push_back(fmt::format("{} {}", run->steps, run->variant.title));
+        }
+        say("Turned in space, steps were cut elsewhere, which round-off decides (steps: {}): that the motion "
+            "then differs by {} says nothing of its orientation.",
+            fmt::join(counts, ", "),
             describe_share(study_->largest_difference(&SeriesReport::turned_difference)));
     }
 
@@ -136,11 +139,16 @@ class Judge {
             return;
         }
         if (!right.empty()) say("Right to {} of their largest change: {}.", goal, fmt::join(right, ", "));
-        std::vector<std::string> wrong;
+        std::vector<std::string> wrong, still;
         for (const SeriesReport& report : study_->series) {
-            if (report.error > study_->tolerance * report.scale) wrong.push_back(describe_miss(report));
+            if (report.error <= study_->tolerance * report.scale) continue;
+            (report.scale > 0.0 ? wrong : still)
+                .push_back(report.scale > 0.0 ? describe_miss(report) : report.series.title());
         }
-        say("Not right to {}: {}.", goal, fmt::join(wrong, ", "));
+        if (!wrong.empty()) say("Not right to {}: {}.", goal, fmt::join(wrong, ", "));
+        if (!still.empty())
+            say("Not to be judged, as nothing of the kind changes but by round-off: {}.",
+                fmt::join(still, ", "));
     }
 
     // "tip force (2.8 %, right up to t = 4.55)".
@@ -160,7 +168,7 @@ class Judge {
         const SeriesReport* worst = nullptr;
         for (const SeriesReport& report : study_->series) {
             const double share = report.relative(report.round_off);
-            if (share > 0.5 * study_->tolerance &&
+            if (std::isfinite(share) && share > 0.5 * study_->tolerance &&
                 (worst == nullptr || share > worst->relative(worst->round_off)))
                 worst = &report;
         }
@@ -234,6 +242,14 @@ class Judge {
                 worst.report->series.title(),
                 describe_share(raised));
         }
+    }
+
+    void tell_unrefined_rods() {
+        if (study_->unrefined_rods.empty()) return;
+        say("Not known is what the elements of rods from mesh files ({}) add, as they cannot be refined "
+            "here; "
+            "compare with a finer mesh.",
+            fmt::join(study_->unrefined_rods, ", "));
     }
 
     void advise(const Worst& worst,

@@ -70,6 +70,7 @@ class DeckExaminer {
         study_.is_static = std::holds_alternative<StaticSettings>(problem.analysis);
         study_.is_adaptive = is_adaptive(problem.analysis);
         study_.expected_order = order_of(problem.analysis);
+        study_.unrefined_rods = list_unrefined_rods(problem);
         study_.tolerance = options.tolerance;
         study_.times = sample_times(problem.analysis, most_samples);
         study_.end_time = study_.times.back();
@@ -156,12 +157,16 @@ class DeckExaminer {
                 simo_differences_ = compare(base_, trace, Quat::Identity());
                 break;
             case VariantKind::turned:
-                if (run.is_whole()) turned_differences_ = compare(base_, trace, rotation_);
-                run.is_cut_alike = is_cut_alike(base_, trace);
+                if (run.is_whole()) {
+                    turned_differences_ = compare(base_, trace, rotation_);
+                    run.is_cut_alike = is_cut_alike(base_, trace);
+                }
                 turned_ = std::move(trace);
                 break;
             case VariantKind::turned_more:
-                if (turned_.is_whole() && run.is_whole() && is_cut_alike(turned_, trace))
+                if (!turned_.is_whole() || !run.is_whole()) break;
+                run.is_cut_alike = is_cut_alike(turned_, trace);
+                if (run.is_cut_alike)
                     round_off_ = list_differences(turned_, trace, rotation_more_ * rotation_.conjugate());
                 break;
             case VariantKind::two_threads:

@@ -20,7 +20,7 @@ struct VariantRun {
     long unknowns = 0;
     long steps = 0;
     long rejected_steps = 0;
-    bool is_cut_alike = true;  // of the turned run: at the places of the deck as it is
+    bool is_cut_alike = true;  // of turned runs: where the steps of the run before it were
     long newton_iterations = 0;
     double seconds = 0.0;
     std::string untried;  // why there was nothing to try: it is whole then
@@ -44,7 +44,8 @@ struct SeriesReport {
     double error = 0.0;          // of step, mesh and round-off together, at most; infinite if it is not known
     double trusted_until = 0.0;  // the time up to which it is within the tolerance
 
-    double relative(double value) const { return scale > 0.0 ? value / scale : 0.0; }
+    // Infinite if there is nothing to judge it by: nothing of its kind changes.
+    double relative(double value) const;
 };
 
 struct DeckStudyOptions {
@@ -62,7 +63,8 @@ struct DeckStudy {
     bool is_adaptive = false;
     double expected_order = 2.0;  // of the scheme, in the step
     bool has_own_histories = true;
-    Vec3 rotation = Vec3::Zero();  // rotation vector of the turned run
+    std::vector<std::string> unrefined_rods;  // of meshes
+    Vec3 rotation = Vec3::Zero();             // rotation vector of the turned run
     double tolerance = 0.01;
     std::vector<VariantRun> runs;
     std::vector<SeriesReport> series;
@@ -74,13 +76,15 @@ struct DeckStudy {
     // Whether runs with finer steps took more of them. Where steps are cut since they do not converge they
     // may take the same ones, and equal results are then no sign of small errors.
     bool has_finer_steps() const;
-    // Whether steps of the turned run were cut where those of the deck as it is were. If round-off decides
-    // otherwise, the two differ by the error of the step.
+    // Whether steps of the turned runs were cut where those of the deck as it is were. If round-off decides
+    // otherwise, they differ by the error of the step, which says nothing of orientation.
     bool is_turned_cut_alike() const;
     // The largest of all series, by their scales.
     double largest_difference(double SeriesReport::*difference) const;
-    // How far a series may differ once the model is turned, by round-off that the motion lets grow.
+    // How far a series may differ once the model is turned.
     double turned_limit(const SeriesReport& report) const;
+    // Whether a turned model moves otherwise, by more than that, or fails where as it is it does not.
+    bool depends_on_orientation() const;
     // Whether what must hold for any step and mesh does: no dependence on the orientation, on stopping, on
     // threads.
     bool is_sound() const;

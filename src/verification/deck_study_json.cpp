@@ -90,6 +90,7 @@ Json to_json(const DeckStudy& study, bool with_curves) {
               {"tolerance", study.tolerance},
               {"rotation", {study.rotation.x(), study.rotation.y(), study.rotation.z()}},
               {"own_histories", study.has_own_histories},
+              {"unrefined_rods", study.unrefined_rods},
               {"interrupted", study.is_interrupted},
               {"sound", study.is_sound()},
               {"accurate", study.is_accurate()},

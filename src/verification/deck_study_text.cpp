@@ -14,15 +14,17 @@ std::string describe_order(const ErrorEstimate& estimate) {
     return "-";
 }
 
-std::string describe_error(const SeriesReport& report) {
-    return std::isfinite(report.error) ? fmt::format("{:.1e}", report.relative(report.error)) : "?";
+std::string describe_error(const SeriesReport& report, double error) {
+    const double share = report.relative(error);
+    return std::isfinite(share) ? fmt::format("{:.1e}", share) : "?";
 }
 
 // An error by the series' scale: "1.2e-03", or "?" where runs do not support it.
 std::string describe_part(const SeriesReport& report, const ErrorEstimate& estimate) {
     if (!estimate.is_known()) return "-";
-    const std::string value = fmt::format("{:.1e}", report.relative(estimate.largest()));
-    return estimate.is_supported || estimate.differences.size() == 1 ? value : value + "?";
+    const std::string value = describe_error(report, estimate.largest());
+    const bool is_sure = estimate.is_supported || estimate.differences.size() == 1 || value == "?";
+    return is_sure ? value : value + "?";
 }
 
 std::string describe_trust(const DeckStudy& study, const SeriesReport& report) {
@@ -105,7 +107,7 @@ std::string describe_errors(const DeckStudy& study) {
                             describe_order(report.steps),
                             describe_part(report, report.mesh),
                             describe_order(report.mesh),
-                            describe_error(report),
+                            describe_error(report, report.error),
                             describe_trust(study, report));
     }
     text += fmt::format(

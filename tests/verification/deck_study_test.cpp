@@ -145,6 +145,13 @@ end_time = 2.0
 time_step = 0.02
 )deck";
 
+// The same of a mesh of two elements, beam.msh.
+std::string mesh_swing() {
+    std::string text = swing;
+    const std::size_t line = text.find("line = ");
+    return text.replace(line, text.find("[[support]]") - line, "mesh = { file = \"beam.msh\", group = 7 }\n");
+}
+
 const SeriesReport& find(const DeckStudy& study, const std::string& title) {
     for (const SeriesReport& report : study.series) {
         if (report.series.title() == title) return report;
@@ -277,6 +284,30 @@ TEST_CASE("steps that are cut wherever they begin tell nothing of errors", "[ver
         CHECK(std::isinf(report.error));
         CHECK(report.trusted_until == 0.0);
     }
+}
+
+TEST_CASE("rods of meshes keep their elements", "[verification]") {
+    const DeckFile file(mesh_swing());
+    const std::filesystem::path folder = std::filesystem::path(file.read().file()).parent_path();
+    std::ofstream(folder / "beam.msh")
+        << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n"
+           "3 2 0 0\n$EndNodes\n$Elements\n2\n1 1 2 7 1 1 2\n2 1 2 7 1 2 3\n"
+           "$EndElements\n";
+    const DeckTemplate deck = file.read();
+    const std::vector<DeckVariant> variants = list_variants(deck.build({}), 1);
+    for (const DeckVariant& variant : variants) {
+        CHECK(variant.kind != VariantKind::finer_mesh);
+        CHECK(variant.kind != VariantKind::higher_order);
+    }
+    const DeckStudy whole = study_deck(deck, {}, variants, {});
+    CHECK(whole.runs.size() == 7);
+    CHECK(whole.is_sound());
+    CHECK(whole.unrefined_rods == std::vector<std::string>{"beam"});
+    CHECK(judge(whole).back() ==
+          "Not known is what the elements of rods from mesh files (beam) add, as they cannot be refined "
+          "here; compare "
+          "with a finer mesh.");
+    CHECK(study(swing, {}).unrefined_rods.empty());
 }
 
 TEST_CASE("a run of one step cannot be stopped midway", "[verification]") {
