@@ -121,8 +121,8 @@ class Judge {
                 counts);
         } else {
             say("Steps that did not converge were cut, and finer ones came to nearly the same ({}): what the "
-                "step adds cannot be told, nor how right the series are. Take more than {} steps before "
-                "anything else.",
+                "step adds cannot be told, nor how right the series are, nor whether turning the model in "
+                "space changes them by more. Take more than {} steps before anything else.",
                 counts,
                 base.steps);
         }

@@ -79,6 +79,8 @@ struct DeckStudy {
     // Whether steps of the turned runs were cut where those of the deck as it is were. If round-off decides
     // otherwise, they differ by the error of the step, which says nothing of orientation.
     bool is_turned_cut_alike() const;
+    // Whether steps were cut and finer runs show no error of them. What turning changes may be that error.
+    bool is_error_of_cuts_unknown() const;
     // The largest of all series, by their scales.
     double largest_difference(double SeriesReport::*difference) const;
     // How far a series may differ once the model is turned.

@@ -45,6 +45,10 @@ bool DeckStudy::is_turned_cut_alike() const {
     return std::all_of(runs.begin(), runs.end(), [](const VariantRun& run) { return run.is_cut_alike; });
 }
 
+bool DeckStudy::is_error_of_cuts_unknown() const {
+    return !runs.empty() && runs.front().rejected_steps > 0 && !has_finer_steps();
+}
+
 double DeckStudy::largest_difference(double SeriesReport::*difference) const {
     double most = 0.0;
     for (const SeriesReport& report : series) {
@@ -55,7 +59,7 @@ double DeckStudy::largest_difference(double SeriesReport::*difference) const {
 }
 
 double DeckStudy::turned_limit(const SeriesReport& report) const {
-    if (!is_turned_cut_alike()) return std::numeric_limits<double>::infinity();
+    if (!is_turned_cut_alike() || is_error_of_cuts_unknown()) return std::numeric_limits<double>::infinity();
     const double error = std::isfinite(report.error) ? report.error : report.mesh.largest();
     return std::max({turned_tolerance * report.scale, turned_round_off * report.round_off, error});
 }
