@@ -56,6 +56,7 @@ class Judge {
         }
         if (study_->is_interrupted) say("Interrupted: of the runs that are missing nothing is said.");
         judge_soundness();
+        tell_lack_of_motion();
         if (study_->has_finer_steps()) {
             judge_accuracy();
             tell_round_off();
@@ -105,6 +106,13 @@ class Judge {
             "then differs by {} says nothing of its orientation.",
             fmt::join(counts, ", "),
             describe_share(study_->largest_difference(&SeriesReport::turned_difference)));
+    }
+
+    void tell_lack_of_motion() {
+        if (!study_->hardly_moves()) return;
+        say("The model hardly moves, by {:.0e} of its size: velocities, accelerations and what they add to "
+            "forces are those of round-off, and nothing is said of its orientation.",
+            study_->motion);
     }
 
     // Where nothing is known of errors: finer steps were the same ones, nearly.

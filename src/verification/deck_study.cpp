@@ -309,6 +309,7 @@ class DeckExaminer {
 
     void report_series() {
         const double speed = base_.mass > 0.0 ? base_.books.momentum_scale / base_.mass : 0.0;
+        if (base_.mass > 0.0 && !study_.is_static) study_.motion = speed * study_.end_time / base_.length;
         std::vector<double> round_off;
         for (std::size_t k = 0; k < series_.size(); ++k) round_off.push_back(find_round_off(k));
         const std::vector<SeriesScale> scales =

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,9 @@ struct DeckStudy {
     std::vector<std::string> unrefined_rods;  // of meshes
     Vec3 rotation = Vec3::Zero();             // rotation vector of the turned run
     double tolerance = 0.01;
+    // How far the deck as it is moves, by the model's length: √(2 T/m), at most, times the time. Infinite in
+    // statics, where it is not known.
+    double motion = std::numeric_limits<double>::infinity();
     std::vector<VariantRun> runs;
     std::vector<SeriesReport> series;
     std::vector<double> times;                              // of samples
@@ -81,6 +85,8 @@ struct DeckStudy {
     bool is_turned_cut_alike() const;
     // Whether steps were cut and finer runs show no error of them. What turning changes may be that error.
     bool is_error_of_cuts_unknown() const;
+    // Whether the model moves by no more than what steps add up of round-off in places.
+    bool hardly_moves() const;
     // The largest of all series, by their scales.
     double largest_difference(double SeriesReport::*difference) const;
     // How far a series may differ once the model is turned.

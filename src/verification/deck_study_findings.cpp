@@ -14,6 +14,8 @@ constexpr double turned_tolerance = 1e-6;
 constexpr double turned_round_off = 100.0;
 // Of the numbers of steps of two levels, at least: 2 where none is cut.
 constexpr double least_growth = 1.25;
+// Of the model's length: less is thousands of units in the last place of coordinates, at most.
+constexpr double least_motion = 1e-12;
 
 }  // namespace
 
@@ -49,6 +51,8 @@ bool DeckStudy::is_error_of_cuts_unknown() const {
     return !runs.empty() && runs.front().rejected_steps > 0 && !has_finer_steps();
 }
 
+bool DeckStudy::hardly_moves() const { return motion < least_motion; }
+
 double DeckStudy::largest_difference(double SeriesReport::*difference) const {
     double most = 0.0;
     for (const SeriesReport& report : series) {
@@ -59,7 +63,8 @@ double DeckStudy::largest_difference(double SeriesReport::*difference) const {
 }
 
 double DeckStudy::turned_limit(const SeriesReport& report) const {
-    if (!is_turned_cut_alike() || is_error_of_cuts_unknown()) return std::numeric_limits<double>::infinity();
+    const bool is_unknown = !is_turned_cut_alike() || is_error_of_cuts_unknown() || hardly_moves();
+    if (is_unknown) return std::numeric_limits<double>::infinity();
     const double error = std::isfinite(report.error) ? report.error : report.mesh.largest();
     return std::max({turned_tolerance * report.scale, turned_round_off * report.round_off, error});
 }

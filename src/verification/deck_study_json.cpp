@@ -88,6 +88,7 @@ Json to_json(const DeckStudy& study, bool with_curves) {
               {"end_time", study.end_time},
               {"expected_order", study.expected_order},
               {"tolerance", study.tolerance},
+              {"motion", study.motion},
               {"rotation", {study.rotation.x(), study.rotation.y(), study.rotation.z()}},
               {"own_histories", study.has_own_histories},
               {"unrefined_rods", study.unrefined_rods},

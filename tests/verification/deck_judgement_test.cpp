@@ -174,6 +174,20 @@ TEST_CASE("a turned model may differ by the error, and where its steps are cut e
                Catch::Contains("by 0 rad: steps cut elsewhere; it differs by 2.2e-03\n"));
 }
 
+TEST_CASE("of a model that hardly moves, nothing is said of its orientation", "[verification]") {
+    DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3)});
+    study.series[0].turned_difference = 1.1 * study.series[0].error;
+    study.motion = 1.1e-12;
+    CHECK_FALSE(study.is_sound());
+    CHECK_FALSE(says(study, "hardly moves"));
+    study.motion = 2e-13;
+    CHECK(study.is_sound());
+    CHECK(says(study,
+               "The model hardly moves, by 2e-13 of its size: velocities, accelerations and what they "
+               "add to forces are those of round-off, and nothing is said of its orientation."));
+    CHECK(to_json(study, false)["motion"] == 2e-13);
+}
+
 TEST_CASE("round-off is told, and no refinement against it", "[verification]") {
     DeckStudy study = make_study({make_report("root", 1e-3, 1e-3), make_report("tip", 1e-3, 1e-3)});
     SeriesReport& tip = study.series[1];

@@ -340,6 +340,16 @@ TEST_CASE("round-off is seen where it is all there is", "[verification]") {
     for (const SeriesReport& report : soft.series) CHECK(report.relative(report.round_off) < 1e-9);
 }
 
+TEST_CASE("how far a model moves is told", "[verification]") {
+    const DeckStudy swinging = study(swing, {});
+    CHECK(swinging.motion > 0.1);
+    CHECK_FALSE(swinging.hardly_moves());
+    const DeckStudy resting = study(swing, {VariantKind::turned}, {"load=[]"});
+    CHECK(resting.motion < 1e-12);
+    CHECK(resting.hardly_moves());
+    CHECK(resting.is_sound());
+}
+
 TEST_CASE("steps by their error are studied by their tolerance", "[verification]") {
     const DeckStudy adaptive = study(swing,
                                      {VariantKind::finer_steps, VariantKind::resumed},
