@@ -18,7 +18,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import decks  # noqa: E402  pylint: disable=wrong-import-position
 import schema_coverage  # noqa: E402  pylint: disable=wrong-import-position
 import soundness  # noqa: E402  pylint: disable=wrong-import-position
-from verdict import Judge, judge_failure, judge_refusal  # noqa: E402  pylint: disable=wrong-import-position
+from verdict import Judge, judge_failure, judge_refusal, judge_study  # noqa: E402  pylint: disable=wrong-import-position
 
 GXROD = pathlib.Path(os.environ["GXROD"])
 SHORT = 8 if os.environ.get("GXROD_SANITIZED") == "1" else 30
@@ -138,6 +138,29 @@ class Campaign(unittest.TestCase):
         findings = [dataclasses.asdict(verdict) for verdict in verdicts if verdict.kind == "finding"]
         self.assertEqual(findings, [])
         self.assertGreater(sum(verdict.kind == "sound" for verdict in verdicts), SHORT / 2)
+
+    def test_studies_blame_nothing_on_gxrod(self):
+        # Of seed 1, some that hardly move, that are of a mesh, have one step, few digits, or steps that are cut.
+        with tempfile.TemporaryDirectory() as folder:
+            judge = Judge(GXROD, 1, pathlib.Path(folder))
+            verdicts = [judge.examine(index) for index in (4, 9, 5, 12, 35, 116, 123, 131, 168, 200, 216, 1480)[:SHORT // 2]]
+        self.assertEqual([verdict for verdict in verdicts if verdict.kind not in ("sound", "warned")], [])
+
+    def test_a_study_is_judged(self):
+        def judge(code, accurate, *errors):
+            study = {"accurate": accurate, "tolerance": 0.01, "judgement": ["It is so."],
+                     "series": [{"relative_error": error} for error in errors]}
+            return judge_study(0, subprocess.CompletedProcess([], code, json.dumps(study), ""))
+
+        self.assertEqual(judge(0, True, 0.01, 0.0).kind, "sound")
+        self.assertEqual(judge(0, False, 0.02, 0.0).reason, "not right to 1 %")
+        self.assertEqual(judge(0, False, None).reason, "errors are not known")
+        self.assertEqual(judge(0, True, 0.02, 0.0).kind, "finding")
+        self.assertEqual(judge(0, True, None).kind, "finding")
+        self.assertEqual(judge(3, False).kind, "failed")
+        self.assertEqual(judge(5, True, 0.0).kind, "finding")
+        self.assertEqual(judge(5, True, 0.0).message, "\nIt is so.")
+        self.assertEqual(judge(-11, True).kind, "finding")
 
 
 if __name__ == "__main__":

@@ -73,11 +73,24 @@ class Judge:
     def read_summary(self):
         return json.loads((self.folder / "summary.json").read_text())
 
-    def judge(self, index):
+    def write_deck(self, index):
         for file in self.folder.iterdir():
             file.unlink()
         decks.write_deck(self.seed, index, self.folder)
+
+    def judge(self, index):
+        self.write_deck(index)
         return self.judge_run(index, self.run_deck())
+
+    def examine(self, index):
+        """What gxrod verify makes of a deck: it may call results wrong, but has nothing to blame on itself."""
+        self.write_deck(index)
+        done = self.run("verify", "deck.toml", "--json")
+        verdict = judge_study(index, done)
+        verdict.seconds = self.seconds
+        if left := sorted(file.name for file in self.folder.iterdir() if file.suffix in (".vtkhdf", ".html")):
+            return Verdict(index, "finding", f"leaves {', '.join(left)}")
+        return verdict
 
     def judge_run(self, index, done):
         message = done.stderr.strip()
@@ -181,6 +194,27 @@ def find_disagreement(done, checked):
     if checked.returncode != expected:
         return [f"check ends with {checked.returncode}, run with {done.returncode}: {checked.stderr.strip()}"]
     return []
+
+
+def judge_study(index, done):
+    message = done.stderr.strip()
+    if done.returncode == -signal.SIGXCPU:
+        return Verdict(index, "sound", f"not done in {LONGEST} s of processor time")
+    if done.returncode == 2:
+        return judge_refusal(index, message)
+    if done.returncode not in (0, 3) or CRASH.search(message):
+        said = json.loads(done.stdout)["judgement"] if done.returncode == 5 else []
+        return Verdict(index, "finding", f"exit code {done.returncode}", message="\n".join([message, *said]))
+    study = json.loads(done.stdout)
+    if done.returncode == 3:
+        return Verdict(index, "failed", "does not reach its end", message=study["judgement"][0])
+    errors = [series["relative_error"] for series in study["series"]]
+    is_accurate = all(error is not None and error <= study["tolerance"] for error in errors)
+    if study["accurate"] != is_accurate:
+        return Verdict(index, "finding", "accurate or not, against its errors", message=message)
+    if any(error is None for error in errors):
+        return Verdict(index, "warned", "errors are not known")
+    return Verdict(index, "sound", "right to 1 %") if is_accurate else Verdict(index, "warned", "not right to 1 %")
 
 
 def judge_refusal(index, message):

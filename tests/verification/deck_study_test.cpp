@@ -113,7 +113,7 @@ class DeckFile {
 DeckStudy study(const std::string& text,
                 const std::vector<VariantKind>& kinds,
                 const std::vector<std::string>& overrides = {},
-                DeckStudyOptions options = {}) {
+                const DeckStudyOptions& options = {}) {
     const DeckFile file(text);
     const DeckTemplate deck = file.read();
     std::vector<DeckVariant> variants;
