@@ -210,8 +210,7 @@ std::string describe_frequencies(const Model& model, const DynamicSettings& sett
     if (settings.scheme == Scheme::sdirk_4 && step * found->highest > resolved) {
         text +=
             "  sdirk-4 with these steps does not resolve the highest ones: if they are excited, reactions "
-            "and "
-            "accelerations lose their order and energy may grow\n";
+            "and accelerations lose their order and energy may grow\n";
     }
     double largest_ratio = 0.0;
     for (const Section& section : model.sections) {

@@ -52,10 +52,9 @@ std::string describe(const Model& model, const RodForce& stiff, const RodForce& 
     const auto name = [&](const RodForce& of) { return model.rods[static_cast<std::size_t>(of.rod)].name; };
     const std::string soft_name = stiff.rod == soft.rod ? "it" : "rod " + name(soft);
     return fmt::format(
-        "rod {} is too stiff beside what bends {} for numbers of 16 digits: round-off of its forces is about "
-        "{:.2g}, a force that bends {} about {:.2g}; expected EA, GAy and GAz up to {:.1g} of what they are, "
-        "or "
-        "longer elements",
+        "rod {} is too stiff beside what bends {} for numbers of 16 digits: round-off of its forces is "
+        "about {:.2g}, a force that bends {} about {:.2g}; expected EA, GAy and GAz up to {:.1g} of what "
+        "they are, or longer elements",
         name(stiff),
         soft_name,
         stiff.force,

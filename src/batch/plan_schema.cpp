@@ -79,8 +79,7 @@ const TableSpec& vary_table() {
         vary.heading = "[vary]";
         vary.sentence =
             "What differs from case to case: any keys of the deck, in quotes. `KEY = [value, value, …]` "
-            "lists "
-            "values, of any type; `KEY = { … }` has the keys below.";
+            "lists values, of any type; `KEY = { … }` has the keys below.";
         vary.example =
             "[vary]\n"
             "\"parameters.EI\" = [100, 200, 500]\n"

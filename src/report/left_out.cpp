@@ -17,8 +17,7 @@ std::string describe_cells(std::size_t all, std::size_t drawn, bool is_sampled) 
     }
     return fmt::format(
         "{} elements are drawn as {} straight pieces, with the section quantities of the element at the "
-        "middle "
-        "of each.",
+        "middle of each.",
         all,
         drawn);
 }

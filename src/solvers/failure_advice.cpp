@@ -21,8 +21,7 @@ void add_stability(const Failure& failure, Advice& advice) {
     if (failure.phase != Phase::explicit_step) return;
     advice.push_back(
         "a smaller time_step: runge-kutta-4 is stable only while the step is short beside the shortest "
-        "period, "
-        "which the shortest and stiffest element has");
+        "period, which the shortest and stiffest element has");
     advice.push_back("an implicit integrator, such as generalized-alpha");
 }
 

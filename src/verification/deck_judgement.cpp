@@ -123,9 +123,8 @@ class Judge {
             counts += fmt::format(", {} with {}", run->steps, run->variant.title);
         if (study_->is_adaptive) {
             say("Something else than the tolerance sets the steps ({}): what they add cannot be told, nor "
-                "how "
-                "right the series are. Choose a smaller tolerance, or a smaller max_step, before anything "
-                "else.",
+                "how right the series are. Choose a smaller tolerance, or a smaller max_step, before "
+                "anything else.",
                 counts);
         } else {
             say("Steps that did not converge were cut, and finer ones came to nearly the same ({}): what the "
@@ -199,9 +198,8 @@ class Judge {
         const std::string what = worst.report->series.title();
         if (study_->is_static) {
             if (worst.share > 1e-6) {
-                say("The state depends on the load steps by {} ({}). Elements objective do not; else this is "
-                    "a "
-                    "second equilibrium.",
+                say("The state depends on the load steps by {} ({}). Elements objective do not; else this "
+                    "is a second equilibrium.",
                     describe_share(worst.share),
                     what);
             }
@@ -217,9 +215,8 @@ class Judge {
             return;
         }
         if (steps.order && *steps.order < study_->expected_order - order_slack) {
-            say("Errors fall with the step with order {:.1f}, less than the scheme's {:.0f} ({}): the steps "
-                "are "
-                "still too long for the fastest motion, or a load jumps.",
+            say("Errors fall with the step with order {:.1f}, less than the scheme's {:.0f} ({}): the "
+                "steps are still too long for the fastest motion, or a load jumps.",
                 *steps.order,
                 study_->expected_order,
                 what);
@@ -233,10 +230,9 @@ class Judge {
         if (worst.report == nullptr || !worst.report->mesh.is_known()) return;
         const ErrorEstimate& mesh = worst.report->mesh;
         if (!mesh.is_supported && mesh.differences.size() > 1) {
-            say("Errors do not fall with the mesh ({}: {:.2g}, {:.2g}): it is too coarse for this motion, or "
-                "the "
-                "series has no limit, as a force has none at a front. Take more elements before anything "
-                "else.",
+            say("Errors do not fall with the mesh ({}: {:.2g}, {:.2g}): it is too coarse for this motion, "
+                "or the series has no limit, as a force has none at a front. Take more elements before "
+                "anything else.",
                 worst.report->series.title(),
                 mesh.differences[0],
                 mesh.differences[1]);
@@ -255,8 +251,7 @@ class Judge {
     void tell_unrefined_rods() {
         if (study_->unrefined_rods.empty()) return;
         say("Not known is what the elements of rods from mesh files ({}) add, as they cannot be refined "
-            "here; "
-            "compare with a finer mesh.",
+            "here; compare with a finer mesh.",
             fmt::join(study_->unrefined_rods, ", "));
     }
 

@@ -112,11 +112,9 @@ std::string describe_errors(const DeckStudy& study) {
     }
     text += fmt::format(
         "change: the largest in the run; of rotations 1 rad at most; errors are by it, or where it is 0 by "
-        "what is "
-        "large in the model.\nstep, mesh: errors of the deck as it is, estimated from the finer runs; with ? "
-        "where "
-        "they do not fall as errors do. error: both.\nright to: the time up to which the error is below "
-        "{:g}.\n",
+        "what is large in the model.\nstep, mesh: errors of the deck as it is, estimated from the finer "
+        "runs; with ? where they do not fall as errors do. error: both.\nright to: the time up to which "
+        "the error is below {:g}.\n",
         study.tolerance);
     return text;
 }

@@ -213,11 +213,9 @@ StudyResult report(const StudyOptions&) {
                                {"seconds", row.outcome.seconds}});
     }
     result.table +=
-        "position: by the model's length; rotation: rad; both at the end, from sdirk-4 with many more steps "
-        "on "
-        "the same mesh.\nenergy: largest imbalance by the largest energy; momentum: angular, relative, at "
-        "the "
-        "end.\n";
+        "position: by the model's length; rotation: rad; both at the end, from sdirk-4 with many more "
+        "steps on the same mesh.\nenergy: largest imbalance by the largest energy; momentum: angular, "
+        "relative, at the end.\n";
     return result;
 }
 

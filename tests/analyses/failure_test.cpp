@@ -61,8 +61,7 @@ TEST_CASE("a body without inertia about an axis says so before the first step", 
     CHECK(find_failure(model, make_settings(Scheme::newmark_simplified, 1.0, 10)) ==
           "the initial accelerations cannot be found: the system of equations is singular at body (ry). "
           "Nothing resists this motion: the whole model turns about y. Try inertia for this motion: rhoA, "
-          "rhoJ, "
-          "rhoIy, rhoIz of a section, mass and inertia of a body");
+          "rhoJ, rhoIy, rhoIz of a section, mass and inertia of a body");
 }
 
 TEST_CASE("a step that turns too far says when, where and what to try", "[analyses]") {

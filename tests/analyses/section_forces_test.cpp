@@ -18,8 +18,7 @@ Vec3 vector_of(DeckRun& run, const std::string& history, const std::string& quan
 std::string history(const std::string& name, const std::string& at, const std::string& more = "") {
     return "[[history]]\nname = \"" + name + "\"\nat = \"" + at +
            "\"\nquantities = [\"position\", \"force_spatial\", \"moment_spatial\", \"force\", \"moment\", "
-           "\"strain\", "
-           "\"curvature\", \"orientation\"" +
+           "\"strain\", \"curvature\", \"orientation\"" +
            more + "]\n";
 }
 

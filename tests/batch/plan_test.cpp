@@ -216,9 +216,8 @@ TEST_CASE("What is collected must be there", "[batch]") {
         "\"magnitude\"");
     CHECK(faults_of_collect("a = { history = \"tip\", quantity = \"quaternion\", component = \"magnitude\", "
                             "take = \"max\" }") ==
-          "plan.toml:5:5: collect.a.component: quaternion is a quaternion; expected component \"w\", \"x\", "
-          "\"y\" "
-          "or \"z\"");
+          "plan.toml:5:5: collect.a.component: quaternion is a quaternion; expected component \"w\", "
+          "\"x\", \"y\" or \"z\"");
     CHECK(faults_of_collect("a = { ledger = \"strain_energy\", component = \"x\", take = \"max\" }") ==
           "plan.toml:5:5: collect.a.component: strain_energy is a single number, without components");
     CHECK(faults_of_collect("a = { ledger = \"strain_energy\", at = 2 }") ==
@@ -249,8 +248,7 @@ TEST_CASE("The columns of a table are checked", "[batch]") {
           "cases.csv:1: has one column (columns are separated by commas, not by semicolons)");
     CHECK(faults("parameters.EI,parameters.load\n1.0,\n2.0,3.0\n") ==
           "cases.csv:2: column \"parameters.load\": \"\": the expression is empty [case 1: parameters.EI = "
-          "1.0, "
-          "parameters.load = ]");
+          "1.0, parameters.load = ]");
     CHECK(faults("stiffness\n1.0\n2.0\n")
               .starts_with("cases.csv:1: column \"stiffness\": no key of the deck; name the "
                            "column after a key, or give it to one: [vary] "
@@ -265,16 +263,13 @@ TEST_CASE("The columns of a table are checked", "[batch]") {
           "plan.toml:3:9: table: column \"a b\" is no key of a deck; [vary] can say which key takes it");
     CHECK(faults("stiff,load\n1.0,2.0\n", "[vary]\n\"parameters.EI\" = { column = \"stif\" }\n") ==
           "plan.toml:5:1: vary.\"parameters.EI\": cases.csv has no column \"stif\"; it has \"stiff\", "
-          "\"load\"; "
-          "did you mean \"stiff\"?");
+          "\"load\"; did you mean \"stiff\"?");
     CHECK(faults("stiff\n1.0\n", "[vary]\n\"parameters.EI\" = [1.0]\n") ==
           "plan.toml:5:19: vary.\"parameters.EI\": with combine = \"table\" the values are in the table; "
-          "expected "
-          "{ column = \"…\" }");
+          "expected { column = \"…\" }");
     CHECK(faults("stiff\n1.0\n", "[vary]\n\"parameters.EI\" = { from = 1, to = 2, count = 2 }\n") ==
           "plan.toml:5:19: vary.\"parameters.EI\": with combine = \"table\" the values are in the table; "
-          "expected "
-          "{ column = \"…\" }");
+          "expected { column = \"…\" }");
 }
 
 TEST_CASE("What would be lost among keys and columns is an error", "[batch]") {

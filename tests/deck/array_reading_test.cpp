@@ -37,9 +37,8 @@ x.toml:7:20: rod.r.polyline[2][2]: "q": unknown name "q"; available: pi)");
 
 TEST_CASE("Matrices of sections have six rows of six", "[deck]") {
     CHECK(faults_of(with_matrix("[1, 2, 3]")) ==
-          "x.toml:2:20: section.s.stiffness_matrix: expected an array of 6 rows of 6 numbers or expressions, "
-          "found "
-          "an array of 3");
+          "x.toml:2:20: section.s.stiffness_matrix: expected an array of 6 rows of 6 numbers or "
+          "expressions, found an array of 3");
     const std::string row = "[1, 1, 1, 1, 1, 1],";
     CHECK(
         faults_of(with_matrix("[" + row + "\n[1, 2]," + row + row + row + "\n[0, 0, inf, 0, 0, 0]]")) ==

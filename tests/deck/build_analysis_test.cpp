@@ -90,9 +90,8 @@ TEST_CASE("Every integrator, tangent and solver has its word", "[deck]") {
 
 TEST_CASE("cholmod is for symmetric tangents", "[deck]") {
     const std::string said =
-        ": analysis.linear_solver: \"cholmod\" is for symmetric tangents, of static analyses whose loads are "
-        "dead "
-        "forces; ";
+        ": analysis.linear_solver: \"cholmod\" is for symmetric tangents, of static analyses whose loads "
+        "are dead forces; ";
     const std::string cholmod = "linear_solver = \"cholmod\"\n";
     CHECK(faults_of(rod_deck + cholmod) == "x.toml:13:17" + said + "this one is dynamic");
     CHECK(faults_of(static_rod_deck + cholmod + "[[load]]\nat = \"r.end\"\nmoment = [0, 0, 1]") ==

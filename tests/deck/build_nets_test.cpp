@@ -174,8 +174,7 @@ TEST_CASE("A net has the points that its mesh names, and no others", "[deck][mes
     const std::string deck = mesh_deck("truss.geo", "\"truss\"");
     CHECK(faults_of(with_point(deck, "r@0.5")) ==
           "x.toml:13:6: support[0].at: rod r is no single line with two ends, along which a fraction has a "
-          "meaning; "
-          "expected r.left_foot, r.right_foot or r.top");
+          "meaning; expected r.left_foot, r.right_foot or r.top");
     CHECK(faults_of(with_point(deck, "r.start")) ==
           "x.toml:13:6: support[0].at: no point \"r.start\"; the rod has r.left_foot, r.right_foot, r.top");
     CHECK(faults_of(with_point(deck, "r.feet")) ==
@@ -184,8 +183,7 @@ TEST_CASE("A net has the points that its mesh names, and no others", "[deck][mes
     // Points of the mesh that are not on the rod are not its points.
     CHECK(faults_of(with_point(mesh_deck("truss.geo", "22"), "r.top")) ==
           "x.toml:13:6: support[0].at: no point \"r.top\"; the rod has r.start, r.end, r@FRACTION, "
-          "r.left_foot, "
-          "r.right_foot");
+          "r.left_foot, r.right_foot");
 }
 
 TEST_CASE("Points of a rod whose mesh is at fault are not faults too", "[deck][mesh]") {

@@ -93,8 +93,7 @@ TEST_CASE("A move is 0 at the start of a dynamic analysis", "[deck]") {
         "are at t = 0");
     CHECK(faults_of(rod_deck + support + "0.5 }\n") ==
           "x.toml:16:14: support[0].move.x: is 0.5 at t = 0; expected 0 there, since the deck says where "
-          "things "
-          "are at t = 0");
+          "things are at t = 0");
     CHECK(faults_of(rod_deck + support + "\"sin(t + 2*pi)\" }\n").empty());
     CHECK(faults_of(static_rod_deck + support + "\"cos(t)\" }\n").empty());
 }

@@ -23,9 +23,8 @@ TEST_CASE("A fixed component does not start with a velocity", "[deck]") {
           "1");
     CHECK(faults_of(with_body_line("angular_velocity_material = [0, 0, 2]"),
                     {R"(support=[{at = "top", fix = "rotation"}])"}) ==
-          "x.toml:3:29: body.top.angular_velocity_material: a [[support]] fixes rz at top; expected 0 along "
-          "it, "
-          "found 2");
+          "x.toml:3:29: body.top.angular_velocity_material: a [[support]] fixes rz at top; expected 0 "
+          "along it, found 2");
     CHECK(faults_of(rod_deck + R"([[support]]
 at = "r@0.5"
 fix = "position"

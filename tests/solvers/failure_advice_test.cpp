@@ -19,8 +19,7 @@ Failure make_failure(Phase phase, Outcome outcome) {
 
 const std::string stability =
     "a smaller time_step: runge-kutta-4 is stable only while the step is short beside the shortest period, "
-    "which "
-    "the shortest and stiffest element has; or an implicit integrator, such as generalized-alpha";
+    "which the shortest and stiffest element has; or an implicit integrator, such as generalized-alpha";
 
 }  // namespace
 
@@ -31,11 +30,9 @@ TEST_CASE("a step without convergence names the time, the worst places and what 
     failure.places = {"flyer.end (ry)", "flyer node 14 (x)", "flyer node 13 (x)"};
     CHECK(describe_failure(failure) ==
           "the step from t = 0.3 failed, even with Δt = 0.000125: Newton's method did not converge in 20 "
-          "iterations; the residual, 3.10e-02 of the largest force or moment, is largest at flyer.end (ry), "
-          "flyer "
-          "node 14 (x), flyer node 13 (x). Try a smaller time_step; or a finer mesh (elements, order) there; "
-          "or a "
-          "larger newton.max_iterations");
+          "iterations; the residual, 3.10e-02 of the largest force or moment, is largest at flyer.end "
+          "(ry), flyer node 14 (x), flyer node 13 (x). Try a smaller time_step; or a finer mesh (elements, "
+          "order) there; or a larger newton.max_iterations");
 }
 
 TEST_CASE("a load step says load factor and thinks of jumps", "[solvers]") {
@@ -43,30 +40,23 @@ TEST_CASE("a load step says load factor and thinks of jumps", "[solvers]") {
     failure.iterations = 7;
     failure.residual = 2.0;
     failure.weakness = "rod cable, node 14: twist";
-    CHECK(
-        describe_failure(failure) ==
-        "the step from load factor 0.3 failed, even with one of 0.000125: Newton's method did not converge "
-        "in 7 "
-        "iterations; the residual, 2.00e+00 of the largest force or moment, is largest. Nothing resists this "
-        "motion: rod cable, node 14: twist. Try more steps; or a finer mesh (elements, order) there; or a "
-        "larger "
-        "newton.max_iterations; or a dynamic analysis, if this is a load that the structure cannot bear "
-        "without a "
-        "jump to another shape");
+    CHECK(describe_failure(failure) ==
+          "the step from load factor 0.3 failed, even with one of 0.000125: Newton's method did not converge "
+          "in 7 iterations; the residual, 2.00e+00 of the largest force or moment, is largest. Nothing "
+          "resists this motion: rod cable, node 14: twist. Try more steps; or a finer mesh (elements, order) "
+          "there; or a larger newton.max_iterations; or a dynamic analysis, if this is a load that the "
+          "structure cannot bear without a jump to another shape");
 }
 
 TEST_CASE("a singular system names the motion that nothing holds", "[solvers]") {
     Failure failure = make_failure(Phase::load_step, Outcome::singular);
     failure.places = {"cable.start (rx)"};
     failure.weakness = "the whole model turns about its own axis";
-    CHECK(
-        describe_failure(failure) ==
-        "the step from load factor 0.3 failed, even with one of 0.000125: the system of equations is "
-        "singular at "
-        "cable.start (rx). Nothing resists this motion: the whole model turns about its own axis. Try a "
-        "support "
-        "that holds this motion, or stiffness against it; or a small load sideways, if the structure buckles "
-        "here");
+    CHECK(describe_failure(failure) ==
+          "the step from load factor 0.3 failed, even with one of 0.000125: the system of equations is "
+          "singular at cable.start (rx). Nothing resists this motion: the whole model turns about its own "
+          "axis. Try a support that holds this motion, or stiffness against it; or a small load sideways, if "
+          "the structure buckles here");
 }
 
 TEST_CASE("in dynamics a singular system lacks inertia", "[solvers]") {
@@ -127,7 +117,7 @@ TEST_CASE("a step whose error stays too large asks for its limits to be widened"
     failure.step_error = 3.2e-3;
     failure.places = {"top (rz)"};
     CHECK(describe_failure(failure) ==
-          "the step from t = 0.3 failed, even with Δt = 0.000125: the estimated error of the step, 3.20e-03, "
-          "is "
-          "above the tolerance at top (rz). Try a smaller adaptive.min_step; or a larger adaptive.tolerance");
+          "the step from t = 0.3 failed, even with Δt = 0.000125: the estimated error of the step, "
+          "3.20e-03, is above the tolerance at top (rz). Try a smaller adaptive.min_step; or a larger "
+          "adaptive.tolerance");
 }
