@@ -115,7 +115,7 @@ StepError Sdirk4::estimate_error(const State& state, double time_step, double le
             for (const Vec6* part : {&placement, &rates}) {
                 // Lengths, so that steps do not depend on how the model stands in space.
                 const double size = part->segment<3>(first).norm();
-                if (size <= error.size) continue;
+                if (!(size > error.size)) continue;
                 int component = 0;
                 part->segment<3>(first).cwiseAbs().maxCoeff(&component);
                 error = {size, static_cast<int>(i), first + component};
