@@ -114,15 +114,15 @@ class Tracer {
     }
 
     bool accept(const EquilibriumReport& report, MotionTrace& trace) {
+        trace.rejected_at.insert(trace.rejected_at.end(), analysis_->solver_row().rejected_steps, reached_);
         if (!report.converged()) trace.failure = describe_failure(analysis_->explain(report));
         return report.converged();
     }
 
     void visit(MotionTrace& trace) {
         const Snapshot snapshot = analysis_->snapshot(false);
+        reached_ = snapshot.time;
         sampler_.add(snapshot.time, reader_.read(snapshot));
-        trace.rejected_at.insert(
-            trace.rejected_at.end(), analysis_->solver_row().rejected_steps, snapshot.time);
         const LedgerRow ledger = analysis_->ledger_row();
         TraceBooks& books = trace.books;
         const double energy = ledger.kinetic_energy + ledger.strain_energy;
@@ -138,6 +138,7 @@ class Tracer {
     MomentumBooks momenta_;
     TraceSampler sampler_;
     SeriesReader reader_;
+    double reached_ = 0.0;  // the time of the last step that was accepted
 };
 
 HistoryRequest make_end(const Model& model, int index, bool at_end) {

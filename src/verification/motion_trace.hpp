@@ -68,7 +68,7 @@ struct MotionTrace {
     long unknowns = 0;
     long elements = 0;
     long steps = 0;
-    std::vector<double> rejected_at;  // of each trial that was cut, the time that was reached at last
+    std::vector<double> rejected_at;  // of each trial that was cut, the time it began at
     long newton_iterations = 0;
     double seconds = 0.0;
     std::string failure;  // or why it ended before its end

@@ -16,6 +16,12 @@ RunRequest make_request(const Problem& problem, const TraceRequest& trace) {
     return request;
 }
 
+void take_totals(const RunSummary& summary, ResumedRun& result) {
+    result.steps = summary.totals.steps;
+    result.rejected_steps = summary.totals.rejected_steps;
+    result.newton_iterations = summary.totals.newton_iterations;
+}
+
 }  // namespace
 
 ResumedRun run_with_stop(const Problem& given, double end_time, const TraceRequest& trace) {
@@ -36,6 +42,7 @@ ResumedRun run_with_stop(const Problem& given, double end_time, const TraceReque
     const RunSummary stopped = run_analysis(first);
     if (is_ended) throw StudyInterrupted();
     result.failure = stopped.reason;
+    take_totals(stopped, result);
     if (stopped.status != RunStatus::interrupted) return result;
 
     ResumableFile resumed(file);
@@ -49,9 +56,7 @@ ResumedRun run_with_stop(const Problem& given, double end_time, const TraceReque
     second.is_interrupted = [&] { return is_ended = trace.is_interrupted(); };
     const RunSummary whole = run_analysis(second);
     if (is_ended) throw StudyInterrupted();
-    result.steps = whole.totals.steps;
-    result.rejected_steps = whole.totals.rejected_steps;
-    result.newton_iterations = whole.totals.newton_iterations;
+    take_totals(whole, result);
     result.failure = whole.status == RunStatus::complete ? "" : whole.reason;
     return result;
 }
