@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "deck/override_key.hpp"
 
@@ -33,22 +34,32 @@ const AdaptiveSettings* adaptive_of(const AnalysisSettings& analysis) {
     return dynamic != nullptr && dynamic->adaptive ? &*dynamic->adaptive : nullptr;
 }
 
+// The tolerance that halves the steps `level` times, and bounds of theirs that let it.
+std::vector<std::string> refine(const AdaptiveSettings& adaptive, int level) {
+    std::vector<std::string> overrides;
+    const auto divide = [&](const char* key, double value, double divisor) {
+        for (int i = 0; i < level; ++i) value /= divisor;
+        overrides.push_back(fmt::format("analysis.adaptive.{}={:.17g}", key, value));
+    };
+    divide("tolerance", adaptive.tolerance, error_fall);
+    if (adaptive.min_step > 0.0) divide("min_step", adaptive.min_step, 2.0);
+    if (std::isfinite(adaptive.max_step)) divide("max_step", adaptive.max_step, 2.0);
+    return overrides;
+}
+
 DeckVariant make_finer_steps(const Problem& problem, int level) {
     DeckVariant variant{
         VariantKind::finer_steps, level, level == 1 ? "half the step" : "a quarter of the step"};
     const int factor = 1 << level;
     variant.cost = factor;
     if (const AdaptiveSettings* adaptive = adaptive_of(problem.analysis)) {
-        double tolerance = adaptive->tolerance;
-        for (int i = 0; i < level; ++i) tolerance /= error_fall;
         variant.title = fmt::format("{} of the tolerance", level == 1 ? "1/16" : "1/256");
-        variant.overrides = {fmt::format("analysis.adaptive.tolerance={:.17g}", tolerance)};
-        return variant;
+        variant.overrides = refine(*adaptive, level);
     }
     const auto* dynamic = std::get_if<DynamicSettings>(&problem.analysis);
     const long steps = dynamic != nullptr ? dynamic->steps : std::get<StaticSettings>(problem.analysis).steps;
     if (dynamic == nullptr) variant.title = level == 1 ? "twice the load steps" : "four times the load steps";
-    variant.overrides = {fmt::format("analysis.steps={}", factor * steps)};
+    variant.overrides.push_back(fmt::format("analysis.steps={}", factor * steps));
     return variant;
 }
 
