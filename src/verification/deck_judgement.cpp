@@ -9,11 +9,15 @@ namespace gxrod {
 
 namespace {
 
-constexpr double order_slack = 0.5;  // below the scheme's order, before it is called lower
+constexpr double order_slack = 0.5;   // below the scheme's order, before it is called lower
+constexpr double most_told = 1000.0;  // of what is told as a share
 constexpr double most_refinement = 64.0;
 
-// "0.3 %", and of what is small "2e-07".
+// "0.3 %", "130 %", and of what is small "2e-07".
 std::string describe_share(double share) {
+    if (share > most_told) return fmt::format("more than {:.0f} %", 100.0 * most_told);
+    // Two digits of what is more than 100 % as of the rest.
+    if (share >= 1.0) return fmt::format("{:.0f} %", std::stod(fmt::format("{:.1e}", 100.0 * share)));
     return share >= 1e-4 ? fmt::format("{:.2g} %", 100.0 * share) : fmt::format("{:.0e}", share);
 }
 
@@ -26,7 +30,7 @@ struct Worst {
 Worst find_worst(const DeckStudy& study, ErrorEstimate SeriesReport::*part) {
     Worst worst;
     for (const SeriesReport& report : study.series) {
-        if ((report.*part).is_round_off()) continue;
+        if ((report.*part).is_round_off) continue;
         const double share = report.relative((report.*part).largest());
         if (!std::isfinite(share)) continue;
         if (worst.report == nullptr || share > worst.share) worst = {&report, share};
@@ -56,9 +60,12 @@ class Judge {
         }
         if (study_->is_interrupted) say("Interrupted: of the runs that are missing nothing is said.");
         judge_soundness();
-        tell_lack_of_motion();
+        judge_orientation();
         if (study_->has_finer_steps()) {
-            judge_accuracy();
+            if (study_->knows_errors())
+                judge_accuracy();
+            else
+                tell_lack_of_runs();
             tell_round_off();
             judge_steps();
             judge_mesh();
@@ -86,33 +93,52 @@ class Judge {
                 run->variant.title,
                 run->failure);
         }
+    }
+
+    void judge_orientation() {
         if (study_->depends_on_orientation()) {
             say("The motion depends on how the model stands in space, by more than its errors. If no "
                 "expression of the deck hides a direction, and a smaller newton.tolerance does not mend it, "
                 "please report it.");
+        } else if (study_->hardly_moves()) {
+            say("The model hardly moves, by {:.0e} of its size: velocities, accelerations and what they add "
+                "to forces are those of round-off, and nothing is said of its orientation.",
+                study_->motion);
+        } else if (study_->is_error_of_cuts_unknown()) {
+            say("Steps were cut, and the error of that is not known: nor is whether turning the model in "
+                "space changes its motion by more.");
+        } else if (!study_->is_turned_cut_alike()) {
+            tell_turned_steps();
+        } else if (!study_->is_orientation_judged()) {
+            say("A run that was turned in space failed, which round-off can decide, as steps are cut anyhow "
+                "or another such run did not: nothing is said of the orientation.");
         }
-        tell_turned_steps();
     }
 
     void tell_turned_steps() {
-        if (study_->is_turned_cut_alike()) return;
         std::vector<std::string> counts;
         for (const VariantKind kind :
              {VariantKind::as_it_is, VariantKind::turned, VariantKind::turned_more}) {
             if (const VariantRun* run = study_->find(kind))
-                counts.push_back(fmt::format("{} {}", run->steps, run->variant.title));
+                counts.push_back(
+                    fmt::format("{} and {} {}", run->steps, run->rejected_steps, run->variant.title));
         }
-        say("Turned in space, steps were cut elsewhere, which round-off decides (steps: {}): that the motion "
-            "then differs by {} says nothing of its orientation.",
+        say("Turned in space, other steps were taken, which round-off can decide (steps and cuts: {}): that "
+            "the motion then differs by {} says nothing of its orientation.",
             fmt::join(counts, ", "),
             describe_share(study_->largest_difference(&SeriesReport::turned_difference)));
     }
 
-    void tell_lack_of_motion() {
-        if (!study_->hardly_moves()) return;
-        say("The model hardly moves, by {:.0e} of its size: velocities, accelerations and what they add to "
-            "forces are those of round-off, and nothing is said of its orientation.",
-            study_->motion);
+    // Where runs that would show errors are missing.
+    void tell_lack_of_runs() {
+        std::vector<std::string> titles;
+        for (const DeckVariant& variant : study_->variants) {
+            const bool shows_errors =
+                variant.kind == VariantKind::finer_steps || variant.kind == VariantKind::finer_mesh;
+            if (shows_errors && study_->lacks(variant.kind)) titles.push_back(variant.title);
+        }
+        say("How right the series are is not known, as no such run has reached its end: {}.",
+            fmt::join(titles, ", "));
     }
 
     // Where nothing is known of errors: finer steps were the same ones, nearly.
@@ -122,14 +148,14 @@ class Judge {
         for (int level = 1; const VariantRun* run = study_->find(VariantKind::finer_steps, level); ++level)
             counts += fmt::format(", {} with {}", run->steps, run->variant.title);
         if (study_->is_adaptive) {
-            say("Something else than the tolerance sets the steps ({}): what they add cannot be told, nor "
-                "how right the series are. Choose a smaller tolerance, or a smaller max_step, before "
-                "anything else.",
+            say("Something else than the tolerance sets the steps, such as what Newton's method needs ({}): "
+                "what they add cannot be told, nor how right the series are. Choose a smaller tolerance "
+                "before anything else.",
                 counts);
         } else {
             say("Steps that did not converge were cut, and finer ones came to nearly the same ({}): what the "
-                "step adds cannot be told, nor how right the series are, nor whether turning the model in "
-                "space changes them by more. Take more than {} steps before anything else.",
+                "step adds cannot be told, nor how right the series are. Take more than {} steps before "
+                "anything else.",
                 counts,
                 base.steps);
         }
@@ -222,7 +248,10 @@ class Judge {
                 what);
         }
         if (is_enough(worst)) return;
-        advise(worst, steps, study_->expected_order, "step", "A step {:.0f} times as short");
+        const char* remedy = study_->is_adaptive
+                                 ? "Steps {0:.0f} times as short, of 1/{1:.0f} of the tolerance,"
+                                 : "A step {0:.0f} times as short";
+        advise(worst, steps, study_->expected_order, "step", remedy);
     }
 
     void judge_mesh() {
@@ -239,7 +268,7 @@ class Judge {
             return;
         }
         if (is_enough(worst)) return;
-        advise(worst, mesh, 8.0, "mesh", "{:.0f} times as many elements");
+        advise(worst, mesh, 8.0, "mesh", "{0:.0f} times as many elements");
         const double raised = worst.report->relative(worst.report->order_difference);
         if (raised > 0.0) {
             say("Elements of the next order change {} by {}.",
@@ -255,6 +284,7 @@ class Judge {
             fmt::join(study_->unrefined_rods, ", "));
     }
 
+    // `remedy` has places for by what to refine, and for its fourth power.
     void advise(const Worst& worst,
                 const ErrorEstimate& estimate,
                 double expected,
@@ -269,7 +299,7 @@ class Judge {
             return;
         }
         sentences_.push_back(
-            what + fmt::format(fmt::runtime(remedy), factor) +
+            what + fmt::format(fmt::runtime(remedy), factor, std::pow(factor, 4.0)) +
             fmt::format(" would bring that to {}.", describe_share(worst.share / std::pow(factor, order))));
     }
 

@@ -81,6 +81,7 @@ class DeckExaminer {
     }
 
     DeckStudy examine(const std::vector<DeckVariant>& variants) {
+        study_.variants = variants;
         try {
             for (const DeckVariant& variant : variants) {
                 run(variant);
@@ -164,16 +165,26 @@ class DeckExaminer {
                 turned_ = std::move(trace);
                 break;
             case VariantKind::turned_more:
-                if (!turned_.is_whole() || !run.is_whole()) break;
-                run.is_cut_alike = is_cut_alike(turned_, trace);
-                if (run.is_cut_alike)
-                    round_off_ = list_differences(turned_, trace, rotation_more_ * rotation_.conjugate());
+                if (run.is_whole()) take_round_off(run, trace);
                 break;
             case VariantKind::two_threads:
                 run.failure = find_inequality(trace);
                 break;
             case VariantKind::resumed:
                 break;
+        }
+    }
+
+    void take_round_off(VariantRun& run, const MotionTrace& trace) {
+        if (!turned_.is_whole()) {
+            run.untried = "the turned run failed";
+            return;
+        }
+        run.is_cut_alike = is_cut_alike(turned_, trace);
+        if (run.is_cut_alike) {
+            round_off_ = list_differences(turned_, trace, rotation_more_ * rotation_.conjugate());
+        } else {
+            run.untried = "other steps were taken";
         }
     }
 
@@ -289,7 +300,7 @@ class DeckExaminer {
         if (!order_differences_.empty()) report.order_difference = order_differences_[k];
         if (!turned_differences_.empty()) report.turned_difference = turned_differences_[k];
         if (!simo_differences_.empty()) report.simo_difference = simo_differences_[k];
-        bool is_trusted = study_.has_finer_steps();
+        bool is_trusted = study_.knows_errors();
         for (std::size_t i = 0; i < base_.samples; ++i) {
             const auto part = [&](const std::vector<double>& of_samples) {
                 return i < of_samples.size() ? of_samples[i] : 0.0;
@@ -300,10 +311,8 @@ class DeckExaminer {
             is_trusted = is_trusted && error <= options_->tolerance * scale.scale;
             if (is_trusted) report.trusted_until = study_.times[i];
         }
-        if (!study_.has_finer_steps()) {
-            report.steps = {};
-            report.error = std::numeric_limits<double>::infinity();
-        }
+        if (!study_.has_finer_steps()) report.steps = {};
+        if (!study_.knows_errors()) report.error = std::numeric_limits<double>::infinity();
         return report;
     }
 

@@ -24,7 +24,7 @@ struct VariantRun {
     bool is_cut_alike = true;  // of turned runs: where the steps of the run before it were
     long newton_iterations = 0;
     double seconds = 0.0;
-    std::string untried;  // why there was nothing to try: it is whole then
+    std::string untried;  // why there was nothing to try, or to compare with: it is whole then
     std::string failure;  // why it ended before its end; of the resumed and threaded runs, how they differ
     TraceBooks books;
 
@@ -70,6 +70,7 @@ struct DeckStudy {
     // How far the deck as it is moves, by the model's length: √(2 T/m), at most, times the time. Infinite in
     // statics, where it is not known.
     double motion = std::numeric_limits<double>::infinity();
+    std::vector<DeckVariant> variants;  // that were to be run
     std::vector<VariantRun> runs;
     std::vector<SeriesReport> series;
     std::vector<double> times;                              // of samples
@@ -80,6 +81,12 @@ struct DeckStudy {
     // Whether runs with finer steps took more of them. Where steps are cut since they do not converge they
     // may take the same ones, and equal results are then no sign of small errors.
     bool has_finer_steps() const;
+    // Whether runs of this kind were asked for and none reached its end.
+    bool lacks(VariantKind kind) const;
+    // Whether something is known of what step and mesh add, as far as the deck can be refined.
+    bool knows_errors() const;
+    // Whether the two turned runs show what round-off changes.
+    bool knows_round_off() const;
     // Whether steps of the turned runs were cut where those of the deck as it is were. If round-off decides
     // otherwise, they differ by the error of the step, which says nothing of orientation.
     bool is_turned_cut_alike() const;
@@ -87,6 +94,8 @@ struct DeckStudy {
     bool is_error_of_cuts_unknown() const;
     // Whether the model moves by no more than what steps add up of round-off in places.
     bool hardly_moves() const;
+    // Whether the turned runs tell something of orientation.
+    bool is_orientation_judged() const;
     // The largest of all series, by their scales.
     double largest_difference(double SeriesReport::*difference) const;
     // How far a series may differ once the model is turned.

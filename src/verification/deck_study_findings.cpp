@@ -34,13 +34,33 @@ const VariantRun* DeckStudy::find(VariantKind kind, int level) const {
 bool DeckStudy::has_finer_steps() const {
     if (is_static) return true;
     const VariantRun* coarse = runs.empty() ? nullptr : &runs.front();
+    double growth = least_growth;
     for (int level = 1; const VariantRun* finer = find(VariantKind::finer_steps, level); ++level) {
-        if (!finer->is_whole()) break;
-        if (static_cast<double>(finer->steps) < least_growth * static_cast<double>(coarse->steps))
-            return false;
+        if (!finer->is_whole()) {
+            growth *= least_growth;
+            continue;
+        }
+        if (static_cast<double>(finer->steps) < growth * static_cast<double>(coarse->steps)) return false;
         coarse = finer;
+        growth = least_growth;
     }
     return true;
+}
+
+bool DeckStudy::lacks(VariantKind kind) const {
+    const auto is_asked = [&](const DeckVariant& variant) { return variant.kind == kind; };
+    const auto is_done = [&](const VariantRun& run) { return run.variant.kind == kind && run.is_whole(); };
+    return std::any_of(variants.begin(), variants.end(), is_asked) &&
+           std::none_of(runs.begin(), runs.end(), is_done);
+}
+
+bool DeckStudy::knows_errors() const {
+    return has_finer_steps() && !lacks(VariantKind::finer_steps) && !lacks(VariantKind::finer_mesh);
+}
+
+bool DeckStudy::knows_round_off() const {
+    const VariantRun* more = find(VariantKind::turned_more);
+    return more != nullptr && more->is_whole() && more->untried.empty();
 }
 
 bool DeckStudy::is_turned_cut_alike() const {
@@ -48,7 +68,8 @@ bool DeckStudy::is_turned_cut_alike() const {
 }
 
 bool DeckStudy::is_error_of_cuts_unknown() const {
-    return !runs.empty() && runs.front().rejected_steps > 0 && !has_finer_steps();
+    const bool is_known = has_finer_steps() && !lacks(VariantKind::finer_steps);
+    return !runs.empty() && runs.front().rejected_steps > 0 && !is_known;
 }
 
 bool DeckStudy::hardly_moves() const { return motion < least_motion; }
@@ -63,17 +84,25 @@ double DeckStudy::largest_difference(double SeriesReport::*difference) const {
 }
 
 double DeckStudy::turned_limit(const SeriesReport& report) const {
-    const bool is_unknown = !is_turned_cut_alike() || is_error_of_cuts_unknown() || hardly_moves();
-    if (is_unknown) return std::numeric_limits<double>::infinity();
-    const double error = std::isfinite(report.error) ? report.error : report.mesh.largest();
+    const double error =
+        std::isfinite(report.error) ? report.error : report.steps.largest() + report.mesh.largest();
     return std::max({turned_tolerance * report.scale, turned_round_off * report.round_off, error});
 }
 
-bool DeckStudy::depends_on_orientation() const {
+bool DeckStudy::is_orientation_judged() const {
+    if (hardly_moves() || is_error_of_cuts_unknown() || !is_turned_cut_alike()) return false;
     const VariantRun* turned = find(VariantKind::turned);
     const VariantRun* more = find(VariantKind::turned_more);
-    // That one of them alone fails is a matter of round-off.
-    if (turned != nullptr && !turned->is_whole() && (more == nullptr || !more->is_whole())) return true;
+    const bool is_turned_whole = turned == nullptr || turned->is_whole();
+    const bool is_more_whole = more == nullptr ? is_turned_whole : more->is_whole();
+    // That one of them alone fails, or both where steps are cut anyhow, is what round-off can decide.
+    return is_turned_whole == is_more_whole && (is_turned_whole || runs.front().rejected_steps == 0);
+}
+
+bool DeckStudy::depends_on_orientation() const {
+    if (!is_orientation_judged()) return false;
+    const VariantRun* turned = find(VariantKind::turned);
+    if (turned != nullptr && !turned->is_whole()) return true;
     return std::any_of(series.begin(), series.end(), [&](const SeriesReport& report) {
         return report.turned_difference > turned_limit(report);
     });

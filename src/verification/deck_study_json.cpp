@@ -62,7 +62,7 @@ Json to_json(const VariantRun& run) {
             {"books", to_json(run.books)}};
 }
 
-Json to_json(const SeriesReport& report, const Chosen& chosen) {
+Json to_json(const SeriesReport& report, bool knows_round_off, const Chosen& chosen) {
     return {{"point", report.series.point},
             {"quantity", report.series.name},
             {"scale", report.scale},
@@ -73,7 +73,7 @@ Json to_json(const SeriesReport& report, const Chosen& chosen) {
             {"relative_error", report.relative(report.error)},
             {"trusted_until", report.trusted_until},
             {"next_order_difference", report.order_difference},
-            {"round_off", report.round_off},
+            {"round_off", knows_round_off ? Json(report.round_off) : Json(nullptr)},
             {"turned_difference", report.turned_difference},
             {"simo_difference", report.simo_difference}};
 }
@@ -102,7 +102,7 @@ Json to_json(const DeckStudy& study, bool with_curves) {
     const std::size_t samples = study.base_rows.empty() ? 0 : study.base_rows.front().size();
     const Chosen chosen = choose_samples(samples, with_curves);
     for (std::size_t k = 0; k < study.series.size(); ++k) {
-        Json series = to_json(study.series[k], chosen);
+        Json series = to_json(study.series[k], study.knows_round_off(), chosen);
         if (with_curves) series["values"] = pick(study.base_rows[k], chosen);
         json["series"].push_back(series);
     }

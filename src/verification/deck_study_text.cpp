@@ -28,7 +28,7 @@ std::string describe_part(const SeriesReport& report, const ErrorEstimate& estim
 }
 
 std::string describe_trust(const DeckStudy& study, const SeriesReport& report) {
-    if (!study.has_finer_steps()) return "?";
+    if (!study.knows_errors()) return "?";
     if (report.trusted_until >= study.end_time) return "all";
     return fmt::format("{:.4g}", report.trusted_until);
 }
@@ -51,6 +51,15 @@ std::string describe_balance(const DeckStudy& study, double TraceBooks::*error, 
     if (finer != nullptr && finer->is_whole())
         text += fmt::format(" (with {} {})", finer->variant.title, value(*finer));
     return text;
+}
+
+std::string describe_difference(const DeckStudy& study,
+                                const VariantRun& run,
+                                double SeriesReport::*difference,
+                                const char* words = "differs by") {
+    if (!run.is_whole()) return "failed";
+    if (!run.untried.empty()) return "not told: " + run.untried;
+    return fmt::format("{} {:.1e}", words, study.largest_difference(difference));
 }
 
 std::string describe_equality(const VariantRun& run) {
@@ -134,32 +143,26 @@ std::string describe_properties(const DeckStudy& study) {
                         describe_balance(study, &TraceBooks::angular_imbalance, &TraceBooks::angular_scale));
     }
     if (const VariantRun* turned = study.find(VariantKind::turned)) {
-        text +=
-            fmt::format("{} by {:.3g} rad: {}\n",
-                        turned->variant.title,
-                        study.rotation.norm(),
-                        turned->is_whole()
-                            ? fmt::format("{} {:.1e}",
-                                          study.is_turned_cut_alike() ? "the same, turned, to"
-                                                                      : "steps cut elsewhere; it differs by",
-                                          study.largest_difference(&SeriesReport::turned_difference))
-                            : "failed");
+        const bool is_same = study.is_orientation_judged() && !study.depends_on_orientation();
+        text += fmt::format("{} by {:.3g} rad: {}\n",
+                            turned->variant.title,
+                            study.rotation.norm(),
+                            describe_difference(study,
+                                                *turned,
+                                                &SeriesReport::turned_difference,
+                                                is_same ? "the same, turned, to" : "differs by"));
     }
     if (const VariantRun* more = study.find(VariantKind::turned_more)) {
         text += fmt::format("{}, which shows round-off: {}\n",
                             more->variant.title,
-                            more->is_whole() ? fmt::format("differs by {:.1e}",
-                                                           study.largest_difference(&SeriesReport::round_off))
-                                             : "failed");
+                            describe_difference(study, *more, &SeriesReport::round_off));
     }
     for (const VariantKind kind : {VariantKind::higher_order, VariantKind::simo}) {
         const VariantRun* run = study.find(kind, kind == VariantKind::higher_order ? 1 : 0);
         if (run == nullptr) continue;
-        const double difference = study.largest_difference(
-            kind == VariantKind::simo ? &SeriesReport::simo_difference : &SeriesReport::order_difference);
-        text += fmt::format("{}: {}\n",
-                            run->variant.title,
-                            run->is_whole() ? fmt::format("differs by {:.1e}", difference) : "failed");
+        const auto difference =
+            kind == VariantKind::simo ? &SeriesReport::simo_difference : &SeriesReport::order_difference;
+        text += fmt::format("{}: {}\n", run->variant.title, describe_difference(study, *run, difference));
     }
     for (const VariantKind kind : {VariantKind::resumed, VariantKind::two_threads}) {
         if (const VariantRun* run = study.find(kind)) text += describe_equality(*run);

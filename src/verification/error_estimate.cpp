@@ -27,7 +27,7 @@ ErrorEstimate estimate_error(const std::vector<std::vector<double>>& differences
     const double first = estimate.differences.front();
     estimate.errors = differences.front();
     if (first <= floor) {
-        estimate.is_supported = true;
+        estimate.is_supported = estimate.is_round_off = true;
         return estimate;
     }
     if (differences.size() == 1) {
@@ -35,11 +35,11 @@ ErrorEstimate estimate_error(const std::vector<std::vector<double>>& differences
         for (double& error : estimate.errors) error *= growth / (growth - 1.0);
         return estimate;
     }
-    const double second = std::max(estimate.differences[1], floor);
-    estimate.order = std::log2(first / second);
-    estimate.is_supported = *estimate.order >= least_order;
+    const double second = estimate.differences[1];
+    if (second > floor) estimate.order = std::log2(first / second);
+    estimate.is_supported = !estimate.order || *estimate.order >= least_order;
     // From the finer solution on, the method's order, or less if less is seen.
-    const double order = std::clamp(*estimate.order, least_order, expected_order);
+    const double order = std::clamp(estimate.order.value_or(expected_order), least_order, expected_order);
     const double growth = std::exp2(order);
     const std::size_t samples = std::min(estimate.errors.size(), differences[1].size());
     estimate.errors.resize(samples);

@@ -14,12 +14,12 @@ struct ErrorEstimate {
     std::optional<double> order;
     // Of the coarsest solution at each sample.
     std::vector<double> errors;
-    // Whether the order seen, or the lack of any difference, supports the estimate.
+    // Whether the order seen, or that the last difference is round-off, supports the estimate.
     bool is_supported = false;
+    // Whether all there is of it is round-off.
+    bool is_round_off = false;
 
     bool is_known() const { return !differences.empty(); }
-    // Whether all there is of it is round-off.
-    bool is_round_off() const { return is_supported && !order; }
     double largest() const;
 };
 

@@ -69,6 +69,8 @@ TEST_CASE("what is not is named, with its error, until when it is, and what to r
     DeckStudy other = make_study({make_report("tip", 0.03, 0.0)});
     CHECK(says(other,
                "The step adds 3 % to tip position. A step 3 times as short would bring that to 0.33 %."));
+    other.is_adaptive = true;
+    CHECK(says(other, "Steps 3 times as short, of 1/81 of the tolerance, would bring that to 0.33 %."));
     other.series[0].order_difference = 0.06;
     CHECK_FALSE(says(other, "next order"));
     other = make_study({make_report("tip", 0.0, 0.05)});
@@ -77,7 +79,11 @@ TEST_CASE("what is not is named, with its error, until when it is, and what to r
 }
 
 TEST_CASE("errors that are out of reach are called so", "[verification]") {
-    CHECK(says(make_study({make_report("tip", 40.0, 0.0)}), "No refinement within reach would mend that."));
+    CHECK(says(make_study({make_report("tip", 43.4, 0.0)}),
+               "The step adds 4300 % to tip position. No refinement within reach would mend that."));
+    CHECK(says(make_study({make_report("tip", 1.0, 0.0)}), "The step adds 100 % to tip position."));
+    CHECK(says(make_study({make_report("tip", 1234.5, 0.0)}),
+               "The step adds more than 100000 % to tip position."));
 }
 
 TEST_CASE("errors that do not fall, or too slowly, are told", "[verification]") {
@@ -124,8 +130,12 @@ TEST_CASE("where finer steps are no finer, nothing is said of errors", "[verific
     CHECK(says(
         study,
         "Steps that did not converge were cut, and finer ones came to nearly the same (90, 110 with half "
-        "the step): what the step adds cannot be told, nor how right the series are, nor whether turning "
-        "the model in space changes them by more. Take more than 90 steps before anything else."));
+        "the step): what the step adds cannot be told, nor how right the series are. Take more than 90 "
+        "steps before anything else."));
+    CHECK(says(study,
+               "Steps were cut, and the error of that is not known: nor is whether turning the model in "
+               "space changes its motion by more."));
+    CHECK_THAT(describe_properties(study), Catch::Contains("turned in space by 0 rad: differs by 0.0e+00\n"));
     CHECK_FALSE(says(study, "ight to 1 %"));
     CHECK_THAT(describe_errors(study),
                Catch::Contains("          -      -    1.0e-03   2.00          ?         ?\n"));
@@ -140,14 +150,54 @@ TEST_CASE("where finer steps are no finer, nothing is said of errors", "[verific
     study.is_adaptive = true;
     CHECK(says(
         study,
-        "Something else than the tolerance sets the steps (90, 110 with half the step): what they add "
-        "cannot be told, nor how right the series are. Choose a smaller tolerance, or a smaller max_step, "
-        "before anything else."));
+        "Something else than the tolerance sets the steps, such as what Newton's method needs (90, 110 with "
+        "half the step): what they add cannot be told, nor how right the series are. Choose a smaller "
+        "tolerance before anything else."));
     study.is_static = true;
     CHECK(study.has_finer_steps());
     study.is_static = false;
     study.runs[1].failure = "the step from t = 0 failed";
     CHECK(study.has_finer_steps());
+    // A quarter of the step must then show both levels' growth.
+    VariantRun quarter;
+    quarter.variant = {VariantKind::finer_steps, 2, "a quarter of the step"};
+    quarter.steps = 140;
+    study.runs.push_back(quarter);
+    CHECK_FALSE(study.has_finer_steps());
+    study.runs.back().steps = 141;
+    CHECK(study.has_finer_steps());
+}
+
+TEST_CASE("where no finer run reached its end, errors are not known", "[verification]") {
+    DeckStudy study = make_study({make_report("tip", 0.0, 0.03)});
+    for (const VariantRun& run : study.runs) study.variants.push_back(run.variant);
+    CHECK(study.knows_errors());
+    study.runs[1].failure = "the step from t = 0 failed";
+    CHECK(study.lacks(VariantKind::finer_steps));
+    CHECK_FALSE(study.lacks(VariantKind::finer_mesh));
+    CHECK_FALSE(study.knows_errors());
+    study.series[0].steps = {};
+    study.series[0].error = std::numeric_limits<double>::infinity();
+    CHECK_FALSE(study.is_accurate());
+    CHECK(says(study,
+               "How right the series are is not known, as no such run has reached its end: half the step."));
+    CHECK_FALSE(says(study, "ight to 1 %"));
+    CHECK(says(study, "The mesh adds 3 % to tip position."));
+    CHECK_THAT(describe_errors(study),
+               Catch::Contains("          -      -    3.0e-02   2.00          ?         ?\n"));
+    // Turning may change as much as is known of errors, and nothing is known of those of cuts.
+    study.series[0].turned_difference = 0.05;
+    CHECK(study.is_sound());
+    study.series[0].turned_difference = 0.07;
+    CHECK_FALSE(study.is_sound());
+    study.runs[0].rejected_steps = 1;
+    CHECK(study.is_error_of_cuts_unknown());
+    CHECK(study.is_sound());
+    // Nor if the user ended the study before.
+    study.runs.resize(1);
+    study.is_interrupted = true;
+    CHECK_FALSE(study.knows_errors());
+    CHECK_FALSE(study.is_accurate());
 }
 
 TEST_CASE("a turned model may differ by the error, and where its steps are cut elsewhere by anything",
@@ -164,14 +214,14 @@ TEST_CASE("a turned model may differ by the error, and where its steps are cut e
     study.runs[0].steps = 90;
     study.runs[1].steps = 180;
     study.runs[2].steps = 91;
+    study.runs[2].rejected_steps = 1;
     study.runs[2].is_cut_alike = false;
     CHECK(study.is_sound());
     CHECK(says(study,
-               "Turned in space, steps were cut elsewhere, which round-off decides (steps: 90 as it is, 91 "
-               "turned in "
-               "space): that the motion then differs by 0.22 % says nothing of its orientation."));
-    CHECK_THAT(describe_properties(study),
-               Catch::Contains("by 0 rad: steps cut elsewhere; it differs by 2.2e-03\n"));
+               "Turned in space, other steps were taken, which round-off can decide (steps and cuts: 90 and "
+               "0 as it is, 91 and 1 turned in space): that the motion then differs by 0.22 % says nothing "
+               "of its orientation."));
+    CHECK_THAT(describe_properties(study), Catch::Contains("by 0 rad: differs by 2.2e-03\n"));
 }
 
 TEST_CASE("of a model that hardly moves, nothing is said of its orientation", "[verification]") {
@@ -186,6 +236,8 @@ TEST_CASE("of a model that hardly moves, nothing is said of its orientation", "[
                "The model hardly moves, by 2e-13 of its size: velocities, accelerations and what they "
                "add to forces are those of round-off, and nothing is said of its orientation."));
     CHECK(to_json(study, false)["motion"] == 2e-13);
+    study.runs[2].failure = "the step from t = 0 failed";
+    CHECK(study.is_sound());
 }
 
 TEST_CASE("round-off is told, and no refinement against it", "[verification]") {
@@ -203,7 +255,7 @@ TEST_CASE("round-off is told, and no refinement against it", "[verification]") {
     tip.error = 0.5;
     tip.steps = estimate_error({{0.1}, {0.2}}, 2.0, 5.0);
     tip.mesh = estimate_error({{0.4}, {0.1}}, 2.0, 5.0);
-    CHECK(tip.steps.is_round_off());
+    CHECK(tip.steps.is_round_off);
     CHECK_FALSE(says(study, "Errors do not fall"));
     CHECK_FALSE(says(study, "adds"));
     CHECK(says(study, "Not right to 1 %: tip position (25 %, right up to t = 1)."));
@@ -240,12 +292,25 @@ TEST_CASE("a turned run that fails is a fault unless one that is turned a little
     CHECK(says(study, "The motion depends on how the model stands in space"));
     VariantRun more;
     more.variant = {VariantKind::turned_more, 0, "turned by 1e-6 rad more"};
+    more.untried = "the turned run failed";
     study.runs.push_back(more);
     CHECK(study.is_sound());
-    CHECK_THAT(describe_properties(study),
-               Catch::Contains("turned by 1e-6 rad more, which shows round-off: differs by 0.0e+00\n"));
+    CHECK(
+        says(study,
+             "A run that was turned in space failed, which round-off can decide, as steps are cut anyhow or "
+             "another such run did not: nothing is said of the orientation."));
+    CHECK_THAT(describe_properties(study), Catch::Contains("round-off: not told: the turned run failed\n"));
+    CHECK_FALSE(study.knows_round_off());
+    CHECK(to_json(study, false)["series"][0]["round_off"].is_null());
     study.runs.back().failure = "the step from t = 0 failed";
     CHECK_FALSE(study.is_sound());
+    // Where steps are cut, both may fail by round-off.
+    study.runs[0].rejected_steps = 1;
+    CHECK(study.is_sound());
+    study.runs[2].failure = study.runs.back().failure = study.runs.back().untried = "";
+    CHECK(study.knows_round_off());
+    CHECK(to_json(study, false)["series"][0]["round_off"] == 0.0);
+    CHECK_THAT(describe_properties(study), Catch::Contains("round-off: differs by 0.0e+00\n"));
 }
 
 TEST_CASE("statics: the load steps must not matter", "[verification]") {

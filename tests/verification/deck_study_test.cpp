@@ -315,6 +315,7 @@ TEST_CASE("a run of one step cannot be stopped midway", "[verification]") {
     REQUIRE(single.runs.size() == 2);
     CHECK(single.runs[1].is_whole());
     CHECK(single.runs[1].untried == "no step is left to resume with");
+    CHECK(single.runs[1].steps == 1);
     CHECK(single.is_sound());
 }
 
@@ -367,13 +368,24 @@ TEST_CASE("steps by their error are studied by their tolerance", "[verification]
                                    {"analysis.integrator=sdirk-4", "analysis.adaptive={tolerance = 1e-3}"});
     CHECK(find(turned, "beam.end position").relative(find(turned, "beam.end position").turned_difference) <
           1e-8);
-    const DeckStudy bound =
-        study(swing,
-              {VariantKind::finer_steps},
-              {"analysis.integrator=sdirk-4", "analysis.adaptive={tolerance = 1, max_step = 0.02}"});
+    // The bounds of steps are refined with them.
+    const DeckStudy bound = study(swing,
+                                  {VariantKind::finer_steps},
+                                  {"analysis.integrator=sdirk-4",
+                                   "analysis.adaptive={tolerance = 1, min_step = 0.02, max_step = 0.02}"});
     CHECK(bound.runs[0].steps == 100);
-    CHECK_FALSE(bound.has_finer_steps());
-    CHECK_THAT(judge(bound).front(), Catch::StartsWith("Something else than the tolerance sets the steps"));
+    CHECK(bound.runs[1].steps == 200);
+    CHECK(bound.runs[2].steps == 400);
+    CHECK(bound.knows_errors());
+    // So few that growth sets them.
+    const DeckStudy few = study(swing,
+                                {VariantKind::finer_steps},
+                                {"analysis.integrator=sdirk-4",
+                                 "analysis.end_time=0.1",
+                                 "analysis.time_step=1e-4",
+                                 "analysis.adaptive={tolerance = 1}"});
+    CHECK_FALSE(few.has_finer_steps());
+    CHECK_THAT(judge(few).front(), Catch::StartsWith("Something else than the tolerance sets the steps"));
 }
 
 TEST_CASE("a deck that does not converge ends its study", "[verification]") {
@@ -383,18 +395,28 @@ TEST_CASE("a deck that does not converge ends its study", "[verification]") {
     REQUIRE(failed.runs.size() == 1);
     CHECK_THAT(failed.runs[0].failure, Catch::Contains("failed"));
     CHECK_THAT(judge(failed).front(), Catch::StartsWith("The deck as it is does not reach its end"));
+    CHECK_FALSE(failed.is_accurate());
 }
 
 TEST_CASE("a study that is interrupted tells what it has", "[verification]") {
     DeckStudyOptions options;
     int runs = 0;
+    int most_runs = 2;
     options.report_run = [&](const VariantRun&) { ++runs; };
-    options.is_interrupted = [&] { return runs == 2; };
+    options.is_interrupted = [&] { return runs == most_runs; };
     const DeckStudy ended = study(swing, {VariantKind::finer_steps}, {}, options);
     CHECK(ended.is_interrupted);
     CHECK(ended.runs.size() == 2);
     CHECK(find(ended, "beam.end position").steps.differences.size() == 1);
+    CHECK(std::isfinite(ended.series.front().error));
     CHECK_THAT(judge(ended).front(), Catch::StartsWith("Interrupted"));
+    runs = 0;
+    most_runs = 1;
+    const DeckStudy soon = study(swing, {VariantKind::finer_steps}, {}, options);
+    CHECK(soon.runs.size() == 1);
+    CHECK(std::isinf(soon.series.front().error));
+    CHECK(soon.series.front().trusted_until == 0.0);
+    CHECK_FALSE(soon.is_accurate());
 }
 
 TEST_CASE("the variants that make sense", "[verification]") {

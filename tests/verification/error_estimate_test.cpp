@@ -55,8 +55,19 @@ TEST_CASE("differences of round-off show no order and are no reproach", "[verifi
     CHECK_FALSE(estimate.order);
     CHECK(estimate.is_supported);
     CHECK(estimate.largest() == 1e-13);
-    const ErrorEstimate half = estimate_error({{1e-3}, {1e-15}}, 2.0, 1e-12);
-    CHECK(*half.order == Approx(std::log2(1e9)));
+    CHECK(estimate.is_round_off);
+}
+
+TEST_CASE("a fall into round-off shows no order, and is no reproach", "[verification]") {
+    // The last two would be of orders 0.2 and 1.3, but for what is round-off in the second difference.
+    for (const auto& [first, second] : {std::pair{1e-3, 1e-15}, {1.1e-12, 0.9e-12}, {2.4e-12, 1e-12}}) {
+        const ErrorEstimate estimate = estimate_error({{first}, {second}}, 2.0, 1e-12);
+        CHECK_FALSE(estimate.order);
+        CHECK(estimate.is_supported);
+        CHECK_FALSE(estimate.is_round_off);
+        CHECK(estimate.largest() == Approx(first + second * 4.0 / 3.0));
+    }
+    CHECK(*estimate_error({{2.4e-12}, {1.2e-12}}, 2.0, 1e-12).order == Approx(1.0));
 }
 
 TEST_CASE("without runs nothing is known", "[verification]") {

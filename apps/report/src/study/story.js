@@ -22,7 +22,7 @@ export function showHeader(study) {
     failed: base && base.failure ? "does not reach its end" : "something does not hold",
     interrupted: "interrupted",
     complete: `right to ${goal}`,
-    running: study.series.some((series) => series.relative_error === null) ? "errors are not known" : `not all is right to ${goal}`,
+    running: study.series.some((series) => series.error === null) ? "errors are not known" : `not all is right to ${goal}`,
   };
   find("status").dataset.status = state;
   find("status").textContent = words[state];
@@ -89,6 +89,7 @@ function describeBalance(study, of, by) {
 
 function describeDifference(study, run, quantity) {
   if (run.failure) return run.failure;
+  if (run.untried) return `not told: ${run.untried}`;
   const largest = Math.max(0, ...study.series.map((series) => quotient(series[quantity], series.scale)));
   return `differs by ${formatShare(largest)} at most`;
 }
