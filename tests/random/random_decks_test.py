@@ -157,10 +157,22 @@ class Campaign(unittest.TestCase):
         self.assertEqual(judge(0, False, None).reason, "errors are not known")
         self.assertEqual(judge(0, True, 0.02, 0.0).kind, "finding")
         self.assertEqual(judge(0, True, None).kind, "finding")
-        self.assertEqual(judge(3, False).kind, "failed")
+        self.assertEqual(judge(3, False, None).kind, "failed")
+        self.assertEqual(judge(3, True, 0.0).kind, "finding")
         self.assertEqual(judge(5, True, 0.0).kind, "finding")
         self.assertEqual(judge(5, True, 0.0).message, "\nIt is so.")
         self.assertEqual(judge(-11, True).kind, "finding")
+
+    def test_a_study_may_be_long_only_of_a_long_run(self):
+        with tempfile.TemporaryDirectory() as folder:
+            judge = Judge(GXROD, SEED, pathlib.Path(folder))
+
+            def judge_after(seconds):
+                judge.run_deck = lambda: setattr(judge, "seconds", seconds)
+                return judge.judge_unended(0).kind
+
+            self.assertEqual(judge_after(5.0), "warned")
+            self.assertEqual(judge_after(0.05), "finding")
 
 
 if __name__ == "__main__":
