@@ -4,26 +4,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 
 #include "deck/sample_times.hpp"
 #include "rotation/rotation_map.hpp"
 #include "verification/resumed_run.hpp"
 #include "verification/series_differences.hpp"
+#include "verification/series_reports.hpp"
 
 namespace gxrod {
 
 namespace {
 
 constexpr long most_samples = 2000;
-constexpr double least_difference = 1e-9;  // of a series' scale: differences below it show no order
-constexpr double slack_in_time = 1e-9;     // of the end time
-constexpr double angle_more = 1e-6;        // rad, of the run that shows round-off
-// Differences up to this many times the round-off seen show no order, either.
-constexpr double round_off_factor = 10.0;
-// Of unit quaternions, and of places by the model's length, at least.
-constexpr double least_round_off = 4.0 * std::numeric_limits<double>::epsilon();
+constexpr double slack_in_time = 1e-9;  // of the end time
+constexpr double angle_more = 1e-6;     // rad, of the run that shows round-off
 
 Quat make_random_rotation(unsigned seed) {
     std::mt19937 generator(seed);
@@ -49,12 +44,6 @@ double mesh_order_of(const Model& model) {
     int order = 4;
     for (const Rod& rod : model.rods) order = std::min(order, rod.order);
     return 2.0 * order;
-}
-
-double largest(const std::vector<double>& values) {
-    double most = 0.0;
-    for (const double value : values) most = std::fmax(most, value);
-    return most;
 }
 
 class DeckExaminer {
@@ -146,20 +135,20 @@ class DeckExaminer {
                 base_ = std::move(trace);
                 break;
             case VariantKind::finer_steps:
-                if (run.is_whole()) steps_.push_back(std::move(trace.rows));
+                if (run.is_whole()) found_.steps.push_back(std::move(trace.rows));
                 break;
             case VariantKind::finer_mesh:
-                if (run.is_whole()) meshes_.push_back(std::move(trace.rows));
+                if (run.is_whole()) found_.meshes.push_back(std::move(trace.rows));
                 break;
             case VariantKind::higher_order:
-                order_differences_ = compare(base_, trace, Quat::Identity());
+                found_.order_differences = compare(base_, trace, Quat::Identity());
                 break;
             case VariantKind::simo:
-                simo_differences_ = compare(base_, trace, Quat::Identity());
+                found_.simo_differences = compare(base_, trace, Quat::Identity());
                 break;
             case VariantKind::turned:
                 if (run.is_whole()) {
-                    turned_differences_ = compare(base_, trace, rotation_);
+                    found_.turned_differences = compare(base_, trace, rotation_);
                     run.is_cut_alike = is_cut_alike(base_, trace);
                 }
                 turned_ = std::move(trace);
@@ -182,7 +171,7 @@ class DeckExaminer {
         }
         run.is_cut_alike = is_cut_alike(turned_, trace);
         if (run.is_cut_alike) {
-            round_off_ = list_differences(turned_, trace, rotation_more_ * rotation_.conjugate());
+            found_.round_off = list_differences(turned_, trace, rotation_more_ * rotation_.conjugate());
         } else {
             run.untried = "other steps were taken";
         }
@@ -214,7 +203,7 @@ class DeckExaminer {
                                 const Quat& rotation) const {
         std::vector<double> differences;
         for (const std::vector<double>& of_series : list_differences(one, other, rotation))
-            differences.push_back(largest(of_series));
+            differences.push_back(largest_of(of_series));
         return differences;
     }
 
@@ -269,62 +258,14 @@ class DeckExaminer {
         return "";
     }
 
-    // The differences from each level to the next finer one.
-    ErrorEstimate estimate(std::size_t series,
-                           const std::vector<std::vector<std::vector<HistoryPoint::Row>>>& levels,
-                           double order,
-                           double floor) const {
-        std::vector<std::vector<double>> differences;
-        const std::vector<HistoryPoint::Row>* coarse = &base_.rows[series];
-        for (const auto& level : levels) {
-            differences.push_back(compute_differences(series_[series], *coarse, level[series]));
-            coarse = &level[series];
-        }
-        return estimate_error(differences, order, floor);
-    }
-
-    double find_round_off(std::size_t k) const {
-        const double unit = series_[k].is_rotation() ? 1.0 : series_[k].is_length() ? base_.length : 0.0;
-        return std::fmax(least_round_off * unit, round_off_.empty() ? 0.0 : largest(round_off_[k]));
-    }
-
-    SeriesReport report(std::size_t k, const SeriesScale& scale) const {
-        SeriesReport report;
-        report.series = series_[k];
-        report.scale = scale.scale;
-        report.is_still = scale.is_still;
-        report.round_off = find_round_off(k);
-        const double floor = std::fmax(least_difference * scale.scale, round_off_factor * report.round_off);
-        report.steps = estimate(k, steps_, study_.expected_order, floor);
-        report.mesh = estimate(k, meshes_, mesh_order_of(base_problem_.model), floor);
-        if (!order_differences_.empty()) report.order_difference = order_differences_[k];
-        if (!turned_differences_.empty()) report.turned_difference = turned_differences_[k];
-        if (!simo_differences_.empty()) report.simo_difference = simo_differences_[k];
-        bool is_trusted = study_.knows_errors();
-        for (std::size_t i = 0; i < base_.samples; ++i) {
-            const auto part = [&](const std::vector<double>& of_samples) {
-                return i < of_samples.size() ? of_samples[i] : 0.0;
-            };
-            const double error = part(report.steps.errors) + part(report.mesh.errors) +
-                                 (round_off_.empty() ? 0.0 : part(round_off_[k]));
-            report.error = std::fmax(report.error, error);
-            is_trusted = is_trusted && error <= options_->tolerance * scale.scale;
-            if (is_trusted) report.trusted_until = study_.times[i];
-        }
-        if (!study_.has_finer_steps()) report.steps = {};
-        if (!study_.knows_errors()) report.error = std::numeric_limits<double>::infinity();
-        return report;
-    }
-
     void report_series() {
         const double speed = base_.mass > 0.0 ? base_.books.momentum_scale / base_.mass : 0.0;
         if (base_.mass > 0.0 && !study_.is_static) study_.motion = speed * study_.end_time / base_.length;
-        std::vector<double> round_off;
-        for (std::size_t k = 0; k < series_.size(); ++k) round_off.push_back(find_round_off(k));
-        const std::vector<SeriesScale> scales =
-            compute_scales(series_, base_.rows, {base_.length, speed, base_.books.largest_energy}, round_off);
-        for (std::size_t k = 0; k < series_.size(); ++k) study_.series.push_back(report(k, scales[k]));
-        study_.base_rows = std::move(base_.rows);
+        found_.natural = {base_.length, speed, base_.books.largest_energy};
+        found_.mesh_order = mesh_order_of(base_problem_.model);
+        found_.base = std::move(base_.rows);
+        study_.series = make_reports(series_, found_, study_);
+        study_.base_rows = std::move(found_.base);
     }
 
     const DeckStudyOptions* options_;
@@ -335,12 +276,7 @@ class DeckExaminer {
     DeckStudy study_;
     MotionTrace base_;
     MotionTrace turned_;
-    std::vector<std::vector<double>> round_off_;                      // of each series, at each sample
-    std::vector<std::vector<std::vector<HistoryPoint::Row>>> steps_;  // of each level, of each series
-    std::vector<std::vector<std::vector<HistoryPoint::Row>>> meshes_;
-    std::vector<double> order_differences_;
-    std::vector<double> turned_differences_;
-    std::vector<double> simo_differences_;
+    StudyRows found_;
 };
 
 }  // namespace

@@ -10,11 +10,13 @@ namespace {
 // Below it, differences do not fall as errors that vanish do.
 constexpr double least_order = 0.5;
 
-double largest_of(const std::vector<double>& values) {
-    return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
-}
-
 }  // namespace
+
+double largest_of(const std::vector<double>& values) {
+    double most = 0.0;
+    for (const double value : values) most = std::fmax(most, value);
+    return most;
+}
 
 double ErrorEstimate::largest() const { return largest_of(errors); }
 

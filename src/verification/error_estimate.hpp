@@ -23,6 +23,8 @@ struct ErrorEstimate {
     double largest() const;
 };
 
+double largest_of(const std::vector<double>& values);  // 0 of none
+
 // From the differences level by level, one at each sample, coarse to fine. `expected_order` is that of the
 // method; differences up to `floor` are round-off.
 ErrorEstimate estimate_error(const std::vector<std::vector<double>>& differences,
