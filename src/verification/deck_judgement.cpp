@@ -9,15 +9,16 @@ namespace gxrod {
 
 namespace {
 
-constexpr double order_slack = 0.5;   // below the scheme's order, before it is called lower
-constexpr double most_told = 1000.0;  // of what is told as a share
+constexpr double order_slack = 0.5;    // below the scheme's order, before it is called lower
+constexpr double least_whole = 0.995;  // what is 100 % with two digits
+constexpr double most_told = 1000.0;   // of what is told as a share
 constexpr double most_refinement = 64.0;
 
 // "0.3 %", "130 %", and of what is small "2e-07".
 std::string describe_share(double share) {
     if (share > most_told) return fmt::format("more than {:.0f} %", 100.0 * most_told);
     // Two digits of what is more than 100 % as of the rest.
-    if (share >= 1.0) return fmt::format("{:.0f} %", std::stod(fmt::format("{:.1e}", 100.0 * share)));
+    if (share >= least_whole) return fmt::format("{:.0f} %", std::stod(fmt::format("{:.1e}", 100.0 * share)));
     return share >= 1e-4 ? fmt::format("{:.2g} %", 100.0 * share) : fmt::format("{:.0e}", share);
 }
 
@@ -95,6 +96,11 @@ class Judge {
         }
     }
 
+    bool has_failed(VariantKind kind) const {
+        const VariantRun* run = study_->find(kind);
+        return run != nullptr && !run->is_whole();
+    }
+
     void judge_orientation() {
         if (study_->depends_on_orientation()) {
             say("The motion depends on how the model stands in space, by more than its errors. If no "
@@ -107,11 +113,13 @@ class Judge {
         } else if (study_->is_error_of_cuts_unknown()) {
             say("Steps were cut, and the error of that is not known: nor is whether turning the model in "
                 "space changes its motion by more.");
-        } else if (!study_->is_turned_cut_alike()) {
+        } else if (study_->is_orientation_judged()) {
+            return;
+        } else if (!has_failed(VariantKind::turned) && !has_failed(VariantKind::turned_more)) {
             tell_turned_steps();
-        } else if (!study_->is_orientation_judged()) {
-            say("A run that was turned in space failed, which round-off can decide, as steps are cut anyhow "
-                "or another such run did not: nothing is said of the orientation.");
+        } else {
+            say("A run that was turned in space failed, which round-off can decide where it grows or where "
+                "steps are cut: nothing is said of the orientation.");
         }
     }
 
@@ -145,8 +153,9 @@ class Judge {
     void tell_lack_of_steps() {
         const VariantRun& base = study_->runs.front();
         std::string counts = fmt::format("{}", base.steps);
-        for (int level = 1; const VariantRun* run = study_->find(VariantKind::finer_steps, level); ++level)
-            counts += fmt::format(", {} with {}", run->steps, run->variant.title);
+        for (int level = 1; const VariantRun* run = study_->find(VariantKind::finer_steps, level); ++level) {
+            if (run->is_whole()) counts += fmt::format(", {} with {}", run->steps, run->variant.title);
+        }
         if (study_->is_adaptive) {
             say("Something else than the tolerance sets the steps, such as what Newton's method needs ({}): "
                 "what they add cannot be told, nor how right the series are. Choose a smaller tolerance "
@@ -248,9 +257,11 @@ class Judge {
                 what);
         }
         if (is_enough(worst)) return;
-        const char* remedy = study_->is_adaptive
-                                 ? "Steps {0:.0f} times as short, of 1/{1:.0f} of the tolerance,"
-                                 : "A step {0:.0f} times as short";
+        const char* remedy =
+            study_->is_adaptive
+                ? "Steps {0:.0f} times as short, with 1/{1:.0f} of the tolerance and 1/{0:.0f} of "
+                  "min_step, max_step and the first step,"
+                : "A step {0:.0f} times as short";
         advise(worst, steps, study_->expected_order, "step", remedy);
     }
 
@@ -268,7 +279,7 @@ class Judge {
             return;
         }
         if (is_enough(worst)) return;
-        advise(worst, mesh, 8.0, "mesh", "{0:.0f} times as many elements");
+        advise(worst, mesh, study_->mesh_order, "mesh", "{0:.0f} times as many elements");
         const double raised = worst.report->relative(worst.report->order_difference);
         if (raised > 0.0) {
             say("Elements of the next order change {} by {}.",

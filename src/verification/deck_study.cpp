@@ -59,6 +59,7 @@ class DeckExaminer {
         study_.is_static = std::holds_alternative<StaticSettings>(problem.analysis);
         study_.is_adaptive = is_adaptive(problem.analysis);
         study_.expected_order = order_of(problem.analysis);
+        study_.mesh_order = mesh_order_of(problem.model);
         study_.unrefined_rods = list_unrefined_rods(problem);
         study_.tolerance = options.tolerance;
         study_.times = sample_times(problem.analysis, most_samples);
@@ -141,10 +142,10 @@ class DeckExaminer {
                 if (run.is_whole()) found_.meshes.push_back(std::move(trace.rows));
                 break;
             case VariantKind::higher_order:
-                found_.order_differences = compare(base_, trace, Quat::Identity());
+                if (run.is_whole()) found_.order_differences = compare(base_, trace, Quat::Identity());
                 break;
             case VariantKind::simo:
-                found_.simo_differences = compare(base_, trace, Quat::Identity());
+                if (run.is_whole()) found_.simo_differences = compare(base_, trace, Quat::Identity());
                 break;
             case VariantKind::turned:
                 if (run.is_whole()) {
@@ -154,7 +155,7 @@ class DeckExaminer {
                 turned_ = std::move(trace);
                 break;
             case VariantKind::turned_more:
-                if (run.is_whole()) take_round_off(run, trace);
+                take_round_off(run, trace);
                 break;
             case VariantKind::two_threads:
                 run.failure = find_inequality(trace);
@@ -164,11 +165,10 @@ class DeckExaminer {
         }
     }
 
+    // Of runs that both fail, up to there.
     void take_round_off(VariantRun& run, const MotionTrace& trace) {
-        if (!turned_.is_whole()) {
-            run.untried = "the turned run failed";
-            return;
-        }
+        if (run.is_whole() && !turned_.is_whole()) run.untried = "the turned run failed";
+        if (run.is_whole() != turned_.is_whole()) return;
         run.is_cut_alike = is_cut_alike(turned_, trace);
         if (run.is_cut_alike) {
             found_.round_off = list_differences(turned_, trace, rotation_more_ * rotation_.conjugate());
@@ -262,7 +262,6 @@ class DeckExaminer {
         const double speed = base_.mass > 0.0 ? base_.books.momentum_scale / base_.mass : 0.0;
         if (base_.mass > 0.0 && !study_.is_static) study_.motion = speed * study_.end_time / base_.length;
         found_.natural = {base_.length, speed, base_.books.largest_energy};
-        found_.mesh_order = mesh_order_of(base_problem_.model);
         found_.base = std::move(base_.rows);
         study_.series = make_reports(series_, found_, study_);
         study_.base_rows = std::move(found_.base);

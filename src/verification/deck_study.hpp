@@ -63,6 +63,7 @@ struct DeckStudy {
     bool is_static = false;
     bool is_adaptive = false;
     double expected_order = 2.0;  // of the scheme, in the step
+    double mesh_order = 2.0;      // of the elements, in their length
     bool has_own_histories = true;
     std::vector<std::string> unrefined_rods;  // of meshes
     Vec3 rotation = Vec3::Zero();             // rotation vector of the turned run

@@ -94,9 +94,11 @@ bool DeckStudy::is_orientation_judged() const {
     const VariantRun* turned = find(VariantKind::turned);
     const VariantRun* more = find(VariantKind::turned_more);
     const bool is_turned_whole = turned == nullptr || turned->is_whole();
-    const bool is_more_whole = more == nullptr ? is_turned_whole : more->is_whole();
-    // That one of them alone fails, or both where steps are cut anyhow, is what round-off can decide.
-    return is_turned_whole == is_more_whole && (is_turned_whole || runs.front().rejected_steps == 0);
+    const bool is_more_whole = more == nullptr || more->is_whole();
+    if (is_turned_whole || is_more_whole) return is_turned_whole && is_more_whole;
+    // Round-off can decide that they fail where steps are cut anyhow, and where it grows.
+    return runs.front().rejected_steps == 0 &&
+           largest_difference(&SeriesReport::round_off) < turned_tolerance;
 }
 
 bool DeckStudy::depends_on_orientation() const {

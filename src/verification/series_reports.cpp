@@ -61,7 +61,7 @@ class Reporter {
         report.round_off = round_off;
         const double floor = std::fmax(least_difference * scale.scale, round_off_factor * round_off);
         report.steps = estimate(k, found_->steps, study_->expected_order, floor);
-        report.mesh = estimate(k, found_->meshes, found_->mesh_order, floor);
+        report.mesh = estimate(k, found_->meshes, study_->mesh_order, floor);
         report.order_difference = at(found_->order_differences, k);
         report.turned_difference = at(found_->turned_differences, k);
         report.simo_difference = at(found_->simo_differences, k);

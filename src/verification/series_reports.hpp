@@ -13,7 +13,6 @@ struct StudyRows {
     Rows base;                                                 // the deck as it is
     std::vector<Rows> steps;                                   // of each level that reached its end
     std::vector<Rows> meshes;
-    double mesh_order = 2.0;                     // in which errors of the mesh fall
     NaturalScales natural;                       // of the deck as it is
     std::vector<std::vector<double>> round_off;  // differences, of each series; none if they are not known
     // The largest differences, of each series; none without that run.

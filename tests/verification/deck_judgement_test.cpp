@@ -70,7 +70,9 @@ TEST_CASE("what is not is named, with its error, until when it is, and what to r
     CHECK(says(other,
                "The step adds 3 % to tip position. A step 3 times as short would bring that to 0.33 %."));
     other.is_adaptive = true;
-    CHECK(says(other, "Steps 3 times as short, of 1/81 of the tolerance, would bring that to 0.33 %."));
+    CHECK(says(other,
+               "Steps 3 times as short, with 1/81 of the tolerance and 1/3 of min_step, max_step and the "
+               "first step, would bring that to 0.33 %."));
     other.series[0].order_difference = 0.06;
     CHECK_FALSE(says(other, "next order"));
     other = make_study({make_report("tip", 0.0, 0.05)});
@@ -81,7 +83,9 @@ TEST_CASE("what is not is named, with its error, until when it is, and what to r
 TEST_CASE("errors that are out of reach are called so", "[verification]") {
     CHECK(says(make_study({make_report("tip", 43.4, 0.0)}),
                "The step adds 4300 % to tip position. No refinement within reach would mend that."));
-    CHECK(says(make_study({make_report("tip", 1.0, 0.0)}), "The step adds 100 % to tip position."));
+    for (const double share : {0.9951, 1.0})
+        CHECK(says(make_study({make_report("tip", share, 0.0)}), "The step adds 100 % to tip position."));
+    CHECK(says(make_study({make_report("tip", 0.9949, 0.0)}), "The step adds 99 % to tip position."));
     CHECK(says(make_study({make_report("tip", 1234.5, 0.0)}),
                "The step adds more than 100000 % to tip position."));
 }
@@ -156,6 +160,13 @@ TEST_CASE("where finer steps are no finer, nothing is said of errors", "[verific
     study.is_static = true;
     CHECK(study.has_finer_steps());
     study.is_static = false;
+    // Of runs that failed nothing is counted.
+    VariantRun failed;
+    failed.variant = {VariantKind::finer_steps, 2, "a quarter of the step"};
+    failed.failure = "the step from t = 0.5 failed";
+    study.runs.push_back(failed);
+    CHECK(says(study, "(90, 110 with half the step): what they add"));
+    study.runs.pop_back();
     study.runs[1].failure = "the step from t = 0 failed";
     CHECK(study.has_finer_steps());
     // A quarter of the step must then show both levels' growth.
@@ -284,29 +295,40 @@ TEST_CASE("where nothing changes there is nothing to judge by", "[verification]"
     CHECK(study.is_accurate());
 }
 
-TEST_CASE("a turned run that fails is a fault unless one that is turned a little more does not",
-          "[verification]") {
+TEST_CASE("turned runs that fail are a fault unless round-off can decide it", "[verification]") {
     DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3)});
     study.runs[2].failure = "the step from t = 0 failed";
-    CHECK_FALSE(study.is_sound());
-    CHECK(says(study, "The motion depends on how the model stands in space"));
+    // It may grow: without another such run that is not known.
+    CHECK_FALSE(study.is_orientation_judged());
+    CHECK(study.is_sound());
     VariantRun more;
     more.variant = {VariantKind::turned_more, 0, "turned by 1e-6 rad more"};
     more.untried = "the turned run failed";
     study.runs.push_back(more);
     CHECK(study.is_sound());
-    CHECK(
-        says(study,
-             "A run that was turned in space failed, which round-off can decide, as steps are cut anyhow or "
-             "another such run did not: nothing is said of the orientation."));
+    CHECK(says(study,
+               "A run that was turned in space failed, which round-off can decide where it grows or where "
+               "steps are cut: nothing is said of the orientation."));
     CHECK_THAT(describe_properties(study), Catch::Contains("round-off: not told: the turned run failed\n"));
     CHECK_FALSE(study.knows_round_off());
     CHECK(to_json(study, false)["series"][0]["round_off"].is_null());
     study.runs.back().failure = "the step from t = 0 failed";
     CHECK_FALSE(study.is_sound());
-    // Where steps are cut, both may fail by round-off.
+    CHECK(says(study, "The motion depends on how the model stands in space"));
+    // Where steps are cut, or round-off has grown, or the two fail otherwise, it may be round-off.
     study.runs[0].rejected_steps = 1;
     CHECK(study.is_sound());
+    study.runs[0].rejected_steps = 0;
+    study.series[0].round_off = 3e-6;
+    CHECK(study.is_sound());
+    study.series[0].round_off = 1e-6;
+    CHECK_FALSE(study.is_sound());
+    study.runs.back().is_cut_alike = false;
+    CHECK(study.is_sound());
+    CHECK(says(study, "A run that was turned in space failed"));
+    CHECK_FALSE(says(study, "other steps were taken"));
+    study.runs.back().is_cut_alike = true;
+    study.series[0].round_off = 0.0;
     study.runs[2].failure = study.runs.back().failure = study.runs.back().untried = "";
     CHECK(study.knows_round_off());
     CHECK(to_json(study, false)["series"][0]["round_off"] == 0.0);
