@@ -1,7 +1,9 @@
 #include <memory>
 
 #include "exit_code.hpp"
+#include "model/printable.hpp"
 #include "results/csv_export.hpp"
+#include "results/list_changes.hpp"
 #include "results/series_export.hpp"
 #include "say.hpp"
 #include "verbs.hpp"
@@ -21,6 +23,8 @@ int export_results(const ExportArguments& arguments) {
     if (arguments.csv.empty() && arguments.series.empty()) {
         throw CLI::ValidationError("export", "give --csv DIR, --series DIR, or both");
     }
+    for (const std::string& change : list_changes(arguments.results))
+        say(stderr, "warning: {}: {}\n", arguments.results, printable(change));
     const Existing existing = arguments.force ? Existing::replace : Existing::refuse;
     if (!arguments.csv.empty()) {
         for (const auto& path : export_csv(arguments.results, arguments.csv, existing)) {

@@ -15,6 +15,7 @@
 #include "report/run_story.hpp"
 #include "report/script_json.hpp"
 #include "report/step_blocks.hpp"
+#include "results/list_changes.hpp"
 #include "results/results_access.hpp"
 
 namespace gxrod {
@@ -46,7 +47,10 @@ class Page {
         for (const StepChart& chart : charts_) content_.columns += chart.columns();
         content_.arrows = story_.arrows.size();
         content_.is_static = story_.is_static;
-        warnings_ = list_warnings(file, story_, content_.steps);
+        for (const std::string& change : list_changes(options.results))
+            warnings_.push_back("This file is in doubt: " + change + ".");
+        for (const std::string& warning : list_warnings(file, story_, content_.steps))
+            warnings_.push_back(warning);
     }
 
     ReportSummary write(std::ostream& out) {

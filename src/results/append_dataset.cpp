@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "results/checksum.hpp"
 #include "results/ordered_driver.hpp"
 
 namespace gxrod {
@@ -85,11 +86,17 @@ template <class Number>
 AppendDataset<Number>::AppendDataset(
     const Hdf5Handle& group, const DatasetLabel& label, RowShape shape, hsize_t rows, RowChunks chunks)
     : shape_(shape), rows_(rows) {
-    if (!has_link(group, label.name)) {
+    if (has_link(group, label.name)) {
+        open(group, label);
+    } else {
         create(group, label, chunks);
         if (rows > 0) set_extent(rows);
-        return;
     }
+    sum_ = {address_of(dataset_.id()), sum_rows(dataset_.id(), {0, rows})};
+}
+
+template <class Number>
+void AppendDataset<Number>::open(const Hdf5Handle& group, const DatasetLabel& label) {
     const ChunkForm chunk = read_chunk_form(group, label.name);
     const Hdf5Handle access = make_access(chunk.bytes);
     dataset_ = Hdf5Handle(
@@ -97,13 +104,13 @@ AppendDataset<Number>::AppendDataset(
     const Hdf5Handle space(H5Dget_space(dataset_.id()), H5Sclose, "dataspace");
     std::array<hsize_t, 2> size{0, 1};
     const int rank = H5Sget_simple_extent_ndims(space.id());
-    if (rank != (shape.is_vector ? 2 : 1)) throw std::runtime_error(label.name + " has another shape");
+    if (rank != (shape_.is_vector ? 2 : 1)) throw std::runtime_error(label.name + " has another shape");
     H5Sget_simple_extent_dims(space.id(), size.data(), nullptr);
-    if (size[1] != static_cast<hsize_t>(shape.columns) || size[0] < rows) {
+    if (size[1] != static_cast<hsize_t>(shape_.columns) || size[0] < rows_) {
         throw std::runtime_error(label.name + " has another shape, or lacks rows");
     }
     // HDF5 looks for each chunk that it is to cut off, whether it is there or not.
-    if ((size[0] - rows) / chunk.rows > most_chunks(dataset_)) {
+    if ((size[0] - rows_) / chunk.rows > most_chunks(dataset_)) {
         throw std::runtime_error(label.name + " has more rows than its file can hold");
     }
     extent_ = size[0];
@@ -172,6 +179,13 @@ std::vector<Number> AppendDataset<Number>::last_row() const {
 }
 
 template <class Number>
+RowSum AppendDataset<Number>::sum() {
+    sum_.sum = checksum(std::span<const Number>(buffer_).subspan(summed_), sum_.sum);
+    summed_ = buffer_.size();
+    return sum_;
+}
+
+template <class Number>
 void AppendDataset<Number>::flush() {
     const hsize_t new_rows = buffer_.size() / static_cast<hsize_t>(shape_.columns);
     if (new_rows == 0) return;
@@ -184,8 +198,10 @@ void AppendDataset<Number>::flush() {
                         H5P_DEFAULT,
                         buffer_.data()),
                "writing rows");
+    sum();
     rows_ += new_rows;
     buffer_.clear();
+    summed_ = 0;
 }
 
 template class AppendDataset<double>;

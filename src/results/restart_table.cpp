@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
 
+#include "results/checksum.hpp"
+
 namespace gxrod {
 namespace {
 
 constexpr std::int64_t no_slot = -1;
-constexpr std::int64_t form_version = 1;  // of what is in a slot; raise it with every change
+constexpr std::uint32_t no_sum = 0;
+constexpr std::int64_t form_version = 2;  // of what is in a slot; raise it with every change
 std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 // Calls visit(vector) for each vector of a row, const or not.
@@ -80,7 +84,7 @@ std::vector<Row> rows_of(const Table& table) {
 // Calls visit(name, member) for each single number of a place.
 template <class Place, class Visitor>
 void visit_numbers(Place& place, Visitor&& visit) {
-    auto& [record, steps, frames] = place;
+    auto& [record, steps, frames, sums] = place;
     visit("steps", steps);
     visit("frames", frames);
     visit("time", record.steps.time);
@@ -101,6 +105,8 @@ void visit_numbers(Place& place, Visitor&& visit) {
     visit("newton_iterations", record.totals.newton_iterations);
     visit("largest_energy", record.totals.largest_energy);
     visit("largest_energy_error", record.totals.largest_energy_error);
+    visit("checksum_of_steps", sums.steps);
+    visit("checksum_of_frames", sums.frames);
 }
 
 // A number as it was before it was written as a double.
@@ -123,7 +129,7 @@ DatasetLabel numbers_label() {
     std::string names;
     const RestartPlace none;
     visit_numbers(none, [&](const char* name, const auto&) { names += std::string(" ") + name; });
-    return {"numbers", "single numbers, in order:" + names, "none", ""};
+    return {"numbers", "single numbers, in order:" + names + " checksum_of_state", "none", ""};
 }
 
 // The dataset of that name, with so many rows; a new one if there is none.
@@ -154,13 +160,38 @@ void write_rows(const Hdf5Handle& dataset, hsize_t first, const Table& table) {
         "writing a dataset");
 }
 
-// Piece by piece: of large models, all rows once more as numbers would be much.
+std::uint32_t sum_of(const Table& table, std::uint32_t before) {
+    return checksum(std::span<const double>(table.values), before);
+}
+
+// Piece by piece: of large models, all rows once more as numbers would be much. The checksum of what went
+// before becomes that with these rows.
 template <class Row>
-void put(const Hdf5Handle& group, const DatasetLabel& label, std::span<const Row> rows) {
+void put(const Hdf5Handle& group, const DatasetLabel& label, std::span<const Row> rows, std::uint32_t& sum) {
     constexpr std::size_t piece = 4096;
     const Hdf5Handle dataset = require_dataset(group, label, rows.size(), count_columns<Row>());
-    for (std::size_t first = 0; first < rows.size(); first += piece)
-        write_rows(dataset, first, table_of(rows.subspan(first, std::min(piece, rows.size() - first))));
+    for (std::size_t first = 0; first < rows.size(); first += piece) {
+        const Table table = table_of(rows.subspan(first, std::min(piece, rows.size() - first)));
+        write_rows(dataset, first, table);
+        sum = sum_of(table, sum);
+    }
+}
+
+Hdf5Handle open_attribute(const Hdf5Handle& group, const char* name) {
+    return {H5Aopen(group.id(), name, H5P_DEFAULT), H5Aclose, "opening an attribute"};
+}
+
+void write_number(const Hdf5Handle& attribute, std::int64_t number) {
+    check_hdf5(H5Awrite(attribute.id(), H5T_NATIVE_INT64, &number), "writing an attribute");
+}
+
+Hdf5Handle create_number(const Hdf5Handle& group, const char* name, std::int64_t number) {
+    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "scalar dataspace");
+    Hdf5Handle attribute(H5Acreate2(group.id(), name, H5T_STD_I64LE, space.id(), H5P_DEFAULT, H5P_DEFAULT),
+                         H5Aclose,
+                         "creating an attribute");
+    write_number(attribute, number);
+    return attribute;
 }
 
 const DatasetLabel nodes_label{"nodes",
@@ -182,32 +213,39 @@ const DatasetLabel damping_label{"damping", "force and moment of damping on each
 
 RestartTable::RestartTable(const Hdf5Handle& root) : group_(require_group(root, "restart")) {
     if (H5Aexists(group_.id(), "slot") > 0) {
-        slot_attribute_ =
-            Hdf5Handle(H5Aopen(group_.id(), "slot", H5P_DEFAULT), H5Aclose, "opening an attribute");
+        slot_attribute_ = open_attribute(group_, "slot");
+        structure_attribute_ = open_attribute(group_, "structure");
+        end_attribute_ = open_attribute(group_, "end");
         check_hdf5(H5Aread(slot_attribute_.id(), H5T_NATIVE_INT64, &slot_), "reading an attribute");
         return;
     }
-    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "scalar dataspace");
-    slot_attribute_ =
-        Hdf5Handle(H5Acreate2(group_.id(), "slot", H5T_STD_I64LE, space.id(), H5P_DEFAULT, H5P_DEFAULT),
-                   H5Aclose,
-                   "creating an attribute");
-    check_hdf5(H5Awrite(slot_attribute_.id(), H5T_NATIVE_INT64, &no_slot), "writing an attribute");
+    slot_attribute_ = create_number(group_, "slot", no_slot);
+    structure_attribute_ = create_number(group_, "structure", no_sum);
+    end_attribute_ = create_number(group_, "end", no_sum);
     write_attribute(group_.id(), "version", std::array{form_version});
 }
+
+void RestartTable::write_structure_sum(std::uint32_t sum) {
+    write_number(structure_attribute_, sum);
+    has_structure_sum_ = true;
+}
+
+void RestartTable::write_end_sum(std::uint32_t sum) { write_number(end_attribute_, sum); }
 
 void RestartTable::write(const RestartPlace& place) {
     const Hdf5Handle slot = require_group(group_, slot_name(slot_ == 0 ? 1 : 0));
     const RestartRecord& record = place.record;
+    std::uint32_t sum = 0;
+    put<NodeMotion>(slot, nodes_label, record.nodes, sum);
+    put<SectionHistory>(slot, sections_label, record.sections, sum);
+    put<AlgorithmicAcceleration>(slot, algorithmic_label, record.algorithmic, sum);
+    put<Vec6>(slot, driving_label, record.ledger.driving, sum);
+    put<Vec6>(slot, damping_label, record.ledger.damping, sum);
     Table single{1};
     visit_numbers(
         place, [&](const char*, const auto& value) { single.values.push_back(static_cast<double>(value)); });
+    single.values.push_back(static_cast<double>(sum_of(single, sum)));
     write_rows(require_dataset(slot, numbers_label(), single.values.size(), 1), 0, single);
-    put<NodeMotion>(slot, nodes_label, record.nodes);
-    put<SectionHistory>(slot, sections_label, record.sections);
-    put<AlgorithmicAcceleration>(slot, algorithmic_label, record.algorithmic);
-    put<Vec6>(slot, driving_label, record.ledger.driving);
-    put<Vec6>(slot, damping_label, record.ledger.damping);
     is_written_ = true;
 }
 
@@ -215,8 +253,21 @@ void RestartTable::switch_slot() {
     if (!is_written_) return;
     slot_ = slot_ == 0 ? 1 : 0;
     is_written_ = false;
-    check_hdf5(H5Awrite(slot_attribute_.id(), H5T_NATIVE_INT64, &slot_), "writing an attribute");
+    is_switched_ = true;
+    write_number(slot_attribute_, slot_);
 }
+
+namespace {
+
+// With their checksum at the end.
+Table read_numbers(const Hdf5Reader& file, const std::string& slot) {
+    std::size_t count = 1;
+    const RestartPlace none;
+    visit_numbers(none, [&](const char*, const auto&) { ++count; });
+    return {1, file.rows(slot + numbers_label().name, 0, count, 1)};
+}
+
+}  // namespace
 
 std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
     if (!file.has("/restart") || file.integer_attribute("/restart", "slot") == no_slot) return std::nullopt;
@@ -224,19 +275,16 @@ std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
         throw std::runtime_error("its state was written in another form, by another version of gxrod");
     }
     const std::string slot = "/restart/" + slot_name(file.integer_attribute("/restart", "slot")) + "/";
+    std::uint32_t sum = 0;
     const auto read = [&](const DatasetLabel& label, hsize_t columns) {
         const std::vector<hsize_t> size = file.size(slot + label.name);
         if (size.size() != 2 || size[1] != columns)
             throw std::runtime_error(slot + label.name + " is damaged");
-        return Table{columns, file.numbers(slot + label.name)};
+        Table table{columns, file.numbers(slot + label.name)};
+        sum = sum_of(table, sum);
+        return table;
     };
     RestartPlace place;
-    const Table single = read(numbers_label(), 1);
-    std::size_t count = 0;
-    visit_numbers(place, [&](const char*, auto& value) {
-        if (count >= single.values.size()) throw std::runtime_error(slot + "numbers is damaged");
-        value = restore<std::remove_reference_t<decltype(value)>>(single.values[count++]);
-    });
     RestartRecord& record = place.record;
     const auto read_rows = [&](const DatasetLabel& label, auto& rows) {
         using Row = typename std::remove_reference_t<decltype(rows)>::value_type;
@@ -247,7 +295,32 @@ std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
     read_rows(algorithmic_label, record.algorithmic);
     read_rows(driving_label, record.ledger.driving);
     read_rows(damping_label, record.ledger.damping);
+    Table single = read_numbers(file, slot);
+    const double written = single.values.back();
+    single.values.pop_back();
+    if (static_cast<double>(sum_of(single, sum)) != written)
+        throw std::runtime_error("its state is not the one that was written");
+    std::size_t count = 0;
+    visit_numbers(place, [&](const char*, auto& value) {
+        value = restore<std::remove_reference_t<decltype(value)>>(single.values[count++]);
+    });
     return place;
+}
+
+void clear_file_sums(const Hdf5Handle& root) {
+    const Hdf5Handle group = require_group(root, "restart");
+    write_number(open_attribute(group, "structure"), no_sum);
+    write_number(open_attribute(group, "end"), no_sum);
+}
+
+FileSums read_file_sums(const Hdf5Reader& file) {
+    const auto read = [&](const char* name) {
+        const long long sum = file.integer_attribute("/restart", name);
+        if (sum < 0 || sum > std::numeric_limits<std::uint32_t>::max())
+            throw std::runtime_error(std::string("/restart@") + name + " is damaged");
+        return static_cast<std::uint32_t>(sum);
+    };
+    return {read("structure"), read("end")};
 }
 
 }  // namespace gxrod

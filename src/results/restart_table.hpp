@@ -20,15 +20,32 @@ class RestartTable {
     void write(const RestartPlace& place);
     // … which is in use from here on.
     void switch_slot();
+    // The checksum of the file's structure, once it and the slot in use are of each other; 0 before.
+    void write_structure_sum(std::uint32_t sum);
+    bool wants_structure_sum() const { return is_switched_ && !has_structure_sum_; }
+    // That of all, once the run has ended.
+    void write_end_sum(std::uint32_t sum);
 
   private:
     Hdf5Handle group_;
-    Hdf5Handle slot_attribute_;
+    Hdf5Handle slot_attribute_, structure_attribute_, end_attribute_;
     std::int64_t slot_ = -1;  // in use; -1: none
     bool is_written_ = false;
+    bool is_switched_ = false;
+    bool has_structure_sum_ = false;
 };
+
+// Before anything changes in a file with such a group: then no checksums stand for it.
+void clear_file_sums(const Hdf5Handle& root);
 
 // Nothing if the file has no whole record. Throws Hdf5Error, and std::runtime_error if it is damaged.
 std::optional<RestartPlace> read_restart(const Hdf5Reader& file);
+
+// Checksums of a file that stand beside those of its state; 0 if there is none yet.
+struct FileSums {
+    std::uint32_t structure = 0;
+    std::uint32_t end = 0;
+};
+FileSums read_file_sums(const Hdf5Reader& file);
 
 }  // namespace gxrod

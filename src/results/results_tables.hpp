@@ -31,6 +31,12 @@ class ResultsTables {
     void flush_times();
     // … and last which state to go on from.
     void switch_restart();
+    // The first time, the checksum of the file's structure comes after that.
+    bool wants_structure_sum() const { return restart_.wants_structure_sum(); }
+    void write_structure_sum(std::uint32_t sum) { restart_.write_structure_sum(sum); }
+    // Of all rows so far.
+    PlaceSums sum();
+    void write_end_sum(std::uint32_t sum) { restart_.write_end_sum(sum); }
     // Takes away what an earlier run wrote beyond the last row: of the times, or of all.
     void trim_times();
     void trim();

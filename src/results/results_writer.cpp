@@ -11,6 +11,7 @@
 #include "results/digest.hpp"
 #include "results/memory_reserve.hpp"
 #include "results/ordered_driver.hpp"
+#include "results/structure_sum.hpp"
 
 namespace gxrod {
 namespace {
@@ -125,6 +126,8 @@ ResultsWriter::ResultsWriter(ResumableFile file,
       hdf5_(open_hdf5(*file_)),
       root_(open_root(hdf5_)) {
     frame_bytes_ = count_frame_bytes(model);
+    clear_file_sums(root_);
+    commit();
     write_resumption(root_, file.deck(), deck);
     tables_.emplace(root_, deck, model, output, file.place().steps, file.place().frames);
     commit();
@@ -186,6 +189,10 @@ void ResultsWriter::flush() {
         commit();
         tables_->switch_restart();
         commit();
+        if (tables_->wants_structure_sum()) {
+            tables_->write_structure_sum(sum_structure(root_.id()));
+            commit();
+        }
         H5garbage_collect();  // what HDF5 keeps for more frames of that size
     });
     // A slow disk takes at most a tenth of the time.
@@ -215,6 +222,8 @@ void ResultsWriter::close(const std::string& status,
         rewrite_attribute(root_.id(), "reason", reason);
         if (!reason_nodes.empty()) rewrite_attribute(root_.id(), "reason_nodes", reason_nodes);
         rewrite_attribute(root_.id(), "status", status);
+        commit();
+        tables_->write_end_sum(sum_end(root_.id(), tables_->sum()));
         close_hdf5();
         check_name(*file_);
     });

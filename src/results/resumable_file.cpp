@@ -1,11 +1,13 @@
 #include "results/resumable_file.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <utility>
 
 #include "model/file_error.hpp"
 #include "results/deck_reading.hpp"
+#include "results/find_changes.hpp"
 #include "results/output_file.hpp"
 #include "results/restart_table.hpp"
 #include "results/survey.hpp"
@@ -33,8 +35,14 @@ Contents read_contents(const std::filesystem::path& path) {
         if (!file.has_attribute("/", "gxrod_version")) {
             reason = "it is not a results file of gxrod";
         } else if (std::optional<RestartPlace> place = read_restart(file)) {
-            return {
-                *std::move(place), read_deck_record(file), file.text_attribute("/", "status") == "complete"};
+            const std::vector<std::string> changes = find_changes(file, *place);
+            if (changes.empty()) {
+                return {*std::move(place),
+                        read_deck_record(file),
+                        file.text_attribute("/", "status") == "complete"};
+            }
+            reason = fmt::format("{}", fmt::join(changes, "; "));
+            hint = "gxrod run --force begins it anew";
         } else {
             reason = "it has no state to go on from";
             hint = anew;

@@ -61,6 +61,10 @@ void LedgerTable::trim() {
     for (AppendDataset<double>* column : columns()) column->trim();
 }
 
+void LedgerTable::add_sums(std::vector<RowSum>& sums) {
+    for (AppendDataset<double>* column : columns()) sums.push_back(column->sum());
+}
+
 SolverTable::SolverTable(const Hdf5Handle& solver, hsize_t rows)
     : time_step_(
           solver, {"time_step", "length of the step that ended here", "none", "time"}, scalar_row, rows),
@@ -84,18 +88,24 @@ void SolverTable::append(const SolverRow& row) {
     rejected_steps_.append(row.rejected_steps);
 }
 
+template <class Action>
+void SolverTable::for_each_column(Action&& action) {
+    action(time_step_);
+    action(residual_);
+    action(newton_iterations_);
+    action(rejected_steps_);
+}
+
 void SolverTable::flush() {
-    time_step_.flush();
-    residual_.flush();
-    newton_iterations_.flush();
-    rejected_steps_.flush();
+    for_each_column([](auto& column) { column.flush(); });
 }
 
 void SolverTable::trim() {
-    time_step_.trim();
-    residual_.trim();
-    newton_iterations_.trim();
-    rejected_steps_.trim();
+    for_each_column([](auto& column) { column.trim(); });
+}
+
+void SolverTable::add_sums(std::vector<RowSum>& sums) {
+    for_each_column([&](auto& column) { sums.push_back(column.sum()); });
 }
 
 }  // namespace gxrod

@@ -14,6 +14,8 @@ class LedgerTable {
     void append(const LedgerRow& row);
     void flush();
     void trim();
+    // Adds those of all its rows.
+    void add_sums(std::vector<RowSum>& sums);
 
   private:
     std::array<AppendDataset<double>*, 7> columns();
@@ -29,8 +31,13 @@ class SolverTable {
     void append(const SolverRow& row);
     void flush();
     void trim();
+    // Adds those of all its rows.
+    void add_sums(std::vector<RowSum>& sums);
 
   private:
+    template <class Action>
+    void for_each_column(Action&& action);
+
     AppendDataset<double> time_step_, residual_;
     AppendDataset<std::int64_t> newton_iterations_, rejected_steps_;
 };

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "model/file_error.hpp"
+#include "results/find_changes.hpp"
 #include "results/hdf5_reader.hpp"
 #include "results/restart_table.hpp"
 #include "results/results_file.hpp"
@@ -80,7 +81,8 @@ std::string examine_restart(const Hdf5Reader& file, const Survey& found) {
     }
     file.rows("/histories/middle/position", 0, place->steps);
     file.rows("/VTKHDF/Points", 0, place->frames * points);
-    return "";
+    const std::vector<std::string> changes = find_changes(file, *place);
+    return changes.empty() ? "" : changes.front();
 }
 
 // Reads as many steps and frames as the file says it has, and compares them with what was written.

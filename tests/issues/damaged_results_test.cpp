@@ -9,6 +9,7 @@
 #include "fuzz/scratch_folder.hpp"
 #include "model/file_error.hpp"
 #include "report/report.hpp"
+#include "results/checksum.hpp"
 #include "results/csv_export.hpp"
 #include "results/hdf5_objects.hpp"
 #include "results/hdf5_reader.hpp"
@@ -70,6 +71,27 @@ class Damaged {
         H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
     }
 
+    // All of them, and the checksum behind them.
+    void replace_state_numbers(double value, double sum) {
+        for (const char* slot : {"/restart/a/numbers", "/restart/b/numbers"}) {
+            replace_dataset(slot, {state_numbers + 1, 1}, value);
+            const Hdf5Handle dataset(H5Dopen2(file_.id(), slot, H5P_DEFAULT), H5Dclose, "opening");
+            std::vector<double> numbers(state_numbers, value);
+            numbers.push_back(sum);
+            H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data());
+        }
+    }
+    // Of the slot in use, if all its numbers were this one.
+    double sum_of_state(double value) const {
+        const Hdf5Reader file(folder_.write("sound.vtkhdf", results_sample()));
+        const std::string slot =
+            file.integer_attribute("/restart", "slot") == 0 ? "/restart/a/" : "/restart/b/";
+        std::uint32_t sum = 0;
+        for (const char* table : {"nodes", "sections", "algorithmic", "driving", "damping"})
+            sum = checksum(std::span<const double>(file.numbers(slot + table)), sum);
+        return checksum(std::span<const double>(std::vector<double>(state_numbers, value)), sum);
+    }
+
     std::string report_fault() {
         return fault([&] {
             write_report(
@@ -95,6 +117,8 @@ class Damaged {
     }
 
   private:
+    static constexpr std::size_t state_numbers = 22;
+
     static Hdf5Handle make_space(const std::vector<hsize_t>& size) {
         return {H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose, "dataspace"};
     }
@@ -155,10 +179,16 @@ TEST_CASE("Counts that are none are an error", "[results]") {
         damaged.replace_dataset("/VTKHDF/Offsets", {5}, offset);
         CHECK(damaged.report_fault() == unreadable("a cell has points that are not there"));
     }
+}
+
+TEST_CASE("A state of numbers that are none is an error", "[results]") {
     Damaged damaged;
-    damaged.replace_dataset("/restart/a/numbers", {20, 1}, -1e300);
-    damaged.replace_dataset("/restart/b/numbers", {20, 1}, -1e300);
-    CHECK(damaged.resume_fault() == "cannot be resumed: its state has a count that is none");
+    damaged.replace_state_numbers(-1e300, 0.0);
+    CHECK(damaged.resume_fault() == "cannot be resumed: its state is not the one that was written");
+    // As nobody but a forger would write it.
+    Damaged forged;
+    forged.replace_state_numbers(-1e300, forged.sum_of_state(-1e300));
+    CHECK(forged.resume_fault() == "cannot be resumed: its state has a count that is none");
 }
 
 TEST_CASE("A state of another version is not gone on from", "[results]") {

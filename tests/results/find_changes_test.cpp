@@ -1,0 +1,270 @@
+#include "results/find_changes.hpp"
+
+#include <catch2/catch.hpp>
+#include <functional>
+
+#include "model/file_error.hpp"
+#include "results/list_changes.hpp"
+#include "results/restart_table.hpp"
+#include "results/results_file.hpp"
+#include "results/resumable_file.hpp"
+#include "results/sample.hpp"
+
+using namespace gxrod;
+
+namespace {
+
+void write_steps(ResultsFile& file, int first, int count) {
+    for (int i = first; i < first + count; ++i) {
+        const sample::Motion motion(0.25 * i);
+        file.record_step(
+            motion.snapshot(), sample::make_ledger(motion.time), sample::make_solver(motion.time));
+        if (i % 2 == 0) file.write_frame(motion.snapshot());
+        file.set_restart(sample::make_restart(motion.time));
+        file.flush();
+    }
+}
+
+DeckRecord make_deck_with_mesh() {
+    DeckRecord deck = sample::make_deck();
+    deck.meshes.push_back({"cable.msh", "$MeshFormat"});
+    return deck;
+}
+
+// A results file of five steps, the last at t = 1, and three frames.
+struct Written {
+    sample::ScratchFolder folder;
+    Model model = sample::make_model();
+    std::filesystem::path path = folder / "a.vtkhdf";
+
+    Written() {
+        ResultsFile file({path}, make_deck_with_mesh(), model, sample::make_output());
+        write_steps(file, 0, 5);
+        file.close(RunStatus::interrupted, "Ctrl-C");
+    }
+
+    // Changes it, through HDF5.
+    void change(const std::function<void(hid_t)>& action) const {
+        const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, "opening");
+        action(file.id());
+    }
+    void change_number(const char* dataset, std::size_t index) const {
+        change([&](hid_t file) {
+            const Hdf5Handle rows(H5Dopen2(file, dataset, H5P_DEFAULT), H5Dclose, "opening");
+            const Hdf5Handle form(H5Dget_type(rows.id()), H5Tclose, "type");
+            const Hdf5Handle space(H5Dget_space(rows.id()), H5Sclose, "space");
+            const auto count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id()));
+            const std::size_t bytes = H5Tget_size(form.id());
+            std::vector<unsigned char> values(count * bytes);
+            H5Dread(rows.id(), form.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+            REQUIRE(index < count);
+            values[index * bytes] ^= 1U;  // the least bit
+            H5Dwrite(rows.id(), form.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+        });
+    }
+    std::vector<std::string> changes() const { return list_changes(path); }
+};
+
+const std::string steps_changed =
+    "rows of its histories, ledger or solver's record, up to t = 1, are not those that were written";
+const std::string frames_changed = "frames up to t = 1 are not those that were written";
+const std::string structure_changed =
+    "its names, deck, meshes or other texts are not those that were written";
+
+}  // namespace
+
+TEST_CASE("Nothing is told of a file as it was written", "[results]") { CHECK(Written().changes().empty()); }
+
+TEST_CASE("A changed bit of any row is told", "[results]") {
+    for (const char* dataset : {"/histories/time",
+                                "/histories/middle/position",
+                                "/ledger/energy_error",
+                                "/ledger/linear_momentum",
+                                "/solver/newton_iterations",
+                                "/solver/residual"}) {
+        const Written written;
+        written.change_number(dataset, 4);
+        CHECK(written.changes() == std::vector{steps_changed});
+    }
+    for (const char* dataset : {"/VTKHDF/Points",
+                                "/VTKHDF/PointData/axis_x",
+                                "/VTKHDF/CellData/radius",
+                                "/VTKHDF/Steps/Values",
+                                "/VTKHDF/Steps/PointOffsets",
+                                "/VTKHDF/Steps/CellDataOffsets/force"}) {
+        const Written written;
+        written.change_number(dataset, 2);
+        CHECK(written.changes() == std::vector{frames_changed});
+    }
+    const Written both;
+    both.change_number("/histories/time", 0);
+    both.change_number("/VTKHDF/Points", 0);
+    CHECK(both.changes() == std::vector{steps_changed, frames_changed});
+}
+
+TEST_CASE("A changed bit of what is written once is told", "[results]") {
+    for (const char* dataset :
+         {"/VTKHDF/NumberOfCells", "/VTKHDF/Connectivity", "/VTKHDF/Types", "/deck/meshes/cable.msh"}) {
+        const Written written;
+        written.change_number(dataset, 0);
+        CHECK(written.changes() == std::vector{structure_changed});
+    }
+    const auto rename = [](const char* from, const char* to) {
+        const Written written;
+        written.change([&](hid_t file) { H5Lmove(file, from, file, to, H5P_DEFAULT, H5P_DEFAULT); });
+        return written.changes();
+    };
+    CHECK(rename("/histories/middle", "/histories/niddle") == std::vector{structure_changed});
+    CHECK(rename("/ledger/time", "/ledger/tame") == std::vector{structure_changed});
+    const auto rewrite = [](const char* object, const char* name, const char* text) {
+        const Written written;
+        written.change([&](hid_t file) {
+            const Hdf5Handle owner(H5Oopen(file, object, H5P_DEFAULT), H5Oclose, "opening");
+            rewrite_attribute(owner.id(), name, std::string(text));
+        });
+        return written.changes();
+    };
+    CHECK(rewrite("/", "title", "Sampla") == std::vector{structure_changed});
+    CHECK(rewrite("/histories/middle/position", "frame", "spatiam") == std::vector{structure_changed});
+}
+
+TEST_CASE("A changed bit of the state to go on from is told", "[results]") {
+    for (const char* table : {"numbers", "nodes", "sections", "algorithmic", "driving", "damping"}) {
+        const Written written;
+        for (const char* slot : {"/restart/a/", "/restart/b/"})
+            written.change_number((std::string(slot) + table).c_str(), 0);
+        CHECK(written.changes() == std::vector<std::string>{"its state is not the one that was written"});
+    }
+}
+
+TEST_CASE("What is written at the end is told, and how many rows there are", "[results]") {
+    const std::string end_changed =
+        "its status, its last frame or the number of its rows is not that of its end";
+    const auto after = [](const std::function<void(hid_t)>& action) {
+        const Written written;
+        written.change(action);
+        return written.changes();
+    };
+    const auto rewrite = [&](const char* name, const char* text) {
+        return after([&](hid_t file) {
+            const Hdf5Handle root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "opening");
+            rewrite_attribute(root.id(), name, std::string(text));
+        });
+    };
+    CHECK(rewrite("status", "failed") == std::vector{end_changed});
+    CHECK(rewrite("reason", "") == std::vector{end_changed});
+    const auto resize = [&](const char* name, hsize_t rows) {
+        return after([&](hid_t file) {
+            const Hdf5Handle dataset(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose, "opening");
+            H5Dset_extent(dataset.id(), &rows);
+        });
+    };
+    CHECK(resize("/ledger/strain_energy", 6) == std::vector{end_changed});
+    CHECK(resize("/histories/time", 6) == std::vector<std::string>{"times of steps after t = 1 do not grow"});
+    CHECK(resize("/histories/time", 4) == std::vector<std::string>{"a dataset lacks rows"});
+    const auto count_frames = [&](std::int64_t frames) {
+        return after([&](hid_t file) {
+            const Hdf5Handle steps(H5Gopen2(file, "/VTKHDF/Steps", H5P_DEFAULT), H5Gclose, "opening");
+            const Hdf5Handle count(H5Aopen(steps.id(), "NSteps", H5P_DEFAULT), H5Aclose, "opening");
+            check_hdf5(H5Awrite(count.id(), H5T_NATIVE_INT64, &frames), "writing");
+        });
+    };
+    CHECK(count_frames(2) == std::vector{frames_changed});
+    CHECK(count_frames(4) == std::vector{end_changed});
+}
+
+TEST_CASE("A last frame that is none of the state is told when it changes", "[results]") {
+    const Written written;
+    {
+        ResultsFile file(
+            make_deck_with_mesh(), written.model, sample::make_output(), ResumableFile(written.path));
+        write_steps(file, 5, 1);
+        file.write_frame(sample::Motion(1.25).snapshot());
+        file.close(RunStatus::interrupted, "");
+    }
+    CHECK(written.changes().empty());
+    written.change_number("/VTKHDF/Points", 3 * 4 * 3);  // three frames before, four points of three numbers
+    CHECK(written.changes() ==
+          std::vector<std::string>{
+              "its status, its last frame or the number of its rows is not that of its end"});
+}
+
+TEST_CASE("What lies beyond the state may change", "[results]") {
+    const Written written;
+    {
+        ResultsFile file(
+            make_deck_with_mesh(), written.model, sample::make_output(), ResumableFile(written.path));
+        const sample::Motion motion(1.25);
+        file.record_step(motion.snapshot(), sample::make_ledger(1.25), sample::make_solver(1.25));
+        file.flush();
+    }
+    // Of a run that has gone on for no more than that, nothing is checked yet.
+    const std::vector<std::string> unchecked{
+        "its run was stopped before it wrote checksums, so that changes would not be told"};
+    CHECK(written.changes() == unchecked);
+    written.change_number("/ledger/energy_error", 5);
+    CHECK(written.changes() == unchecked);
+    CHECK_NOTHROW(ResumableFile(written.path));
+}
+
+TEST_CASE("Steps that are no part of a state are told to have no checksum", "[results]") {
+    const sample::ScratchFolder folder;
+    const Model model = sample::make_model();
+    ResultsFile file({folder / "a"}, sample::make_deck(), model, sample::make_output());
+    CHECK(find_changes(Hdf5Reader(folder / "a")).empty());
+    write_steps(file, 0, 2);
+    CHECK(find_changes(Hdf5Reader(folder / "a")).empty());
+    const sample::Motion motion(0.5);
+    file.record_step(motion.snapshot(), sample::make_ledger(0.5), sample::make_solver(0.5));
+    file.flush();
+    CHECK(find_changes(Hdf5Reader(folder / "a")) ==
+          std::vector<std::string>{
+              "its steps after t = 0.25 have no checksum, as its run was stopped while it wrote them"});
+}
+
+TEST_CASE("A run that goes on is checked again, with other histories too", "[results][resume]") {
+    const Written written;
+    OutputSettings output = sample::make_output();
+    output.histories.front().name = "renamed";
+    {
+        ResultsFile file(make_deck_with_mesh(), written.model, output, ResumableFile(written.path));
+        write_steps(file, 5, 3);
+        file.close(RunStatus::complete, "");
+    }
+    CHECK(written.changes().empty());
+    CHECK_NOTHROW(ResumableFile(written.path));
+    for (const char* history : {"/histories/middle/position", "/histories/renamed/position"}) {
+        written.change_number(history, 3);
+        CHECK(written.changes().size() == 1);
+        written.change_number(history, 3);
+        CHECK(written.changes().empty());
+    }
+}
+
+TEST_CASE("No run goes on from what is not as it was written", "[results][resume]") {
+    const Written written;
+    written.change_number("/ledger/energy_error", 4);
+    CHECK_THROWS_WITH(ResumableFile(written.path),
+                      Catch::Contains("a.vtkhdf: cannot be resumed: " + steps_changed +
+                                      " (gxrod run --force begins it anew)"));
+}
+
+TEST_CASE("Checksums that are none, and objects that no run writes, are told", "[results]") {
+    const Written written;
+    written.change([](hid_t file) {
+        const Hdf5Handle group(H5Gopen2(file, "/restart", H5P_DEFAULT), H5Gclose, "opening");
+        const std::array<std::int64_t, 1> none{-5};
+        rewrite_attribute(group.id(), "structure", none);
+    });
+    CHECK(written.changes() == std::vector<std::string>{"/restart@structure is damaged"});
+    const auto with = [](hid_t type, hsize_t count) {
+        const Written other;
+        other.change([&](hid_t file) {
+            const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose, "space");
+            H5Dclose(H5Dcreate2(file, "added", type, space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+        });
+        return other.changes();
+    };
+    CHECK(with(H5T_IEEE_F64LE, 3) == std::vector{structure_changed});
+    CHECK(with(H5T_STD_REF_OBJ, 3) == std::vector<std::string>{"a dataset holds no numbers"});
+}
