@@ -61,7 +61,8 @@ class Bench:
 
     def arguments(self, deck, is_long=False, name=None):
         """Those of `gxrod run` that begin a deck anew."""
-        (self.folder / f"{deck.name}.toml").write_text(deck.text)
+        for file, text in ((f"{deck.name}.toml", deck.text), *deck.files):
+            (self.folder / file).write_text(text)
         changes = [word for change in (deck.long if is_long else ()) for word in ("--set", change)]
         return ["run", f"{deck.name}.toml", "-o", name or self.path(deck).name, "--force", "--threads", deck.threads,
                 *changes]
@@ -99,13 +100,18 @@ class Bench:
         return int(counted.read_text())
 
     def recover(self, deck, trial, is_long=False, refusal=NOTHING_TO_RESUME):
-        """Goes on after a fault, as a user would, and compares with the undisturbed run. A file that cannot be
-        resumed, with such a refusal, is begun anew."""
-        whole_path, whole = self.whole(deck, is_long)
+        """Looks at what a fault left, and goes on."""
         path = self.path(deck)
         steps = results.count_steps(path) if path.exists() else None
         if steps is not None:
-            trial.lost = trial.lost or results.find_fault(path, whole_path)
+            trial.lost = trial.lost or results.find_fault(path, self.whole(deck, is_long)[0])
+        return self.go_on(deck, trial, is_long, refusal)
+
+    def go_on(self, deck, trial, is_long=False, refusal=NOTHING_TO_RESUME):
+        """Goes on after a fault, as a user would, and compares with the undisturbed run. A file that cannot be
+        resumed, with such a refusal, is begun anew."""
+        whole = self.whole(deck, is_long)[1]
+        path = self.path(deck)
         if path.exists():
             done = self.run("resume", path.name, "--threads", deck.threads)
         if path.exists() and done.returncode == 0:

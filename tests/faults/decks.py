@@ -1,6 +1,7 @@
 """Decks whose runs are disturbed: small, and of every kind that a results file knows."""
 
 import dataclasses
+import pathlib
 
 ROD = """title = "A hose that swings"
 gravity = [0, 0, -9.81]
@@ -51,6 +52,83 @@ quantities = ["angular_velocity", "position"]
 """
 
 
+# Elements that remember, an integrator that remembers, and supports that move.
+FRAME = """title = "A frame whose foot is shaken"
+gravity = [0, 0, -9.81]
+[section.s]
+shape = { circle = { radius = 0.02 } }
+material = { E = 1e8, nu = 0.5, density = 1000 }
+damping = { kelvin_voigt = 1e-3, mass_proportional = 0.1 }
+[rod.leg]
+section = "s"
+line = { from = [0, 0, 0], to = [0, 0, 1] }
+elements = 4
+order = 2
+element = "simo"
+[rod.beam]
+section = "s"
+line = { from = [0, 0, 1], to = [1, 0, 1] }
+elements = 3
+order = 3
+element = "simo"
+[[connect]]
+points = ["leg.end", "beam.start"]
+[body.weight]
+mass = 0.2
+inertia = [1e-3, 2e-3, 3e-3]
+at = "beam.end"
+centre_of_mass = [0.02, 0, 0]
+[[support]]
+at = "leg.start"
+fix = ["y", "z", "rx", "ry"]
+move = { x = "0.05*sin(20*t)", rz = "0.8*t" }
+[[load]]
+on = "beam"
+force_per_length = [0, "sin(9*t)", 0]
+frame = "follower"
+[analysis]
+kind = "dynamic"
+integrator = "generalized-alpha"
+spectral_radius = 0.8
+end_time = 0.6
+time_step = 0.01
+[output]
+every = 4
+[[history]]
+name = "weight"
+at = "weight"
+quantities = ["position", "quaternion", "velocity"]
+[[history]]
+name = "foot"
+at = "leg.start"
+quantities = ["reaction_force", "reaction_moment"]
+"""
+
+# From a mesh that branches.
+NET = """gravity = [0, 0, -9.81]
+[section.wire]
+shape = { circle = { radius = 5e-3 } }
+material = { E = 2.1e9, nu = 0.3, density = 7850 }
+[rod.truss]
+section = "wire"
+mesh = { file = "truss.msh", group = "truss" }
+[[support]]
+at = "truss.left_foot"
+fix = "all"
+[analysis]
+kind = "dynamic"
+end_time = 0.06
+time_step = 1e-3
+[output]
+every = 4
+[[history]]
+name = "foot"
+at = "truss.right_foot"
+quantities = ["position", "rotation_vector"]
+"""
+MESHES = pathlib.Path(__file__).resolve().parents[2] / "meshes"
+
+
 def rod(elements, analysis, output="every = 4"):
     return ROD.format(elements=elements, analysis=analysis, output=output)
 
@@ -64,6 +142,7 @@ class Deck:
     tick: int
     long: tuple = ()
     threads: int = 1
+    files: tuple = ()  # that it names: name and text
 
 
 DYNAMIC = 'kind = "dynamic"\nend_time = 0.6\ntime_step = 0.01'
@@ -81,4 +160,6 @@ DECKS = {deck.name: deck for deck in (
     Deck("static", rod(12, 'kind = "static"\nsteps = 60'), 3000, ("analysis.steps=3000",)),
     Deck("threads", rod(260, 'kind = "dynamic"\nend_time = 0.2\ntime_step = 0.01'), 1500, ("analysis.time_step=0.001",),
          threads=2),
+    Deck("frame", FRAME, 3000, ("analysis.time_step=0.0002",)),
+    Deck("net", NET, 3000, ("analysis.time_step=1e-5",), files=(("truss.msh", (MESHES / "truss_2.2.msh").read_text()),)),
 )}

@@ -48,4 +48,48 @@ def truncated(bench, deck, random):
     return bench.recover(deck, trial, refusal=NOTHING_TO_RESUME + "|truncated file")
 
 
-READING_FAULTS = {"truncated": truncated}
+def describe_forms(bench, name):
+    """What export and report make of a file: exit code, what they say on stderr, and all that they write."""
+    commands = {"export": ["export", name, "--csv", "csv"], "report": ["report", name, "-o", "page.html"]}
+    tables, page = bench.folder / "csv", bench.folder / "page.html"
+    forms = {}
+    for reader, command in commands.items():
+        shutil.rmtree(tables, ignore_errors=True)
+        page.unlink(missing_ok=True)
+        done = bench.run(*command)
+        written = {file.name: file.read_bytes() for file in [page, *tables.glob("*")] if file.is_file()}
+        forms[reader] = (done, written)
+    return forms
+
+
+def flipped(bench, deck, random):
+    """One bit is another one, anywhere in a file that a run left at a random moment or at its end. Whatever is made of the
+    file afterwards is told to be doubtful, or it is what would have been made before."""
+    path = bench.path(deck)
+    path.unlink(missing_ok=True)
+    process = bench.start(*bench.arguments(deck, is_long=True), "--quiet")
+    try:
+        process.wait(bench.seconds(deck) * random.uniform(0.3, 1.5))
+    except subprocess.TimeoutExpired:
+        process.kill()
+    process.communicate(timeout=300)
+    if not path.exists() or path.stat().st_size == 0:
+        return bench.recover(deck, Trial(describe_end(process.returncode), ""), is_long=True)
+    before = describe_forms(bench, path.name)
+    bit = random.randrange(8 * path.stat().st_size)
+    with open(path, "r+b") as file:
+        file.seek(bit // 8)
+        byte = file.read(1)[0]
+        file.seek(bit // 8)
+        file.write(bytes([byte ^ 1 << bit % 8]))
+    trial = Trial("", "")
+    for reader, (done, written) in describe_forms(bench, path.name).items():
+        was_well = before[reader][0].returncode == 0
+        if was_well and done.returncode == 0 and "warning: " not in done.stderr and written != before[reader][1]:
+            trial.lost = trial.lost or f"{reader} makes something else of bit {bit} and says nothing"
+        trial.lost = trial.lost or judge_reading(reader, done, path.name)
+        trial.end = describe_end(done.returncode)
+    return bench.go_on(deck, trial, is_long=True, refusal="cannot be resumed|is damaged")
+
+
+READING_FAULTS = {"truncated": truncated, "flipped": flipped}
