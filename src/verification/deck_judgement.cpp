@@ -1,52 +1,18 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
+#include <iterator>
 
+#include "verification/deck_advice.hpp"
 #include "verification/deck_study_text.hpp"
+#include "verification/share_words.hpp"
 
 namespace gxrod {
 
 namespace {
 
-constexpr double order_slack = 0.5;    // below the scheme's order, before it is called lower
-constexpr double least_whole = 0.995;  // what is 100 % with two digits
-constexpr double most_told = 1000.0;   // of what is told as a share
-constexpr double most_refinement = 64.0;
-
-// "0.3 %", "130 %", and of what is small "2e-07".
-std::string describe_share(double share) {
-    if (share > most_told) return fmt::format("more than {:.0f} %", 100.0 * most_told);
-    // Two digits of what is more than 100 % as of the rest.
-    if (share >= least_whole) return fmt::format("{:.0f} %", std::stod(fmt::format("{:.1e}", 100.0 * share)));
-    return share >= 1e-4 ? fmt::format("{:.2g} %", 100.0 * share) : fmt::format("{:.0e}", share);
-}
-
-// What step or mesh adds to the series that it adds most to.
-struct Worst {
-    const SeriesReport* report = nullptr;
-    double share = 0.0;
-};
-
-Worst find_worst(const DeckStudy& study, ErrorEstimate SeriesReport::*part) {
-    Worst worst;
-    for (const SeriesReport& report : study.series) {
-        if ((report.*part).is_round_off) continue;
-        const double share = report.relative((report.*part).largest());
-        if (!std::isfinite(share)) continue;
-        if (worst.report == nullptr || share > worst.share) worst = {&report, share};
-    }
-    return worst;
-}
-
-double order_to_use(const ErrorEstimate& estimate, double expected) {
-    return std::clamp(estimate.order.value_or(expected), order_slack, expected);
-}
-
-// By what to refine for half of the tolerance: a whole number.
-double find_factor(double share, double tolerance, double order) {
-    return std::ceil(std::pow(share / (0.5 * tolerance), 1.0 / order) - 1e-9);
-}
+// Times what round-off was seen to change, one case of many.
+constexpr double near_round_off = 100.0;
 
 class Judge {
   public:
@@ -68,9 +34,8 @@ class Judge {
             else
                 tell_lack_of_runs();
             tell_round_off();
-            judge_steps();
-            judge_mesh();
-            tell_unrefined_rods();
+            add(advise_on_steps(*study_));
+            add(advise_on_mesh(*study_));
         } else {
             tell_lack_of_steps();
         }
@@ -83,6 +48,10 @@ class Judge {
     template <class... Values>
     void say(fmt::format_string<Values...> format, Values&&... values) {
         sentences_.push_back(fmt::format(format, std::forward<Values>(values)...));
+    }
+
+    void add(std::vector<std::string> sentences) {
+        std::move(sentences.begin(), sentences.end(), std::back_inserter(sentences_));
     }
 
     void judge_soundness() {
@@ -139,6 +108,13 @@ class Judge {
 
     // Where runs that would show errors are missing.
     void tell_lack_of_runs() {
+        if (!study_->unrefined_rods.empty()) {
+            say("How right the series are is not known, as the elements of rods from mesh files ({}) cannot "
+                "be "
+                "refined here; compare with a finer mesh.",
+                fmt::join(study_->unrefined_rods, ", "));
+            return;
+        }
         std::vector<std::string> titles;
         for (const DeckVariant& variant : study_->variants) {
             const bool shows_errors =
@@ -151,11 +127,13 @@ class Judge {
 
     // Where nothing is known of errors: finer steps were the same ones, nearly.
     void tell_lack_of_steps() {
+        const UnrefinedPart part = study_->find_unrefined_part().value_or(UnrefinedPart{});
         const VariantRun& base = study_->runs.front();
-        std::string counts = fmt::format("{}", base.steps);
-        for (int level = 1; const VariantRun* run = study_->find(VariantKind::finer_steps, level); ++level) {
-            if (run->is_whole()) counts += fmt::format(", {} with {}", run->steps, run->variant.title);
-        }
+        const bool is_all = part.coarse_steps == base.steps || part.until <= 0.0;
+        const std::string where =
+            is_all ? "" : fmt::format("between t = {:.4g} and {:.4g}, ", part.from, part.until);
+        const std::string counts =
+            fmt::format("{}{}, {} with finer ones", where, part.coarse_steps, part.fine_steps);
         if (study_->is_adaptive) {
             say("Something else than the tolerance sets the steps, such as what Newton's method needs ({}): "
                 "what they add cannot be told, nor how right the series are. Choose a smaller tolerance "
@@ -163,31 +141,40 @@ class Judge {
                 counts);
         } else {
             say("Steps that did not converge were cut, and finer ones came to nearly the same ({}): what the "
-                "step adds cannot be told, nor how right the series are. Take more than {} steps before "
-                "anything else.",
+                "step adds cannot be told, nor how right the series are. Take {} before anything else.",
                 counts,
-                base.steps);
+                is_all ? fmt::format("more than {} steps", base.steps) : "shorter steps");
         }
     }
 
     void judge_accuracy() {
-        std::vector<std::string> right;
-        for (const SeriesReport& report : study_->series) {
-            if (report.error <= study_->tolerance * report.scale) right.push_back(report.series.title());
-        }
         const std::string goal = describe_share(study_->tolerance);
-        if (right.size() == study_->series.size()) {
+        if (study_->is_accurate()) {
             say("All series are right to {} of their largest change.", goal);
             return;
         }
-        if (!right.empty()) say("Right to {} of their largest change: {}.", goal, fmt::join(right, ", "));
-        std::vector<std::string> wrong, still;
+        std::vector<std::string> right, wrong, still, unknown;
         for (const SeriesReport& report : study_->series) {
-            if (report.error <= study_->tolerance * report.scale) continue;
-            (report.scale > 0.0 ? wrong : still)
-                .push_back(report.scale > 0.0 ? describe_miss(report) : report.series.title());
+            const std::string title = report.series.title();
+            if (report.is_right(study_->tolerance)) {
+                right.push_back(title);
+            } else if (!std::isfinite(report.error)) {
+                unknown.push_back(title);
+            } else if (report.scale > 0.0) {
+                wrong.push_back(describe_miss(report));
+            } else if (report.error <= near_round_off * report.round_off) {
+                still.push_back(title);
+            } else {
+                wrong.push_back(title + " (it changes in finer runs alone)");
+            }
         }
+        if (!right.empty()) say("Right to {} of their largest change: {}.", goal, fmt::join(right, ", "));
         if (!wrong.empty()) say("Not right to {}: {}.", goal, fmt::join(wrong, ", "));
+        if (!unknown.empty())
+            say("Not known, as the finer runs do not come nearer to each other, or elements of the next "
+                "order show "
+                "what they miss: {}.",
+                fmt::join(unknown, ", "));
         if (!still.empty())
             say("Not to be judged, as nothing of the kind changes but by round-off: {}.",
                 fmt::join(still, ", "));
@@ -221,111 +208,25 @@ class Judge {
             describe_share(worst->relative(worst->round_off)));
     }
 
-    // Whether what a step or mesh adds may stay.
-    bool is_enough(const Worst& worst) const {
-        return worst.share <= 0.5 * study_->tolerance || study_->is_accurate();
-    }
-
-    void judge_steps() {
-        const Worst worst = find_worst(*study_, &SeriesReport::steps);
-        if (worst.report == nullptr || !worst.report->steps.is_known()) return;
-        const ErrorEstimate& steps = worst.report->steps;
-        const std::string what = worst.report->series.title();
-        if (study_->is_static) {
-            if (worst.share > 1e-6) {
-                say("The state depends on the load steps by {} ({}). Elements objective do not; else this "
-                    "is a second equilibrium.",
-                    describe_share(worst.share),
-                    what);
-            }
-            return;
-        }
-        if (!steps.is_supported && steps.differences.size() > 1) {
-            say("Errors do not fall with the step ({}: {:.2g}, {:.2g}): these steps do not resolve the "
-                "motion, or "
-                "it is one in which errors grow without bound. Take shorter steps before anything else.",
-                what,
-                steps.differences[0],
-                steps.differences[1]);
-            return;
-        }
-        if (steps.order && *steps.order < study_->expected_order - order_slack) {
-            say("Errors fall with the step with order {:.1f}, less than the scheme's {:.0f} ({}): the "
-                "steps are still too long for the fastest motion, or a load jumps.",
-                *steps.order,
-                study_->expected_order,
-                what);
-        }
-        if (is_enough(worst)) return;
-        const char* remedy =
-            study_->is_adaptive
-                ? "Steps {0:.0f} times as short, with 1/{1:.0f} of the tolerance and 1/{0:.0f} of "
-                  "min_step, max_step and the first step,"
-                : "A step {0:.0f} times as short";
-        advise(worst, steps, study_->expected_order, "step", remedy);
-    }
-
-    void judge_mesh() {
-        const Worst worst = find_worst(*study_, &SeriesReport::mesh);
-        if (worst.report == nullptr || !worst.report->mesh.is_known()) return;
-        const ErrorEstimate& mesh = worst.report->mesh;
-        if (!mesh.is_supported && mesh.differences.size() > 1) {
-            say("Errors do not fall with the mesh ({}: {:.2g}, {:.2g}): it is too coarse for this motion, "
-                "or the series has no limit, as a force has none at a front. Take more elements before "
-                "anything else.",
-                worst.report->series.title(),
-                mesh.differences[0],
-                mesh.differences[1]);
-            return;
-        }
-        if (is_enough(worst)) return;
-        advise(worst, mesh, study_->mesh_order, "mesh", "{0:.0f} times as many elements");
-        const double raised = worst.report->relative(worst.report->order_difference);
-        if (raised > 0.0) {
-            say("Elements of the next order change {} by {}.",
-                worst.report->series.title(),
-                describe_share(raised));
-        }
-    }
-
-    void tell_unrefined_rods() {
-        if (study_->unrefined_rods.empty()) return;
-        say("Not known is what the elements of rods from mesh files ({}) add, as they cannot be refined "
-            "here; compare with a finer mesh.",
-            fmt::join(study_->unrefined_rods, ", "));
-    }
-
-    // `remedy` has places for by what to refine, and for its fourth power.
-    void advise(const Worst& worst,
-                const ErrorEstimate& estimate,
-                double expected,
-                const char* name,
-                const char* remedy) {
-        const double order = order_to_use(estimate, expected);
-        const double factor = find_factor(worst.share, study_->tolerance, order);
-        const std::string what = fmt::format(
-            "The {} adds {} to {}. ", name, describe_share(worst.share), worst.report->series.title());
-        if (factor > most_refinement) {
-            sentences_.push_back(what + "No refinement within reach would mend that.");
-            return;
-        }
-        sentences_.push_back(
-            what + fmt::format(fmt::runtime(remedy), factor, std::pow(factor, 4.0)) +
-            fmt::format(" would bring that to {}.", describe_share(worst.share / std::pow(factor, order))));
-    }
-
     void judge_books() {
         const TraceBooks& books = study_->runs.front().books;
-        if (books.largest_energy <= 0.0) return;
+        // In statics it is the work of loads alone that is summed up coarsely.
+        if (study_->is_static || books.largest_energy <= 0.0) return;
         const double share = books.largest_energy_error / books.largest_energy;
         if (share <= study_->tolerance) return;
-        const VariantRun* finer = study_->find(VariantKind::finer_steps, 1);
-        const bool is_mended = finer == nullptr || !finer->is_whole() ||
-                               finer->books.largest_energy_error < books.largest_energy_error;
-        say("Energy is out of balance by {} of its largest value; {}",
+        say("Energy is out of balance by {} of its largest value{}.",
             describe_share(share),
-            is_mended ? "halve the step until it is not."
-                      : fmt::format("{} does not mend that.", finer->variant.title));
+            describe_remedy(books));
+    }
+
+    // "; half the step does not mend that".
+    std::string describe_remedy(const TraceBooks& books) const {
+        const VariantRun* finer = study_->find(VariantKind::finer_steps, 1);
+        if (finer == nullptr || !finer->is_whole()) return "";
+        if (finer->books.largest_energy_error >= books.largest_energy_error)
+            return fmt::format("; {} does not mend that", finer->variant.title);
+        return study_->is_adaptive ? "; take a smaller tolerance until it is not"
+                                   : "; halve the step until it is not";
     }
 
     void tell_failures() {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "deck/sample_times.hpp"
 #include "rotation/rotation_map.hpp"
+#include "verification/method_traits.hpp"
 #include "verification/resumed_run.hpp"
 #include "verification/series_differences.hpp"
 #include "verification/series_reports.hpp"
@@ -16,9 +16,9 @@ namespace gxrod {
 
 namespace {
 
-constexpr long most_samples = 2000;
-constexpr double slack_in_time = 1e-9;  // of the end time
-constexpr double angle_more = 1e-6;     // rad, of the run that shows round-off
+constexpr double slack_in_time = 1e-9;     // of the end time
+constexpr double least_straining = 1e-16;  // of the largest energy: less is round-off
+constexpr double angle_more = 1e-6;        // rad, of the run that shows round-off
 
 Quat make_random_rotation(unsigned seed) {
     std::mt19937 generator(seed);
@@ -26,24 +26,6 @@ Quat make_random_rotation(unsigned seed) {
     const auto next = [&] { return normal(generator); };
     const double w = next(), x = next(), y = next(), z = next();
     return Quat(w, x, y, z).normalized();
-}
-
-double order_of(const AnalysisSettings& analysis) {
-    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
-    if (dynamic == nullptr) return 1.0;
-    return dynamic->scheme == Scheme::sdirk_4 || dynamic->scheme == Scheme::runge_kutta_4 ? 4.0 : 2.0;
-}
-
-bool is_adaptive(const AnalysisSettings& analysis) {
-    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
-    return dynamic != nullptr && dynamic->adaptive.has_value();
-}
-
-// Of elements of order p, nodes converge with 2p.
-double mesh_order_of(const Model& model) {
-    int order = 4;
-    for (const Rod& rod : model.rods) order = std::min(order, rod.order);
-    return 2.0 * order;
 }
 
 class DeckExaminer {
@@ -57,12 +39,13 @@ class DeckExaminer {
         study_.title = problem.record.title;
         study_.deck = deck.file();
         study_.is_static = std::holds_alternative<StaticSettings>(problem.analysis);
-        study_.is_adaptive = is_adaptive(problem.analysis);
+        study_.is_adaptive = adaptive_of(problem.analysis) != nullptr;
         study_.expected_order = order_of(problem.analysis);
-        study_.mesh_order = mesh_order_of(problem.model);
+        study_.element_order = lowest_order_of(problem.model);
+        study_.depends_on_steps = !study_.is_static || has_elements_simo(problem.model);
         study_.unrefined_rods = list_unrefined_rods(problem);
         study_.tolerance = options.tolerance;
-        study_.times = sample_times(problem.analysis, most_samples);
+        study_.times = choose_times(problem.analysis);
         study_.end_time = study_.times.back();
         series_ = list_series(problem.output);
         rotation_ = make_random_rotation(options.seed);
@@ -101,12 +84,29 @@ class DeckExaminer {
     void run(const DeckVariant& variant) {
         VariantRun run;
         run.variant = variant;
-        if (variant.kind == VariantKind::resumed) {
-            run_resumed(run);
-        } else {
-            run_whole(run);
+        try {
+            if (variant.kind == VariantKind::resumed) {
+                run_resumed(run);
+            } else {
+                run_whole(run);
+            }
+        } catch (const StudyInterrupted&) {
+            throw;
+        } catch (const std::bad_alloc&) {
+            tell_unmade(run, "out of memory");
+        } catch (const std::runtime_error& error) {
+            tell_unmade(run, error.what());
         }
         study_.runs.push_back(run);
+    }
+
+    // What the machine does not give to one of the runs is no reason to lose the others. To be called while
+    // the exception is handled.
+    void tell_unmade(VariantRun& run, const std::string& reason) const {
+        if (study_.runs.empty()) throw;
+        const bool must_be_equal =
+            run.variant.kind == VariantKind::resumed || run.variant.kind == VariantKind::two_threads;
+        (must_be_equal ? run.untried : run.failure) = "it could not be made: " + reason;
     }
 
     TraceRequest make_request(int threads) const {
@@ -122,6 +122,7 @@ class DeckExaminer {
         run.elements = trace.elements;
         run.unknowns = trace.unknowns;
         run.steps = trace.steps;
+        run.steps_at = trace.steps_at;
         run.rejected_steps = static_cast<long>(trace.rejected_at.size());
         run.newton_iterations = trace.newton_iterations;
         run.seconds = trace.seconds;
@@ -261,7 +262,10 @@ class DeckExaminer {
     void report_series() {
         const double speed = base_.mass > 0.0 ? base_.books.momentum_scale / base_.mass : 0.0;
         if (base_.mass > 0.0 && !study_.is_static) study_.motion = speed * study_.end_time / base_.length;
-        found_.natural = {base_.length, speed, base_.books.largest_energy};
+        const TraceBooks& books = base_.books;
+        const bool is_strained = books.largest_strain_energy > least_straining * books.largest_energy;
+        found_.natural = {
+            base_.length, speed, is_strained ? books.largest_strain_energy : books.largest_energy};
         found_.base = std::move(base_.rows);
         study_.series = make_reports(series_, found_, study_);
         study_.base_rows = std::move(found_.base);

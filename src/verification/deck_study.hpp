@@ -20,6 +20,7 @@ struct VariantRun {
     long elements = 0;
     long unknowns = 0;
     long steps = 0;
+    std::vector<long> steps_at;  // up to each sample
     long rejected_steps = 0;
     bool is_cut_alike = true;  // of turned runs: where the steps of the run before it were
     long newton_iterations = 0;
@@ -29,6 +30,14 @@ struct VariantRun {
     TraceBooks books;
 
     bool is_whole() const { return failure.empty(); }
+};
+
+// A part of a run, and the steps taken in it.
+struct UnrefinedPart {
+    double from = 0.0;
+    double until = 0.0;
+    long coarse_steps = 0;
+    long fine_steps = 0;
 };
 
 // What is known of one series.
@@ -47,6 +56,7 @@ struct SeriesReport {
 
     // Infinite if there is nothing to judge it by: nothing of its kind changes.
     double relative(double value) const;
+    bool is_right(double tolerance) const { return error <= tolerance * scale; }
 };
 
 struct DeckStudyOptions {
@@ -61,9 +71,10 @@ struct DeckStudy {
     std::string deck;
     double end_time = 1.0;
     bool is_static = false;
+    bool depends_on_steps = true;  // statics of elements objective do not
     bool is_adaptive = false;
     double expected_order = 2.0;  // of the scheme, in the step
-    double mesh_order = 2.0;      // of the elements, in their length
+    int element_order = 1;        // the lowest
     bool has_own_histories = true;
     std::vector<std::string> unrefined_rods;  // of meshes
     Vec3 rotation = Vec3::Zero();             // rotation vector of the turned run
@@ -79,9 +90,13 @@ struct DeckStudy {
     bool is_interrupted = false;
 
     const VariantRun* find(VariantKind kind, int level = 0) const;
-    // Whether runs with finer steps took more of them. Where steps are cut since they do not converge they
-    // may take the same ones, and equal results are then no sign of small errors.
-    bool has_finer_steps() const;
+    // The first part of the run in which a run with finer steps took hardly more of them. Where steps are cut
+    // since they do not converge they may take the same ones, and equal results are then no sign of small
+    // errors.
+    std::optional<UnrefinedPart> find_unrefined_part() const;
+    bool has_finer_steps() const { return !find_unrefined_part(); }
+    // Of a series: nodes converge with order 2p of elements of order p, what their middles have with p.
+    double mesh_order_of(const Series& of) const;
     // Whether runs of this kind were asked for and none reached its end.
     bool lacks(VariantKind kind) const;
     // Whether something is known of what step and mesh add, as far as the deck can be refined.
@@ -103,8 +118,10 @@ struct DeckStudy {
     double turned_limit(const SeriesReport& report) const;
     // Whether a turned model moves otherwise, by more than that, or fails where as it is it does not.
     bool depends_on_orientation() const;
-    // Whether what must hold for any step and mesh does: no dependence on the orientation, on stopping, on
-    // threads.
+    // Whether all was run that was to be, from the deck as it is on.
+    bool is_whole() const;
+    // Whether nothing was seen of what must not be for any step and mesh: that it depends on the orientation,
+    // on stopping, on threads.
     bool is_sound() const;
     // Whether each series is within the tolerance.
     bool is_accurate() const;

@@ -17,6 +17,31 @@ constexpr double least_growth = 1.25;
 // Of the model's length: less is thousands of units in the last place of coordinates, at most.
 constexpr double least_motion = 1e-12;
 
+// Parts of a run in which steps are counted have so many of them at least.
+constexpr long steps_of_part = 8;
+
+// Between samples that are far enough from each other.
+std::optional<UnrefinedPart> compare_steps(const VariantRun& coarse,
+                                           const VariantRun& fine,
+                                           double growth,
+                                           const std::vector<double>& times) {
+    const auto is_refined = [&](long coarse_steps, long fine_steps) {
+        return static_cast<double>(fine_steps) >= growth * static_cast<double>(coarse_steps);
+    };
+    const double end = times.empty() ? 0.0 : times.back();
+    if (!is_refined(coarse.steps, fine.steps)) return UnrefinedPart{0.0, end, coarse.steps, fine.steps};
+    const std::size_t samples = std::min({coarse.steps_at.size(), fine.steps_at.size(), times.size()});
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < samples; ++i) {
+        const long steps = coarse.steps_at[i] - coarse.steps_at[first];
+        if (steps < steps_of_part) continue;
+        const long more = fine.steps_at[i] - fine.steps_at[first];
+        if (!is_refined(steps, more)) return UnrefinedPart{times[first], times[i], steps, more};
+        first = i;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 double SeriesReport::relative(double value) const {
@@ -31,8 +56,8 @@ const VariantRun* DeckStudy::find(VariantKind kind, int level) const {
     return nullptr;
 }
 
-bool DeckStudy::has_finer_steps() const {
-    if (is_static) return true;
+std::optional<UnrefinedPart> DeckStudy::find_unrefined_part() const {
+    if (!depends_on_steps) return std::nullopt;
     const VariantRun* coarse = runs.empty() ? nullptr : &runs.front();
     double growth = least_growth;
     for (int level = 1; const VariantRun* finer = find(VariantKind::finer_steps, level); ++level) {
@@ -40,11 +65,25 @@ bool DeckStudy::has_finer_steps() const {
             growth *= least_growth;
             continue;
         }
-        if (static_cast<double>(finer->steps) < growth * static_cast<double>(coarse->steps)) return false;
+        if (const auto part = compare_steps(*coarse, *finer, growth, times)) return part;
         coarse = finer;
         growth = least_growth;
     }
-    return true;
+    return std::nullopt;
+}
+
+double DeckStudy::mesh_order_of(const Series& of) const {
+    switch (of.quantity) {
+        case Quantity::force:
+        case Quantity::moment:
+        case Quantity::force_spatial:
+        case Quantity::moment_spatial:
+        case Quantity::strain:
+        case Quantity::curvature:
+            return element_order;
+        default:
+            return 2.0 * element_order;
+    }
 }
 
 bool DeckStudy::lacks(VariantKind kind) const {
@@ -55,7 +94,8 @@ bool DeckStudy::lacks(VariantKind kind) const {
 }
 
 bool DeckStudy::knows_errors() const {
-    return has_finer_steps() && !lacks(VariantKind::finer_steps) && !lacks(VariantKind::finer_mesh);
+    return unrefined_rods.empty() && has_finer_steps() && !lacks(VariantKind::finer_steps) &&
+           !lacks(VariantKind::finer_mesh);
 }
 
 bool DeckStudy::knows_round_off() const {
@@ -93,6 +133,8 @@ bool DeckStudy::is_orientation_judged() const {
     if (hardly_moves() || is_error_of_cuts_unknown() || !is_turned_cut_alike()) return false;
     const VariantRun* turned = find(VariantKind::turned);
     const VariantRun* more = find(VariantKind::turned_more);
+    // Without the second nothing is known of round-off.
+    if (turned != nullptr && more == nullptr && is_interrupted) return false;
     const bool is_turned_whole = turned == nullptr || turned->is_whole();
     const bool is_more_whole = more == nullptr || more->is_whole();
     if (is_turned_whole || is_more_whole) return is_turned_whole && is_more_whole;
@@ -110,6 +152,8 @@ bool DeckStudy::depends_on_orientation() const {
     });
 }
 
+bool DeckStudy::is_whole() const { return !runs.empty() && runs.front().is_whole() && !is_interrupted; }
+
 bool DeckStudy::is_sound() const {
     const auto holds = [&](VariantKind kind) {
         const VariantRun* run = find(kind);
@@ -119,8 +163,8 @@ bool DeckStudy::is_sound() const {
 }
 
 bool DeckStudy::is_accurate() const {
-    return std::all_of(series.begin(), series.end(), [&](const SeriesReport& report) {
-        return report.error <= tolerance * report.scale;
+    return !series.empty() && std::all_of(series.begin(), series.end(), [&](const SeriesReport& report) {
+        return report.is_right(tolerance);
     });
 }
 

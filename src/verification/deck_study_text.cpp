@@ -28,7 +28,7 @@ std::string describe_part(const SeriesReport& report, const ErrorEstimate& estim
 }
 
 std::string describe_trust(const DeckStudy& study, const SeriesReport& report) {
-    if (!study.knows_errors()) return "?";
+    if (!std::isfinite(report.error)) return "?";
     if (report.trusted_until >= study.end_time) return "all";
     return fmt::format("{:.4g}", report.trusted_until);
 }

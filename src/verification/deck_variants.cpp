@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "deck/override_key.hpp"
+#include "verification/method_traits.hpp"
 
 namespace gxrod {
 
@@ -27,11 +28,6 @@ std::vector<const Rod*> list_rods(const Problem& problem, bool of_meshes) {
         if (is_of_mesh == of_meshes) rods.push_back(&rod);
     }
     return rods;
-}
-
-const AdaptiveSettings* adaptive_of(const AnalysisSettings& analysis) {
-    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
-    return dynamic != nullptr && dynamic->adaptive ? &*dynamic->adaptive : nullptr;
 }
 
 // The tolerance that halves the steps `level` times, and bounds of theirs that let it.

@@ -29,7 +29,9 @@ ErrorEstimate estimate_error(const std::vector<std::vector<double>>& differences
     const double first = estimate.differences.front();
     estimate.errors = differences.front();
     if (first <= floor) {
-        estimate.is_supported = estimate.is_round_off = true;
+        estimate.is_supported = estimate.is_round_off = largest_of(estimate.differences) <= floor;
+        // What only a finer run meets, as a load between the steps of the others, the first difference hides.
+        if (!estimate.is_round_off) estimate.errors = differences.back();
         return estimate;
     }
     if (differences.size() == 1) {

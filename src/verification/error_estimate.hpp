@@ -23,6 +23,9 @@ struct ErrorEstimate {
     double largest() const;
 };
 
+// What is less than this part of a tolerance matters to nobody, however it falls.
+inline constexpr double negligible = 0.1;
+
 double largest_of(const std::vector<double>& values);  // 0 of none
 
 // From the differences level by level, one at each sample, coarse to fine. `expected_order` is that of the

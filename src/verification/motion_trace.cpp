@@ -123,10 +123,12 @@ class Tracer {
         const Snapshot snapshot = analysis_->snapshot(false);
         reached_ = snapshot.time;
         sampler_.add(snapshot.time, reader_.read(snapshot));
+        trace.steps_at.resize(sampler_.samples().size(), trace.steps);
         const LedgerRow ledger = analysis_->ledger_row();
         TraceBooks& books = trace.books;
         const double energy = ledger.kinetic_energy + ledger.strain_energy;
         books.largest_energy = std::max({books.largest_energy, energy, std::abs(ledger.external_work)});
+        books.largest_strain_energy = std::fmax(books.largest_strain_energy, ledger.strain_energy);
         books.largest_energy_error = std::fmax(books.largest_energy_error, std::abs(ledger.energy_error));
         if (is_dynamic_) momenta_.add(snapshot.time, ledger, analysis_->outer_resultant(), books);
     }

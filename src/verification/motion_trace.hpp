@@ -50,6 +50,7 @@ class SeriesReader {
 // How well the books of a run close, over all of its steps.
 struct TraceBooks {
     double largest_energy = 0.0;  // kinetic and strain energy, or work
+    double largest_strain_energy = 0.0;
     double largest_energy_error = 0.0;
     // Of the momenta: the largest of what is left of p(t) − p(0) − ∫ F dt, by the trapezoidal rule.
     double linear_imbalance = 0.0;
@@ -68,6 +69,7 @@ struct MotionTrace {
     long unknowns = 0;
     long elements = 0;
     long steps = 0;
+    std::vector<long> steps_at;       // those that were taken up to each sample
     std::vector<double> rejected_at;  // of each trial that was cut, the time it began at
     long newton_iterations = 0;
     double seconds = 0.0;

@@ -11,6 +11,7 @@ namespace {
 constexpr double still = 1e-9;
 constexpr double still_by_nature = 1e-6;
 constexpr double still_place = 1e-9;  // of the model's length
+constexpr double still_strain = 1e-12;
 constexpr double still_by_round_off = 10.0;
 
 double length(const HistoryPoint::Row& row) {
@@ -33,6 +34,12 @@ double find_scale(const Series& series, const std::vector<HistoryPoint::Row>& ro
         scale = std::fmax(scale, counts_from_start ? distance(series, row, rows.front()) : length(row));
     }
     return series.is_rotation() ? std::fmin(scale, 1.0) : scale;
+}
+
+// Of what is large in the model.
+double still_part_of(const Series& series) {
+    if (series.quantity == Quantity::strain) return still_strain;
+    return series.is_length() ? still_place : still_by_nature;
 }
 
 }  // namespace
@@ -82,6 +89,8 @@ double NaturalScales::of(Quantity quantity) const {
             return energy;
         case Quantity::curvature:
             return by_length(1.0);
+        case Quantity::strain:
+            return 1.0;
         default:
             return 0.0;
     }
@@ -100,9 +109,8 @@ std::vector<SeriesScale> compute_scales(const std::vector<Series>& series,
             if (series[j].quantity == series[k].quantity) group = std::fmax(group, own[j].scale);
         }
         const double nature = natural.of(series[k].quantity);
-        const double least = std::max({still * group,
-                                       (series[k].is_length() ? still_place : still_by_nature) * nature,
-                                       still_by_round_off * round_off[k]});
+        const double least =
+            std::max({still * group, still_part_of(series[k]) * nature, still_by_round_off * round_off[k]});
         if (own[k].scale > least) continue;
         scales[k] = {std::fmax(group, nature), true};
         // Where nothing turns, a radian is as good a measure as any.

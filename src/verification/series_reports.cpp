@@ -10,6 +10,7 @@ namespace {
 constexpr double least_difference = 1e-9;  // of a series' scale: differences below it show no order
 // Differences up to this many times the round-off seen show no order, either.
 constexpr double round_off_factor = 10.0;
+constexpr double most_surprise = 4.0;  // of a difference to the next order, by the error that was estimated
 // Of unit quaternions, and of places by the model's length, at least.
 constexpr double least_round_off = 4.0 * std::numeric_limits<double>::epsilon();
 
@@ -34,7 +35,8 @@ class Reporter {
   private:
     double find_round_off(std::size_t k) const {
         const Series& series = (*series_)[k];
-        const double unit = series.is_rotation() ? 1.0 : series.is_length() ? found_->natural.length : 0.0;
+        const bool is_number = series.is_rotation() || series.quantity == Quantity::strain;
+        const double unit = is_number ? 1.0 : series.is_length() ? found_->natural.length : 0.0;
         const double seen = found_->round_off.empty() ? 0.0 : largest_of(found_->round_off[k]);
         return std::fmax(least_round_off * unit, seen);
     }
@@ -61,17 +63,32 @@ class Reporter {
         report.round_off = round_off;
         const double floor = std::fmax(least_difference * scale.scale, round_off_factor * round_off);
         report.steps = estimate(k, found_->steps, study_->expected_order, floor);
-        report.mesh = estimate(k, found_->meshes, study_->mesh_order, floor);
+        // Of steps by their error, each mesh takes its own.
+        const double mesh_floor =
+            study_->is_adaptive ? std::fmax(floor, largest_of(report.steps.differences)) : floor;
+        report.mesh = estimate(k, found_->meshes, study_->mesh_order_of(report.series), mesh_floor);
         report.order_difference = at(found_->order_differences, k);
         report.turned_difference = at(found_->turned_differences, k);
         report.simo_difference = at(found_->simo_differences, k);
-        if (study_->knows_errors()) {
+        if (study_->knows_errors() && is_told(report)) {
             add_errors(k, report);
         } else {
             report.error = std::numeric_limits<double>::infinity();
         }
         if (!study_->has_finer_steps()) report.steps = {};
         return report;
+    }
+
+    // Whether differences are of errors that fall, or small enough that it does not matter how they do; and
+    // elements of the next order do not show what all meshes miss.
+    bool is_told(const SeriesReport& report) const {
+        const double small = negligible * study_->tolerance * report.scale;
+        for (const ErrorEstimate* part : {&report.steps, &report.mesh}) {
+            const bool is_seen = part->is_supported || part->differences.size() < 2;
+            if (!is_seen && part->largest() > small) return false;
+        }
+        const double error = report.steps.largest() + report.mesh.largest() + report.round_off;
+        return report.order_difference <= std::fmax(study_->tolerance * report.scale, most_surprise * error);
     }
 
     void add_errors(std::size_t k, SeriesReport& report) const {

@@ -80,9 +80,11 @@ TEST_CASE("what is not is named, with its error, until when it is, and what to r
     CHECK(says(other, "Elements of the next order change tip position by 3 %."));
 }
 
-TEST_CASE("errors that are out of reach are called so", "[verification]") {
-    CHECK(says(make_study({make_report("tip", 43.4, 0.0)}),
-               "The step adds 4300 % to tip position. No refinement within reach would mend that."));
+TEST_CASE("of errors that are out of reach no refinement is named", "[verification]") {
+    CHECK(
+        says(make_study({make_report("tip", 43.4, 0.0)}),
+             "The step adds 4300 % to tip position. It falls too slowly to say what would mend that: refine "
+             "the step and ask again."));
     for (const double share : {0.9951, 1.0})
         CHECK(says(make_study({make_report("tip", share, 0.0)}), "The step adds 100 % to tip position."));
     CHECK(says(make_study({make_report("tip", 0.9949, 0.0)}), "The step adds 99 % to tip position."));
@@ -133,8 +135,8 @@ TEST_CASE("where finer steps are no finer, nothing is said of errors", "[verific
     CHECK(study.is_sound());
     CHECK(says(
         study,
-        "Steps that did not converge were cut, and finer ones came to nearly the same (90, 110 with half "
-        "the step): what the step adds cannot be told, nor how right the series are. Take more than 90 "
+        "Steps that did not converge were cut, and finer ones came to nearly the same (90, 110 with finer "
+        "ones): what the step adds cannot be told, nor how right the series are. Take more than 90 "
         "steps before anything else."));
     CHECK(says(study,
                "Steps were cut, and the error of that is not known: nor is whether turning the model in "
@@ -155,17 +157,17 @@ TEST_CASE("where finer steps are no finer, nothing is said of errors", "[verific
     CHECK(says(
         study,
         "Something else than the tolerance sets the steps, such as what Newton's method needs (90, 110 with "
-        "half the step): what they add cannot be told, nor how right the series are. Choose a smaller "
+        "finer ones): what they add cannot be told, nor how right the series are. Choose a smaller "
         "tolerance before anything else."));
-    study.is_static = true;
+    study.depends_on_steps = false;
     CHECK(study.has_finer_steps());
-    study.is_static = false;
+    study.depends_on_steps = true;
     // Of runs that failed nothing is counted.
     VariantRun failed;
     failed.variant = {VariantKind::finer_steps, 2, "a quarter of the step"};
     failed.failure = "the step from t = 0.5 failed";
     study.runs.push_back(failed);
-    CHECK(says(study, "(90, 110 with half the step): what they add"));
+    CHECK(says(study, "(90, 110 with finer ones): what they add"));
     study.runs.pop_back();
     study.runs[1].failure = "the step from t = 0 failed";
     CHECK(study.has_finer_steps());
@@ -293,6 +295,80 @@ TEST_CASE("where nothing changes there is nothing to judge by", "[verification]"
     CHECK(to_json(study, false)["series"][1]["relative_error"].dump() == "null");
     root.error = 0.0;
     CHECK(study.is_accurate());
+    root.error = 1e-3;
+    CHECK(says(study, "Not right to 1 %: root position (it changes in finer runs alone)."));
+}
+
+TEST_CASE("where steps are cut in a part of the run alone, finer ones must be more there, too",
+          "[verification]") {
+    DeckStudy study = make_study({make_report("tip", 1e-9, 1e-3)});
+    for (int i = 0; i <= 100; ++i) study.times.push_back(0.1 * i);
+    VariantRun& base = study.runs[0];
+    VariantRun& finer = study.runs[1];
+    const auto count = [&](VariantRun& run, long a_sample, long a_cut_sample) {
+        run.steps_at = {0};
+        for (int i = 1; i <= 100; ++i)
+            run.steps_at.push_back(run.steps_at.back() + (i > 40 && i <= 60 ? a_cut_sample : a_sample));
+        run.steps = run.steps_at.back();
+    };
+    count(base, 1, 8);
+    count(finer, 2, 16);
+    CHECK(study.has_finer_steps());
+    count(finer, 2, 9);
+    const std::optional<UnrefinedPart> part = study.find_unrefined_part();
+    REQUIRE(part);
+    CHECK(part->from == Approx(4.0));
+    CHECK(part->until == Approx(4.1));
+    CHECK(part->coarse_steps == 8);
+    CHECK(part->fine_steps == 9);
+    CHECK_FALSE(study.knows_errors());
+    study.series[0].error = std::numeric_limits<double>::infinity();
+    CHECK(says(study,
+               "finer ones came to nearly the same (between t = 4 and 4.1, 8, 9 with finer ones): what the "
+               "step adds "
+               "cannot be told, nor how right the series are. Take shorter steps before anything else."));
+    // One cut among many steps is no matter.
+    count(base, 1, 1);
+    count(finer, 2, 2);
+    for (std::size_t i = 50; i <= 100; ++i) ++base.steps_at[i];
+    CHECK(study.has_finer_steps());
+}
+
+TEST_CASE("what finer runs do not tell is not called right", "[verification]") {
+    DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3), make_report("root", 1e-3, 1e-3)});
+    study.series[1].error = std::numeric_limits<double>::infinity();
+    CHECK_FALSE(study.is_accurate());
+    CHECK(judge(study).at(1) ==
+          "Not known, as the finer runs do not come nearer to each other, or elements of the next order show "
+          "what "
+          "they miss: root position.");
+    CHECK_THAT(describe_errors(study), Catch::Contains("          ?         ?\nchange"));
+    study.unrefined_rods = {"cable"};
+    CHECK_FALSE(study.knows_errors());
+    CHECK(says(study, "not known, as the elements of rods from mesh files (cable) cannot be refined here"));
+}
+
+TEST_CASE("small errors ask for nothing, however they fall", "[verification]") {
+    DeckStudy study = make_study({make_report("tip", 0.0, 0.3)});
+    study.series[0].steps = estimate_error({{2e-4}, {2e-4}}, 2.0, 1e-12);
+    CHECK_FALSE(says(study, "Errors do not fall"));
+    study.series[0].steps = estimate_error({{2e-2}, {2e-2}}, 2.0, 1e-12);
+    CHECK(says(study, "Errors do not fall with the step"));
+}
+
+TEST_CASE("nothing is called sound, accurate or a fault before it was run", "[verification]") {
+    DeckStudy study;
+    study.is_interrupted = true;
+    CHECK_FALSE(study.is_accurate());
+    CHECK(to_json(study, false)["sound"].is_null());
+    // Stopped between the two turned runs.
+    study = make_study({make_report("tip", 1e-3, 1e-3)});
+    study.series[0].turned_difference = 0.1;
+    CHECK(study.depends_on_orientation());
+    study.is_interrupted = true;
+    CHECK_FALSE(study.depends_on_orientation());
+    CHECK(to_json(study, false)["orientation_judged"] == false);
+    CHECK(to_json(study, false)["sound"].is_null());
 }
 
 TEST_CASE("turned runs that fail are a fault unless round-off can decide it", "[verification]") {
@@ -353,9 +429,16 @@ TEST_CASE("energy out of balance, and runs that failed, are told", "[verificatio
     study.runs[1].books.largest_energy_error = 0.6;
     CHECK(says(study,
                "Energy is out of balance by 5 % of its largest value; half the step does not mend that."));
+    study.runs[1].books.largest_energy_error = 0.1;
+    study.is_adaptive = true;
+    CHECK(says(study, "of its largest value; take a smaller tolerance until it is not."));
+    study.is_static = true;
+    CHECK_FALSE(says(study, "Energy"));
+    study.is_static = false;
     study.runs[1].failure = "the step from t = 0 failed";
     CHECK(says(study,
                "The run \"half the step\" failed, so that estimates lack it: the step from t = 0 failed."));
+    CHECK(says(study, "Energy is out of balance by 5 % of its largest value."));
 }
 
 TEST_CASE("tables and JSON have what the study has", "[verification]") {

@@ -304,9 +304,10 @@ TEST_CASE("rods of meshes keep their elements", "[verification]") {
     CHECK(whole.is_sound());
     CHECK(whole.unrefined_rods == std::vector<std::string>{"beam"});
     CHECK(judge(whole).back() ==
-          "Not known is what the elements of rods from mesh files (beam) add, as they cannot be refined "
-          "here; compare "
-          "with a finer mesh.");
+          "How right the series are is not known, as the elements of rods from mesh files (beam) cannot be "
+          "refined "
+          "here; compare with a finer mesh.");
+    CHECK_FALSE(whole.is_accurate());
     CHECK(study(swing, {}).unrefined_rods.empty());
 }
 
@@ -386,6 +387,58 @@ TEST_CASE("steps by their error are studied by their tolerance", "[verification]
                                  "analysis.adaptive={tolerance = 1}"});
     CHECK_FALSE(few.has_finer_steps());
     CHECK_THAT(judge(few).front(), Catch::StartsWith("Something else than the tolerance sets the steps"));
+}
+
+TEST_CASE("a run that cannot be made is told, and the others are kept", "[verification]") {
+    // Half the step meets the singular time.
+    const DeckStudy found = study(swing,
+                                  {VariantKind::finer_steps, VariantKind::turned},
+                                  {"load[0].force=[0, \"1e-3/(t-0.25)\", 0]", "analysis.time_step=0.1"});
+    REQUIRE(found.runs.size() == 4);
+    CHECK(found.runs[0].is_whole());
+    CHECK_THAT(found.runs[1].failure, Catch::StartsWith("it could not be made: "));
+    CHECK_THAT(found.runs[1].failure, Catch::Contains("\"1e-3/(t-0.25)\" is inf at t = 0.25"));
+    CHECK(found.runs[3].is_whole());
+    CHECK_FALSE(found.is_accurate());
+    CHECK_THROWS_AS(study(swing, {VariantKind::finer_steps}, {"load[0].force=[0, \"1e-3/(t-0.1)\", 0]"}),
+                    DeckError);
+}
+
+TEST_CASE("a load that only the finest run meets is not overlooked", "[verification]") {
+    const DeckStudy found = study(swing,
+                                  {VariantKind::finer_steps},
+                                  {"load[0].force=[0, \"abs(t-0.275)<0.01 ? 500 : 0\", 0]",
+                                   "analysis.time_step=0.1",
+                                   "analysis.end_time=1"});
+    CHECK_FALSE(found.is_accurate());
+    CHECK(std::isinf(find(found, "beam.end position").error));
+}
+
+TEST_CASE("a rod that flies unstrained has no strains, forces and moments to be judged", "[verification]") {
+    const DeckStudy found = study(
+        R"deck([section.s]
+stiffness = { EA = 1e4, GAy = 1e4, GAz = 1e4, GJ = 100, EIy = 100, EIz = 100 }
+inertia = { rhoA = 1, rhoIy = 0.01, rhoIz = 0.01 }
+[rod.beam]
+section = "s"
+line = { from = [0, 0, 0], to = [4, 0, 0] }
+elements = 4
+[[initial]]
+on = "beam"
+velocity = [1, 2, 3]
+[analysis]
+kind = "dynamic"
+end_time = 1.0
+time_step = 0.05
+[[history]]
+name = "tip"
+at = "beam.end"
+quantities = ["position", "strain", "force", "moment", "curvature"]
+)deck",
+        {VariantKind::finer_steps, VariantKind::finer_mesh, VariantKind::turned, VariantKind::turned_more});
+    CHECK(found.is_accurate());
+    for (const char* quantity : {"strain", "force", "moment", "curvature"})
+        CHECK(find(found, std::string("tip ") + quantity).is_still);
 }
 
 TEST_CASE("a deck that does not converge ends its study", "[verification]") {

@@ -70,6 +70,13 @@ TEST_CASE("a fall into round-off shows no order, and is no reproach", "[verifica
     CHECK(*estimate_error({{2.4e-12}, {1.2e-12}}, 2.0, 1e-12).order == Approx(1.0));
 }
 
+TEST_CASE("what only the finest run meets is not taken for round-off", "[verification]") {
+    const ErrorEstimate estimate = estimate_error({{1e-15}, {1.0}}, 2.0, 1e-12);
+    CHECK_FALSE(estimate.is_supported);
+    CHECK_FALSE(estimate.is_round_off);
+    CHECK(estimate.largest() == 1.0);
+}
+
 TEST_CASE("without runs nothing is known", "[verification]") {
     const ErrorEstimate estimate = estimate_error({}, 2.0, 1e-12);
     CHECK_FALSE(estimate.is_known());

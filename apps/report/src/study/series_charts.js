@@ -83,7 +83,8 @@ function errorsOf(series, tolerance, count) {
   const lines = [];
   if (series.steps) lines.push(line("of the step", series.steps));
   if (series.mesh) lines.push(line("of the mesh", series.mesh));
-  const isSeen = lines.some(({ values }) => values.some((value) => value !== null));
+  // Of a series without a scale there is nothing to draw them by.
+  const isSeen = series.scale > 0 && lines.some(({ values }) => values.some((value) => value !== null));
   return isSeen ? [...lines, { label: "tolerance", values: Array(count).fill(tolerance) }] : [];
 }
 

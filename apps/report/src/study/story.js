@@ -16,7 +16,7 @@ export function showHeader(study) {
   document.title = `${title} – gxrod verify`;
   find("title").textContent = title;
   const [base] = study.runs;
-  const state = !base || base.failure || !study.sound ? "failed" : study.interrupted ? "interrupted" : study.accurate ? "complete" : "running";
+  const state = base?.failure || study.sound === false ? "failed" : study.interrupted ? "interrupted" : study.accurate ? "complete" : "running";
   const goal = formatShare(study.tolerance);
   const words = {
     failed: base && base.failure ? "does not reach its end" : "something does not hold",
@@ -81,7 +81,7 @@ export function showErrors(study) {
 const quotient = (part, whole) => (whole > 0 ? part / whole : 0);
 
 function describeBalance(study, of, by) {
-  const finer = study.runs.find((run) => run.run === "half the step" || run.run === "1/16 of the tolerance");
+  const finer = study.runs.find((run) => /^(half the step|1\/16 of the tolerance|twice the load steps)$/.test(run.run));
   const value = (run) => formatShare(quotient(run.books[of], run.books[by]));
   const [base] = study.runs;
   return finer && !finer.failure ? `${value(base)}; with ${finer.run} ${value(finer)}` : value(base);
