@@ -17,6 +17,7 @@ import numpy as np
 
 import decks
 import soundness
+from finer import find_false_claim
 from soundness import text
 
 WARNING = "the energy does not balance"
@@ -90,6 +91,11 @@ class Judge:
         seconds = self.seconds
         verdict = self.judge_unended(index) if done.returncode == -signal.SIGXCPU else judge_study(index, done)
         verdict.seconds = seconds
+        if verdict.kind == "sound":
+            if claim := find_false_claim(self, json.loads(done.stdout)):
+                verdict = Verdict(index, "finding", claim, seconds=seconds)
+            for name in ("deck.vtkhdf", "summary.json"):
+                (self.folder / name).unlink(missing_ok=True)
         if left := sorted(file.name for file in self.folder.iterdir() if file.suffix in (".vtkhdf", ".html")):
             return Verdict(index, "finding", f"leaves {', '.join(left)}")
         return verdict
