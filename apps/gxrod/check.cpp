@@ -1,6 +1,7 @@
 #include <memory>
 
 #include "analyses/dynamic.hpp"
+#include "analyses/memory_estimate.hpp"
 #include "analyses/mesh_frequencies.hpp"
 #include "analyses/model_examination.hpp"
 #include "analyses/model_summary.hpp"
@@ -23,7 +24,10 @@ struct CheckArguments {
 std::string describe_size(const Problem& problem) {
     constexpr double megabyte = 1e6;
     const ResultsSize size = estimate_results_size(problem.model, problem.analysis, problem.output);
-    return size.bytes == 0.0 ? "" : fmt::format("results: at least {:.3g} MB\n", size.bytes / megabyte);
+    const std::string results =
+        size.bytes == 0.0 ? "" : fmt::format("results: at least {:.3g} MB\n", size.bytes / megabyte);
+    return results +
+           fmt::format("memory: about {:.0f} MB\n", estimate_memory(problem.model, size.bytes) / megabyte);
 }
 
 int check(const CheckArguments& arguments) {

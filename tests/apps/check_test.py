@@ -1,12 +1,15 @@
 """gxrod check, and run, of models that are suspicious or cannot be run."""
 
 import json
+import os
+import re
+import subprocess
 import unittest
 
 import h5py
 import numpy as np
 
-from program import ProgramTest
+from program import GXROD, ProgramTest
 
 BEAM = """title = "Beam"
 [section.s]
@@ -47,6 +50,17 @@ class Check(ProgramTest):
         self.assertIn("note: nothing connects these 2 parts: rod beam; rod tail", done.stdout)
         self.assertIn(warning, self.gxrod("run", "beam.toml").stderr)
         self.assertEqual(self.gxrod("run", "beam.toml", "--force", "--quiet").stderr, "")
+
+    @unittest.skipIf(os.environ.get("GXROD_SANITIZED") == "1", "AddressSanitizer has memory of its own")
+    def test_memory_is_told_beforehand(self):
+        self.write("beam.toml", BEAM + 'fix = "all"\n')
+        many = ("beam.toml", "--set", "rod.beam.elements=30000", "--set", "rod.beam.order=2")
+        told = int(re.search(r"^memory: about (\d+) MB$", self.gxrod("check", *many).stdout, re.MULTILINE)[1])
+        process = subprocess.Popen([GXROD, "run", *many, "--quiet"], cwd=self.folder)
+        status, usage = os.wait4(process.pid, 0)[1:]
+        process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, 0)
+        self.assertAlmostEqual(told / (usage.ru_maxrss / 1e3), 1.0, delta=0.33)
 
     def test_a_clamped_beam_has_the_reactions_of_its_load(self):
         self.write("beam.toml", BEAM + 'fix = "all"\n[[history]]\nname = "root"\nat = "beam.start"\n'
