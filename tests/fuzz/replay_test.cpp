@@ -13,7 +13,7 @@
 
 namespace {
 
-const std::filesystem::path kept = GXROD_SOURCE_DIR "/tests/fuzz";
+const std::filesystem::path tests = GXROD_SOURCE_DIR "/tests";
 
 // HDF5 forgets memory when it fails.
 void try_results_but_for_leaks(std::string_view input) {
@@ -26,8 +26,8 @@ void try_results_but_for_leaks(std::string_view input) {
 // How many inputs there are for a reader, each of which was tried.
 int replay(const std::string& reader, void (*attempt)(std::string_view)) {
     int count = 0;
-    for (const char* const group : {"corpus", "findings"}) {
-        const std::filesystem::path folder = kept / group / reader;
+    for (const char* const group : {"fuzz/corpus", "issues/inputs"}) {
+        const std::filesystem::path folder = tests / group / reader;
         if (!std::filesystem::exists(folder)) continue;
         for (const auto& file : std::filesystem::directory_iterator(folder)) {
             INFO(file.path().string());
