@@ -23,7 +23,7 @@ ROWS = {
     "locked": ("two writers of a file", "the second is refused, exit code 4; the first is not disturbed",
                "`gxrod resume` and `gxrod run --force` during a run, and while another program has the file locked"),
     "memory_limit": ("too little memory",
-                     "exit code 2 if the deck alone tells, with what it needs; else 1, or 4 from reading or writing a file, and a sentence that says so; what was written stays",
+                     "exit code 2 if the deck alone tells, with what it needs, or if there is none to read its mesh; else 1, or 4 from reading or writing a file, and a sentence that says so; what was written stays",
                      "`RLIMIT_AS` anywhere between loading the program and what the run needs"),
     "allocation": ("an allocation that fails", "the same", "the n-th allocation of a run, and up to all after it, but for those within HDF5"),
     "clock_jumps": ("leaps of the wall clock", "no effect: not a bit of the results depends on it", "it leaps by up to three years whenever it is asked"),

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "deck/mesh/line_mesh.hpp"
+#include "machine/child_process.hpp"
 
 namespace gxrod {
 namespace {
@@ -18,17 +19,46 @@ void find_function(void* library, const char* name, Function*& function) {
     function = reinterpret_cast<Function*>(address);
 }
 
+// Never closed: its destructors run at the end of the program. Nothing, with the reason, if there is none.
+void* open_library(std::span<const char* const> names, std::string& reason) {
+    for (const char* name : names) {
+        if (void* library = dlopen(name, RTLD_NOW | RTLD_LOCAL)) return library;
+        if (reason.empty()) reason = dlerror();
+    }
+    return nullptr;
+}
+
+bool is_for_want_of_memory(const std::string& reason) {
+    return reason.find("failed to map") != std::string::npos ||
+           reason.find("annot allocate") != std::string::npos ||
+           reason.find("cannot create") != std::string::npos;
+}
+
+// Some of the ninety libraries that come with it break down where there is no memory for them: so another
+// process tries first.
+void try_to_load(std::span<const char* const> names) {
+    constexpr int processor_seconds = 60;
+    std::string reason;
+    try {
+        reason = run_in_child(
+            [&] {
+                std::string why;
+                open_library(names, why);
+                return why;
+            },
+            {.processor_seconds = processor_seconds});
+    } catch (const ChildError& error) {
+        throw MeshError(fmt::format("libgmsh cannot be loaded, as for want of memory: {}", error.what()));
+    }
+    if (is_for_want_of_memory(reason)) throw MeshError("there is no memory for libgmsh: " + reason);
+}
+
 }  // namespace
 
 GmshLibrary load_gmsh(std::span<const char* const> names) {
-    void* library = nullptr;
+    try_to_load(names);
     std::string reason;
-    for (const char* name : names) {
-        // Never closed: its destructors run at the end of the program.
-        library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
-        if (library != nullptr) break;
-        if (reason.empty()) reason = dlerror();
-    }
+    void* library = open_library(names, reason);
     if (library == nullptr) {
         throw MeshError(
             fmt::format("reading a mesh needs libgmsh; on Debian: apt install libgmsh4.8 ({})", reason));
