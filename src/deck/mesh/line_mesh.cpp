@@ -83,7 +83,11 @@ bool starts_as_mesh(std::ifstream& stream) {
 
 void check_file(const std::filesystem::path& file) {
     std::error_code ignored;
-    if (std::filesystem::is_directory(file, ignored)) throw MeshError("is a folder, expected a mesh");
+    const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+    if (std::filesystem::is_directory(status)) throw MeshError("is a folder, expected a mesh");
+    // It is read several times; a device may have no end, and a pipe nobody who writes to it.
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+        throw MeshError("is not a regular file, expected a mesh");
     std::ifstream stream(file);
     if (!stream) throw MeshError("cannot be read (" + std::generic_category().message(errno) + ")");
     if (file.extension() == ".msh" && !starts_as_mesh(stream)) {

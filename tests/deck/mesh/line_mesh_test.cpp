@@ -110,6 +110,7 @@ $EndElements
 TEST_CASE("A mesh that cannot be read is an error with the reason", "[deck][mesh]") {
     CHECK_THROWS_WITH(read_line_mesh(meshes + "nothing.msh"), "cannot be read (No such file or directory)");
     CHECK_THROWS_WITH(read_line_mesh(meshes), "is a folder, expected a mesh");
+    CHECK_THROWS_WITH(read_line_mesh("/dev/null"), "is not a regular file, expected a mesh");
     const ScratchFile wrong("wrong.geo", "Point(1) = {0, 0, 0};\nPoint(;\n");
     CHECK_THROWS_WITH(
         read_line_mesh(wrong.path()),
