@@ -111,6 +111,8 @@ def read_results(path, draw):
         raise FileFault(f"{path}: there is no such file")
     if path.is_dir():
         raise FileFault(f"{path}: is a folder, not a results file")
+    if not path.is_file():
+        raise FileFault(f"{path}: is not a regular file, nor a results file")
     attempts = 4
     for attempt in range(1, attempts + 1):
         try:

@@ -77,6 +77,14 @@ fs::path follow_link(const fs::path& path) {
 
 }  // namespace
 
+void check_results_path(const fs::path& path) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    if (!fs::exists(status)) throw FileError(path, "there is no such file");
+    if (fs::is_directory(status)) throw FileError(path, "is a folder, not a results file");
+    if (!fs::is_regular_file(status)) throw FileError(path, "is not a regular file, nor a results file");
+}
+
 std::optional<bool> is_being_written(const fs::path& path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) return false;
@@ -106,9 +114,7 @@ void remove_output_file(const fs::path& path) {
 }
 
 int open_output_file(const fs::path& path) {
-    std::error_code ignored;
-    if (!fs::exists(path, ignored)) throw FileError(path, "there is no such file");
-    if (fs::is_directory(path, ignored)) throw FileError(path, "is a folder, not a results file");
+    check_results_path(path);
     const int descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
     if (descriptor < 0) {
         throw FileError(path, "cannot be written: " + std::generic_category().message(errno));

@@ -20,6 +20,9 @@ void remove_output_file(const std::filesystem::path& path);
 // process is writing it: both functions lock the file for their process, which keeps nobody from reading.
 int open_output_file(const std::filesystem::path& path);
 
+// Throws FileError unless there is a regular file: a device may have no end, a pipe nobody who writes to it.
+void check_results_path(const std::filesystem::path& path);
+
 // Whether another process has it open by one of these; nullopt where the file system knows no locks.
 std::optional<bool> is_being_written(const std::filesystem::path& path);
 

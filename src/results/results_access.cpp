@@ -15,10 +15,7 @@ constexpr int most_attempts = 20;
 constexpr std::chrono::milliseconds pause(2);
 
 Hdf5Reader open_results(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) throw FileError(path, "there is no such file");
-    if (std::filesystem::is_directory(path, ignored))
-        throw FileError(path, "is a folder, not a results file");
+    check_results_path(path);
     Hdf5Reader file(path);
     if (!file.has_attribute("/", "gxrod_version") || !file.has("/histories/time") || !file.has("/ledger")) {
         throw FileError(path, "is not a results file of gxrod");
@@ -29,6 +26,7 @@ Hdf5Reader open_results(const std::filesystem::path& path) {
 }  // namespace
 
 void read_results(const std::filesystem::path& path, const std::function<void(const Hdf5Reader&)>& read) {
+    check_results_path(path);
     // Of one that grows meanwhile a survey may see what does not fit together.
     if (!is_being_written(path).value_or(false)) survey_file(path);
     read_surveyed_results(path, read);
