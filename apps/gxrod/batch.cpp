@@ -55,7 +55,11 @@ void listen_to_signals() {
 }
 
 Plan read_arguments(const std::vector<std::string>& files) {
-    if (files.size() == 1 && is_plan(files[0])) return read_plan(files[0]);
+    if (files.size() == 1) {
+        // Read once, as it may be a pipe.
+        std::string text = read_plan_file(files[0]);
+        if (is_plan_text(text, files[0])) return read_plan_text(std::move(text), files[0]);
+    }
     for (const std::string& file : files) {
         if (files.size() > 1 && is_plan(file)) {
             throw CLI::ValidationError(file + " is a plan; expected one plan, or decks only");

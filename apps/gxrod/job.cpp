@@ -150,7 +150,9 @@ Problem read_job_problem(const std::string& deck, const std::vector<std::string>
     try {
         return read_problem(deck, overrides);
     } catch (const DeckError& error) {
-        if (error.faults.front().line == 0 || !is_plan(deck)) throw;
+        std::error_code ignored;
+        const bool can_be_read_again = std::filesystem::is_regular_file(deck, ignored);
+        if (error.faults.front().line == 0 || !can_be_read_again || !is_plan(deck)) throw;
         throw DeckError({{deck, 0, 0, "", "is the plan of a batch, not a deck; gxrod batch runs it"}});
     }
 }

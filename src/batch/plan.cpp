@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "batch/csv_reading.hpp"
 #include "batch/plan_schema.hpp"
@@ -116,10 +117,16 @@ bool check_file(const std::filesystem::path& file,
 
 }  // namespace
 
-Plan read_plan(const std::filesystem::path& file) {
+std::string read_plan_file(const std::filesystem::path& file) {
+    return read_text_file(file, "a plan or a deck", most_deck_bytes);
+}
+
+Plan read_plan(const std::filesystem::path& file) { return read_plan_text(read_plan_file(file), file); }
+
+Plan read_plan_text(std::string text, const std::filesystem::path& file) {
     Plan plan;
     plan.file = file.string();
-    plan.text = read_text_file(file);
+    plan.text = std::move(text);
     plan.tree = read_toml(plan.text, plan.file);
     FaultList faults(plan.file, {});
     const CheckedTable checked = check_text(plan.tree, plan_schema(), faults);
@@ -157,8 +164,10 @@ Plan plan_of_decks(std::vector<std::filesystem::path> decks) {
     return plan;
 }
 
-bool is_plan(const std::filesystem::path& file) {
-    const DeckNode tree = read_toml(read_text_file(file), file.string());
+bool is_plan(const std::filesystem::path& file) { return is_plan_text(read_plan_file(file), file); }
+
+bool is_plan_text(const std::string& text, const std::filesystem::path& file) {
+    const DeckNode tree = read_toml(text, file.string());
     const auto has = [&](const std::string& key) { return tree.find(key) != nullptr; };
     const auto& keys = plan_schema().keys;
     const bool has_any =

@@ -77,11 +77,18 @@ struct Plan {
 // read.
 Plan read_plan(const std::filesystem::path& file);
 
+// The same of the text of a file that has been read.
+Plan read_plan_text(std::string text, const std::filesystem::path& file);
+
 // A case for each deck.
 Plan plan_of_decks(std::vector<std::filesystem::path> decks);
 
-// Whether a TOML text is a plan rather than a deck. Throws DeckError if it is no TOML or neither of them,
+// Whether a file of TOML is a plan rather than a deck. Throws DeckError if it is no TOML or neither of them,
 // FileError if it cannot be read.
 bool is_plan(const std::filesystem::path& file);
+bool is_plan_text(const std::string& text, const std::filesystem::path& file);
+
+// The text of a plan or deck. Throws FileError if it cannot be read.
+std::string read_plan_file(const std::filesystem::path& file);
 
 }  // namespace gxrod

@@ -225,7 +225,7 @@ void read_table_columns(const std::filesystem::path& table,
                         const Place& place,
                         std::vector<Variation>& variations,
                         FaultList& faults) {
-    const std::vector<CsvRow> rows = read_csv(read_text_file(table), table);
+    const std::vector<CsvRow> rows = read_csv(read_text_file(table, "a table"), table);
     check_rows(table, rows);
     const CsvRow& header = rows[0];
     if (variations.empty()) {
