@@ -3,6 +3,7 @@
 import ctypes
 import fcntl
 import os
+import signal
 import stat
 import time
 
@@ -25,12 +26,12 @@ def expect_refusal(done, words):
     return f"exit code {done.returncode}, told as: {done.stderr}"
 
 
-def kill_halfway(bench, deck):
-    """Leaves a file that can be resumed."""
+def kill_halfway(bench, deck, **faults):
+    """Leaves a file that can be resumed, and says how the run ended."""
     calls = bench.count_calls(deck, "FAULT_LOG", CLOCK_TICK=deck.tick)
     bench.path(deck).unlink(missing_ok=True)
-    bench.run(*bench.arguments(deck), "--quiet",
-              environment=bench.environment(FAULT="kill", FAULT_AT=calls // 2, CLOCK_TICK=deck.tick))
+    return bench.run(*bench.arguments(deck), "--quiet",
+                     environment=bench.environment(FAULT="kill", FAULT_AT=calls // 2, CLOCK_TICK=deck.tick, **faults))
 
 
 def read_only(bench, deck, _):
@@ -110,24 +111,34 @@ def locked(bench, deck, random):
     return bench.recover(deck, trial)
 
 
-def clock_jumps(bench, deck, _):
-    """The wall clock leaps by up to years, forth and back, whenever it is asked."""
-    bench.path(deck).unlink(missing_ok=True)
-    done = bench.run(*bench.arguments(deck, is_long=True), "--quiet", environment=bench.environment(CLOCK_JUMPS=1))
+def run_to_end(bench, arguments, **faults):
+    """A run that faults must not disturb."""
+    done = bench.run(*arguments, "--quiet", environment=bench.environment(**faults))
     trial = Trial(describe_end(done.returncode), "", message=done.stderr.strip())
     if done.returncode != 0 or done.stderr:
         trial.lost = f"{trial.end}: {done.stderr}"
+    return trial
+
+
+def clock_jumps(bench, deck, _):
+    """The wall clock leaps by up to years, forth and back, whenever it is asked: in a run that is killed halfway and what
+    goes on with it, and in a whole run."""
+    killed = kill_halfway(bench, deck, CLOCK_JUMPS=1)
+    if killed.returncode != -signal.SIGKILL:
+        return Trial(describe_end(killed.returncode), "", lost=f"was not killed: {killed.stderr}")
+    trial = run_to_end(bench, ["resume", bench.path(deck).name, "--threads", deck.threads], CLOCK_JUMPS=1)
+    trial = bench.recover(deck, trial)
+    if trial.lost:
+        return trial
+    bench.path(deck).unlink()
+    trial = run_to_end(bench, bench.arguments(deck, is_long=True), CLOCK_JUMPS=1)
     return bench.recover(deck, trial, is_long=True)
 
 
 def short_writes(bench, deck, _):
     """Every call writes half of what it is to write, and every third one is interrupted."""
     bench.path(deck).unlink(missing_ok=True)
-    done = bench.run(*bench.arguments(deck), "--quiet",
-                     environment=bench.environment(FAULT="short", CLOCK_TICK=deck.tick))
-    trial = Trial(describe_end(done.returncode), "", message=done.stderr.strip())
-    if done.returncode != 0 or done.stderr:
-        trial.lost = f"{trial.end}: {done.stderr}"
+    trial = run_to_end(bench, bench.arguments(deck), FAULT="short", CLOCK_TICK=deck.tick)
     return bench.recover(deck, trial)
 
 

@@ -26,7 +26,7 @@ ROWS = {
                      "exit code 2 if the deck alone tells, with what it needs, or if there is none to read its mesh; else 1, or 4 from reading or writing a file, and a sentence that says so; what was written stays",
                      "`RLIMIT_AS` anywhere between loading the program and what the run needs"),
     "allocation": ("an allocation that fails", "the same", "the n-th allocation of a run, and up to all after it, but for those within HDF5"),
-    "clock_jumps": ("leaps of the wall clock", "no effect: not a bit of the results depends on it", "it leaps by up to three years whenever it is asked"),
+    "clock_jumps": ("leaps of the wall clock", "no effect: not a bit of the results depends on it", "it leaps by up to three years whenever it is asked, in a run, and in one killed halfway and its `gxrod resume`"),
     "truncated": ("a results file that is cut short", "`resume`, `export`, `report` and `gxrod-plot` say so and change nothing",
                   "cut at a random length"),
     "flipped": ("a bit of a results file that changed", "`export` and `report` say that the file is in doubt, or it changes nothing of what they make; "
