@@ -92,13 +92,15 @@ class Newton {
 
     // Whether round-off is all that is left of the increments: far below the tolerance, a few units of the
     // last place, or small and no longer shrinking; or the next one would be, going by the last two, and the
-    // residual no longer falls.
+    // residual no longer falls. Where round-off is as large as the forces, the tangent has lost digits too,
+    // and two increments do not tell of a third.
     bool has_reached_round_off() const {
         constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
         const double nothing = std::max(1e-4 * settings_.tolerance, rounding);
         if (last_increment_ <= nothing) return true;
         if (last_increment_ <= 1e-10 && last_increment_ >= 0.5 * increment_before_) return true;
-        if (report_.iterations < 2) return false;
+        constexpr double as_large_as_forces = 0.1;
+        if (report_.iterations < 2 || report_.residual > as_large_as_forces) return false;
         const double next_increment = last_increment_ * (last_increment_ / increment_before_);
         return next_increment <= nothing && report_.residual >= 0.5 * residual_before_;
     }
