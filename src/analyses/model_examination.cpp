@@ -41,6 +41,14 @@ void find_drifting_parts(const Model& model,
     }
 }
 
+void warn_of_contrasts(const Model& model,
+                       const std::vector<ModelPart>& parts,
+                       std::vector<Finding>& findings) {
+    for (const StiffnessContrast& contrast : find_stiffness_contrasts(model, parts)) {
+        findings.push_back({Severity::warning, describe(contrast, model) + "; expected " + advise(contrast)});
+    }
+}
+
 void describe_parts(const Model& model, const std::vector<ModelPart>& parts, std::vector<Finding>& findings) {
     constexpr std::size_t most = 10;
     if (parts.size() < 2) return;
@@ -110,9 +118,7 @@ std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& a
     std::vector<Finding> findings;
     if (std::holds_alternative<StaticSettings>(analysis)) {
         find_drifting_parts(model, parts, findings);
-        for (const std::string& sentence : find_stiffness_contrasts(model, parts)) {
-            findings.push_back({Severity::warning, sentence});
-        }
+        warn_of_contrasts(model, parts, findings);
     }
     for (const std::string& sentence : find_unconnected_points(model)) {
         findings.push_back({Severity::warning, sentence});

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -8,9 +11,29 @@
 
 namespace gxrod {
 
-// A sentence for each part in which round-off of the forces in one rod comes near the forces that bend
-// another, or the rod itself: where equilibrium is asked for, Newton's method finds it in many steps, or what
-// it takes for it is none.
-std::vector<std::string> find_stiffness_contrasts(const Model& model, const std::vector<ModelPart>& parts);
+// A part in which round-off of the forces in one rod comes near the forces that bend another, or the rod
+// itself. Equilibrium, or a long time step, then takes Newton's method many iterations, or is not found.
+struct StiffnessContrast {
+    int stiff_rod = -1;          // of Model::rods
+    int soft_rod = -1;           // likewise; may be the same
+    double round_off = 0.0;      // of the forces in the stiff one
+    double bending_force = 0.0;  // a force that bends the soft one
+};
+
+// Of each part that has one. Rods that nothing bends back, as chains of no bending stiffness, do not count as
+// soft.
+std::vector<StiffnessContrast> find_stiffness_contrasts(const Model& model,
+                                                        const std::vector<ModelPart>& parts);
+
+// Of a part with one of these nodes, or of any part if there are none. nullopt also where a rod of the part
+// lacks a stiffness: it resists nothing, whatever round-off does.
+std::optional<StiffnessContrast> find_contrast_at(const Model& model, std::span<const std::int64_t> nodes);
+
+// "rod stiff is too stiff beside what bends rod soft for numbers of 16 digits: round-off of its forces is
+// about 8.9, a force that bends rod soft about 1".
+std::string describe(const StiffnessContrast& contrast, const Model& model);
+
+// "EA, GAy and GAz up to 0.01 of what they are, or longer elements".
+std::string advise(const StiffnessContrast& contrast);
 
 }  // namespace gxrod

@@ -34,7 +34,11 @@ kind = "static"
 
 std::vector<std::string> find(const std::string& deck) {
     const Model model = test::read(deck).model;
-    return find_stiffness_contrasts(model, find_parts(model));
+    std::vector<std::string> sentences;
+    for (const StiffnessContrast& contrast : find_stiffness_contrasts(model, find_parts(model))) {
+        sentences.push_back(describe(contrast, model) + "; expected " + advise(contrast));
+    }
+    return sentences;
 }
 
 }  // namespace
@@ -48,7 +52,8 @@ TEST_CASE("A rod whose forces have round-off as large as what bends its neighbou
     CHECK(
         found[0] ==
         "rod stiff is too stiff beside what bends rod soft for numbers of 16 digits: round-off of its forces "
-        "is about 8.9, a force that bends rod soft about 1; expected EA, GAy and GAz up to 0.01 of what they "
+        "is about 8.9, a force that bends rod soft about 1; expected EA, GAy and GAz up to 0.01 of what "
+        "they "
         "are, or longer elements");
     // A rod alone: stretching beside its own bending.
     const std::string alone = test::replaced(test::static_rod_deck, "EA = 1e4", "EA = 1e18");
@@ -61,4 +66,25 @@ TEST_CASE("Rods that nothing connects do not disturb each other", "[analyses]") 
     const std::string apart =
         test::replaced(make_deck("1e12"), "[[connect]]\npoints = [\"soft.end\", \"stiff.start\"]\n", "");
     CHECK(find(apart).empty());
+}
+
+TEST_CASE("A rod without bending stiffness is not soft beside round-off", "[analyses]") {
+    Model model = test::read(make_deck("1")).model;
+    for (Section& section : model.sections) section.stiffness(4, 4) = section.stiffness(5, 5) = 0.0;
+    CHECK(find_stiffness_contrasts(model, find_parts(model)).empty());
+}
+
+TEST_CASE("A contrast is found at the nodes of its part", "[analyses]") {
+    const std::string other =
+        "[rod.apart]\nsection = \"a\"\nline = { from = [0, 5, 0], to = [1, 5, 0] }\nelements = 1\n";
+    const Model model = test::read(make_deck("1e12") + other).model;
+    const auto node_of = [&](std::size_t rod) { return std::vector<std::int64_t>{model.rods[rod].nodes[0]}; };
+    for (std::size_t rod = 0; rod < 3; ++rod) {
+        CHECK(find_contrast_at(model, node_of(rod)).has_value() == (model.rods[rod].name != "apart"));
+    }
+    CHECK(find_contrast_at(model, {}).has_value());
+    // What has no stiffness at all resists nothing, and is to be told of instead.
+    Model loose = model;
+    for (Section& section : loose.sections) section.stiffness(3, 3) = 0.0;
+    CHECK_FALSE(find_contrast_at(loose, {}).has_value());
 }
