@@ -41,6 +41,12 @@ void find_drifting_parts(const Model& model,
     }
 }
 
+// Explicit schemes invert no stiffness.
+bool solves_equilibria(const AnalysisSettings& analysis) {
+    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
+    return !dynamic || dynamic->scheme != Scheme::runge_kutta_4;
+}
+
 void warn_of_contrasts(const Model& model,
                        const std::vector<ModelPart>& parts,
                        std::vector<Finding>& findings) {
@@ -118,8 +124,8 @@ std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& a
     std::vector<Finding> findings;
     if (std::holds_alternative<StaticSettings>(analysis)) {
         find_drifting_parts(model, parts, findings);
-        warn_of_contrasts(model, parts, findings);
     }
+    if (solves_equilibria(analysis)) warn_of_contrasts(model, parts, findings);
     for (const std::string& sentence : find_unconnected_points(model)) {
         findings.push_back({Severity::warning, sentence});
     }

@@ -37,6 +37,19 @@ TEST_CASE("A part that can drift in a static analysis is an error that names the
     CHECK_FALSE(has_error({{Severity::warning, ""}, {Severity::note, ""}}));
 }
 
+TEST_CASE("Round-off beside what is soft is warned of where stiffnesses are solved with", "[analyses]") {
+    const auto stiffened = [](const std::string& deck) {
+        return replaced(deck, "EA = 1e4", "EA = 1e18") + load + clamp;
+    };
+    const Lines warning{
+        "warning: rod r is too stiff beside what bends it for numbers of 16 digits: round-off of its forces "
+        "is about 2.2e+03, a force that bends it about 6; expected EA, GAy and GAz up to 0.0003 of what they "
+        "are, or longer elements"};
+    CHECK(examine(stiffened(static_rod_deck)) == warning);
+    CHECK(examine(stiffened(rod_deck)) == warning);
+    CHECK(examine(stiffened(rod_deck + "integrator = \"runge-kutta-4\"\n")).empty());
+}
+
 TEST_CASE("A part may drift in a dynamic analysis", "[analyses]") { CHECK(examine(rod_deck + load).empty()); }
 
 TEST_CASE("Each part is examined, and parts are listed", "[analyses]") {
