@@ -52,7 +52,7 @@ TEST_CASE("A rod whose forces have round-off as large as what bends its neighbou
     CHECK(
         found[0] ==
         "rod stiff is too stiff beside what bends rod soft for numbers of 16 digits: round-off of its forces "
-        "is about 8.9, a force that bends rod soft about 1; expected EA, GAy and GAz up to 0.01 of what "
+        "is about 8.9, a force that bends rod soft about 1; expected EA, GAy and GAz up to 0.001 of what "
         "they "
         "are, or longer elements");
     // A rod alone: stretching beside its own bending.
