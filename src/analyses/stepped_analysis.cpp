@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "analyses/stiffness_contrast.hpp"
 #include "solvers/direction_words.hpp"
 #include "solvers/worst_nodes.hpp"
 
@@ -159,13 +160,24 @@ Failure SteppedAnalysis::explain(const EquilibriumReport& report) {
         failure.places.push_back(name_place(system_.model(), place.node, place.component));
         failure.nodes.push_back(place.node);
     }
+    failure.linear_solver = linear_solver_;
     try {
-        if (may_come_from_weakness(report.outcome)) failure.weakness = find_weakness();
+        if (may_come_from_weakness(report.outcome)) find_reason(failure);
     } catch (const std::exception&) {
         // Too little memory for more factors: the rest is known.
     }
-    failure.linear_solver = linear_solver_;
     return failure;
+}
+
+void SteppedAnalysis::find_reason(Failure& failure) {
+    const bool is_implicit =
+        failure.phase == Failure::Phase::implicit_step || failure.phase == Failure::Phase::load_step;
+    if (const auto contrast = find_contrast_at(system_.model(), failure.nodes); contrast && is_implicit) {
+        failure.contrast = describe(*contrast, system_.model());
+        failure.contrast_advice = advise(*contrast);
+    } else {
+        failure.weakness = find_weakness();
+    }
 }
 
 Snapshot SteppedAnalysis::snapshot(bool with_elements) {

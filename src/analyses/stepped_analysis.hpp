@@ -77,6 +77,8 @@ class SteppedAnalysis {
     Failure::Phase failure_phase() const;
     // What nothing resists at the last accepted state, or "".
     std::string find_weakness();
+    // Sets what a failure comes from, of what is not known from its report.
+    void find_reason(Failure& failure);
     // Fails the report if the step's estimated error is too large.
     void check_error(EquilibriumReport& report);
 

@@ -53,6 +53,12 @@ void advise_on_singularity(const Failure& failure, Advice& advice) {
     if (failure.phase == Phase::implicit_step) advice.push_back("a smaller time_step");
 }
 
+Advice advise_on_contrast(const Failure& failure) {
+    Advice advice{failure.contrast_advice};
+    if (failure.outcome == Outcome::out_of_iterations) advice.push_back("a larger newton.max_iterations");
+    return advice;
+}
+
 std::string describe_start(const Failure& failure) {
     switch (failure.phase) {
         case Phase::initial_accelerations:
@@ -100,6 +106,7 @@ std::string describe_outcome(const Failure& failure) {
 }  // namespace
 
 std::vector<std::string> advise(const Failure& failure) {
+    if (!failure.contrast.empty()) return advise_on_contrast(failure);
     Advice advice;
     switch (failure.outcome) {
         case Outcome::converged:
@@ -133,6 +140,7 @@ std::vector<std::string> advise(const Failure& failure) {
 
 std::string describe_failure(const Failure& failure) {
     std::string text = describe_start(failure) + describe_outcome(failure);
+    if (!failure.contrast.empty()) text += ". Likely because " + failure.contrast;
     if (!failure.weakness.empty()) text += ". Nothing resists this motion: " + failure.weakness;
     const std::vector<std::string> advice = advise(failure);
     if (!advice.empty()) text += ". Try " + join(advice, "; or ");

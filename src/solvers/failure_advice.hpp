@@ -22,6 +22,10 @@ struct Failure {
     std::vector<std::string> places;  // "flyer.end (ry)", the worst first
     std::vector<std::int64_t> nodes;  // of those places
     std::string weakness;             // in words; "" unless the tangent is singular or nearly so
+    // That round-off of a stiff rod's forces hides what bends a soft one, and what to do about it: a likelier
+    // reason than a weakness, for which it would be taken. "" both if it does not.
+    std::string contrast;
+    std::string contrast_advice;
     LinearSolverKind linear_solver = LinearSolverKind::klu;
 };
 

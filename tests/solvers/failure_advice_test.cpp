@@ -48,6 +48,20 @@ TEST_CASE("a load step says load factor and thinks of jumps", "[solvers]") {
           "structure cannot bear without a jump to another shape");
 }
 
+TEST_CASE("beside a stiff rod round-off is the reason", "[solvers]") {
+    Failure failure = make_failure(Phase::load_step, Outcome::singular);
+    failure.places = {"q.end (z)"};
+    failure.contrast = "rod q is too stiff beside what bends rod r";
+    failure.contrast_advice = "longer elements";
+    CHECK(describe_failure(failure) ==
+          "the step from load factor 0.3 failed, even with one of 0.000125: the system of equations is "
+          "singular at q.end (z). Likely because rod q is too stiff beside what bends rod r. Try longer "
+          "elements");
+    failure.phase = Phase::implicit_step;
+    failure.outcome = Outcome::out_of_iterations;
+    CHECK(advise(failure) == std::vector<std::string>{"longer elements", "a larger newton.max_iterations"});
+}
+
 TEST_CASE("a singular system names the motion that nothing holds", "[solvers]") {
     Failure failure = make_failure(Phase::load_step, Outcome::singular);
     failure.places = {"cable.start (rx)"};
