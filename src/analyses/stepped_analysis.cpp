@@ -24,6 +24,17 @@ bool may_come_from_weakness(Outcome outcome) {
            outcome == Outcome::rotation_too_large || outcome == Outcome::element_too_turned;
 }
 
+// With a contrast the tangent is good to few digits, so that Newton's method gains but one in several
+// iterations.
+NewtonSettings with_patience(NewtonSettings newton, bool has_contrast) {
+    if (has_contrast) newton.max_iterations *= 10;
+    return newton;
+}
+
+// With a contrast, of one load step: shorter ones do not make round-off smaller. Slack cables, whose first
+// steps may have to be tiny, need fewer.
+constexpr int most_rejections = 60;
+
 }  // namespace
 
 SteppedAnalysis::SteppedAnalysis(const Model& model,
@@ -35,7 +46,8 @@ SteppedAnalysis::SteppedAnalysis(const Model& model,
     : team_(threads),
       system_(model, team_),
       integrator_(std::move(integrator)),
-      newton_(newton),
+      has_contrast_(!find_stiffness_contrasts(model, find_parts(model)).empty()),
+      newton_(with_patience(newton, has_contrast_)),
       linear_solver_(linear_solver),
       workspace_(system_, linear_solver),
       steps_(std::move(steps)),
@@ -107,13 +119,22 @@ void SteppedAnalysis::check_error(EquilibriumReport& report) {
     report.worst_component = error.component;
 }
 
+bool SteppedAnalysis::shorten_step() {
+    if (has_contrast_ && integrator_->is_static()) {
+        if (steps_->steps_done() != rejecting_step_) rejections_ = 0;
+        rejecting_step_ = steps_->steps_done();
+        if (++rejections_ == most_rejections) return false;
+    }
+    return steps_->reject();
+}
+
 EquilibriumReport SteppedAnalysis::advance() {
     EquilibriumReport report;
     solver_row_ = SolverRow{};
     section_values_ = std::vector<SectionValues>();  // large beside what a step needs
     while (!take_step(report)) {
         ++solver_row_.rejected_steps;
-        if (!steps_->reject()) return report;
+        if (!shorten_step()) return report;
     }
     const PhaseTimer timer(workspace_.seconds.update);
     // What may fail for want of memory comes before all that changes what a later run goes on from. And

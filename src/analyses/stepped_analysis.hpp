@@ -65,6 +65,7 @@ class SteppedAnalysis {
     ThreadTeam team_;
     System system_;
     std::unique_ptr<Integrator> integrator_;
+    bool has_contrast_;  // of stiffness, so that round-off may hide what is soft
     NewtonSettings newton_;
     LinearSolverKind linear_solver_;
     SolverWorkspace workspace_;
@@ -74,6 +75,8 @@ class SteppedAnalysis {
   private:
     // Tries the next step; if that fails, or a load throws EvaluationError, the state is as before.
     bool take_step(EquilibriumReport& report);
+    // False if the step that failed is not to be tried with a shorter one.
+    bool shorten_step();
     Failure::Phase failure_phase() const;
     // What nothing resists at the last accepted state, or "".
     std::string find_weakness();
@@ -83,6 +86,8 @@ class SteppedAnalysis {
     void check_error(EquilibriumReport& report);
 
     std::unique_ptr<Ledger> ledger_;  // none before the start
+    long rejecting_step_ = -1;        // of the nominal steps
+    int rejections_ = 0;              // within it; of a model with a contrast, in statics
     SolverRow solver_row_;
     std::vector<RodPlace> watched_;
     std::vector<PointValues> point_values_;
