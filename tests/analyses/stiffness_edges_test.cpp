@@ -185,14 +185,14 @@ TEST_CASE("A rod that is 1e11 times as stiff as its neighbour is rigid", "[analy
 TEST_CASE("A rod that is 1e12 times as stiff as its neighbour fails for round-off, soon",
           "[analyses][static]") {
     const StaticRun found = attempt(with_stiff_rod(1e12));
-    CHECK_THAT(found.failure, Catch::Contains(reason("13", "0.0008")));
+    CHECK_THAT(found.failure, Catch::Contains(reason("13", "0.0002")));
     CHECK_THAT(found.failure, !Catch::Contains("Nothing resists"));
     CHECK(found.rejected_steps < 200);
 }
 
 TEST_CASE("A rod of length 1e-12 at an end fails for round-off, soon", "[analyses][static]") {
     const StaticRun found = attempt(with_short_rod(1e-12));
-    CHECK_THAT(found.failure, Catch::Contains(reason("2.2", "0.005")));
+    CHECK_THAT(found.failure, Catch::Contains(reason("2.2", "0.001")));
     CHECK_THAT(found.failure, !Catch::Contains("Nothing resists"));
     CHECK(found.rejected_steps < 200);
 }
