@@ -99,8 +99,8 @@ class Newton {
         const double nothing = std::max(1e-4 * settings_.tolerance, rounding);
         if (last_increment_ <= nothing) return true;
         if (last_increment_ <= 1e-10 && last_increment_ >= 0.5 * increment_before_) return true;
-        constexpr double as_large_as_forces = 0.1;
-        if (report_.iterations < 2 || report_.residual > as_large_as_forces) return false;
+        if (report_.iterations < 2) return false;
+        if (is_as_large_as_forces(system_, workspace_.residual, report_)) return false;
         const double next_increment = last_increment_ * (last_increment_ / increment_before_);
         return next_increment <= nothing && report_.residual >= 0.5 * residual_before_;
     }

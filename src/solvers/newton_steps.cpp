@@ -60,6 +60,14 @@ void measure_residual(const System& system, const Residual& residual, Equilibriu
     if (!std::isfinite(worst.residual)) report.outcome = Outcome::not_finite;
 }
 
+bool is_as_large_as_forces(const System& system, const Residual& residual, const EquilibriumReport& report) {
+    constexpr double tenth = 0.1;
+    const double length = system.length_scale();
+    const double worst = report.residual * compute_scales(system, residual).of(report.worst_component);
+    const double force = report.worst_component < 3 ? worst : worst / length;
+    return force > tenth * std::max(residual.force_scale, residual.moment_scale / length);
+}
+
 double largest_component(const System& system, const Residual& residual) {
     return gather(residual.nodal, system.equations(), system.team()).lpNorm<Eigen::Infinity>();
 }

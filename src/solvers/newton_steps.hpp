@@ -16,6 +16,10 @@ ResidualScales compute_scales(const System& system, const Residual& residual);
 // The residual's size relative to its scales, and where it is largest.
 void measure_residual(const System& system, const Residual& residual, EquilibriumReport& report);
 
+// Whether a residual so measured is a tenth of the largest force there is, or of the largest moment over the
+// model's length.
+bool is_as_large_as_forces(const System& system, const Residual& residual, const EquilibriumReport& report);
+
 double largest_component(const System& system, const Residual& residual);
 
 // Factorizes workspace.values; false, and so reported, if they are singular.
