@@ -62,8 +62,8 @@ struct SolverWorkspace {
 // Converged when the largest residual force and moment are below tolerance times the largest force and moment
 // that an element or load puts on a node; or, where round-off hides that, when the last increment was below
 // 1e-4 × tolerance or four units of rounding, or the next one would be (going by the ratio of the last two)
-// and the residual, below a tenth, no longer falls, or it was below 1e-10 and no longer shrinking (δr
-// relative to the model's length or the node's distance from the origin, δφ in rad).
+// and the residual, not as large as all forces, no longer falls, or it was below 1e-10 and no longer
+// shrinking (δr relative to the model's length or the node's distance from the origin, δφ in rad).
 EquilibriumReport solve_equilibrium(const System& system,
                                     const Integrator& integrator,
                                     const NewtonSettings& settings,
