@@ -117,12 +117,20 @@ int verify(const CLI::App& verb, VerifyArguments& arguments) {
     if (arguments.tells_table()) say(stdout, "{}", validation_head());
     for (const Study* study : choose_studies(arguments)) {
         double seconds = 0.0;
-        const StudyResult result = run_study(*study, arguments, seconds);
-        add_to(totals, result, seconds);
-        json[study->name] = result.json;
-        for (const Check& check : result.checks) checks.push_back(describe_check(*study, check, seconds));
-        if (!arguments.json) tell(arguments, *study, result, seconds);
-        if (!result.matches()) say(stderr, "gxrod: {} missed its reference\n", study->name);
+        try {
+            const StudyResult result = run_study(*study, arguments, seconds);
+            add_to(totals, result, seconds);
+            json[study->name] = result.json;
+            for (const Check& check : result.checks) checks.push_back(describe_check(*study, check, seconds));
+            if (!arguments.json) tell(arguments, *study, result, seconds);
+            if (!result.matches()) say(stderr, "gxrod: {} missed its reference\n", study->name);
+        } catch (const std::runtime_error& error) {
+            // As where Newton's method does not converge: the other studies are run all the same.
+            ++totals.studies;
+            ++totals.missed;
+            json[study->name] = {{"failure", error.what()}};
+            say(stderr, "gxrod: {} missed its reference: {}\n", study->name, error.what());
+        }
     }
     json["checks"] = checks;
     if (arguments.json) say(stdout, "{}\n", json.dump(2));

@@ -34,6 +34,11 @@ class Missed(ProgramTest):
         self.assertEqual(done.stderr, "gxrod: rubin2007 missed its reference\n")
         self.assertRegex(done.stdout, r"(?s)MISSED.*\naxial_step .*\n2 cases, \d+ checks, 1 MISSED in ")
 
+    def test_one_that_cannot_be_run_is_missed_and_the_others_are_run(self):
+        done = self.verify("elastica", "rubin2007", "--steps", "100", "--table", drift=10**12, code=5)
+        self.assertRegex(done.stderr, "(?m)^gxrod: elastica missed its reference: .*failed")
+        self.assertIn("\n2 cases, ", done.stdout)
+
     def test_a_deck_whose_runs_differ(self):
         self.write("body.toml", SPINNING_BODY)
         done = self.verify("body.toml", drift=0, code=0)
