@@ -47,10 +47,9 @@ class Page {
         for (const StepChart& chart : charts_) content_.columns += chart.columns();
         content_.arrows = story_.arrows.size();
         content_.is_static = story_.is_static;
+        warnings_ = list_warnings(file, story_, content_.steps);
         for (const std::string& change : list_changes(options.results))
             warnings_.push_back("This file is in doubt: " + change + ".");
-        for (const std::string& warning : list_warnings(file, story_, content_.steps))
-            warnings_.push_back(warning);
     }
 
     ReportSummary write(std::ostream& out) {

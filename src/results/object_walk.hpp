@@ -11,8 +11,8 @@
 
 namespace gxrod {
 
-// Goes through a file: calls visit(object, path, is_new) for all objects but those of /restart, by every name; `is_new` by the
-// first.
+// Goes through a file: calls visit(object, path, is_new) for all objects but those of /restart, by every
+// name; `is_new` by the first.
 class ObjectWalk {
   public:
     using Visit = std::function<void(hid_t object, const std::string& path, bool is_new)>;

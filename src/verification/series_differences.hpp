@@ -17,8 +17,8 @@ std::vector<double> compute_differences(const Series& series,
 // Whether two rows are the same to the last bit; of quaternions both signs are the same rotation.
 bool is_same(const Series& series, const HistoryPoint::Row& one, const HistoryPoint::Row& other);
 
-// What is large in a model: its length, the speed of all mass at its largest kinetic energy, its largest strain
-// energy, or without any its largest energy.
+// What is large in a model: its length, the speed of all mass at its largest kinetic energy, its largest
+// strain energy, or without any its largest energy.
 struct NaturalScales {
     double length = 0.0;
     double speed = 0.0;
