@@ -62,6 +62,8 @@ class Faults(BatchTest):
         self.write("plan.toml", ENDLESS.replace("swinger.toml", "meshed.toml").replace("[100, 200]", "[100, 200, 300]")
                    .replace("[vary]", "time_limit = 1\n[vary]"))
         process = self.start("plan.toml", "-j", "1", "-o", "running")
+        # Before it has a folder, it is another process that reads the mesh.
+        self.wait_for((self.folder / "running").exists, "the folder")
         self.wait_for_workers(process, 1)
         time.sleep(0.3)
         self.write("line.msh", MESH)

@@ -67,7 +67,10 @@ def limit_memory(bench, deck, random):
     low = bench.needs.setdefault("", find_loading(bench))
     limit = round(random.uniform(low, need) if random.random() < 0.9 else random.uniform(0, low))
     done = run_limited(bench, deck, limit)
-    trial = Trial(describe_end(done.returncode), "", message=done.stderr.strip(), lost=judge_memory_error(done))
+    trial = Trial(describe_end(done.returncode), "", message=done.stderr.strip())
+    # Below, it is the system that ends, by a signal even, before the program begins.
+    if limit >= low:
+        trial.lost = judge_memory_error(done)
     return bench.recover(deck, trial)
 
 
