@@ -93,17 +93,17 @@ class DeckExaminer {
         } catch (const StudyInterrupted&) {
             throw;
         } catch (const std::bad_alloc&) {
+            if (study_.runs.empty()) throw;
             tell_unmade(run, "out of memory");
         } catch (const std::runtime_error& error) {
+            if (study_.runs.empty()) throw;
             tell_unmade(run, error.what());
         }
         study_.runs.push_back(run);
     }
 
-    // What the machine does not give to one of the runs is no reason to lose the others. To be called while
-    // the exception is handled.
-    void tell_unmade(VariantRun& run, const std::string& reason) const {
-        if (study_.runs.empty()) throw;
+    // What the machine does not give to one of the runs is no reason to lose the others.
+    static void tell_unmade(VariantRun& run, const std::string& reason) {
         const bool must_be_equal =
             run.variant.kind == VariantKind::resumed || run.variant.kind == VariantKind::two_threads;
         (must_be_equal ? run.untried : run.failure) = "it could not be made: " + reason;

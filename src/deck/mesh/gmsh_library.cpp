@@ -37,7 +37,7 @@ bool is_for_want_of_memory(const std::string& reason) {
 // Some of the ninety libraries that come with it break down where there is no memory for them: so another
 // process tries first.
 void try_to_load(std::span<const char* const> names) {
-    constexpr int processor_seconds = 60;
+    constexpr int most_seconds = 60;
     std::string reason;
     try {
         reason = run_in_child(
@@ -46,7 +46,7 @@ void try_to_load(std::span<const char* const> names) {
                 open_library(names, why);
                 return why;
             },
-            {.processor_seconds = processor_seconds});
+            {.processor_seconds = most_seconds});
     } catch (const ChildError& error) {
         throw MeshError(fmt::format("libgmsh cannot be loaded, as for want of memory: {}", error.what()));
     }
