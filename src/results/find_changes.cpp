@@ -67,6 +67,8 @@ bool do_times_go_on(const Hdf5Reader& file, const RestartPlace& place) {
 
 std::vector<std::string> find_changes(const Hdf5Reader& file) {
     try {
+        // Of another version's, nothing is known.
+        if (file.has("/restart") && !has_known_form(file)) return {};
         const std::optional<RestartPlace> place = read_restart(file);
         const hsize_t steps = file.size("/histories/time").at(0);
         if (steps > 0 && (!place || read_file_sums(file).structure == 0))

@@ -13,7 +13,7 @@ std::vector<std::string> list_changes(const std::filesystem::path& path) {
     const std::uintmax_t bytes = std::filesystem::file_size(path, error);
     if (error || bytes > most_bytes || is_being_written(path).value_or(true)) return {};
     std::vector<std::string> changes;
-    read_surveyed_results(path, [&](const Hdf5Reader& file) { changes = find_changes(file); });
+    read_results(path, [&](const Hdf5Reader& file) { changes = find_changes(file); });
     return changes;
 }
 

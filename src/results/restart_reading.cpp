@@ -35,9 +35,13 @@ Table read_numbers(const Hdf5Reader& file, const std::string& slot) {
 
 }  // namespace
 
+bool has_known_form(const Hdf5Reader& file) {
+    return file.integer_attribute("/restart", "version") == form_version;
+}
+
 std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
     if (!file.has("/restart") || file.integer_attribute("/restart", "slot") == no_slot) return std::nullopt;
-    if (file.integer_attribute("/restart", "version") != form_version) {
+    if (!has_known_form(file)) {
         throw std::runtime_error("its state was written in another form, by another version of gxrod");
     }
     const std::string slot = "/restart/" + slot_name(file.integer_attribute("/restart", "slot")) + "/";

@@ -38,6 +38,9 @@ class RestartTable {
 // Before anything changes in a file with such a group: then no checksums stand for it.
 void clear_file_sums(const Hdf5Handle& root);
 
+// Whether its states are such as this version writes.
+bool has_known_form(const Hdf5Reader& file);
+
 // Nothing if the file has no whole record. Throws Hdf5Error, and std::runtime_error if it is damaged.
 std::optional<RestartPlace> read_restart(const Hdf5Reader& file);
 

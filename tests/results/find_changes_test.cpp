@@ -249,6 +249,16 @@ TEST_CASE("No run goes on from what is not as it was written", "[results][resume
                                       " (gxrod run --force begins it anew)"));
 }
 
+TEST_CASE("Of a file of another version nothing is doubted", "[results]") {
+    const Written written;
+    written.change_number("/ledger/energy_error", 4);
+    written.change([](hid_t file) {
+        const Hdf5Handle group(H5Gopen2(file, "/restart", H5P_DEFAULT), H5Gclose, "opening");
+        rewrite_attribute(group.id(), "version", std::array<std::int64_t, 1>{1});
+    });
+    CHECK(written.changes().empty());
+}
+
 TEST_CASE("Checksums that are none, and objects that no run writes, are told", "[results]") {
     const Written written;
     written.change([](hid_t file) {
