@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "analyses/run.hpp"
+#include "model/file_error.hpp"
 #include "model/temporary_folder.hpp"
 #include "solvers/phase_timer.hpp"
 
@@ -20,6 +21,26 @@ void take_totals(const RunSummary& summary, ResumedRun& result) {
     result.steps = summary.totals.steps;
     result.rejected_steps = summary.totals.rejected_steps;
     result.newton_iterations = summary.totals.newton_iterations;
+}
+
+void go_on(const Problem& problem,
+           const std::filesystem::path& file,
+           const TraceRequest& trace,
+           ResumedRun& result) {
+    bool is_ended = false;
+    ResumableFile resumed(file);
+    SeriesReader reader(problem, trace.series);
+    RunRequest second = make_request(problem, trace);
+    second.resumed = &resumed;
+    second.observe = [&](const Snapshot& snapshot, const LedgerRow&) {
+        result.times.push_back(snapshot.time);
+        result.rows.push_back(reader.read(snapshot));
+    };
+    second.is_interrupted = [&] { return is_ended = trace.is_interrupted(); };
+    const RunSummary whole = run_analysis(second);
+    if (is_ended) throw StudyInterrupted();
+    take_totals(whole, result);
+    result.failure = whole.status == RunStatus::complete ? "" : whole.reason;
 }
 
 }  // namespace
@@ -45,19 +66,14 @@ ResumedRun run_with_stop(const Problem& given, double end_time, const TraceReque
     take_totals(stopped, result);
     if (stopped.status != RunStatus::interrupted) return result;
 
-    ResumableFile resumed(file);
-    SeriesReader reader(problem, trace.series);
-    RunRequest second = make_request(problem, trace);
-    second.resumed = &resumed;
-    second.observe = [&](const Snapshot& snapshot, const LedgerRow&) {
-        result.times.push_back(snapshot.time);
-        result.rows.push_back(reader.read(snapshot));
-    };
-    second.is_interrupted = [&] { return is_ended = trace.is_interrupted(); };
-    const RunSummary whole = run_analysis(second);
-    if (is_ended) throw StudyInterrupted();
-    take_totals(whole, result);
-    result.failure = whole.status == RunStatus::complete ? "" : whole.reason;
+    try {
+        go_on(problem, file, trace, result);
+    } catch (const WriteError&) {
+        throw;
+    } catch (const FileError& error) {
+        // That a file can be gone on from is what is examined here.
+        result.failure = error.what();
+    }
     return result;
 }
 
