@@ -8,6 +8,7 @@
 
 #include "results/object_walk.hpp"
 #include "results/restart_table.hpp"
+#include "results/row_sums.hpp"
 #include "results/structure_sum.hpp"
 
 namespace gxrod {

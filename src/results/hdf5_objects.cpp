@@ -167,6 +167,37 @@ std::vector<std::string> list_members(hid_t group) {
     return names;
 }
 
+std::vector<hsize_t> extent_of(hid_t dataset) {
+    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "dataspace");
+    const int rank = H5Sget_simple_extent_ndims(space.id());
+    if (rank < 0) throw Hdf5Error("the size of a dataset");
+    std::vector<hsize_t> extent(static_cast<std::size_t>(rank));
+    H5Sget_simple_extent_dims(space.id(), extent.data(), nullptr);
+    return extent;
+}
+
+bool grows(hid_t dataset) {
+    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "dataspace");
+    std::vector<hsize_t> most(extent_of(dataset).size());
+    H5Sget_simple_extent_dims(space.id(), nullptr, most.data());
+    return !most.empty() && most[0] == H5S_UNLIMITED;
+}
+
+haddr_t address_of(hid_t object) {
+    H5O_info_t information{};
+    check_hdf5(H5Oget_info2(object, &information, H5O_INFO_BASIC), "looking at an object");
+    return information.addr;
+}
+
+double most_bytes_of(hid_t object) {
+    constexpr double most_inflated = 1100.0;
+    constexpr double always_fine = 1e8;
+    const Hdf5Handle file(H5Iget_file_id(object), H5Fclose, "file of an object");
+    hsize_t file_bytes = 0;
+    check_hdf5(H5Fget_filesize(file.id(), &file_bytes), "the file's size");
+    return always_fine + most_inflated * static_cast<double>(file_bytes);
+}
+
 void check_single(const Hdf5Handle& space, const std::string& name) {
     if (H5Sget_simple_extent_npoints(space.id()) != 1) throw std::runtime_error(name + " is not one value");
 }

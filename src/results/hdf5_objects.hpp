@@ -26,6 +26,19 @@ Hdf5Handle require_group(const Hdf5Handle& parent, const std::string& name);
 // What a group has, groups and datasets, by name.
 std::vector<std::string> list_members(hid_t group);
 
+// Size of a dataset in each direction; empty for a scalar.
+std::vector<hsize_t> extent_of(hid_t dataset);
+
+// Whether a dataset may have more rows.
+bool grows(hid_t dataset);
+
+// Where an object lies in its file, by which its names are told to be of the same one.
+haddr_t address_of(hid_t object);
+
+// Bytes that a dataset, or another object, can have in its file: deflate makes of a byte a thousand at most.
+// Small files may have rows that were never written.
+double most_bytes_of(hid_t object);
+
 // A string of any kind; `read` reads it as a type into a buffer.
 std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t, void*)>& read);
 // Throws std::runtime_error, with the name, if a dataset or an attribute does not hold one value.

@@ -40,13 +40,7 @@ Hdf5Handle Hdf5Reader::open_dataset(const std::string& name) const {
 }
 
 std::vector<hsize_t> Hdf5Reader::size(const std::string& name) const {
-    const Hdf5Handle dataset = open_dataset(name);
-    const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose, "dataspace");
-    const int rank = H5Sget_simple_extent_ndims(space.id());
-    if (rank < 0) throw Hdf5Error("the size of a dataset");
-    std::vector<hsize_t> size(static_cast<std::size_t>(rank));
-    H5Sget_simple_extent_dims(space.id(), size.data(), nullptr);
-    return size;
+    return extent_of(open_dataset(name).id());
 }
 
 hsize_t Hdf5Reader::width(const std::string& name) const {
@@ -63,14 +57,9 @@ std::vector<double> Hdf5Reader::numbers(const std::string& name) const {
 }
 
 std::size_t Hdf5Reader::count_values(const std::string& name, const std::vector<hsize_t>& extent) const {
-    // Deflate makes of a byte a thousand at most. Small files may have rows that were never written.
-    constexpr double most_inflated = 1100.0;
-    constexpr double always_fine = 1e8;
-    hsize_t file_bytes = 0;
-    check_hdf5(H5Fget_filesize(file_.id(), &file_bytes), "the file's size");
     double bytes = sizeof(double);
     for (const hsize_t length : extent) bytes *= static_cast<double>(length);
-    if (bytes > always_fine + most_inflated * static_cast<double>(file_bytes)) {
+    if (bytes > most_bytes_of(file_.id())) {
         throw std::runtime_error(
             fmt::format("{} would have {:.3g} bytes, more than its file can hold", name, bytes));
     }

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "results/hdf5_objects.hpp"
-#include "results/row_sums.hpp"
 
 namespace gxrod {
 

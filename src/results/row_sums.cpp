@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "results/checksum.hpp"
-#include "results/hdf5_handle.hpp"
+#include "results/hdf5_objects.hpp"
 
 namespace gxrod {
 namespace {
@@ -43,15 +43,8 @@ class RowReading {
     }
 
   private:
-    // Deflate makes of a byte a thousand at most; what was never written is there without bytes, but not more
-    // of it than other columns have.
     void check_room(RowRange rows) const {
-        constexpr double most_inflated = 1100.0;
-        constexpr double always_fine = 1e8;
-        const Hdf5Handle file(H5Iget_file_id(dataset_), H5Fclose, "file of a dataset");
-        hsize_t file_bytes = 0;
-        check_hdf5(H5Fget_filesize(file.id(), &file_bytes), "size of the file");
-        const double most = always_fine + most_inflated * static_cast<double>(file_bytes);
+        const double most = most_bytes_of(dataset_);
         if (row_bytes_ * static_cast<double>(rows.end) > most || row_bytes_ > most_piece_bytes) {
             throw std::runtime_error(fmt::format(
                 "a dataset has {} rows of {:.3g} bytes, more than its file can hold", rows.end, row_bytes_));
@@ -84,30 +77,8 @@ class RowReading {
 
 }  // namespace
 
-std::vector<hsize_t> extent_of(hid_t dataset) {
-    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "dataspace");
-    const int rank = H5Sget_simple_extent_ndims(space.id());
-    if (rank < 0) throw Hdf5Error("the size of a dataset");
-    std::vector<hsize_t> extent(static_cast<std::size_t>(rank));
-    H5Sget_simple_extent_dims(space.id(), extent.data(), nullptr);
-    return extent;
-}
-
-bool grows(hid_t dataset) {
-    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "dataspace");
-    std::vector<hsize_t> most(extent_of(dataset).size());
-    H5Sget_simple_extent_dims(space.id(), nullptr, most.data());
-    return !most.empty() && most[0] == H5S_UNLIMITED;
-}
-
 std::uint32_t sum_rows(hid_t dataset, RowRange rows, std::uint32_t before) {
     return RowReading(dataset).sum(rows, before);
-}
-
-haddr_t address_of(hid_t object) {
-    H5O_info_t information{};
-    check_hdf5(H5Oget_info2(object, &information, H5O_INFO_BASIC), "looking at an object");
-    return information.addr;
 }
 
 std::uint32_t combine(std::vector<RowSum> sums) {

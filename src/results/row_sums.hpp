@@ -13,12 +13,6 @@ struct RowSum {
     std::uint32_t sum = 0;
 };
 
-// Size of a dataset in each direction; empty for a scalar.
-std::vector<hsize_t> extent_of(hid_t dataset);
-
-// Whether a dataset may have more rows.
-bool grows(hid_t dataset);
-
 // Rows of a dataset from `first` to before `end`.
 struct RowRange {
     hsize_t first = 0;
@@ -28,9 +22,6 @@ struct RowRange {
 // Their checksum, as they lie in the file, behind rows with the checksum `before`. A scalar is one row.
 // Throws Hdf5Error, and std::runtime_error if the dataset lacks rows, or the file is too small for them.
 std::uint32_t sum_rows(hid_t dataset, RowRange rows, std::uint32_t before = 0);
-
-// Where an object lies in its file, by which its names are told to be of the same one.
-haddr_t address_of(hid_t object);
 
 // One checksum of several datasets, in whatever order.
 std::uint32_t combine(std::vector<RowSum> sums);

@@ -8,6 +8,7 @@
 
 #include "results/checksum.hpp"
 #include "results/object_walk.hpp"
+#include "results/row_sums.hpp"
 
 namespace gxrod {
 namespace {
