@@ -39,7 +39,8 @@ const TableSpec& newton_table() {
                   .type = ValueType::integer,
                   .range = {.lower = 1, .upper = 1'000'000},
                   .default_value = static_cast<long>(NewtonSettings{}.max_iterations),
-                  .sentence = "Of one equilibrium, before the step is cut."},
+                  .sentence = "Of one equilibrium, before the step is cut. Ten times as many where gxrod "
+                              "warns of a rod too stiff beside what bends."},
                  {.name = "tangent",
                   .type = ValueType::choice,
                   .default_text = fmt::format("`\"{}\"` if static, else `\"{}\"`",
