@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "results/checksum.hpp"
-#include "results/ordered_driver.hpp"
+#include "results/text_heap.hpp"
 
 namespace gxrod {
 namespace {

@@ -4,6 +4,8 @@
 #include <new>
 #include <type_traits>
 
+#include "results/text_heap.hpp"
+
 // The callbacks through which HDF5 reaches an OrderedFile (a "virtual file driver"). No exception may pass
 // through the library, and to the library no write fails: it goes to memory.
 namespace gxrod {
@@ -68,6 +70,7 @@ herr_t set_allocated(H5FD_t* base, H5FD_mem_t, haddr_t end) {
 // Bytes after a piece that keep HDF5 from making it longer when it is the last of the file.
 constexpr haddr_t hedge = 8;
 
+// A heap of texts is raw data to a file driver; by its size it is known.
 bool is_within_page(H5FD_mem_t type, hsize_t size) {
     return type != H5FD_MEM_DRAW || size == text_heap_bytes;
 }
@@ -88,10 +91,24 @@ haddr_t allocate(H5FD_t* base, H5FD_mem_t type, hid_t, hsize_t size) {
 
 haddr_t get_end(const H5FD_t* base, H5FD_mem_t) { return ordered_file(base).end(); }
 
+// Of what HDF5 reads first of a heap; it is too large for its file if it is damaged.
+bool is_unsound_heap(const OrderedFile& file, haddr_t offset, std::span<const std::byte> begin) {
+    if (begin.size() != text_heap_bytes) return false;
+    const std::optional<std::uint64_t> size = read_text_heap_size(begin);
+    if (!size) return false;
+    if (*size == begin.size()) return !is_sound_text_heap(begin);
+    if (*size > file.end()) return true;
+    std::vector<std::byte> whole(*size);
+    file.read(offset, whole);
+    return !is_sound_text_heap(whole);
+}
+
 herr_t read_bytes(H5FD_t* base, H5FD_mem_t, hid_t, haddr_t offset, std::size_t size, void* buffer) {
     try {
-        ordered_file(base).read(offset, {static_cast<std::byte*>(buffer), size});
-        return 0;
+        const std::span bytes(static_cast<std::byte*>(buffer), size);
+        const OrderedFile& file = ordered_file(base);
+        file.read(offset, bytes);
+        return is_unsound_heap(file, offset, bytes) ? -1 : 0;
     } catch (...) {
         return -1;
     }

@@ -54,12 +54,14 @@ class Damaged {
 
     void replace_dataset(const char* name, std::vector<hsize_t> size, double value = 0.0) {
         H5Ldelete(file_.id(), name, H5P_DEFAULT);
-        const Hdf5Handle space = make_space(size);
+        Hdf5Handle space = make_space(size);
         const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "properties");
         const bool is_huge = H5Sget_simple_extent_npoints(space.id()) > 1000000;
-        if (is_huge)
+        if (is_huge) {  // one that grows, so that no more than its chunks is on disk
             H5Pset_chunk(
                 creation.id(), static_cast<int>(size.size()), std::vector<hsize_t>(size.size(), 1).data());
+            space = make_space(size, std::vector<hsize_t>(size.size(), H5S_UNLIMITED).data());
+        }
         const Hdf5Handle dataset(
             H5Dcreate2(
                 file_.id(), name, H5T_NATIVE_DOUBLE, space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
@@ -120,8 +122,8 @@ class Damaged {
   private:
     static constexpr std::size_t state_numbers = 22;
 
-    static Hdf5Handle make_space(const std::vector<hsize_t>& size) {
-        return {H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose, "dataspace"};
+    static Hdf5Handle make_space(const std::vector<hsize_t>& size, const hsize_t* most = nullptr) {
+        return {H5Screate_simple(static_cast<int>(size.size()), size.data(), most), H5Sclose, "dataspace"};
     }
 
     // What an action says of the file, without its name.
@@ -208,10 +210,11 @@ TEST_CASE("A list where one value belongs is an error", "[results]") {
     CHECK(frames.report_fault() == unreadable("/VTKHDF/Steps@NSteps is not one value"));
     Damaged number;
     number.replace_attribute("/", "title", {1});
-    CHECK(number.resume_fault() == "cannot be resumed: a text is none");
+    CHECK(number.resume_fault() == "cannot be resumed: /@title is of no type that gxrod writes");
+    CHECK(number.report_fault() == unreadable("a text is none"));
     Damaged titles;
     titles.replace_attribute("/", "title", {2});
-    CHECK(titles.resume_fault() == "cannot be resumed: title is not one value");
+    CHECK(titles.report_fault() == unreadable("title is not one value"));
     Damaged text;
     text.replace_dataset("/deck/text", {3});
     CHECK(text.resume_fault() == "cannot be resumed: /deck/text is not one value");
@@ -270,6 +273,35 @@ TEST_CASE("A file whose objects or attributes cannot be listed is an error", "[r
     const std::size_t name = sound.find("gxrod_version");
     REQUIRE(name != std::string::npos);
     CHECK_THAT(told(name - before_name), fault);
+}
+
+// A heap of texts says that it is longer than it is: HDF5 takes what lies behind for more of its texts, and a
+// text that a resumed run writes there goes over the heap's end in memory.
+TEST_CASE("A file whose texts would be written beyond their heap is not gone on with", "[results]") {
+    const ScratchFolder folder;
+    const std::string sound = results_sample();
+    const auto resume_fault = [&](const std::string& bytes) -> std::string {
+        try {
+            const ResumableFile file(folder.write("damaged.vtkhdf", bytes));
+            return "";
+        } catch (const FileError& error) {
+            return error.what();
+        }
+    };
+    CHECK(resume_fault(sound).empty());
+    int heaps = 0;
+    for (std::size_t at = sound.find("GCOL"); at != std::string::npos;
+         at = sound.find("GCOL", at + 1), ++heaps) {
+        INFO("byte " << at);
+        constexpr std::size_t size = 8;  // where the heap has it
+        std::string longer = sound;
+        longer[at + size] = '\x1f';
+        CHECK_THAT(resume_fault(longer), Catch::Contains("cannot be resumed: reading a string"));
+        longer = sound;
+        longer[at + size + 7] = '\x7f';
+        CHECK_THAT(resume_fault(longer), Catch::Contains("cannot be resumed: reading a string"));
+    }
+    CHECK(heaps > 1);
 }
 
 // The first entry of a heap of texts is one without an end and without a length: HDF5 1.10 looks for the next
