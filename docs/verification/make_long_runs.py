@@ -2,10 +2,12 @@
 """Runs three motions for a million steps with every integrator, and tells how far energy, momentum and rotations drift.
 
 Keeps what it finds in long_runs.json, draws figures/long_runs.png, and renews the table of long_runs.md. `--pages` renews
-picture and table without a run. A whole run takes about half an hour and 2 GB of disk in a temporary folder.
+picture and table without a run, `--check` tells whether they are those of long_runs.json. A whole run takes about half an
+hour and 2 GB of disk in a temporary folder.
 """
 
 import argparse
+import hashlib
 import json
 import os
 import pathlib
@@ -20,8 +22,10 @@ import numpy as np
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 SOURCE = FOLDER.parents[1]
+RECORD, PAGE, PICTURE = FOLDER / "long_runs.json", FOLDER / "long_runs.md", FOLDER / "figures" / "long_runs.png"
 sys.path.insert(0, str(SOURCE / "apps"))
-from gxrod_plot import style  # noqa: E402 — after the path to it
+from book.figures import KEYWORD, is_current  # noqa: E402 — after the path to it
+from gxrod_plot import style  # noqa: E402
 
 STEPS = 1_000_000
 SHORT = 100_000  # steps of a run whose memory is compared with that of the long one
@@ -150,11 +154,19 @@ def make_table(rows):
     return "\n".join(lines)
 
 
-def renew_page(rows):
-    page = FOLDER / "long_runs.md"
-    text = page.read_text()
-    renewed = re.sub(r"(<!-- table -->\n).*?(\n<!-- end -->)", lambda match: match[1] + make_table(rows) + match[2], text, flags=re.S)
-    page.write_text(renewed)
+def renew_text(text, rows):
+    return re.sub(r"(<!-- table -->\n).*?(\n<!-- end -->)", lambda match: match[1] + make_table(rows) + match[2], text, flags=re.S)
+
+
+def digest_of(rows):
+    return hashlib.sha256(json.dumps(rows, sort_keys=True).encode()).hexdigest()
+
+
+def find_faults(rows):
+    """What of page and picture is not of these rows."""
+    text = PAGE.read_text(encoding="utf-8")
+    return ([f"{PAGE.name} has a table that is not that of {RECORD.name}"] if renew_text(text, rows) != text else []) + (
+        [f"{PICTURE.name} is missing or not drawn from {RECORD.name}"] if not is_current(PICTURE, digest_of(rows)) else [])
 
 
 def draw(rows):
@@ -170,26 +182,29 @@ def draw(rows):
         for panel, quantity in zip(pair, ("energy", "angular momentum")):
             panel.set(title=f"{case}: {quantity}", xlabel="steps", xlim=(0, STEPS))
     axes[0][1].legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0)
-    figure.savefig(FOLDER / "figures" / "long_runs.png")
+    figure.savefig(PICTURE, metadata={KEYWORD: digest_of(rows)})
+
+
+def run_all(program):
+    with tempfile.TemporaryDirectory() as folder:
+        return [run(program, example, scheme, pathlib.Path(folder)) for example in CASES for scheme in SCHEMES
+                if not (scheme == "runge-kutta-4" and example in EXPLICIT_IS_UNSTABLE)]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program", nargs="?", default=str(SOURCE / "build" / "release" / "gxrod"), help="gxrod [build/release/gxrod]")
     parser.add_argument("--pages", action="store_true", help="renew picture and table from long_runs.json, without a run")
+    parser.add_argument("--check", action="store_true", help="tell whether picture and table are those of long_runs.json")
     arguments = parser.parse_args()
-    record = FOLDER / "long_runs.json"
-    if not arguments.pages:
-        rows = []
-        with tempfile.TemporaryDirectory() as folder:
-            for example in CASES:
-                for scheme in SCHEMES:
-                    if scheme == "runge-kutta-4" and example in EXPLICIT_IS_UNSTABLE:
-                        continue
-                    rows.append(run(arguments.program, example, scheme, pathlib.Path(folder)))
-        record.write_text(json.dumps(rows, indent=1) + "\n")
-    rows = json.loads(record.read_text())
-    renew_page(rows)
+    if not arguments.pages and not arguments.check:
+        RECORD.write_text(json.dumps(run_all(arguments.program), indent=1) + "\n", encoding="utf-8")
+    rows = json.loads(RECORD.read_text(encoding="utf-8"))
+    if arguments.check:
+        faults = find_faults(rows)
+        print("\n".join(faults), file=sys.stderr, end="\n" if faults else "")
+        sys.exit(1 if faults else 0)
+    PAGE.write_text(renew_text(PAGE.read_text(encoding="utf-8"), rows), encoding="utf-8")
     draw(rows)
 
 
