@@ -2,8 +2,8 @@
 """Runs three motions for a million steps with every integrator, and tells how far energy, momentum and rotations drift.
 
 Keeps what it finds in long_runs.json, draws figures/long_runs.png, and renews the table of long_runs.md. `--pages` renews
-picture and table without a run, `--check` tells whether they are those of long_runs.json. A whole run takes about half an
-hour and 2 GB of disk in a temporary folder.
+picture and table without a run, `--check` tells whether they are those of long_runs.json. A whole run takes about ten
+minutes and 2 GB of disk in a temporary folder.
 """
 
 import argparse
