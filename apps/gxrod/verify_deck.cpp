@@ -6,8 +6,8 @@
 
 #include "analyses/model_examination.hpp"
 #include "exit_code.hpp"
-#include "report/page_file.hpp"
 #include "report/study_page.hpp"
+#include "results/output_file.hpp"
 #include "say.hpp"
 #include "verification/deck_study_text.hpp"
 
@@ -49,7 +49,7 @@ int exit_code_of(const DeckStudy& study) {
 
 int verify_deck(const VerifyDeckArguments& arguments) {
     const Existing existing = arguments.force ? Existing::replace : Existing::refuse;
-    if (!arguments.page.empty()) check_page_file(arguments.page, existing);
+    if (!arguments.page.empty()) check_export_file(arguments.page, existing);
     const DeckTemplate deck(arguments.deck);
     const Problem problem = deck.build(arguments.overrides);
     if (!examine(problem, arguments.deck)) return exit_bad_input;

@@ -13,6 +13,7 @@
 #include "report/page_file.hpp"
 #include "report/page_template.hpp"
 #include "report/script_json.hpp"
+#include "results/output_file.hpp"
 
 namespace gxrod {
 
@@ -30,7 +31,7 @@ void check_place(const BatchReportOptions& options) {
                         "is in the folder of the batch and not named .html",
                         "so that no table or results are overwritten; give another name");
     }
-    check_page_file(options.page, options.existing);
+    check_export_file(options.page, options.existing);
 }
 
 std::string name_of(const fs::path& folder) {

@@ -9,18 +9,6 @@ namespace gxrod {
 
 namespace fs = std::filesystem;
 
-void check_page_file(const fs::path& page, Existing existing) {
-    std::error_code ignored;
-    const fs::file_status status = fs::status(page, ignored);
-    if (fs::is_directory(status)) throw FileError(page, "is a folder", "give the name of a file");
-    if (fs::exists(status) && !fs::is_regular_file(status)) {
-        throw FileError(page, "is not a regular file", "give the name of one");
-    }
-    if (fs::exists(status) && existing == Existing::refuse) {
-        throw FileError(page, "exists already", "--force overwrites it");
-    }
-}
-
 PageFile::PageFile(fs::path page)
     : page_(std::move(page)),
       path_(page_.string() + ".part"),

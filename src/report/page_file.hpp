@@ -3,12 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "results/output_file.hpp"
-
 namespace gxrod {
-
-// Throws FileError if there is a folder of this name, or a file that is not to be replaced.
-void check_page_file(const std::filesystem::path& page, Existing existing);
 
 // A page in the making, so that one that is there stays as it is until the new one is whole. Removes what was
 // written unless it was finished.

@@ -16,6 +16,7 @@
 #include "report/script_json.hpp"
 #include "report/step_blocks.hpp"
 #include "results/list_changes.hpp"
+#include "results/output_file.hpp"
 #include "results/results_access.hpp"
 
 namespace gxrod {
@@ -121,7 +122,7 @@ void check_page(const ReportOptions& options) {
     if (std::filesystem::equivalent(options.results, options.page, ignored)) {
         throw FileError(options.page, "is the results file itself", "give another name for the page");
     }
-    check_page_file(options.page, options.existing);
+    check_export_file(options.page, options.existing);
 }
 
 }  // namespace

@@ -5,13 +5,14 @@
 #include "report/page_file.hpp"
 #include "report/page_template.hpp"
 #include "report/script_json.hpp"
+#include "results/output_file.hpp"
 
 namespace gxrod {
 
 std::size_t write_study_page(const nlohmann::ordered_json& study,
                              const std::filesystem::path& page,
                              Existing existing) {
-    check_page_file(page, existing);
+    check_export_file(page, existing);
     PageFile file(page);
     const PageShell shell(study_template());
     file.out() << shell.before;

@@ -85,6 +85,15 @@ void check_results_path(const fs::path& path) {
     if (!fs::is_regular_file(status)) throw FileError(path, "is not a regular file, nor a results file");
 }
 
+void check_export_file(const fs::path& path, Existing existing) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(path, ignored);
+    if (!fs::exists(status)) return;
+    if (fs::is_directory(status)) throw FileError(path, "is a folder", "give the name of a file");
+    if (!fs::is_regular_file(status)) throw FileError(path, "is not a regular file", "give the name of one");
+    if (existing == Existing::refuse) throw FileError(path, "exists already", "--force overwrites it");
+}
+
 std::optional<bool> is_being_written(const fs::path& path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) return false;

@@ -5,7 +5,7 @@
 
 namespace gxrod {
 
-// What to do about a results file that exists already.
+// What to do about a file that exists already.
 enum class Existing { refuse, replace };
 
 // Creates an empty file and returns its descriptor, open for reading and writing. Throws FileError, with a
@@ -22,6 +22,10 @@ int open_output_file(const std::filesystem::path& path);
 
 // Throws FileError unless there is a regular file: a device may have no end, a pipe nobody who writes to it.
 void check_results_path(const std::filesystem::path& path);
+
+// Of a page, table or frame that is to be written whole: throws FileError if there is what is no file, or one
+// that is not to be replaced.
+void check_export_file(const std::filesystem::path& path, Existing existing);
 
 // Whether another process has it open by one of these; nullopt where the file system knows no locks.
 std::optional<bool> is_being_written(const std::filesystem::path& path);

@@ -56,12 +56,7 @@ void prepare_export(const std::filesystem::path& folder,
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw FileError(folder, "cannot be made", error.message());
-    if (existing == Existing::replace) return;
-    for (const std::filesystem::path& file : files) {
-        if (std::filesystem::exists(file, error)) {
-            throw FileError(file, "exists already", "--force overwrites it");
-        }
-    }
+    for (const std::filesystem::path& file : files) check_export_file(file, existing);
 }
 
 }  // namespace gxrod

@@ -20,8 +20,7 @@ void read_results(const std::filesystem::path& path, const std::function<void(co
 void read_surveyed_results(const std::filesystem::path& path,
                            const std::function<void(const Hdf5Reader&)>& read);
 
-// Makes the folder, if need be. Throws FileError if that fails, or if one of the files exists and is not to
-// be replaced.
+// Makes the folder, if need be. Throws FileError if that fails, or as check_export_file does.
 void prepare_export(const std::filesystem::path& folder,
                     const std::vector<std::filesystem::path>& files,
                     Existing existing);

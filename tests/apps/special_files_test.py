@@ -66,6 +66,17 @@ class SpecialFiles(ProgramTest):
             self.assertEqual(told, "gxrod: fifo: is not a regular file (give the name of one)\n")
         self.assertTrue((self.folder / "fifo").is_fifo())
 
+    def test_no_exports(self):
+        self.write("body.toml", SPINNING_BODY)
+        self.gxrod("run", "body.toml")
+        for form, name in (("--csv", "ledger.csv"), ("--series", "body_0000.hdf"), ("--series", "body.hdf.series")):
+            folder = self.folder / name.replace(".", "_")
+            folder.mkdir()
+            os.mkfifo(folder / name)
+            told = self.refuse("export", "body.vtkhdf", form, folder.name, "--force", code=4)
+            self.assertEqual(told, f"gxrod: {folder.name}/{name}: is not a regular file (give the name of one)\n")
+            self.assertEqual([path.name for path in folder.iterdir()], [name])
+
     def test_pipes_that_nobody_writes_to(self):
         self.write("plan.toml", 'deck = "fifo"\n[vary]\n"parameters.torque" = [1, 2]\n')
         for arguments in (("check", "fifo"), ("run", "fifo"), ("verify", "fifo"), ("batch", "fifo"), ("batch", "plan.toml")):
