@@ -10,7 +10,6 @@
 #include <stdexcept>
 
 #include "results/hdf5_objects.hpp"
-#include "results/ordered_driver.hpp"
 
 namespace gxrod {
 namespace {
@@ -34,12 +33,6 @@ Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) {
     const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file properties");
     check_hdf5(H5Pset_file_locking(access.id(), false, true), "file properties");
     file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, "opening a file");
-}
-
-Hdf5Reader::Hdf5Reader(OrderedFile& file) {
-    silence_hdf5();
-    const Hdf5Handle access = make_ordered_access(file);
-    file_ = Hdf5Handle(H5Fopen("results", H5F_ACC_RDONLY, access.id()), H5Fclose, "opening a file");
 }
 
 Hdf5Handle Hdf5Reader::open_dataset(const std::string& name) const {

@@ -6,18 +6,15 @@
 #include <vector>
 
 #include "results/hdf5_handle.hpp"
-#include "results/ordered_file.hpp"
 
 namespace gxrod {
 
-// Reads an HDF5 file. Throws Hdf5Error, and std::runtime_error where something is not what gxrod writes.
+// Reads an HDF5 file through the library's own file driver, as any other program would, also while another
+// program writes it. Throws Hdf5Error, and std::runtime_error
+// where something is not what gxrod writes.
 class Hdf5Reader {
   public:
-    // Through the library's own file driver, as any other program would, also while another program writes
-    // it.
     explicit Hdf5Reader(const std::filesystem::path& path);
-    // Through the driver that will go on writing it, and with what that asks of a file.
-    explicit Hdf5Reader(OrderedFile& file);
 
     // Size in each direction; empty for a scalar.
     std::vector<hsize_t> size(const std::string& dataset) const;

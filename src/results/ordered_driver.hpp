@@ -7,8 +7,7 @@ namespace gxrod {
 
 // File access properties that make HDF5 read and write through `file`, which it shares. `file` must outlive
 // these. Earliest file format, so that every reader opens it; a B-tree node, or a heap
-// of texts, is within a page of memory, so that it is never written in part. A heap of texts that HDF5 would
-// write beyond is not read. Throws Hdf5Error.
+// of texts, is within a page of memory, so that it is never written in part. Throws Hdf5Error.
 Hdf5Handle make_ordered_access(OrderedFile& file);
 
 }  // namespace gxrod

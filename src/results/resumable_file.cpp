@@ -1,12 +1,8 @@
 #include "results/resumable_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <memory>
-#include <system_error>
 #include <utility>
 
 #include "model/file_error.hpp"
@@ -29,22 +25,13 @@ struct Contents {
     bool is_complete;
 };
 
-// Of the same open file, so that its lock stays.
-int duplicate(int descriptor) {
-    const int copy = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
-    if (copy < 0) throw std::system_error(errno, std::generic_category());
-    return copy;
-}
-
-Contents read_contents(const std::filesystem::path& path, int descriptor) {
+Contents read_contents(const std::filesystem::path& path) {
     survey_file(path);
     std::string reason;
     std::string hint;
     try {
-        if (H5Fis_hdf5(path.c_str()) == 0)
-            throw FileError(path, failure + std::string("it is no HDF5 file"), anew);
-        const auto bytes = std::make_shared<OrderedFile>(duplicate(descriptor));
-        const Hdf5Reader file(*bytes);
+        if (H5Fis_hdf5(path.c_str()) == 0) hint = anew;
+        const Hdf5Reader file(path);
         if (!file.has_attribute("/", "gxrod_version")) {
             reason = "it is not a results file of gxrod";
         } else if (std::optional<RestartPlace> place = read_restart(file)) {
@@ -60,8 +47,6 @@ Contents read_contents(const std::filesystem::path& path, int descriptor) {
             reason = "it has no state to go on from";
             hint = anew;
         }
-    } catch (const FileError&) {
-        throw;
     } catch (const std::exception& error) {
         reason = error.what();
     }
@@ -73,7 +58,7 @@ Contents read_contents(const std::filesystem::path& path, int descriptor) {
 ResumableFile::ResumableFile(const std::filesystem::path& path)
     : path_(path), descriptor_(open_output_file(path)) {
     try {
-        Contents contents = read_contents(path, descriptor_);
+        Contents contents = read_contents(path);
         place_ = std::move(contents.place);
         deck_ = std::move(contents.deck);
         is_complete_ = contents.is_complete;

@@ -8,6 +8,7 @@
 #include "machine/child_process.hpp"
 #include "model/file_error.hpp"
 #include "results/hdf5_reader.hpp"
+#include "results/text_check.hpp"
 
 // What fails with an error here does so for the reader, too, who tells of it; so errors are passed over.
 namespace gxrod {
@@ -16,40 +17,12 @@ namespace {
 constexpr ChildLimits limits{.processor_seconds = 5};
 constexpr hssize_t most_bytes = 1 << 20;  // of numbers, which are all read alike
 
-// Texts are followed to where they lie, numbers read if they are few.
+// What no reader asks for is not read.
 bool is_read_whole(hid_t type, hssize_t count) {
     const auto size = static_cast<hssize_t>(H5Tget_size(type));
-    return H5Tdetect_class(type, H5T_VLEN) > 0 || H5Tis_variable_str(type) > 0 ||
-           (count > 0 && size > 0 && count <= most_bytes / size);
-}
-
-// Calls read(buffer) with room for what a dataset or an attribute holds.
-template <class Read>
-void survey_values(const Hdf5Handle& type, const Hdf5Handle& space, Read read) {
-    constexpr hssize_t most_texts = 1 << 16;
-    const hssize_t count = H5Sget_simple_extent_npoints(space.id());
-    if (count <= 0 || !is_read_whole(type.id(), count)) return;
-    const bool is_text = H5Tis_variable_str(type.id()) > 0;
-    if (is_text && count > most_texts) return;
-    std::vector<std::byte> buffer(static_cast<std::size_t>(count) * H5Tget_size(type.id()));
-    if (read(buffer.data()) >= 0 && is_text)
-        H5Dvlen_reclaim(type.id(), space.id(), H5P_DEFAULT, buffer.data());
-}
-
-void survey_attribute(const Hdf5Handle& attribute) {
-    const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose, "type");
-    const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose, "dataspace");
-    survey_values(type, space, [&](void* buffer) { return H5Aread(attribute.id(), type.id(), buffer); });
-}
-
-void survey_dataset(hid_t dataset) {
-    const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, "type");
-    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "dataspace");
-    hsize_t chunks = 0;
-    H5Dget_num_chunks(dataset, space.id(), &chunks);  // goes through their index
-    survey_values(type, space, [&](void* buffer) {
-        return H5Dread(dataset, type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
-    });
+    const H5T_class_t kind = H5Tget_class(type);
+    return kind != H5T_COMPOUND && kind != H5T_ARRAY && kind != H5T_VLEN && size > 0 &&
+           count <= most_bytes / size;
 }
 
 template <class Action>
@@ -71,25 +44,47 @@ herr_t add_hard_link(hid_t, const char* name, const H5L_info_t* information, voi
 // may come to what lies behind it.
 class Survey {
   public:
+    explicit Survey(const std::filesystem::path& path) : texts_(path) {}
+
     void visit(const Hdf5Handle& object) {
         restart_processor_clock(limits);
         H5O_info_t information{};
         expect_listed(H5Oget_info2(object.id(), &information, H5O_INFO_BASIC | H5O_INFO_NUM_ATTRS));
         if (!is_listed_ || !seen_.insert(information.addr).second) return;
-        if (information.type == H5O_TYPE_DATASET) pass_over_errors([&] { survey_dataset(object.id()); });
+        if (information.type == H5O_TYPE_DATASET) pass_over_errors([&] { visit_dataset(object.id()); });
         for (hsize_t i = 0; i < information.num_attrs; ++i) visit_attribute(object, i);
         if (information.type == H5O_TYPE_GROUP) visit_members(object);
     }
-    bool is_listed() const { return is_listed_; }
+    // What is wrong, empty if nothing is.
+    std::string fault() const {
+        if (!is_listed_) return "it cannot list all that is there";
+        return has_sound_texts_ ? "" : "it would go beyond the ends of texts";
+    }
 
   private:
+    void visit_dataset(hid_t dataset) {
+        const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, "type");
+        const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "dataspace");
+        hsize_t chunks = 0;
+        H5Dget_num_chunks(dataset, space.id(), &chunks);  // goes through their index
+        read_values(type, space, [&](hid_t memory, void* buffer) {
+            return H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
+        });
+    }
+
     void visit_attribute(const Hdf5Handle& object, hsize_t index) {
         const hid_t id =
             H5Aopen_by_idx(object.id(), ".", H5_INDEX_NAME, H5_ITER_INC, index, H5P_DEFAULT, H5P_DEFAULT);
         expect_listed(id < 0 ? -1 : 0);
         if (id < 0) return;
         const Hdf5Handle attribute(id, H5Aclose, "an attribute");
-        pass_over_errors([&] { survey_attribute(attribute); });
+        pass_over_errors([&] {
+            const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose, "type");
+            const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose, "dataspace");
+            read_values(type, space, [&](hid_t memory, void* buffer) {
+                return H5Aread(attribute.id(), memory, buffer);
+            });
+        });
     }
 
     void visit_members(const Hdf5Handle& group) {
@@ -102,19 +97,38 @@ class Survey {
         }
     }
 
+    // Of a dataset or an attribute: numbers if they are few, and where its texts lie.
+    template <class Read>
+    void read_values(const Hdf5Handle& type, const Hdf5Handle& space, Read read) {
+        const hssize_t count = H5Sget_simple_extent_npoints(space.id());
+        if (count <= 0 || !is_read_whole(type.id(), count)) return;
+        const auto make_buffer = [&](std::size_t bytes) {
+            return std::vector<std::byte>(static_cast<std::size_t>(count) * bytes);
+        };
+        if (H5Tis_variable_str(type.id()) > 0) {
+            std::vector<std::byte> references = make_buffer(text_reference_bytes);
+            const bool is_read = read(text_reference_type(), references.data()) >= 0;
+            has_sound_texts_ = has_sound_texts_ && is_read && texts_.are_sound(references);
+        } else {
+            read(type.id(), make_buffer(H5Tget_size(type.id())).data());
+        }
+    }
+
     void expect_listed(herr_t result) { is_listed_ = is_listed_ && result >= 0; }
 
+    TextCheck texts_;
     std::set<haddr_t> seen_;
     bool is_listed_ = true;
+    bool has_sound_texts_ = true;
 };
 
 // What is wrong with a file, empty if nothing is.
 std::string survey(const std::filesystem::path& path) {
     try {
         const Hdf5Reader file(path);
-        Survey all;
+        Survey all(path);
         all.visit({H5Oopen(file.id(), "/", H5P_DEFAULT), H5Oclose, "an object"});
-        return all.is_listed() ? "" : "it cannot list all that is there";
+        return all.fault();
     } catch (const std::runtime_error&) {
         return "";
     }

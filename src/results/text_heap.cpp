@@ -2,12 +2,11 @@
 
 #include <bit>
 #include <cstring>
-#include <vector>
 
 // The form is that of section III.E, "Global Heap", of HDF5's file format specification: "GCOL", version 1,
 // three zeros, size; then objects of a number (2 bytes), count of references (2), 4 unused bytes, size (8),
 // and what they hold, up to a multiple of eight bytes. Object 0 is the free room, of which the size counts
-// these 16 bytes, too.
+// these 16 bytes, too. References are those of section VIII.B, "Global Heap ID", with the length before them.
 namespace gxrod {
 namespace {
 
@@ -32,22 +31,26 @@ std::optional<std::uint64_t> read_text_heap_size(std::span<const std::byte> begi
     return read_number<std::uint64_t>(begin, sizeof signature);
 }
 
-bool is_sound_text_heap(std::span<const std::byte> heap) {
+std::optional<TextSizes> read_text_heap(std::span<const std::byte> heap) {
     if (read_text_heap_size(heap) != heap.size() || heap.size() < text_heap_bytes ||
         heap.size() % alignment != 0)
-        return false;
-    std::vector<bool> is_taken(std::size_t{1} << 16);
-    std::size_t at = header_bytes;
-    while (heap.size() - at >= header_bytes) {
+        return {};
+    TextSizes sizes;
+    for (std::size_t at = header_bytes; heap.size() - at >= header_bytes;) {
         const auto number = read_number<std::uint16_t>(heap, at);
         const auto size = read_number<std::uint64_t>(heap, at + 8);
         const std::size_t room = heap.size() - at;
-        if (number == 0) return size == room;
-        if (is_taken[number] || size > room - header_bytes) return false;
-        is_taken[number] = true;
+        if (number == 0) return size == room ? std::optional(sizes) : std::nullopt;
+        if (size > room - header_bytes || !sizes.emplace(number, size).second) return {};
         at += header_bytes + (size + alignment - 1) / alignment * alignment;
     }
-    return true;
+    return sizes;
+}
+
+TextReference read_text_reference(std::span<const std::byte, text_reference_bytes> bytes) {
+    return {read_number<std::uint32_t>(bytes, 0),
+            read_number<std::uint64_t>(bytes, 4),
+            read_number<std::uint32_t>(bytes, 12)};
 }
 
 }  // namespace gxrod

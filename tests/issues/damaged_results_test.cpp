@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <catch2/catch.hpp>
+#include <cstring>
 #include <limits>
 
 #include "deck/problem.hpp"
@@ -54,14 +55,12 @@ class Damaged {
 
     void replace_dataset(const char* name, std::vector<hsize_t> size, double value = 0.0) {
         H5Ldelete(file_.id(), name, H5P_DEFAULT);
-        Hdf5Handle space = make_space(size);
+        const Hdf5Handle space = make_space(size);
         const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "properties");
         const bool is_huge = H5Sget_simple_extent_npoints(space.id()) > 1000000;
-        if (is_huge) {  // one that grows, so that no more than its chunks is on disk
+        if (is_huge)
             H5Pset_chunk(
                 creation.id(), static_cast<int>(size.size()), std::vector<hsize_t>(size.size(), 1).data());
-            space = make_space(size, std::vector<hsize_t>(size.size(), H5S_UNLIMITED).data());
-        }
         const Hdf5Handle dataset(
             H5Dcreate2(
                 file_.id(), name, H5T_NATIVE_DOUBLE, space.id(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
@@ -122,8 +121,8 @@ class Damaged {
   private:
     static constexpr std::size_t state_numbers = 22;
 
-    static Hdf5Handle make_space(const std::vector<hsize_t>& size, const hsize_t* most = nullptr) {
-        return {H5Screate_simple(static_cast<int>(size.size()), size.data(), most), H5Sclose, "dataspace"};
+    static Hdf5Handle make_space(const std::vector<hsize_t>& size) {
+        return {H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose, "dataspace"};
     }
 
     // What an action says of the file, without its name.
@@ -210,11 +209,10 @@ TEST_CASE("A list where one value belongs is an error", "[results]") {
     CHECK(frames.report_fault() == unreadable("/VTKHDF/Steps@NSteps is not one value"));
     Damaged number;
     number.replace_attribute("/", "title", {1});
-    CHECK(number.resume_fault() == "cannot be resumed: /@title is of no type that gxrod writes");
-    CHECK(number.report_fault() == unreadable("a text is none"));
+    CHECK(number.resume_fault() == "cannot be resumed: a text is none");
     Damaged titles;
     titles.replace_attribute("/", "title", {2});
-    CHECK(titles.report_fault() == unreadable("title is not one value"));
+    CHECK(titles.resume_fault() == "cannot be resumed: title is not one value");
     Damaged text;
     text.replace_dataset("/deck/text", {3});
     CHECK(text.resume_fault() == "cannot be resumed: /deck/text is not one value");
@@ -275,33 +273,68 @@ TEST_CASE("A file whose objects or attributes cannot be listed is an error", "[r
     CHECK_THAT(told(name - before_name), fault);
 }
 
+namespace {
+
+const auto beyond_texts =
+    Catch::Contains("is damaged: where HDF5's library reads it, it would go beyond the ends of texts");
+
+std::vector<std::size_t> places_of(const std::string& bytes, const std::string& part) {
+    std::vector<std::size_t> places;
+    for (std::size_t at = bytes.find(part); at != std::string::npos; at = bytes.find(part, at + 1))
+        places.push_back(at);
+    return places;
+}
+
+}  // namespace
+
 // A heap of texts says that it is longer than it is: HDF5 takes what lies behind for more of its texts, and a
 // text that a resumed run writes there goes over the heap's end in memory.
-TEST_CASE("A file whose texts would be written beyond their heap is not gone on with", "[results]") {
+TEST_CASE("A file whose texts would be written beyond their heap is an error", "[results]") {
     const ScratchFolder folder;
     const std::string sound = results_sample();
-    const auto resume_fault = [&](const std::string& bytes) -> std::string {
-        try {
-            const ResumableFile file(folder.write("damaged.vtkhdf", bytes));
-            return "";
-        } catch (const FileError& error) {
-            return error.what();
-        }
-    };
-    CHECK(resume_fault(sound).empty());
-    int heaps = 0;
-    for (std::size_t at = sound.find("GCOL"); at != std::string::npos;
-         at = sound.find("GCOL", at + 1), ++heaps) {
-        INFO("byte " << at);
+    const std::vector<std::size_t> heaps = places_of(sound, "GCOL");
+    CHECK(heaps.size() > 1);
+    for (const std::size_t at : heaps) {
         constexpr std::size_t size = 8;  // where the heap has it
-        std::string longer = sound;
-        longer[at + size] = '\x1f';
-        CHECK_THAT(resume_fault(longer), Catch::Contains("cannot be resumed: reading a string"));
-        longer = sound;
-        longer[at + size + 7] = '\x7f';
-        CHECK_THAT(resume_fault(longer), Catch::Contains("cannot be resumed: reading a string"));
+        for (const auto& [byte, value] : {std::pair{0, '\x1f'}, {1, '\x20'}, {7, '\x7f'}}) {
+            INFO("byte " << at + size + byte);
+            std::string longer = sound;
+            longer[at + size + byte] = value;
+            const std::filesystem::path path = folder.write("damaged.vtkhdf", longer);
+            CHECK_THROWS_WITH(ResumableFile(path), beyond_texts);
+            CHECK_THROWS_WITH(list_changes(path), beyond_texts);
+        }
     }
-    CHECK(heaps > 1);
+}
+
+// HDF5 takes memory of a text's length as the reference has it, and copies into it what the heap has.
+TEST_CASE("A file whose texts are not of the length that is told is an error", "[results]") {
+    const ScratchFolder folder;
+    const std::string sound = results_sample();
+    int references = 0;
+    for (const std::size_t heap : places_of(sound, "GCOL")) {
+        std::string address(8, '\0');
+        std::memcpy(address.data(), &heap, sizeof heap);
+        for (const std::size_t at : places_of(sound, address)) {
+            const bool is_reference = at % 8 == 4;  // with the length before it
+            if (!is_reference || ++references % 6 != 0) continue;
+            INFO("byte " << at);
+            constexpr std::size_t length = 4;  // bytes before the address
+            std::string changed = sound;
+            changed[at - length] = static_cast<char>(changed[at - length] + 1);
+            const std::filesystem::path path = folder.write("damaged.vtkhdf", changed);
+            CHECK_THROWS_WITH(list_changes(path), beyond_texts);
+            changed = sound;
+            changed[at - 1] = '\x7f';
+            folder.write("damaged.vtkhdf", changed);
+            CHECK_THROWS_WITH(list_changes(path), beyond_texts);
+            changed = sound;
+            changed[at + 8 + 1] = '\x7f';  // of its number
+            folder.write("damaged.vtkhdf", changed);
+            CHECK_THROWS_WITH(ResumableFile(path), beyond_texts);
+        }
+    }
+    CHECK(references > 100);
 }
 
 // The first entry of a heap of texts is one without an end and without a length: HDF5 1.10 looks for the next
@@ -314,10 +347,9 @@ TEST_CASE("A file over which HDF5 does not come back is an error", "[results]") 
     constexpr std::size_t header = 16;  // of the heap, and of each entry
     bytes.replace(heap + header, header, header, '\0');
     const std::filesystem::path path = folder.write("damaged.vtkhdf", bytes);
-    const auto told = Catch::Contains("is damaged: where HDF5's library reads it, it");
-    CHECK_THROWS_WITH(read_results(path, [](const Hdf5Reader&) {}), told);
+    CHECK_THROWS_WITH(read_results(path, [](const Hdf5Reader&) {}), beyond_texts);
     // What looks for changes is the first to read it, for an export.
-    CHECK_THROWS_WITH(list_changes(path), told);
+    CHECK_THROWS_WITH(list_changes(path), beyond_texts);
 }
 
 }  // namespace gxrod::fuzz

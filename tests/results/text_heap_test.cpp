@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <string>
@@ -40,7 +41,9 @@ std::vector<std::string> make_heaps() {
     return heaps;
 }
 
-bool is_sound(const std::string& heap) { return is_sound_text_heap(std::as_bytes(std::span(heap))); }
+std::span<const std::byte> bytes_of(const std::string& text) { return std::as_bytes(std::span(text)); }
+
+bool is_sound(const std::string& heap) { return read_text_heap(bytes_of(heap)).has_value(); }
 
 // Where its objects begin, and the first byte behind the last of them.
 std::vector<std::size_t> object_places(const std::string& heap) {
@@ -63,11 +66,26 @@ TEST_CASE("Heaps of texts as HDF5 writes them are sound", "[results]") {
     REQUIRE(heaps.size() > 3);
     bool has_long = false;
     for (const std::string& heap : heaps) {
-        CHECK(read_text_heap_size(std::as_bytes(std::span(heap))) == heap.size());
+        CHECK(read_text_heap_size(bytes_of(heap)) == heap.size());
         CHECK(is_sound(heap));
         has_long = has_long || heap.size() > text_heap_bytes;
     }
     CHECK(has_long);
+}
+
+TEST_CASE("Texts of a heap have the sizes that were written", "[results]") {
+    std::vector<std::uint64_t> found, written;
+    for (const std::string& heap : make_heaps()) {
+        const std::optional<TextSizes> sizes = read_text_heap(bytes_of(heap));
+        REQUIRE(sizes);
+        for (const auto& [number, size] : *sizes) found.push_back(size);
+    }
+    for (std::size_t i = 0; i < 90; ++i) written.push_back(37 * i % 500);
+    for (std::size_t i = 0; i < 90; i += 7) written.push_back(i);  // those before them stay, too
+    written.push_back(10000);
+    std::sort(found.begin(), found.end());
+    std::sort(written.begin(), written.end());
+    CHECK(found == written);
 }
 
 TEST_CASE("A heap of texts with another size of itself or of an object is not sound", "[results]") {
@@ -110,9 +128,9 @@ TEST_CASE("What is no heap of texts has no size of one", "[results]") {
     for (const std::size_t changed : {0U, 3U, 4U, 5U, 7U}) {
         std::string other = heap;
         other[changed] = '\x05';
-        CHECK_FALSE(read_text_heap_size(std::as_bytes(std::span(other))));
+        CHECK_FALSE(read_text_heap_size(bytes_of(other)));
         CHECK_FALSE(is_sound(other));
     }
-    CHECK_FALSE(read_text_heap_size(std::as_bytes(std::span(heap)).first(15)));
+    CHECK_FALSE(read_text_heap_size(bytes_of(heap).first(15)));
     CHECK_FALSE(is_sound(""));
 }
