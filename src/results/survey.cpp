@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "machine/child_process.hpp"
@@ -44,7 +45,7 @@ herr_t add_hard_link(hid_t, const char* name, const H5L_info_t* information, voi
 // may come to what lies behind it.
 class Survey {
   public:
-    explicit Survey(const std::filesystem::path& path) : texts_(path) {}
+    explicit Survey(TextCheck texts) : texts_(std::move(texts)) {}
 
     void visit(const Hdf5Handle& object) {
         restart_processor_clock(limits);
@@ -107,7 +108,7 @@ class Survey {
         };
         if (H5Tis_variable_str(type.id()) > 0) {
             std::vector<std::byte> references = make_buffer(text_reference_bytes);
-            const bool is_read = read(text_reference_type(), references.data()) >= 0;
+            const bool is_read = read(texts_.reference_type(), references.data()) >= 0;
             has_sound_texts_ = has_sound_texts_ && is_read && texts_.are_sound(references);
         } else {
             read(type.id(), make_buffer(H5Tget_size(type.id())).data());
@@ -124,9 +125,11 @@ class Survey {
 
 // What is wrong with a file, empty if nothing is.
 std::string survey(const std::filesystem::path& path) {
+    silence_hdf5();
+    TextCheck texts(path);
     try {
         const Hdf5Reader file(path);
-        Survey all(path);
+        Survey all(std::move(texts));
         all.visit({H5Oopen(file.id(), "/", H5P_DEFAULT), H5Oclose, "an object"});
         return all.fault();
     } catch (const std::runtime_error&) {

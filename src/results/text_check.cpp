@@ -24,6 +24,7 @@ herr_t keep_reference(hid_t from,
     return is_known ? 0 : -1;
 }
 
+// For the rest of the process, as the conversion is.
 hid_t make_reference_type() {
     const Hdf5Handle text(H5Tcopy(H5T_C_S1), H5Tclose, "string type");
     check_hdf5(H5Tset_size(text.id(), H5T_VARIABLE), "string type");
@@ -34,13 +35,10 @@ hid_t make_reference_type() {
 
 }  // namespace
 
-hid_t text_reference_type() {
-    static const hid_t type = make_reference_type();
-    return type;
-}
-
 TextCheck::TextCheck(const std::filesystem::path& path)
-    : in_(path, std::ios::binary), file_bytes_(std::filesystem::file_size(path)) {}
+    : reference_type_(make_reference_type()),
+      in_(path, std::ios::binary),
+      file_bytes_(std::filesystem::file_size(path)) {}
 
 bool TextCheck::are_sound(std::span<const std::byte> references) {
     for (; references.size() >= text_reference_bytes; references = references.subspan(text_reference_bytes)) {
