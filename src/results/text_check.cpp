@@ -8,15 +8,8 @@ namespace gxrod {
 namespace {
 
 // A conversion of the library's, of references as they are in the file to so many bytes: it leaves them.
-herr_t keep_reference(hid_t from,
-                      hid_t to,
-                      H5T_cdata_t* conversion,
-                      std::size_t,
-                      std::size_t,
-                      std::size_t,
-                      void*,
-                      void*,
-                      hid_t) {
+template <class... Others>
+herr_t keep_reference(hid_t from, hid_t to, H5T_cdata_t* conversion, Others...) {
     if (conversion->command != H5T_CONV_INIT) return 0;
     conversion->need_bkg = H5T_BKG_NO;
     const bool is_known =
