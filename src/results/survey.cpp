@@ -26,6 +26,12 @@ bool is_read_whole(hid_t type, hssize_t count) {
            count <= most_bytes / size;
 }
 
+// The library takes as many times the memory of a text as a character has bytes.
+bool has_single_bytes(hid_t text) {
+    const Hdf5Handle character(H5Tget_super(text), H5Tclose, "type");
+    return H5Tget_size(character.id()) == 1;
+}
+
 template <class Action>
 void pass_over_errors(Action&& action) {
     restart_processor_clock(limits);
@@ -107,9 +113,11 @@ class Survey {
             return std::vector<std::byte>(static_cast<std::size_t>(count) * bytes);
         };
         if (H5Tis_variable_str(type.id()) > 0) {
+            const bool were_sound = std::exchange(has_sound_texts_, false);  // also if this throws
             std::vector<std::byte> references = make_buffer(text_reference_bytes);
-            const bool is_read = read(texts_.reference_type(), references.data()) >= 0;
-            has_sound_texts_ = has_sound_texts_ && is_read && texts_.are_sound(references);
+            has_sound_texts_ = has_single_bytes(type.id()) &&
+                               read(texts_.reference_type(), references.data()) >= 0 &&
+                               texts_.are_sound(references) && were_sound;
         } else {
             read(type.id(), make_buffer(H5Tget_size(type.id())).data());
         }
