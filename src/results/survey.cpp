@@ -26,6 +26,24 @@ bool is_read_whole(hid_t type, hssize_t count) {
            count <= most_bytes / size;
 }
 
+// The library reads numbers whose bits lie beyond their bytes, and writes such.
+bool has_bits_within(hid_t number) {
+    const std::size_t digits = H5Tget_precision(number);
+    const int first = H5Tget_offset(number);
+    if (digits == 0 || first < 0 || static_cast<std::size_t>(first) + digits > 8 * H5Tget_size(number))
+        return false;
+    if (H5Tget_class(number) != H5T_FLOAT) return true;
+    std::size_t sign = 0, exponent = 0, exponent_size = 0, mantissa = 0, mantissa_size = 0;
+    if (H5Tget_fields(number, &sign, &exponent, &exponent_size, &mantissa, &mantissa_size) < 0) return false;
+    return sign < digits && exponent_size <= digits && exponent <= digits - exponent_size &&
+           mantissa_size <= digits && mantissa <= digits - mantissa_size;
+}
+
+bool is_sound_type(hid_t type) {
+    const H5T_class_t kind = H5Tget_class(type);
+    return (kind != H5T_INTEGER && kind != H5T_FLOAT) || has_bits_within(type);
+}
+
 // The library takes as many times the memory of a text as a character has bytes.
 bool has_single_bytes(hid_t text) {
     const Hdf5Handle character(H5Tget_super(text), H5Tclose, "type");
@@ -65,6 +83,7 @@ class Survey {
     // What is wrong, empty if nothing is.
     std::string fault() const {
         if (!is_listed_) return "it cannot list all that is there";
+        if (!has_sound_numbers_) return "it would go beyond the ends of numbers";
         return has_sound_texts_ ? "" : "it would go beyond the ends of texts";
     }
 
@@ -107,8 +126,9 @@ class Survey {
     // Of a dataset or an attribute: numbers if they are few, and where its texts lie.
     template <class Read>
     void read_values(const Hdf5Handle& type, const Hdf5Handle& space, Read read) {
+        has_sound_numbers_ = has_sound_numbers_ && is_sound_type(type.id());
         const hssize_t count = H5Sget_simple_extent_npoints(space.id());
-        if (count <= 0 || !is_read_whole(type.id(), count)) return;
+        if (!has_sound_numbers_ || count <= 0 || !is_read_whole(type.id(), count)) return;
         const auto make_buffer = [&](std::size_t bytes) {
             return std::vector<std::byte>(static_cast<std::size_t>(count) * bytes);
         };
@@ -128,6 +148,7 @@ class Survey {
     TextCheck texts_;
     std::set<haddr_t> seen_;
     bool is_listed_ = true;
+    bool has_sound_numbers_ = true;
     bool has_sound_texts_ = true;
 };
 

@@ -1,8 +1,10 @@
 #include "results/find_changes.hpp"
 
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <functional>
 
+#include "deck/text_file.hpp"
 #include "model/file_error.hpp"
 #include "results/list_changes.hpp"
 #include "results/restart_table.hpp"
@@ -276,5 +278,41 @@ TEST_CASE("Checksums that are none, and objects that no run writes, are told", "
         return other.changes();
     };
     CHECK(with(H5T_IEEE_F64LE, 3) == std::vector{structure_changed});
-    CHECK(with(H5T_STD_REF_OBJ, 3) == std::vector<std::string>{"a dataset holds no numbers"});
+    CHECK(with(H5T_STD_REF_OBJ, 3) == std::vector<std::string>{"a dataset is of no type that gxrod writes"});
+    CHECK(with(H5T_IEEE_F64BE, 3) == std::vector<std::string>{"a dataset is of no type that gxrod writes"});
+}
+
+// The same bytes are other numbers if their type is another.
+TEST_CASE("A changed bit of the type of numbers is told", "[results]") {
+    const Written written;
+    const std::string sound = read_text_file(written.path);
+    // HDF5's file format, IV.A.2.d: a float of 8 bytes, the lowest first.
+    const std::string type("\x11\x20\x3f\0\x08\0\0\0\0\0\x40\0\x34\x0b\0\x34\xff\x03\0\0", 20);
+    const char* const name = "/ledger/energy_error";
+    const std::size_t place = sound.find(type, [&] {
+        const Hdf5Reader file(written.path);
+        return address_of(Hdf5Handle(H5Dopen2(file.id(), name, H5P_DEFAULT), H5Dclose, "opening").id());
+    }());
+    REQUIRE(place != std::string::npos);
+    const auto is_same_type = [&] {
+        const Hdf5Reader file(written.path);
+        const Hdf5Handle dataset(H5Dopen2(file.id(), name, H5P_DEFAULT), H5Dclose, "opening");
+        return H5Tequal(Hdf5Handle(H5Dget_type(dataset.id()), H5Tclose, "type").id(), H5T_IEEE_F64LE) > 0;
+    };
+    int told = 0;
+    for (std::size_t bit = 0; bit < 8 * type.size(); ++bit) {
+        INFO("byte " << bit / 8 << ", bit " << bit % 8);
+        std::string changed = sound;
+        changed[place + bit / 8] = static_cast<char>(changed[place + bit / 8] ^ (1 << (bit % 8)));
+        std::ofstream(written.path, std::ios::binary) << changed;
+        try {
+            if (list_changes(written.path).empty())
+                CHECK(is_same_type());  // a bit that means nothing
+            else
+                ++told;
+        } catch (const FileError&) {
+            ++told;
+        }
+    }
+    CHECK(told > 100);
 }
