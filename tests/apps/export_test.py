@@ -153,7 +153,13 @@ steps = 2
         self.assertIn("body.toml: cannot be made", done.stderr)
         (self.folder / "series/body_0000.hdf").mkdir(parents=True)
         done = self.gxrod("export", "body.vtkhdf", "--series", "series", "--force", code=4)
-        self.assertIn("series/body_0000.hdf: cannot be written", done.stderr)
+        self.assertIn("series/body_0000.hdf: is a folder (give the name of a file)", done.stderr)
+        for option, name in (("--series", "body_0000.hdf"), ("--series", "body.hdf.series"), ("--csv", "ledger.csv")):
+            folder = self.folder / name.replace(".", "_")
+            folder.mkdir()
+            (folder / name).symlink_to("none/none")
+            done = self.gxrod("export", "body.vtkhdf", option, folder.name, code=4)
+            self.assertIn(f"{folder.name}/{name}: cannot be written (No such file or directory)", done.stderr)
         done = self.gxrod("export", "body.vtkhdf", code=2)
         self.assertIn("give --csv DIR, --series DIR, or both", done.stderr)
 
