@@ -94,6 +94,15 @@ std::vector<char> image_of(const Hdf5Handle& file) {
     return bytes;
 }
 
+std::vector<char> make_image(const FrameCopy& frame) {
+    const Hdf5Handle file = create_image();
+    for (const DatasetCopy& dataset : frame) write_copy(file.id(), dataset);
+    const Hdf5Handle group(H5Gopen2(file.id(), "/VTKHDF", H5P_DEFAULT), H5Gclose, "opening a group");
+    write_attribute(group.id(), "Version", std::array<std::int64_t, 2>{1, 0});
+    write_fixed_attribute(group.id(), "Type", "UnstructuredGrid");
+    return image_of(file);
+}
+
 }  // namespace
 
 FrameCopy read_frame(const Hdf5Reader& results, hsize_t frame) {
@@ -116,13 +125,12 @@ FrameCopy read_frame(const Hdf5Reader& results, hsize_t frame) {
 }
 
 void write_frame(const FrameCopy& frame, const std::filesystem::path& path) {
-    const Hdf5Handle file = create_image();
-    for (const DatasetCopy& dataset : frame) write_copy(file.id(), dataset);
-    const Hdf5Handle group(H5Gopen2(file.id(), "/VTKHDF", H5P_DEFAULT), H5Gclose, "opening a group");
-    write_attribute(group.id(), "Version", std::array<std::int64_t, 2>{1, 0});
-    write_fixed_attribute(group.id(), "Type", "UnstructuredGrid");
-    const std::vector<char> bytes = image_of(file);
-
+    std::vector<char> bytes;
+    try {
+        bytes = make_image(frame);
+    } catch (const Hdf5Error& error) {  // of results that were damaged: two fields of one name, say
+        throw FileError(path, "cannot be made of the results", error.what());
+    }
     std::ofstream out(path, std::ios::binary);
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     out.close();

@@ -155,6 +155,18 @@ TEST_CASE("The sample that is damaged can be read", "[results]") {
     CHECK(Damaged().go_on_fault() == "");
 }
 
+TEST_CASE("Two fields of one name make no frame", "[results]") {
+    const ScratchFolder folder;
+    std::string bytes = results_sample();
+    const std::size_t at = bytes.find("axis_y");
+    REQUIRE(at != std::string::npos);
+    bytes[at + 5] = 'x';
+    const std::filesystem::path path = folder.write("damaged.vtkhdf", bytes);
+    CHECK_THROWS_WITH(
+        export_series(path, folder.path() / "series", Existing::replace),
+        Catch::Contains("damaged_0000.hdf: cannot be made of the results (creating a dataset: "));
+}
+
 TEST_CASE("Rows of another width are an error, not what lies behind them", "[results]") {
     for (const char* name :
          {"/VTKHDF/PointData/axis_x", "/VTKHDF/PointData/displacement", "/VTKHDF/Points"}) {

@@ -316,3 +316,22 @@ TEST_CASE("A changed bit of the type of numbers is told", "[results]") {
     }
     CHECK(told > 100);
 }
+
+// Of the index of rows HDF5 itself goes from parents to children; other programs, and what splits a leaf, go
+// from leaf to leaf as well.
+TEST_CASE("A leaf of an index that does not lead to the next is told", "[results]") {
+    const Written written;
+    const std::string sound = read_text_file(written.path);
+    constexpr std::size_t next_leaf = 16;  // HDF5's file format, III.A.1
+    int leaves = 0;
+    for (std::size_t at = sound.find("TREE"); at != std::string::npos; at = sound.find("TREE", at + 1)) {
+        const bool is_of_rows = sound[at + 4] == 1;
+        if (!is_of_rows) continue;
+        std::string changed = sound;
+        changed[at + next_leaf + 2] = static_cast<char>(changed[at + next_leaf + 2] ^ 0x20);
+        std::ofstream(written.path, std::ios::binary) << changed;
+        INFO("byte " << at);
+        leaves += written.changes().empty() ? 0 : 1;
+    }
+    CHECK(leaves > 10);
+}
