@@ -19,8 +19,13 @@ constexpr std::array<std::string_view, 4> changing_attributes = {
 // 0 stands for none.
 std::uint32_t not_none(std::uint32_t sum) { return std::max<std::uint32_t>(sum, 1); }
 
-// Of a number: its bits alone do not tell what it is.
+// Bits of a value alone do not tell what it is.
 bool is_written_type(hid_t type) {
+    if (H5Tget_class(type) == H5T_STRING) {
+        const bool is_variable = H5Tis_variable_str(type) > 0;
+        return H5Tget_cset(type) == (is_variable ? H5T_CSET_UTF8 : H5T_CSET_ASCII) &&
+               H5Tget_strpad(type) == (is_variable ? H5T_STR_NULLTERM : H5T_STR_NULLPAD);
+    }
     for (const hid_t known : {H5T_IEEE_F64LE, H5T_STD_I64LE, H5T_STD_U8LE}) {
         if (H5Tequal(type, known) > 0) return true;
     }
@@ -92,6 +97,7 @@ class StructureSum {
                     const std::function<herr_t(hid_t, void*)>& read) {
         constexpr hssize_t most = 1 << 16;
         if (count < 0 || count > most) throw std::runtime_error(name + " has more values than gxrod writes");
+        if (!is_written_type(type.id())) throw std::runtime_error(name + " is of no type that gxrod writes");
         if (count == 0) return;
         if (H5Tget_class(type.id()) == H5T_STRING) {
             if (count != 1) throw std::runtime_error(name + " is not one text");
@@ -99,7 +105,6 @@ class StructureSum {
             return;
         }
         const std::size_t bytes = H5Tget_size(type.id());
-        if (!is_written_type(type.id())) throw std::runtime_error(name + " is of no type that gxrod writes");
         std::vector<std::byte> values(static_cast<std::size_t>(count) * bytes);
         check_hdf5(read(type.id(), values.data()), "reading an attribute");
         sum_ = checksum(std::span<const std::byte>(values), sum_);

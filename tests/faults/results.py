@@ -38,7 +38,7 @@ def list_differences(path, whole):
     """Names of what differs between a file and the contents of another, to the last bit."""
     try:
         contents = read_contents(path)
-    except (OSError, RuntimeError) as error:
+    except (OSError, RuntimeError, TypeError, ValueError, KeyError) as error:
         return [f"what cannot be read: {error}"]
     return sorted(name for name in contents.keys() | whole.keys() if contents.get(name) != whole.get(name))
 

@@ -317,6 +317,25 @@ TEST_CASE("A changed bit of the type of numbers is told", "[results]") {
     CHECK(told > 100);
 }
 
+TEST_CASE("A text that is said to be of other characters, or padded in another way, is told", "[results]") {
+    const Written written;
+    const std::string sound = read_text_file(written.path);
+    // HDF5's file format, IV.A.2.d: a list of any length, that is a text, ends with a zero, and is UTF-8.
+    const std::string type("\x19\x01\x01\0\x10\0\0\0", 8);
+    const std::size_t place = sound.find(type, sound.find("gxrod_version"));
+    REQUIRE(place != std::string::npos);
+    for (const auto& [byte, bit] : {std::pair{1, 4}, {1, 5}, {2, 0}, {2, 1}, {2, 2}}) {
+        INFO("byte " << byte << ", bit " << bit);
+        std::string changed = sound;
+        const std::size_t at = place + static_cast<std::size_t>(byte);
+        changed[at] = static_cast<char>(changed[at] ^ (1 << bit));
+        std::ofstream(written.path, std::ios::binary) << changed;
+        const std::vector<std::string> changes = written.changes();
+        REQUIRE(changes.size() == 1);
+        CHECK_THAT(changes[0], Catch::EndsWith("is of no type that gxrod writes"));
+    }
+}
+
 // Of the index of rows HDF5 itself goes from parents to children; other programs, and what splits a leaf, go
 // from leaf to leaf as well.
 TEST_CASE("A leaf of an index that does not lead to the next is told", "[results]") {
