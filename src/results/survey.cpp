@@ -1,5 +1,6 @@
 #include "results/survey.hpp"
 
+#include <bit>
 #include <cstddef>
 #include <set>
 #include <string>
@@ -39,9 +40,13 @@ bool has_bits_within(hid_t number) {
            mantissa_size <= digits && mantissa <= digits - mantissa_size;
 }
 
+// It also takes the room that rows have in memory from another place than the size of a number. No number
+// that gxrod writes is longer than eight bytes.
 bool is_sound_type(hid_t type) {
     const H5T_class_t kind = H5Tget_class(type);
-    return (kind != H5T_INTEGER && kind != H5T_FLOAT) || has_bits_within(type);
+    if (kind != H5T_INTEGER && kind != H5T_FLOAT) return true;
+    const std::size_t size = H5Tget_size(type);
+    return std::has_single_bit(size) && size <= 8 && has_bits_within(type);
 }
 
 // The library takes as many times the memory of a text as a character has bytes.

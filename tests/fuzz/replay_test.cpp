@@ -3,10 +3,7 @@
 
 #include "deck/text_file.hpp"
 #include "fuzz/inputs.hpp"
-
-#ifdef __SANITIZE_ADDRESS__
-#include <sanitizer/lsan_interface.h>
-#endif
+#include "tools/let_hdf5_leak.hpp"
 
 // What libFuzzer found worth keeping, and what once broke a reader, through the same functions. Each input is
 // small.
@@ -15,11 +12,8 @@ namespace {
 
 const std::filesystem::path tests = GXROD_SOURCE_DIR "/tests";
 
-// HDF5 forgets memory when it fails.
 void try_results_but_for_leaks(std::string_view input) {
-#ifdef __SANITIZE_ADDRESS__
-    const __lsan::ScopedDisabler leaks;
-#endif
+    const gxrod::test::LetHdf5Leak leaks;
     gxrod::fuzz::try_results(input);
 }
 

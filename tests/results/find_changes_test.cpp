@@ -11,6 +11,7 @@
 #include "results/results_file.hpp"
 #include "results/resumable_file.hpp"
 #include "results/sample.hpp"
+#include "tools/let_hdf5_leak.hpp"
 
 using namespace gxrod;
 
@@ -284,6 +285,7 @@ TEST_CASE("Checksums that are none, and objects that no run writes, are told", "
 
 // The same bytes are other numbers if their type is another.
 TEST_CASE("A changed bit of the type of numbers is told", "[results]") {
+    const test::LetHdf5Leak leaks;
     const Written written;
     const std::string sound = read_text_file(written.path);
     // HDF5's file format, IV.A.2.d: a float of 8 bytes, the lowest first.
