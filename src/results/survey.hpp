@@ -5,8 +5,9 @@
 namespace gxrod {
 
 // Looks at every object of an HDF5 file in a process of its own, since the library itself breaks down over
-// some damaged files, or does not come back. Throws FileError if it does; other faults are for the reader to
-// find.
+// some damaged files, or does not come back; also at what it takes for granted: where texts lie and how long
+// they are, and that the bits of numbers lie within their bytes. Throws FileError of such faults; others are
+// for the reader to find.
 void survey_file(const std::filesystem::path& path);
 
 }  // namespace gxrod

@@ -6,7 +6,8 @@
 // The form is that of section III.E, "Global Heap", of HDF5's file format specification: "GCOL", version 1,
 // three zeros, size; then objects of a number (2 bytes), count of references (2), 4 unused bytes, size (8),
 // and what they hold, up to a multiple of eight bytes. Object 0 is the free room, of which the size counts
-// these 16 bytes, too. References are those of section VIII.B, "Global Heap ID", with the length before them.
+// these 16 bytes, too. A reference is a text's length, the place of its heap, and its number there (a "global
+// heap ID" with the length before it).
 namespace gxrod {
 namespace {
 
