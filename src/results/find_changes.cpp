@@ -14,6 +14,10 @@
 namespace gxrod {
 namespace {
 
+Hdf5Handle open_root(const Hdf5Reader& file) {
+    return {H5Oopen(file.id(), "/", H5P_DEFAULT), H5Oclose, "opening the root"};
+}
+
 // Of all datasets that grow, up to a place and in all.
 class RowSums {
   public:
@@ -22,10 +26,9 @@ class RowSums {
           frames_(place.frames),
           points_(static_cast<hsize_t>(file.count("/VTKHDF/NumberOfPoints"))),
           cells_(static_cast<hsize_t>(file.count("/VTKHDF/NumberOfCells"))) {
-        const Hdf5Handle root(H5Oopen(file.id(), "/", H5P_DEFAULT), H5Oclose, "opening the root");
         ObjectWalk([this](hid_t object, const std::string& path, bool is_new) {
             if (is_new && H5Iget_type(object) == H5I_DATASET && grows(object)) add(object, path);
-        }).walk(root.id(), "/");
+        }).walk(open_root(file).id(), "/");
     }
 
     PlaceSums at_place() const { return {combine(at_place_.steps), combine(at_place_.frames)}; }
@@ -64,6 +67,13 @@ bool do_times_go_on(const Hdf5Reader& file, const RestartPlace& place) {
            times.end();
 }
 
+bool is_structure_as_written(const Hdf5Reader& file, const Hdf5Handle& root) {
+    return sum_structure(root.id()) == read_file_sums(file).structure && has_known_labels(file);
+}
+
+const char* const structure_changed =
+    "its names, deck, meshes or other texts are not those that were written";
+
 }  // namespace
 
 std::vector<std::string> find_changes(const Hdf5Reader& file) {
@@ -72,14 +82,19 @@ std::vector<std::string> find_changes(const Hdf5Reader& file) {
         if (file.has("/restart") && !has_known_form(file)) return {};
         const std::optional<RestartPlace> place = read_restart(file);
         const hsize_t steps = file.size("/histories/time").at(0);
-        if (steps > 0 && (!place || read_file_sums(file).structure == 0))
+        if (read_file_sums(file).structure == 0) {
+            if (steps == 0) return {};
             return {"its run was stopped before it wrote checksums, so that changes would not be told"};
-        if (!place) return {};
-        std::vector<std::string> changes = find_changes(file, *place);
-        if (changes.empty() && steps > place->steps)
-            changes.push_back(fmt::format(
-                "its steps after t = {:.10g} have no checksum, as its run was stopped while it wrote them",
-                place->record.steps.time));
+        }
+        std::vector<std::string> changes;
+        if (place)
+            changes = find_changes(file, *place);
+        else if (!is_structure_as_written(file, open_root(file)))
+            changes.emplace_back(structure_changed);
+        if (changes.empty() && steps > (place ? place->steps : 0))
+            changes.push_back(
+                fmt::format("its steps{} have no checksum, as its run was stopped while it wrote them",
+                            place ? fmt::format(" after t = {:.10g}", place->record.steps.time) : ""));
         return changes;
     } catch (const std::runtime_error& error) {
         return {error.what()};
@@ -89,9 +104,8 @@ std::vector<std::string> find_changes(const Hdf5Reader& file) {
 std::vector<std::string> find_changes(const Hdf5Reader& file, const RestartPlace& place) {
     const FileSums written = read_file_sums(file);
     if (written.structure == 0) return {};
-    const Hdf5Handle root(H5Oopen(file.id(), "/", H5P_DEFAULT), H5Oclose, "opening the root");
-    if (sum_structure(root.id()) != written.structure)
-        return {"its names, deck, meshes or other texts are not those that were written"};
+    const Hdf5Handle root = open_root(file);
+    if (!is_structure_as_written(file, root)) return {structure_changed};
     std::vector<std::string> changes;
     const RowSums sums(file, place);
     const double time = place.record.steps.time;

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -33,10 +35,30 @@ Table read_numbers(const Hdf5Reader& file, const std::string& slot) {
     return {1, file.rows(slot + numbers_label().name, 0, count, 1)};
 }
 
+bool has_label(const Hdf5Reader& file, const std::string& dataset, const DatasetLabel& label) {
+    return file.text_attribute(dataset, "description") == label.description &&
+           file.text_attribute(dataset, "frame") == label.frame && !file.has_attribute(dataset, "dimension");
+}
+
 }  // namespace
 
 bool has_known_form(const Hdf5Reader& file) {
     return file.integer_attribute("/restart", "version") == form_version;
+}
+
+bool has_known_labels(const Hdf5Reader& file) {
+    const std::array labels{
+        nodes_label, sections_label, algorithmic_label, driving_label, damping_label, numbers_label()};
+    for (const std::string& slot : file.members("/restart")) {
+        if (slot != slot_name(0) && slot != slot_name(1)) return false;
+        const std::string path = "/restart/" + slot;
+        for (const std::string& name : file.members(path)) {
+            const auto* const label = std::find_if(
+                labels.begin(), labels.end(), [&](const DatasetLabel& one) { return one.name == name; });
+            if (label == labels.end() || !has_label(file, path + "/" + name, *label)) return false;
+        }
+    }
+    return true;
 }
 
 std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {

@@ -84,10 +84,7 @@ RestartTable::RestartTable(const Hdf5Handle& root) : group_(require_group(root, 
     write_attribute(group_.id(), "version", std::array{form_version});
 }
 
-void RestartTable::write_structure_sum(std::uint32_t sum) {
-    write_number(structure_attribute_, sum);
-    has_structure_sum_ = true;
-}
+void RestartTable::write_structure_sum(std::uint32_t sum) { write_number(structure_attribute_, sum); }
 
 void RestartTable::write_end_sum(std::uint32_t sum) { write_number(end_attribute_, sum); }
 
@@ -112,7 +109,6 @@ void RestartTable::switch_slot() {
     if (!is_written_) return;
     slot_ = slot_ == 0 ? 1 : 0;
     is_written_ = false;
-    is_switched_ = true;
     write_number(slot_attribute_, slot_);
 }
 

@@ -22,7 +22,6 @@ class RestartTable {
     void switch_slot();
     // The checksum of the file's structure, once it and the slot in use are of each other; 0 before.
     void write_structure_sum(std::uint32_t sum);
-    bool wants_structure_sum() const { return is_switched_ && !has_structure_sum_; }
     // That of all, once the run has ended.
     void write_end_sum(std::uint32_t sum);
 
@@ -31,8 +30,6 @@ class RestartTable {
     Hdf5Handle slot_attribute_, structure_attribute_, end_attribute_;
     std::int64_t slot_ = -1;  // in use; -1: none
     bool is_written_ = false;
-    bool is_switched_ = false;
-    bool has_structure_sum_ = false;
 };
 
 // Before anything changes in a file with such a group: then no checksums stand for it.
@@ -40,6 +37,9 @@ void clear_file_sums(const Hdf5Handle& root);
 
 // Whether its states are such as this version writes.
 bool has_known_form(const Hdf5Reader& file);
+
+// Whether what lies beside their numbers, names and labels, is what this version writes.
+bool has_known_labels(const Hdf5Reader& file);
 
 // Nothing if the file has no whole record. Throws Hdf5Error, and std::runtime_error if it is damaged.
 std::optional<RestartPlace> read_restart(const Hdf5Reader& file);

@@ -31,8 +31,7 @@ class ResultsTables {
     void flush_times();
     // … and last which state to go on from.
     void switch_restart();
-    // The first time, the checksum of the file's structure comes after that.
-    bool wants_structure_sum() const { return restart_.wants_structure_sum(); }
+    // Of all that there is but rows.
     void write_structure_sum(std::uint32_t sum) { restart_.write_structure_sum(sum); }
     // Of all rows so far.
     PlaceSums sum();

@@ -115,6 +115,7 @@ ResultsWriter::ResultsWriter(int descriptor,
     write_provenance(root_, deck);
     tables_.emplace(root_, deck, model, output, 0, 0);
     commit();
+    write_structure_sum();
     next_flush_ = Clock::now() + flush_interval;
 }
 
@@ -135,6 +136,12 @@ ResultsWriter::ResultsWriter(ResumableFile file,
     commit(OrderedFile::Order::shrinking);
     tables_->flush_frame_count();
     commit();
+    // Once more, with checksums of histories that are new.
+    tables_->set_restart(file.take_record());
+    commit();
+    tables_->switch_restart();
+    commit();
+    write_structure_sum();
     next_flush_ = Clock::now() + flush_interval;
 }
 
@@ -189,10 +196,6 @@ void ResultsWriter::flush() {
         commit();
         tables_->switch_restart();
         commit();
-        if (tables_->wants_structure_sum()) {
-            tables_->write_structure_sum(sum_structure(root_.id()));
-            commit();
-        }
         H5garbage_collect();  // what HDF5 keeps for more frames of that size
     });
     // A slow disk takes at most a tenth of the time.
@@ -203,6 +206,11 @@ void ResultsWriter::flush() {
 void ResultsWriter::commit(OrderedFile::Order order) {
     check_hdf5(H5Fflush(hdf5_.id(), H5F_SCOPE_LOCAL), "flushing");
     file_->commit(order);
+}
+
+void ResultsWriter::write_structure_sum() {
+    attempt(0, [&] { tables_->write_structure_sum(sum_structure(root_.id())); });
+    commit();
 }
 
 void ResultsWriter::close_hdf5() {

@@ -31,7 +31,7 @@ ROWS = {
                   "cut at a random length"),
     "flipped": ("a bit of a results file that changed", "`export` and `report` say that the file is in doubt, or it changes nothing of what they make; "
                 "`resume` goes on to the last bit, or says what is not as it was written",
-                "one bit anywhere in the file of a run that was killed at a random moment or has ended"),
+                "one bit of the file, half of them anywhere, half in what HDF5 keeps of its own, of a run that was killed at a random moment or has ended"),
     "kill_batch": ("`kill -9` of a batch", "no row of its table is lost; the same command goes on to the same table and results",
                    "its first process, at a random moment"),
     "kill_worker": ("`kill -9` of a worker of a batch", "the batch runs its case again by itself", "one of two workers, at a random moment"),

@@ -61,7 +61,7 @@ struct Motion {
     std::vector<Vec6> reactions;
 };
 
-// As of a run that was stopped before it wrote checksums. Else these would tell nearly every change, before
+// As of a run that was stopped while it was resumed. Else checksums would tell nearly every change, before
 // what they are a check of is read.
 void leave_unchecked(const std::filesystem::path& path) {
     const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, "opening");

@@ -192,7 +192,29 @@ TEST_CASE("A last frame that is none of the state is told when it changes", "[re
               "its status, its last frame or the number of its rows is not that of its end"});
 }
 
-TEST_CASE("What lies beyond the state may change", "[results]") {
+// As of a run that was killed in its first moments.
+TEST_CASE("What is changed before there is a state is told", "[results]") {
+    Written written;
+    const std::filesystem::path first = written.folder / "first.vtkhdf";
+    ResultsFile file({first}, make_deck_with_mesh(), written.model, sample::make_output());
+    written.path = written.folder / "copy.vtkhdf";
+    const auto copy = [&] {
+        std::filesystem::copy_file(first, written.path, std::filesystem::copy_options::overwrite_existing);
+    };
+    copy();
+    CHECK(written.changes().empty());
+    written.change_number("/VTKHDF/Connectivity", 0);
+    CHECK(written.changes() == std::vector{structure_changed});
+    const sample::Motion motion(0.0);
+    file.record_step(motion.snapshot(), sample::make_ledger(0.0), sample::make_solver(0.0));
+    file.flush();
+    copy();
+    CHECK(written.changes() ==
+          std::vector<std::string>{"its steps have no checksum, as its run was stopped while it wrote them"});
+}
+
+// A run that was killed soon after it went on is no other.
+TEST_CASE("What lies beyond the state may change, and nothing before it", "[results]") {
     const Written written;
     {
         ResultsFile file(
@@ -201,12 +223,24 @@ TEST_CASE("What lies beyond the state may change", "[results]") {
         file.record_step(motion.snapshot(), sample::make_ledger(1.25), sample::make_solver(1.25));
         file.flush();
     }
-    // Of a run that has gone on for no more than that, nothing is checked yet.
     const std::vector<std::string> unchecked{
-        "its run was stopped before it wrote checksums, so that changes would not be told"};
+        "its steps after t = 1 have no checksum, as its run was stopped while it wrote them"};
     CHECK(written.changes() == unchecked);
     written.change_number("/ledger/energy_error", 5);
     CHECK(written.changes() == unchecked);
+    CHECK_NOTHROW(ResumableFile(written.path));
+    written.change_number("/ledger/energy_error", 4);
+    CHECK(written.changes() == std::vector{steps_changed});
+}
+
+TEST_CASE("A file without checksums is told", "[results]") {
+    const Written written;
+    written.change([](hid_t file) {
+        clear_file_sums(Hdf5Handle(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "opening"));
+    });
+    CHECK(written.changes() ==
+          std::vector<std::string>{
+              "its run was stopped before it wrote checksums, so that changes would not be told"});
     CHECK_NOTHROW(ResumableFile(written.path));
 }
 
@@ -223,6 +257,35 @@ TEST_CASE("Steps that are no part of a state are told to have no checksum", "[re
     CHECK(find_changes(Hdf5Reader(folder / "a")) ==
           std::vector<std::string>{
               "its steps after t = 0.25 have no checksum, as its run was stopped while it wrote them"});
+}
+
+TEST_CASE("A changed name or text of the states, in use or not, is told", "[results]") {
+    const auto after = [](const std::function<void(hid_t)>& action) {
+        const Written written;
+        written.change(action);
+        return written.changes();
+    };
+    for (const std::string table : {"numbers", "nodes", "sections", "algorithmic", "driving", "damping"}) {
+        for (const std::string slot : {"/restart/a/", "/restart/b/"}) {
+            for (const char* text : {"description", "frame"}) {
+                CHECK(after([&](hid_t file) {
+                          const Hdf5Handle dataset(
+                              H5Dopen2(file, (slot + table).c_str(), H5P_DEFAULT), H5Dclose, "opening");
+                          rewrite_attribute(dataset.id(), text, std::string("another"));
+                      }) == std::vector{structure_changed});
+            }
+        }
+    }
+    const auto rename = [&](const char* from, const char* to) {
+        return after([&](hid_t file) { H5Lmove(file, from, file, to, H5P_DEFAULT, H5P_DEFAULT); });
+    };
+    const std::string unused = [] {
+        const Written written;
+        return Hdf5Reader(written.path).integer_attribute("/restart", "slot") == 0 ? "b" : "a";
+    }();
+    CHECK(rename(("/restart/" + unused).c_str(), "/restart/c") == std::vector{structure_changed});
+    CHECK(rename(("/restart/" + unused + "/nodes").c_str(), ("/restart/" + unused + "/modes").c_str()) ==
+          std::vector{structure_changed});
 }
 
 TEST_CASE("A run that goes on is checked again, with other histories too", "[results][resume]") {
