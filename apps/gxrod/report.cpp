@@ -50,7 +50,7 @@ int report_run(const ReportArguments& arguments) {
     options.existing = arguments.existing();
     const ReportSummary summary = write_report(options);
     for (const std::string& warning : summary.warnings) say(stderr, "warning: {}\n", printable(warning));
-    for (const std::string& sentence : summary.left_out) say(stdout, "{}\n", sentence);
+    for (const std::string& sentence : summary.left_out) say(stdout, "{}\n", printable(sentence));
     tell_page(options.page, summary.bytes);
     return exit_done;
 }
@@ -83,7 +83,7 @@ CaseChoice read_choice(const std::string& text) {
 void tell_case_pages(const CasePages& pages, bool is_chosen) {
     constexpr std::size_t most_faults = 5;
     for (std::size_t i = 0; i < std::min(pages.faults.size(), most_faults); ++i) {
-        say(stderr, "warning: no page of a case: {}\n", pages.faults[i]);
+        say(stderr, "warning: no page of a case: {}\n", printable(pages.faults[i]));
     }
     if (pages.faults.size() > most_faults) {
         say(stderr, "warning: {} more cases have no page\n", pages.faults.size() - most_faults);
@@ -123,7 +123,7 @@ int report_batch(const ReportArguments& arguments) {
     if (summary.finished < static_cast<std::size_t>(summary.cases)) {
         say(stdout, "{} of {} cases have ended\n", summary.finished, summary.cases);
     }
-    for (const std::string& sentence : summary.left_out) say(stdout, "{}\n", sentence);
+    for (const std::string& sentence : summary.left_out) say(stdout, "{}\n", printable(sentence));
     tell_page(options.page, summary.bytes);
     return exit_done;
 }

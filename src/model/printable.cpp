@@ -1,5 +1,8 @@
 #include "model/printable.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace gxrod {
 namespace {
 
@@ -12,6 +15,36 @@ std::size_t control_length(std::string_view text, std::size_t at) {
     };
     if (byte(at) < 0x20 || byte(at) == 0x7F) return 1;
     return byte(at) == first_of_second_controls && byte(at + 1) >= 0x80 && byte(at + 1) < 0xA0 ? 2 : 0;
+}
+
+// How many bytes of the text at `at` are one character of UTF-8 (RFC 3629); 0 if they are none.
+std::size_t character_length(std::string_view text, std::size_t at) {
+    struct Form {
+        unsigned first, last;             // of the first byte
+        unsigned second_from, second_to;  // else a character could be written in two ways, or is none
+        std::size_t length;
+    };
+    constexpr std::array forms = {Form{0x00, 0x7F, 0, 0, 1},
+                                  Form{0xC2, 0xDF, 0x80, 0xBF, 2},
+                                  Form{0xE0, 0xE0, 0xA0, 0xBF, 3},
+                                  Form{0xE1, 0xEC, 0x80, 0xBF, 3},
+                                  Form{0xED, 0xED, 0x80, 0x9F, 3},
+                                  Form{0xEE, 0xEF, 0x80, 0xBF, 3},
+                                  Form{0xF0, 0xF0, 0x90, 0xBF, 4},
+                                  Form{0xF1, 0xF3, 0x80, 0xBF, 4},
+                                  Form{0xF4, 0xF4, 0x80, 0x8F, 4}};
+    const auto is_within = [&](std::size_t i, unsigned first, unsigned last) {
+        if (i >= text.size()) return false;
+        const auto byte = static_cast<unsigned char>(text[i]);
+        return byte >= first && byte <= last;
+    };
+    for (const Form& form : forms) {
+        if (!is_within(at, form.first, form.last)) continue;
+        bool is_whole = form.length < 2 || is_within(at + 1, form.second_from, form.second_to);
+        for (std::size_t i = 2; i < form.length; ++i) is_whole = is_whole && is_within(at + i, 0x80, 0xBF);
+        return is_whole ? form.length : 0;
+    }
+    return 0;
 }
 
 std::string escape(unsigned char letter) {
@@ -27,12 +60,12 @@ std::string escape(unsigned char letter) {
 std::string printable(std::string_view text) {
     std::string shown;
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t length = control_length(text, at);
-        if (length == 0) {
-            shown += text[at++];
-            continue;
-        }
-        shown += escape(static_cast<unsigned char>(text[at + length - 1]));
+        const std::size_t character = character_length(text, at);
+        const std::size_t length = std::max<std::size_t>(1, character);
+        if (character == 0 || control_length(text, at) > 0)
+            shown += escape(static_cast<unsigned char>(text[at + length - 1]));
+        else
+            shown += text.substr(at, length);
         at += length;
     }
     return shown;

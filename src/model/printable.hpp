@@ -6,7 +6,7 @@
 namespace gxrod {
 
 // A text from a file as a message shows it: control characters, which a terminal would obey, as \n, \t or
-// \x1b. Of UTF-8 only those below U+00A0 are changed.
+// \x1b. Of UTF-8 only those below U+00A0 are changed; bytes that are no UTF-8 are shown as \xd6.
 std::string printable(std::string_view text);
 
 // A text of UTF-8 whose length may be anything, as a message quotes it: its beginning and "…" if it is long.
