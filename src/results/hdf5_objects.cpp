@@ -190,7 +190,6 @@ haddr_t address_of(hid_t object) {
 }
 
 double most_bytes_of(hid_t object) {
-    constexpr double most_inflated = 1100.0;
     constexpr double always_fine = 1e8;
     const Hdf5Handle file(H5Iget_file_id(object), H5Fclose, "file of an object");
     hsize_t file_bytes = 0;

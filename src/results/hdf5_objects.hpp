@@ -35,6 +35,9 @@ bool grows(hid_t dataset);
 // Where an object lies in its file, by which its names are told to be of the same one.
 haddr_t address_of(hid_t object);
 
+// Bytes that deflate makes of one, at most.
+inline constexpr double most_inflated = 1100.0;
+
 // Bytes that a dataset, or another object, can have in its file: deflate makes of a byte a thousand at most.
 // Small files may have rows that were never written.
 double most_bytes_of(hid_t object);

@@ -9,6 +9,7 @@
 
 #include "machine/child_process.hpp"
 #include "model/file_error.hpp"
+#include "results/chunk_check.hpp"
 #include "results/hdf5_reader.hpp"
 #include "results/text_check.hpp"
 
@@ -89,6 +90,7 @@ class Survey {
     std::string fault() const {
         if (!is_listed_) return "it cannot list all that is there";
         if (!has_sound_numbers_) return "it would go beyond the ends of numbers";
+        if (!has_sound_chunks_) return "it would go beyond the ends of rows";
         return has_sound_texts_ ? "" : "it would go beyond the ends of texts";
     }
 
@@ -96,11 +98,22 @@ class Survey {
     void visit_dataset(hid_t dataset) {
         const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, "type");
         const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "dataspace");
-        hsize_t chunks = 0;
-        H5Dget_num_chunks(dataset, space.id(), &chunks);  // goes through their index
+        check_chunks(dataset);
+        if (!has_sound_chunks_) return;
         read_values(type, space, [&](hid_t memory, void* buffer) {
             return H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
         });
+    }
+
+    void check_chunks(hid_t dataset) {
+        const bool were_sound = std::exchange(has_sound_chunks_, false);  // also if this throws
+        try {
+            has_sound_chunks_ =
+                has_sound_chunks(dataset, [] { restart_processor_clock(limits); }) && were_sound;
+        } catch (const Hdf5Error&) {
+            is_listed_ = false;
+            throw;
+        }
     }
 
     void visit_attribute(const Hdf5Handle& object, hsize_t index) {
@@ -154,6 +167,7 @@ class Survey {
     std::set<haddr_t> seen_;
     bool is_listed_ = true;
     bool has_sound_numbers_ = true;
+    bool has_sound_chunks_ = true;
     bool has_sound_texts_ = true;
 };
 
