@@ -1,82 +1,17 @@
 #include "results/find_changes.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
-#include <fstream>
-#include <functional>
 
-#include "deck/text_file.hpp"
-#include "model/file_error.hpp"
-#include "results/list_changes.hpp"
 #include "results/restart_table.hpp"
-#include "results/results_file.hpp"
 #include "results/resumable_file.hpp"
-#include "results/sample.hpp"
-#include "tools/let_hdf5_leak.hpp"
+#include "results/written_file.hpp"
 
 using namespace gxrod;
 
-namespace {
-
-void write_steps(ResultsFile& file, int first, int count) {
-    for (int i = first; i < first + count; ++i) {
-        const sample::Motion motion(0.25 * i);
-        file.record_step(
-            motion.snapshot(), sample::make_ledger(motion.time), sample::make_solver(motion.time));
-        if (i % 2 == 0) file.write_frame(motion.snapshot());
-        file.set_restart(sample::make_restart(motion.time));
-        file.flush();
-    }
+TEST_CASE("Nothing is told of a file as it was written", "[results]") {
+    CHECK(sample::WrittenFile().changes().empty());
 }
-
-DeckRecord make_deck_with_mesh() {
-    DeckRecord deck = sample::make_deck();
-    deck.meshes.push_back({"cable.msh", "$MeshFormat"});
-    return deck;
-}
-
-// A results file of five steps, the last at t = 1, and three frames.
-struct Written {
-    sample::ScratchFolder folder;
-    Model model = sample::make_model();
-    std::filesystem::path path = folder / "a.vtkhdf";
-
-    Written() {
-        ResultsFile file({path}, make_deck_with_mesh(), model, sample::make_output());
-        write_steps(file, 0, 5);
-        file.close(RunStatus::interrupted, "Ctrl-C");
-    }
-
-    // Changes it, through HDF5.
-    void change(const std::function<void(hid_t)>& action) const {
-        const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, "opening");
-        action(file.id());
-    }
-    void change_number(const char* dataset, std::size_t index) const {
-        change([&](hid_t file) {
-            const Hdf5Handle rows(H5Dopen2(file, dataset, H5P_DEFAULT), H5Dclose, "opening");
-            const Hdf5Handle form(H5Dget_type(rows.id()), H5Tclose, "type");
-            const Hdf5Handle space(H5Dget_space(rows.id()), H5Sclose, "space");
-            const auto count = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id()));
-            const std::size_t bytes = H5Tget_size(form.id());
-            std::vector<unsigned char> values(count * bytes);
-            H5Dread(rows.id(), form.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
-            REQUIRE(index < count);
-            values[index * bytes] ^= 1U;  // the least bit
-            H5Dwrite(rows.id(), form.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
-        });
-    }
-    std::vector<std::string> changes() const { return list_changes(path); }
-};
-
-const std::string steps_changed =
-    "rows of its histories, ledger or solver's record, up to t = 1, are not those that were written";
-const std::string frames_changed = "frames up to t = 1 are not those that were written";
-const std::string structure_changed =
-    "its names, deck, meshes or other texts are not those that were written";
-
-}  // namespace
-
-TEST_CASE("Nothing is told of a file as it was written", "[results]") { CHECK(Written().changes().empty()); }
 
 TEST_CASE("A changed bit of any row is told", "[results]") {
     for (const char* dataset : {"/histories/time",
@@ -85,9 +20,9 @@ TEST_CASE("A changed bit of any row is told", "[results]") {
                                 "/ledger/linear_momentum",
                                 "/solver/newton_iterations",
                                 "/solver/residual"}) {
-        const Written written;
+        const sample::WrittenFile written;
         written.change_number(dataset, 4);
-        CHECK(written.changes() == std::vector{steps_changed});
+        CHECK(written.changes() == std::vector{sample::steps_changed});
     }
     for (const char* dataset : {"/VTKHDF/Points",
                                 "/VTKHDF/PointData/axis_x",
@@ -95,45 +30,46 @@ TEST_CASE("A changed bit of any row is told", "[results]") {
                                 "/VTKHDF/Steps/Values",
                                 "/VTKHDF/Steps/PointOffsets",
                                 "/VTKHDF/Steps/CellDataOffsets/force"}) {
-        const Written written;
+        const sample::WrittenFile written;
         written.change_number(dataset, 2);
-        CHECK(written.changes() == std::vector{frames_changed});
+        CHECK(written.changes() == std::vector{sample::frames_changed});
     }
-    const Written both;
+    const sample::WrittenFile both;
     both.change_number("/histories/time", 0);
     both.change_number("/VTKHDF/Points", 0);
-    CHECK(both.changes() == std::vector{steps_changed, frames_changed});
+    CHECK(both.changes() == std::vector{sample::steps_changed, sample::frames_changed});
 }
 
 TEST_CASE("A changed bit of what is written once is told", "[results]") {
     for (const char* dataset :
          {"/VTKHDF/NumberOfCells", "/VTKHDF/Connectivity", "/VTKHDF/Types", "/deck/meshes/cable.msh"}) {
-        const Written written;
+        const sample::WrittenFile written;
         written.change_number(dataset, 0);
-        CHECK(written.changes() == std::vector{structure_changed});
+        CHECK(written.changes() == std::vector{sample::structure_changed});
     }
     const auto rename = [](const char* from, const char* to) {
-        const Written written;
+        const sample::WrittenFile written;
         written.change([&](hid_t file) { H5Lmove(file, from, file, to, H5P_DEFAULT, H5P_DEFAULT); });
         return written.changes();
     };
-    CHECK(rename("/histories/middle", "/histories/niddle") == std::vector{structure_changed});
-    CHECK(rename("/ledger/time", "/ledger/tame") == std::vector{structure_changed});
+    CHECK(rename("/histories/middle", "/histories/niddle") == std::vector{sample::structure_changed});
+    CHECK(rename("/ledger/time", "/ledger/tame") == std::vector{sample::structure_changed});
     const auto rewrite = [](const char* object, const char* name, const char* text) {
-        const Written written;
+        const sample::WrittenFile written;
         written.change([&](hid_t file) {
             const Hdf5Handle owner(H5Oopen(file, object, H5P_DEFAULT), H5Oclose, "opening");
             rewrite_attribute(owner.id(), name, std::string(text));
         });
         return written.changes();
     };
-    CHECK(rewrite("/", "title", "Sampla") == std::vector{structure_changed});
-    CHECK(rewrite("/histories/middle/position", "frame", "spatiam") == std::vector{structure_changed});
+    CHECK(rewrite("/", "title", "Sampla") == std::vector{sample::structure_changed});
+    CHECK(rewrite("/histories/middle/position", "frame", "spatiam") ==
+          std::vector{sample::structure_changed});
 }
 
 TEST_CASE("A changed bit of the state to go on from is told", "[results]") {
     for (const char* table : {"numbers", "nodes", "sections", "algorithmic", "driving", "damping"}) {
-        const Written written;
+        const sample::WrittenFile written;
         for (const char* slot : {"/restart/a/", "/restart/b/"})
             written.change_number((std::string(slot) + table).c_str(), 0);
         CHECK(written.changes() == std::vector<std::string>{"its state is not the one that was written"});
@@ -144,7 +80,7 @@ TEST_CASE("What is written at the end is told, and how many rows there are", "[r
     const std::string end_changed =
         "its status, its last frame or the number of its rows is not that of its end";
     const auto after = [](const std::function<void(hid_t)>& action) {
-        const Written written;
+        const sample::WrittenFile written;
         written.change(action);
         return written.changes();
     };
@@ -172,16 +108,16 @@ TEST_CASE("What is written at the end is told, and how many rows there are", "[r
             check_hdf5(H5Awrite(count.id(), H5T_NATIVE_INT64, &frames), "writing");
         });
     };
-    CHECK(count_frames(2) == std::vector{frames_changed});
+    CHECK(count_frames(2) == std::vector{sample::frames_changed});
     CHECK(count_frames(4) == std::vector{end_changed});
 }
 
 TEST_CASE("A last frame that is none of the state is told when it changes", "[results]") {
-    const Written written;
+    const sample::WrittenFile written;
     {
         ResultsFile file(
-            make_deck_with_mesh(), written.model, sample::make_output(), ResumableFile(written.path));
-        write_steps(file, 5, 1);
+            sample::make_deck_with_mesh(), written.model, sample::make_output(), ResumableFile(written.path));
+        sample::write_steps(file, 5, 1);
         file.write_frame(sample::Motion(1.25).snapshot());
         file.close(RunStatus::interrupted, "");
     }
@@ -194,9 +130,9 @@ TEST_CASE("A last frame that is none of the state is told when it changes", "[re
 
 // As of a run that was killed in its first moments.
 TEST_CASE("What is changed before there is a state is told", "[results]") {
-    Written written;
+    sample::WrittenFile written;
     const std::filesystem::path first = written.folder / "first.vtkhdf";
-    ResultsFile file({first}, make_deck_with_mesh(), written.model, sample::make_output());
+    ResultsFile file({first}, sample::make_deck_with_mesh(), written.model, sample::make_output());
     written.path = written.folder / "copy.vtkhdf";
     const auto copy = [&] {
         std::filesystem::copy_file(first, written.path, std::filesystem::copy_options::overwrite_existing);
@@ -204,7 +140,7 @@ TEST_CASE("What is changed before there is a state is told", "[results]") {
     copy();
     CHECK(written.changes().empty());
     written.change_number("/VTKHDF/Connectivity", 0);
-    CHECK(written.changes() == std::vector{structure_changed});
+    CHECK(written.changes() == std::vector{sample::structure_changed});
     const sample::Motion motion(0.0);
     file.record_step(motion.snapshot(), sample::make_ledger(0.0), sample::make_solver(0.0));
     file.flush();
@@ -215,10 +151,10 @@ TEST_CASE("What is changed before there is a state is told", "[results]") {
 
 // A run that was killed soon after it went on is no other.
 TEST_CASE("What lies beyond the state may change, and nothing before it", "[results]") {
-    const Written written;
+    const sample::WrittenFile written;
     {
         ResultsFile file(
-            make_deck_with_mesh(), written.model, sample::make_output(), ResumableFile(written.path));
+            sample::make_deck_with_mesh(), written.model, sample::make_output(), ResumableFile(written.path));
         const sample::Motion motion(1.25);
         file.record_step(motion.snapshot(), sample::make_ledger(1.25), sample::make_solver(1.25));
         file.flush();
@@ -230,11 +166,11 @@ TEST_CASE("What lies beyond the state may change, and nothing before it", "[resu
     CHECK(written.changes() == unchecked);
     CHECK_NOTHROW(ResumableFile(written.path));
     written.change_number("/ledger/energy_error", 4);
-    CHECK(written.changes() == std::vector{steps_changed});
+    CHECK(written.changes() == std::vector{sample::steps_changed});
 }
 
 TEST_CASE("A file without checksums is told", "[results]") {
-    const Written written;
+    const sample::WrittenFile written;
     written.change([](hid_t file) {
         clear_file_sums(Hdf5Handle(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "opening"));
     });
@@ -249,7 +185,7 @@ TEST_CASE("Steps that are no part of a state are told to have no checksum", "[re
     const Model model = sample::make_model();
     ResultsFile file({folder / "a"}, sample::make_deck(), model, sample::make_output());
     CHECK(find_changes(Hdf5Reader(folder / "a")).empty());
-    write_steps(file, 0, 2);
+    sample::write_steps(file, 0, 2);
     CHECK(find_changes(Hdf5Reader(folder / "a")).empty());
     const sample::Motion motion(0.5);
     file.record_step(motion.snapshot(), sample::make_ledger(0.5), sample::make_solver(0.5));
@@ -261,7 +197,7 @@ TEST_CASE("Steps that are no part of a state are told to have no checksum", "[re
 
 TEST_CASE("A changed name or text of the states, in use or not, is told", "[results]") {
     const auto after = [](const std::function<void(hid_t)>& action) {
-        const Written written;
+        const sample::WrittenFile written;
         written.change(action);
         return written.changes();
     };
@@ -272,7 +208,7 @@ TEST_CASE("A changed name or text of the states, in use or not, is told", "[resu
                           const Hdf5Handle dataset(
                               H5Dopen2(file, (slot + table).c_str(), H5P_DEFAULT), H5Dclose, "opening");
                           rewrite_attribute(dataset.id(), text, std::string("another"));
-                      }) == std::vector{structure_changed});
+                      }) == std::vector{sample::structure_changed});
             }
         }
     }
@@ -280,21 +216,21 @@ TEST_CASE("A changed name or text of the states, in use or not, is told", "[resu
         return after([&](hid_t file) { H5Lmove(file, from, file, to, H5P_DEFAULT, H5P_DEFAULT); });
     };
     const std::string unused = [] {
-        const Written written;
+        const sample::WrittenFile written;
         return Hdf5Reader(written.path).integer_attribute("/restart", "slot") == 0 ? "b" : "a";
     }();
-    CHECK(rename(("/restart/" + unused).c_str(), "/restart/c") == std::vector{structure_changed});
+    CHECK(rename(("/restart/" + unused).c_str(), "/restart/c") == std::vector{sample::structure_changed});
     CHECK(rename(("/restart/" + unused + "/nodes").c_str(), ("/restart/" + unused + "/modes").c_str()) ==
-          std::vector{structure_changed});
+          std::vector{sample::structure_changed});
 }
 
 TEST_CASE("A run that goes on is checked again, with other histories too", "[results][resume]") {
-    const Written written;
+    const sample::WrittenFile written;
     OutputSettings output = sample::make_output();
     output.histories.front().name = "renamed";
     {
-        ResultsFile file(make_deck_with_mesh(), written.model, output, ResumableFile(written.path));
-        write_steps(file, 5, 3);
+        ResultsFile file(sample::make_deck_with_mesh(), written.model, output, ResumableFile(written.path));
+        sample::write_steps(file, 5, 3);
         file.close(RunStatus::complete, "");
     }
     CHECK(written.changes().empty());
@@ -308,15 +244,15 @@ TEST_CASE("A run that goes on is checked again, with other histories too", "[res
 }
 
 TEST_CASE("No run goes on from what is not as it was written", "[results][resume]") {
-    const Written written;
+    const sample::WrittenFile written;
     written.change_number("/ledger/energy_error", 4);
     CHECK_THROWS_WITH(ResumableFile(written.path),
-                      Catch::Contains("a.vtkhdf: cannot be resumed: " + steps_changed +
+                      Catch::Contains("a.vtkhdf: cannot be resumed: " + sample::steps_changed +
                                       " (gxrod run --force begins it anew)"));
 }
 
 TEST_CASE("Of a file of another version nothing is doubted", "[results]") {
-    const Written written;
+    const sample::WrittenFile written;
     written.change_number("/ledger/energy_error", 4);
     written.change([](hid_t file) {
         const Hdf5Handle group(H5Gopen2(file, "/restart", H5P_DEFAULT), H5Gclose, "opening");
@@ -326,7 +262,7 @@ TEST_CASE("Of a file of another version nothing is doubted", "[results]") {
 }
 
 TEST_CASE("Checksums that are none, and objects that no run writes, are told", "[results]") {
-    const Written written;
+    const sample::WrittenFile written;
     written.change([](hid_t file) {
         const Hdf5Handle group(H5Gopen2(file, "/restart", H5P_DEFAULT), H5Gclose, "opening");
         const std::array<std::int64_t, 1> none{-5};
@@ -334,88 +270,14 @@ TEST_CASE("Checksums that are none, and objects that no run writes, are told", "
     });
     CHECK(written.changes() == std::vector<std::string>{"/restart@structure is damaged"});
     const auto with = [](hid_t type, hsize_t count) {
-        const Written other;
+        const sample::WrittenFile other;
         other.change([&](hid_t file) {
             const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose, "space");
             H5Dclose(H5Dcreate2(file, "added", type, space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
         });
         return other.changes();
     };
-    CHECK(with(H5T_IEEE_F64LE, 3) == std::vector{structure_changed});
+    CHECK(with(H5T_IEEE_F64LE, 3) == std::vector{sample::structure_changed});
     CHECK(with(H5T_STD_REF_OBJ, 3) == std::vector<std::string>{"a dataset is of no type that gxrod writes"});
     CHECK(with(H5T_IEEE_F64BE, 3) == std::vector<std::string>{"a dataset is of no type that gxrod writes"});
-}
-
-// The same bytes are other numbers if their type is another.
-TEST_CASE("A changed bit of the type of numbers is told", "[results]") {
-    const test::LetHdf5Leak leaks;
-    const Written written;
-    const std::string sound = read_text_file(written.path);
-    // HDF5's file format, IV.A.2.d: a float of 8 bytes, the lowest first.
-    const std::string type("\x11\x20\x3f\0\x08\0\0\0\0\0\x40\0\x34\x0b\0\x34\xff\x03\0\0", 20);
-    const char* const name = "/ledger/energy_error";
-    const std::size_t place = sound.find(type, [&] {
-        const Hdf5Reader file(written.path);
-        return address_of(Hdf5Handle(H5Dopen2(file.id(), name, H5P_DEFAULT), H5Dclose, "opening").id());
-    }());
-    REQUIRE(place != std::string::npos);
-    const auto is_same_type = [&] {
-        const Hdf5Reader file(written.path);
-        const Hdf5Handle dataset(H5Dopen2(file.id(), name, H5P_DEFAULT), H5Dclose, "opening");
-        return H5Tequal(Hdf5Handle(H5Dget_type(dataset.id()), H5Tclose, "type").id(), H5T_IEEE_F64LE) > 0;
-    };
-    int told = 0;
-    for (std::size_t bit = 0; bit < 8 * type.size(); ++bit) {
-        INFO("byte " << bit / 8 << ", bit " << bit % 8);
-        std::string changed = sound;
-        changed[place + bit / 8] = static_cast<char>(changed[place + bit / 8] ^ (1 << (bit % 8)));
-        std::ofstream(written.path, std::ios::binary) << changed;
-        try {
-            if (list_changes(written.path).empty())
-                CHECK(is_same_type());  // a bit that means nothing
-            else
-                ++told;
-        } catch (const FileError&) {
-            ++told;
-        }
-    }
-    CHECK(told > 100);
-}
-
-TEST_CASE("A text that is said to be of other characters, or padded in another way, is told", "[results]") {
-    const Written written;
-    const std::string sound = read_text_file(written.path);
-    // HDF5's file format, IV.A.2.d: a list of any length, that is a text, ends with a zero, and is UTF-8.
-    const std::string type("\x19\x01\x01\0\x10\0\0\0", 8);
-    const std::size_t place = sound.find(type, sound.find("gxrod_version"));
-    REQUIRE(place != std::string::npos);
-    for (const auto& [byte, bit] : {std::pair{1, 4}, {1, 5}, {2, 0}, {2, 1}, {2, 2}}) {
-        INFO("byte " << byte << ", bit " << bit);
-        std::string changed = sound;
-        const std::size_t at = place + static_cast<std::size_t>(byte);
-        changed[at] = static_cast<char>(changed[at] ^ (1 << bit));
-        std::ofstream(written.path, std::ios::binary) << changed;
-        const std::vector<std::string> changes = written.changes();
-        REQUIRE(changes.size() == 1);
-        CHECK_THAT(changes[0], Catch::EndsWith("is of no type that gxrod writes"));
-    }
-}
-
-// Of the index of rows HDF5 itself goes from parents to children; other programs, and what splits a leaf, go
-// from leaf to leaf as well.
-TEST_CASE("A leaf of an index that does not lead to the next is told", "[results]") {
-    const Written written;
-    const std::string sound = read_text_file(written.path);
-    constexpr std::size_t next_leaf = 16;  // HDF5's file format, III.A.1
-    int leaves = 0;
-    for (std::size_t at = sound.find("TREE"); at != std::string::npos; at = sound.find("TREE", at + 1)) {
-        const bool is_of_rows = sound[at + 4] == 1;
-        if (!is_of_rows) continue;
-        std::string changed = sound;
-        changed[at + next_leaf + 2] = static_cast<char>(changed[at + next_leaf + 2] ^ 0x20);
-        std::ofstream(written.path, std::ios::binary) << changed;
-        INFO("byte " << at);
-        leaves += written.changes().empty() ? 0 : 1;
-    }
-    CHECK(leaves > 10);
 }

@@ -1,0 +1,155 @@
+#include <hdf5.h>
+
+#include <catch2/catch.hpp>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "deck/text_file.hpp"
+#include "fuzz/results_sample.hpp"
+#include "fuzz/scratch_folder.hpp"
+#include "model/file_error.hpp"
+#include "results/hdf5_reader.hpp"
+#include "results/list_changes.hpp"
+#include "results/results_access.hpp"
+#include "results/resumable_file.hpp"
+
+// What reads results of files in which what HDF5 keeps of its own is damaged.
+
+namespace gxrod::fuzz {
+namespace {
+
+const auto beyond_texts =
+    Catch::Contains("is damaged: where HDF5's library reads it, it would go beyond the ends of texts");
+
+std::vector<std::size_t> places_of(const std::string& bytes, const std::string& part) {
+    std::vector<std::size_t> places;
+    for (std::size_t at = bytes.find(part); at != std::string::npos; at = bytes.find(part, at + 1))
+        places.push_back(at);
+    return places;
+}
+
+}  // namespace
+
+// A reader asks by name, and may come to what a survey that lists all does not get to.
+TEST_CASE("A file whose objects or attributes cannot be listed is an error", "[results]") {
+    const ScratchFolder folder;
+    const std::string& sound = results_sample();
+    const auto told = [&](std::size_t place) {
+        std::string bytes = sound;
+        bytes[place] = 99;
+        try {
+            read_results(folder.write("damaged.vtkhdf", bytes), [](const Hdf5Reader&) {});
+        } catch (const FileError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const auto fault =
+        Catch::Contains("is damaged: where HDF5's library reads it, it cannot list all that is there");
+    int groups = 0;
+    for (std::size_t node = sound.find("SNOD"); node != std::string::npos;
+         node = sound.find("SNOD", node + 1)) {
+        CHECK_THAT(told(node), fault);
+        ++groups;
+    }
+    CHECK(groups > 5);
+    constexpr std::size_t before_name = 8;
+    const std::size_t name = sound.find("gxrod_version");
+    REQUIRE(name != std::string::npos);
+    CHECK_THAT(told(name - before_name), fault);
+}
+
+// A heap of texts says that it is longer than it is: HDF5 takes what lies behind for more of its texts, and a
+// text that a resumed run writes there goes over the heap's end in memory.
+TEST_CASE("A file whose texts would be written beyond their heap is an error", "[results]") {
+    const ScratchFolder folder;
+    const std::string sound = results_sample();
+    const std::vector<std::size_t> heaps = places_of(sound, "GCOL");
+    CHECK(heaps.size() > 1);
+    for (const std::size_t at : heaps) {
+        constexpr std::size_t size = 8;  // where the heap has it
+        for (const auto& [byte, value] : {std::pair{0, '\x1f'}, {1, '\x20'}, {7, '\x7f'}}) {
+            INFO("byte " << at + size + byte);
+            std::string longer = sound;
+            longer[at + size + byte] = value;
+            const std::filesystem::path path = folder.write("damaged.vtkhdf", longer);
+            CHECK_THROWS_WITH(ResumableFile(path), beyond_texts);
+            CHECK_THROWS_WITH(list_changes(path), beyond_texts);
+        }
+    }
+}
+
+// HDF5 takes memory of a text's length as the reference has it, and copies into it what the heap has.
+TEST_CASE("A file whose texts are not of the length that is told is an error", "[results]") {
+    const ScratchFolder folder;
+    const std::string sound = results_sample();
+    int references = 0;
+    for (const std::size_t heap : places_of(sound, "GCOL")) {
+        std::string address(8, '\0');
+        std::memcpy(address.data(), &heap, sizeof heap);
+        for (const std::size_t at : places_of(sound, address)) {
+            const bool is_reference = at % 8 == 4;  // with the length before it
+            if (!is_reference || ++references % 6 != 0) continue;
+            INFO("byte " << at);
+            constexpr std::size_t length = 4;  // bytes before the address
+            std::string changed = sound;
+            changed[at - length] = static_cast<char>(changed[at - length] + 1);
+            const std::filesystem::path path = folder.write("damaged.vtkhdf", changed);
+            CHECK_THROWS_WITH(list_changes(path), beyond_texts);
+            changed = sound;
+            changed[at - 1] = '\x7f';
+            folder.write("damaged.vtkhdf", changed);
+            CHECK_THROWS_WITH(list_changes(path), beyond_texts);
+            changed = sound;
+            changed[at + 8 + 1] = '\x7f';  // of its number
+            folder.write("damaged.vtkhdf", changed);
+            CHECK_THROWS_WITH(ResumableFile(path), beyond_texts);
+        }
+    }
+    CHECK(references > 100);
+}
+
+// The first entry of a heap of texts is one without an end and without a length: HDF5 1.10 looks for the next
+// for ever.
+TEST_CASE("A file over which HDF5 does not come back is an error", "[results]") {
+    const ScratchFolder folder;
+    std::string bytes = results_sample();
+    const std::size_t heap = bytes.find("GCOL");
+    REQUIRE(heap != std::string::npos);
+    constexpr std::size_t header = 16;  // of the heap, and of each entry
+    bytes.replace(heap + header, header, header, '\0');
+    const std::filesystem::path path = folder.write("damaged.vtkhdf", bytes);
+    CHECK_THROWS_WITH(read_results(path, [](const Hdf5Reader&) {}), beyond_texts);
+    // What looks for changes is the first to read it, for an export.
+    CHECK_THROWS_WITH(list_changes(path), beyond_texts);
+}
+
+// HDF5 takes memory of a chunk's length as its index has it, or of what comes out of a compressed one, and
+// goes through as many rows as a chunk should have.
+TEST_CASE("A file whose chunks are not of the length that is told is an error", "[results]") {
+    const ScratchFolder folder;
+    const std::string sound = results_sample();
+    constexpr std::size_t level = 5, length = 24, skipped_filters = 28;
+    const auto beyond_rows = std::string("it would go beyond the ends of rows");
+    int leaves = 0;
+    for (const std::size_t index : places_of(sound, "TREE\x01")) {
+        if (sound[index + level] != 0) continue;
+        ++leaves;
+        INFO("byte " << index);
+        int told = 0;
+        for (const std::size_t place : {length, skipped_filters}) {
+            std::string changed = sound;
+            changed[index + place] = static_cast<char>(changed[index + place] ^ 1);
+            try {
+                list_changes(folder.write("damaged.vtkhdf", changed));
+            } catch (const FileError& error) {
+                told += std::string(error.what()).ends_with(beyond_rows) ? 1 : 0;
+            }
+        }
+        CHECK(told == 1);  // without filters there is none to skip; the length of what is compressed may vary
+    }
+    CHECK(leaves > 20);
+}
+
+}  // namespace gxrod::fuzz

@@ -1,0 +1,86 @@
+#include <catch2/catch.hpp>
+#include <fstream>
+
+#include "deck/text_file.hpp"
+#include "model/file_error.hpp"
+#include "results/hdf5_reader.hpp"
+#include "results/written_file.hpp"
+#include "tools/let_hdf5_leak.hpp"
+
+// Of changed bits in what HDF5 keeps of its own.
+
+using namespace gxrod;
+
+// The same bytes are other numbers if their type is another.
+TEST_CASE("A changed bit of the type of numbers is told", "[results]") {
+    const test::LetHdf5Leak leaks;
+    const sample::WrittenFile written;
+    const std::string sound = read_text_file(written.path);
+    // HDF5's file format, IV.A.2.d: a float of 8 bytes, the lowest first.
+    const std::string type("\x11\x20\x3f\0\x08\0\0\0\0\0\x40\0\x34\x0b\0\x34\xff\x03\0\0", 20);
+    const char* const name = "/ledger/energy_error";
+    const std::size_t place = sound.find(type, [&] {
+        const Hdf5Reader file(written.path);
+        return address_of(Hdf5Handle(H5Dopen2(file.id(), name, H5P_DEFAULT), H5Dclose, "opening").id());
+    }());
+    REQUIRE(place != std::string::npos);
+    const auto is_same_type = [&] {
+        const Hdf5Reader file(written.path);
+        const Hdf5Handle dataset(H5Dopen2(file.id(), name, H5P_DEFAULT), H5Dclose, "opening");
+        return H5Tequal(Hdf5Handle(H5Dget_type(dataset.id()), H5Tclose, "type").id(), H5T_IEEE_F64LE) > 0;
+    };
+    int told = 0;
+    for (std::size_t bit = 0; bit < 8 * type.size(); ++bit) {
+        INFO("byte " << bit / 8 << ", bit " << bit % 8);
+        std::string changed = sound;
+        changed[place + bit / 8] = static_cast<char>(changed[place + bit / 8] ^ (1 << (bit % 8)));
+        std::ofstream(written.path, std::ios::binary) << changed;
+        try {
+            if (list_changes(written.path).empty())
+                CHECK(is_same_type());  // a bit that means nothing
+            else
+                ++told;
+        } catch (const FileError&) {
+            ++told;
+        }
+    }
+    CHECK(told > 100);
+}
+
+TEST_CASE("A text that is said to be of other characters, or padded in another way, is told", "[results]") {
+    const sample::WrittenFile written;
+    const std::string sound = read_text_file(written.path);
+    // HDF5's file format, IV.A.2.d: a list of any length, that is a text, ends with a zero, and is UTF-8.
+    const std::string type("\x19\x01\x01\0\x10\0\0\0", 8);
+    const std::size_t place = sound.find(type, sound.find("gxrod_version"));
+    REQUIRE(place != std::string::npos);
+    for (const auto& [byte, bit] : {std::pair{1, 4}, {1, 5}, {2, 0}, {2, 1}, {2, 2}}) {
+        INFO("byte " << byte << ", bit " << bit);
+        std::string changed = sound;
+        const std::size_t at = place + static_cast<std::size_t>(byte);
+        changed[at] = static_cast<char>(changed[at] ^ (1 << bit));
+        std::ofstream(written.path, std::ios::binary) << changed;
+        const std::vector<std::string> changes = written.changes();
+        REQUIRE(changes.size() == 1);
+        CHECK_THAT(changes[0], Catch::EndsWith("is of no type that gxrod writes"));
+    }
+}
+
+// Of the index of rows HDF5 itself goes from parents to children; other programs, and what splits a leaf, go
+// from leaf to leaf as well.
+TEST_CASE("A leaf of an index that does not lead to the next is told", "[results]") {
+    const sample::WrittenFile written;
+    const std::string sound = read_text_file(written.path);
+    constexpr std::size_t next_leaf = 16;  // HDF5's file format, III.A.1
+    int leaves = 0;
+    for (std::size_t at = sound.find("TREE"); at != std::string::npos; at = sound.find("TREE", at + 1)) {
+        const bool is_of_rows = sound[at + 4] == 1;
+        if (!is_of_rows) continue;
+        std::string changed = sound;
+        changed[at + next_leaf + 2] = static_cast<char>(changed[at + next_leaf + 2] ^ 0x20);
+        std::ofstream(written.path, std::ios::binary) << changed;
+        INFO("byte " << at);
+        leaves += written.changes().empty() ? 0 : 1;
+    }
+    CHECK(leaves > 10);
+}
