@@ -66,9 +66,22 @@ void pass_over_errors(Action&& action) {
     }
 }
 
-herr_t add_hard_link(hid_t, const char* name, const H5L_info_t* information, void* names) {
-    if (information->type == H5L_TYPE_HARD) static_cast<std::vector<std::string>*>(names)->push_back(name);
+struct Links {
+    std::vector<std::string> hard;
+    bool stay_within = true;  // the file
+};
+
+herr_t add_link(hid_t, const char* name, const H5L_info_t* information, void* data) {
+    auto& links = *static_cast<Links*>(data);
+    if (information->type == H5L_TYPE_HARD) links.hard.emplace_back(name);
+    if (information->type != H5L_TYPE_HARD && information->type != H5L_TYPE_SOFT) links.stay_within = false;
     return 0;
+}
+
+// The library would open, of a dataset, the files that have its rows; of a run that goes on, to write them.
+bool has_own_rows(hid_t dataset) {
+    const Hdf5Handle properties(H5Dget_create_plist(dataset), H5Pclose, "properties of a dataset");
+    return H5Pget_layout(properties.id()) != H5D_VIRTUAL && H5Pget_external_count(properties.id()) == 0;
 }
 
 // Visits all objects of a file. What cannot even be listed is not passed over: a reader, who asks by name,
@@ -89,6 +102,7 @@ class Survey {
     // What is wrong, empty if nothing is.
     std::string fault() const {
         if (!is_listed_) return "it cannot list all that is there";
+        if (!stays_within_) return "it would go to other files";
         if (!has_sound_numbers_) return "it would go beyond the ends of numbers";
         if (!has_sound_chunks_) return "it would go beyond the ends of rows";
         return has_sound_texts_ ? "" : "it would go beyond the ends of texts";
@@ -96,6 +110,8 @@ class Survey {
 
   private:
     void visit_dataset(hid_t dataset) {
+        stays_within_ = stays_within_ && has_own_rows(dataset);
+        if (!stays_within_) return;
         const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, "type");
         const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "dataspace");
         check_chunks(dataset);
@@ -132,9 +148,10 @@ class Survey {
     }
 
     void visit_members(const Hdf5Handle& group) {
-        std::vector<std::string> names;
-        expect_listed(H5Literate(group.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add_hard_link, &names));
-        for (const std::string& name : names) {
+        Links links;
+        expect_listed(H5Literate(group.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add_link, &links));
+        stays_within_ = stays_within_ && links.stay_within;
+        for (const std::string& name : links.hard) {
             pass_over_errors([&] {
                 visit({H5Oopen(group.id(), name.c_str(), H5P_DEFAULT), H5Oclose, "an object"});
             });
@@ -166,6 +183,7 @@ class Survey {
     TextCheck texts_;
     std::set<haddr_t> seen_;
     bool is_listed_ = true;
+    bool stays_within_ = true;
     bool has_sound_numbers_ = true;
     bool has_sound_chunks_ = true;
     bool has_sound_texts_ = true;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 #include <catch2/catch.hpp>
+#include <functional>
 #include <limits>
 
 #include "deck/problem.hpp"
@@ -28,6 +29,8 @@ class Damaged {
     Damaged() : path_(folder_.write("damaged.vtkhdf", results_sample())) {
         file_ = Hdf5Handle(H5Fopen(path_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, "opening");
     }
+
+    void change(const std::function<void(hid_t)>& action) { action(file_.id()); }
 
     void replace_attribute(const char* object,
                            const char* name,
@@ -225,6 +228,45 @@ TEST_CASE("A list where one value belongs is an error", "[results]") {
     Damaged text;
     text.replace_dataset("/deck/text", {3});
     CHECK(text.resume_fault() == "cannot be resumed: /deck/text is not one value");
+}
+
+// A run that goes on would write into them.
+TEST_CASE("A file that would lead to others is an error", "[results]") {
+    const std::string told = "is damaged: where HDF5's library reads it, it would go to other files";
+    Damaged linked;
+    linked.change([](hid_t file) {
+        H5Ldelete(file, "/solver", H5P_DEFAULT);
+        H5Lcreate_external("other.vtkhdf", "/solver", file, "/solver", H5P_DEFAULT, H5P_DEFAULT);
+    });
+    CHECK(linked.resume_fault() == told);
+    CHECK(linked.csv_fault() == told);
+    const hsize_t rows = 6;
+    const auto replace_residual = [&](const std::function<void(hid_t)>& set_source) {
+        Damaged damaged;
+        damaged.change([&](hid_t file) {
+            H5Ldelete(file, "/solver/residual", H5P_DEFAULT);
+            const Hdf5Handle space(H5Screate_simple(1, &rows, nullptr), H5Sclose, "dataspace");
+            const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "properties");
+            set_source(creation.id());
+            H5Dclose(H5Dcreate2(file,
+                                "/solver/residual",
+                                H5T_IEEE_F64LE,
+                                space.id(),
+                                H5P_DEFAULT,
+                                creation.id(),
+                                H5P_DEFAULT));
+        });
+        return damaged.resume_fault();
+    };
+    CHECK(replace_residual([](hid_t creation) { H5Pset_external(creation, "other", 0, H5F_UNLIMITED); }) ==
+          told);
+    CHECK(replace_residual([&](hid_t creation) {
+              const Hdf5Handle space(H5Screate_simple(1, &rows, nullptr), H5Sclose, "dataspace");
+              H5Pset_virtual(creation, space.id(), "other.vtkhdf", "residual", space.id());
+          }) == told);
+    Damaged soft;
+    soft.change([](hid_t file) { H5Lcreate_soft("/solver", file, "/again", H5P_DEFAULT, H5P_DEFAULT); });
+    CHECK(soft.csv_fault() == "");
 }
 
 TEST_CASE("A dataset that the file is too small for takes no memory", "[results]") {
