@@ -154,7 +154,7 @@ TEST_CASE("The deck as run names its overrides", "[deck]") {
     CHECK(problem.record.text.starts_with("# x.toml, run with --set title=two lines --set output.every=3\n"));
     CHECK(problem.record.title == "two\nlines");
     CHECK(read(problem.record.text).record.title == "two\nlines");
-    CHECK(faults_of(body_deck, {"title=a\xFFz"}) == "--set title=a\xFFz: not UTF-8 text");
+    CHECK(faults_of(body_deck, {"title=a\xFFz"}) == "--set title=a\\xffz: not UTF-8 text");
 }
 
 }  // namespace gxrod::test
