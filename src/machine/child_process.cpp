@@ -1,6 +1,7 @@
 #include "machine/child_process.hpp"
 
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/time.h>
@@ -11,6 +12,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <string_view>
 #include <system_error>
 
@@ -37,10 +39,40 @@ bool write_all(int descriptor, std::string_view bytes) {
     return true;
 }
 
-std::string read_all(int descriptor) {
+// Looks once a second whether a process computes.
+class Waiting {
+  public:
+    explicit Waiting(pid_t process) { has_clock_ = ::clock_getcpuclockid(process, &clock_) == 0; }
+
+    int seconds() const { return seconds_; }
+    void look() {
+        timespec computed{};
+        if (!has_clock_ || ::clock_gettime(clock_, &computed) != 0) return;
+        const bool is_same = computed.tv_sec == computed_.tv_sec && computed.tv_nsec == computed_.tv_nsec;
+        seconds_ = is_same ? seconds_ + 1 : 0;
+        computed_ = computed;
+    }
+
+  private:
+    clockid_t clock_{};
+    bool has_clock_;
+    timespec computed_{};
+    int seconds_ = 0;
+};
+
+// Until it ends, or waits for too long; then it is killed.
+std::string read_all(int descriptor, pid_t process, Waiting& waiting, const ChildLimits& limits) {
     std::string bytes;
     std::array<char, 65536> buffer{};
+    constexpr int a_second = 1000;
     while (true) {
+        pollfd channel{descriptor, POLLIN, 0};
+        const int ready = ::poll(&channel, 1, a_second);
+        if (ready == 0) {
+            waiting.look();
+            if (waiting.seconds() >= limits.waiting_seconds) ::kill(process, SIGKILL);
+        }
+        if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
         const ssize_t got = ::read(descriptor, buffer.data(), buffer.size());
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) return bytes;
@@ -115,9 +147,13 @@ std::string run_in_child(const std::function<std::string()>& work, const ChildLi
         ::close(channel[0]);
         fail("starting a process");
     }
-    std::string bytes = read_all(channel[0]);
+    Waiting waiting(process);
+    std::string bytes = read_all(channel[0], process, waiting, limits);
     ::close(channel[0]);
     const int status = wait_for_end(process);
+    if (WIFSIGNALED(status) && waiting.seconds() >= limits.waiting_seconds)
+        throw ChildError(
+            fmt::format("it waits for something that has not come in {} s", limits.waiting_seconds));
     if (!WIFEXITED(status) || WEXITSTATUS(status) != done) throw ChildError(describe_end(status, limits));
     return bytes;
 }

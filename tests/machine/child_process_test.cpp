@@ -50,6 +50,24 @@ TEST_CASE("A child process that breaks down harms nobody else", "[machine]") {
     CHECK(end_of(loop_for_ever, {.processor_seconds = 1}) == "it does not come to an end in 1 s");
 }
 
+TEST_CASE("A child process that waits for what does not come is ended", "[machine]") {
+    const ChildLimits limits{.waiting_seconds = 2};
+    const auto wait = [] {
+        ::pause();
+        return std::string();
+    };
+    CHECK(end_of(wait, limits) == "it waits for something that has not come in 2 s");
+    const auto compute_and_sleep = [] {
+        volatile double sum = 0.0;
+        for (int second = 0; second < 4; ++second) {
+            for (int i = 0; i < 1'000'000; ++i) sum = sum + i;
+            ::usleep(900'000);
+        }
+        return std::string("came");
+    };
+    CHECK(end_of(compute_and_sleep, limits) == "done: came");
+}
+
 TEST_CASE("A child process that only reads can run and write nothing", "[machine]") {
     const std::string refused = "it tries to run a program";
     const ChildLimits limits{.reads_only = true};

@@ -143,7 +143,8 @@ LineMesh read_line_mesh(const std::filesystem::path& file) {
     const GmshLibrary& gmsh = gmsh_library();
     std::string said;
     try {
-        said = run_in_child([&] { return answer(gmsh, file); }, {processor_seconds, true});
+        said = run_in_child([&] { return answer(gmsh, file); },
+                            {.processor_seconds = processor_seconds, .reads_only = true});
     } catch (const ChildError& error) {
         throw MeshError(std::string("Gmsh cannot read it: ") + error.what());
     }
