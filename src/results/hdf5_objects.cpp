@@ -197,6 +197,20 @@ double most_bytes_of(hid_t object) {
     return always_fine + most_inflated * static_cast<double>(file_bytes);
 }
 
+void check_type(hid_t type, const std::string& name) {
+    const auto is_written = [&] {
+        if (H5Tget_class(type) == H5T_STRING) {
+            const bool is_variable = H5Tis_variable_str(type) > 0;
+            return H5Tget_cset(type) == (is_variable ? H5T_CSET_UTF8 : H5T_CSET_ASCII) &&
+                   H5Tget_strpad(type) == (is_variable ? H5T_STR_NULLTERM : H5T_STR_NULLPAD);
+        }
+        const std::array numbers = {H5T_IEEE_F64LE, H5T_STD_I64LE, H5T_STD_U8LE};
+        return std::any_of(
+            numbers.begin(), numbers.end(), [&](hid_t number) { return H5Tequal(type, number) > 0; });
+    };
+    if (!is_written()) throw std::runtime_error(name + " is of no type that gxrod writes");
+}
+
 void check_single(const Hdf5Handle& space, const std::string& name) {
     if (H5Sget_simple_extent_npoints(space.id()) != 1) throw std::runtime_error(name + " is not one value");
 }
@@ -221,6 +235,7 @@ std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t
 std::string read_text_attribute(hid_t object, const std::string& name) {
     const Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "opening an attribute");
     const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose, "type");
+    check_type(type.id(), name);
     check_single(Hdf5Handle(H5Aget_space(attribute.id()), H5Sclose, "dataspace"), name);
     return read_string(
         type, [&](hid_t memory_type, void* buffer) { return H5Aread(attribute.id(), memory_type, buffer); });

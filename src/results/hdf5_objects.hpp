@@ -44,7 +44,10 @@ double most_bytes_of(hid_t object);
 
 // A string of any kind; `read` reads it as a type into a buffer.
 std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t, void*)>& read);
-// Throws std::runtime_error, with the name, if a dataset or an attribute does not hold one value.
+// Throws std::runtime_error, with the name, if a dataset or an attribute is of a type that gxrod does not
+// write: bits of a value alone do not tell what it is.
+void check_type(hid_t type, const std::string& name);
+// The same if it does not hold one value.
 void check_single(const Hdf5Handle& space, const std::string& name);
 std::string read_text_attribute(hid_t object, const std::string& name);
 

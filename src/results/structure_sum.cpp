@@ -19,19 +19,6 @@ constexpr std::array<std::string_view, 4> changing_attributes = {
 // 0 stands for none.
 std::uint32_t not_none(std::uint32_t sum) { return std::max<std::uint32_t>(sum, 1); }
 
-// Bits of a value alone do not tell what it is.
-bool is_written_type(hid_t type) {
-    if (H5Tget_class(type) == H5T_STRING) {
-        const bool is_variable = H5Tis_variable_str(type) > 0;
-        return H5Tget_cset(type) == (is_variable ? H5T_CSET_UTF8 : H5T_CSET_ASCII) &&
-               H5Tget_strpad(type) == (is_variable ? H5T_STR_NULLTERM : H5T_STR_NULLPAD);
-    }
-    for (const hid_t known : {H5T_IEEE_F64LE, H5T_STD_I64LE, H5T_STD_U8LE}) {
-        if (H5Tequal(type, known) > 0) return true;
-    }
-    return false;
-}
-
 class StructureSum {
   public:
     std::uint32_t compute(hid_t root) {
@@ -75,10 +62,11 @@ class StructureSum {
         std::array<char, 64> name{};
         check_hdf5(H5Aget_name(attribute.id(), name.size(), name.data()) < 0 ? -1 : 0, "reading a name");
         const std::string full = path + "@" + name.data();
-        if (std::find(changing_attributes.begin(), changing_attributes.end(), full) !=
+        if (std::find(changing_attributes.begin(), changing_attributes.end(), full) ==
             changing_attributes.end())
-            return;
-        add_attribute(attribute, full);
+            add_attribute(attribute, full);
+        else
+            check_type(Hdf5Handle(H5Aget_type(attribute.id()), H5Tclose, "type").id(), full);
     }
 
     void add_attribute(const Hdf5Handle& attribute, const std::string& full) {
@@ -97,7 +85,7 @@ class StructureSum {
                     const std::function<herr_t(hid_t, void*)>& read) {
         constexpr hssize_t most = 1 << 16;
         if (count < 0 || count > most) throw std::runtime_error(name + " has more values than gxrod writes");
-        if (!is_written_type(type.id())) throw std::runtime_error(name + " is of no type that gxrod writes");
+        check_type(type.id(), name);
         if (count == 0) return;
         if (H5Tget_class(type.id()) == H5T_STRING) {
             if (count != 1) throw std::runtime_error(name + " is not one text");
@@ -121,8 +109,7 @@ class StructureSum {
                 });
             return;
         }
-        if (!is_written_type(type.id()))
-            throw std::runtime_error("a dataset is of no type that gxrod writes");
+        check_type(type.id(), "a dataset");
         const std::vector<hsize_t> extent = extent_of(dataset);
         const std::array<hsize_t, 3> form = {
             H5Tget_size(type.id()), extent.size(), extent.size() > 1 ? extent[1] : 1};
