@@ -61,7 +61,7 @@ void pass_over_errors(Action&& action) {
     restart_processor_clock(limits);
     try {
         action();
-    } catch (const std::exception&) {
+    } catch (const std::runtime_error&) {
         H5Eclear2(H5E_DEFAULT);
     }
 }
@@ -110,22 +110,20 @@ class Survey {
 
   private:
     void visit_dataset(hid_t dataset) {
-        stays_within_ = stays_within_ && has_own_rows(dataset);
-        if (!stays_within_) return;
+        check_rows(dataset);
+        if (!stays_within_ || !has_sound_chunks_) return;
         const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, "type");
         const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "dataspace");
-        check_chunks(dataset);
-        if (!has_sound_chunks_) return;
         read_values(type, space, [&](hid_t memory, void* buffer) {
             return H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, buffer);
         });
     }
 
-    void check_chunks(hid_t dataset) {
-        const bool were_sound = std::exchange(has_sound_chunks_, false);  // also if this throws
+    void check_rows(hid_t dataset) {
         try {
+            stays_within_ = stays_within_ && has_own_rows(dataset);
             has_sound_chunks_ =
-                has_sound_chunks(dataset, [] { restart_processor_clock(limits); }) && were_sound;
+                has_sound_chunks_ && has_sound_chunks(dataset, [] { restart_processor_clock(limits); });
         } catch (const Hdf5Error&) {
             is_listed_ = false;
             throw;
