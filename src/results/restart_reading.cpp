@@ -51,11 +51,11 @@ bool has_known_labels(const Hdf5Reader& file) {
         nodes_label, sections_label, algorithmic_label, driving_label, damping_label, numbers_label()};
     for (const std::string& slot : file.members("/restart")) {
         if (slot != slot_name(0) && slot != slot_name(1)) return false;
-        const std::string path = "/restart/" + slot;
+        const std::string path = "/restart/" + slot + "/";
         for (const std::string& name : file.members(path)) {
             const auto* const label = std::find_if(
                 labels.begin(), labels.end(), [&](const DatasetLabel& one) { return one.name == name; });
-            if (label == labels.end() || !has_label(file, path + "/" + name, *label)) return false;
+            if (label == labels.end() || !has_label(file, path + name, *label)) return false;
         }
     }
     return true;

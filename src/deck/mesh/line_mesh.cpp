@@ -138,13 +138,13 @@ std::string answer(const GmshLibrary& gmsh, const std::filesystem::path& file) {
 // Gmsh breaks down over some files that are no meshes, and a geometry script may run programs and write
 // files: so it reads in a process of its own, which can do neither.
 LineMesh read_line_mesh(const std::filesystem::path& file) {
-    constexpr int processor_seconds = 600;
+    constexpr int most_seconds = 600;
     check_file(file);
     const GmshLibrary& gmsh = gmsh_library();
     std::string said;
     try {
         said = run_in_child([&] { return answer(gmsh, file); },
-                            {.processor_seconds = processor_seconds, .reads_only = true});
+                            {.processor_seconds = most_seconds, .reads_only = true});
     } catch (const ChildError& error) {
         throw MeshError(std::string("Gmsh cannot read it: ") + error.what());
     }
