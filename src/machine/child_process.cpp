@@ -39,24 +39,25 @@ bool write_all(int descriptor, std::string_view bytes) {
     return true;
 }
 
-// Looks once a second whether a process computes.
+// Looks once a second whether a process computes, more than threads do that look at something themselves.
 class Waiting {
   public:
     explicit Waiting(pid_t process) { has_clock_ = ::clock_getcpuclockid(process, &clock_) == 0; }
 
     int seconds() const { return seconds_; }
     void look() {
-        timespec computed{};
-        if (!has_clock_ || ::clock_gettime(clock_, &computed) != 0) return;
-        const bool is_same = computed.tv_sec == computed_.tv_sec && computed.tv_nsec == computed_.tv_nsec;
-        seconds_ = is_same ? seconds_ + 1 : 0;
+        constexpr double next_to_nothing = 1e-3;  // seconds
+        timespec clock{};
+        if (!has_clock_ || ::clock_gettime(clock_, &clock) != 0) return;
+        const double computed = static_cast<double>(clock.tv_sec) + 1e-9 * static_cast<double>(clock.tv_nsec);
+        seconds_ = computed - computed_ < next_to_nothing ? seconds_ + 1 : 0;
         computed_ = computed;
     }
 
   private:
     clockid_t clock_{};
     bool has_clock_;
-    timespec computed_{};
+    double computed_ = 0.0;
     int seconds_ = 0;
 };
 

@@ -10,7 +10,7 @@ namespace gxrod {
 struct ChildLimits {
     // After which it is ended, counted from its start or from the last restart_processor_clock; 0: no limit.
     int processor_seconds = 0;
-    // After which it is ended if it computed nothing in that time: it waits for what does not come.
+    // After which it is ended if it computed next to nothing in that time: it waits for what does not come.
     int waiting_seconds = 30;
     bool reads_only = false;  // as machine/confinement.hpp has it
 };
