@@ -61,6 +61,10 @@ class Waiting {
     int seconds_ = 0;
 };
 
+bool has_waited(const Waiting& waiting, const ChildLimits& limits) {
+    return limits.waiting_seconds > 0 && waiting.seconds() >= limits.waiting_seconds;
+}
+
 // Until it ends, or waits for too long; then it is killed.
 std::string read_all(int descriptor, pid_t process, Waiting& waiting, const ChildLimits& limits) {
     std::string bytes;
@@ -71,7 +75,7 @@ std::string read_all(int descriptor, pid_t process, Waiting& waiting, const Chil
         const int ready = ::poll(&channel, 1, a_second);
         if (ready == 0) {
             waiting.look();
-            if (waiting.seconds() >= limits.waiting_seconds) ::kill(process, SIGKILL);
+            if (has_waited(waiting, limits)) ::kill(process, SIGKILL);
         }
         if (ready == 0 || (ready < 0 && errno == EINTR)) continue;
         const ssize_t got = ::read(descriptor, buffer.data(), buffer.size());
@@ -116,8 +120,6 @@ std::string describe_end(int status, const ChildLimits& limits) {
         switch (WEXITSTATUS(status)) {
             case cannot_be_confined:
                 return "this system cannot keep it from running programs";
-            case has_thrown:
-                return "there is no memory for it";
             default:  // a sanitizer's
                 return fmt::format("it breaks down: exit code {}", WEXITSTATUS(status));
         }
@@ -152,9 +154,11 @@ std::string run_in_child(const std::function<std::string()>& work, const ChildLi
     std::string bytes = read_all(channel[0], process, waiting, limits);
     ::close(channel[0]);
     const int status = wait_for_end(process);
-    if (WIFSIGNALED(status) && waiting.seconds() >= limits.waiting_seconds)
+    if (WIFSIGNALED(status) && has_waited(waiting, limits))
         throw ChildError(
             fmt::format("it waits for something that has not come in {} s", limits.waiting_seconds));
+    if (WIFEXITED(status) && WEXITSTATUS(status) == has_thrown)
+        throw ChildMemoryError("there is no memory for it");
     if (!WIFEXITED(status) || WEXITSTATUS(status) != done) throw ChildError(describe_end(status, limits));
     return bytes;
 }

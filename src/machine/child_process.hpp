@@ -11,7 +11,8 @@ struct ChildLimits {
     // After which it is ended, counted from its start or from the last restart_processor_clock; 0: no limit.
     int processor_seconds = 0;
     // After which it is ended if it computed next to nothing in that time: it waits for what does not come.
-    int waiting_seconds = 30;
+    // 0: no limit, as where a disk may be slow.
+    int waiting_seconds = 0;
     bool reads_only = false;  // as machine/confinement.hpp has it
 };
 
@@ -19,6 +20,12 @@ struct ChildLimits {
 class ChildError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
+};
+
+// It had no memory for its work.
+class ChildMemoryError : public ChildError {
+  public:
+    using ChildError::ChildError;
 };
 
 // Does work in a copy of this process and returns the bytes that it returns. Where a library breaks down over

@@ -21,8 +21,10 @@ Hdf5Handle open_root(const Hdf5Reader& file) {
 // Of all datasets that grow, up to a place and in all.
 class RowSums {
   public:
-    RowSums(const Hdf5Reader& file, const RestartPlace& place)
-        : steps_(place.steps),
+    // Those in all only of a run that has ended: what a kill left beyond the place may not be readable.
+    RowSums(const Hdf5Reader& file, const RestartPlace& place, bool has_ended)
+        : has_ended_(has_ended),
+          steps_(place.steps),
           frames_(place.frames),
           points_(static_cast<hsize_t>(file.count("/VTKHDF/NumberOfPoints"))),
           cells_(static_cast<hsize_t>(file.count("/VTKHDF/NumberOfCells"))) {
@@ -45,6 +47,7 @@ class RowSums {
         const haddr_t address = address_of(dataset);
         const std::uint32_t sum = sum_rows(dataset, {0, rows});
         (at_place_.*part).push_back({address, sum});
+        if (!has_ended_) return;
         (of_all_.*part).push_back({address, sum_rows(dataset, {rows, extent_of(dataset).at(0)}, sum)});
     }
 
@@ -53,6 +56,7 @@ class RowSums {
         return frames_ * (path.starts_with("/VTKHDF/CellData/") ? cells_ : points_);
     }
 
+    bool has_ended_;
     hsize_t steps_, frames_, points_, cells_;
     Sums at_place_, of_all_;
 };
@@ -73,6 +77,16 @@ bool is_structure_as_written(const Hdf5Reader& file, const Hdf5Handle& root) {
 
 const char* const structure_changed =
     "its names, deck, meshes or other texts are not those that were written";
+const char* const end_changed = "its status, its last frame or the number of its rows is not that of its end";
+
+// Of a run that could not begin, say.
+std::vector<std::string> find_changes_without_state(const Hdf5Reader& file) {
+    const Hdf5Handle root = open_root(file);
+    if (!is_structure_as_written(file, root)) return {structure_changed};
+    const std::uint32_t end = read_file_sums(file).end;
+    if (end != 0 && sum_end(root.id(), RowSums(file, {}, true).of_all()) != end) return {end_changed};
+    return {};
+}
 
 }  // namespace
 
@@ -86,12 +100,10 @@ std::vector<std::string> find_changes(const Hdf5Reader& file) {
             if (steps == 0) return {};
             return {"its run was stopped before it wrote checksums, so that changes would not be told"};
         }
-        std::vector<std::string> changes;
-        if (place)
-            changes = find_changes(file, *place);
-        else if (!is_structure_as_written(file, open_root(file)))
-            changes.emplace_back(structure_changed);
-        if (changes.empty() && steps > (place ? place->steps : 0))
+        std::vector<std::string> changes =
+            place ? find_changes(file, *place) : find_changes_without_state(file);
+        const bool has_ended = !place && read_file_sums(file).end != 0;
+        if (changes.empty() && !has_ended && steps > (place ? place->steps : 0))
             changes.push_back(
                 fmt::format("its steps{} have no checksum, as its run was stopped while it wrote them",
                             place ? fmt::format(" after t = {:.10g}", place->record.steps.time) : ""));
@@ -107,7 +119,7 @@ std::vector<std::string> find_changes(const Hdf5Reader& file, const RestartPlace
     const Hdf5Handle root = open_root(file);
     if (!is_structure_as_written(file, root)) return {structure_changed};
     std::vector<std::string> changes;
-    const RowSums sums(file, place);
+    const RowSums sums(file, place, written.end != 0);
     const double time = place.record.steps.time;
     if (sums.at_place().steps != place.sums.steps) {
         changes.push_back(
@@ -122,7 +134,7 @@ std::vector<std::string> find_changes(const Hdf5Reader& file, const RestartPlace
     if (changes.empty() && !do_times_go_on(file, place))
         changes.push_back(fmt::format("times of steps after t = {:.10g} do not grow", time));
     if (changes.empty() && written.end != 0 && sum_end(root.id(), sums.of_all()) != written.end)
-        changes.emplace_back("its status, its last frame or the number of its rows is not that of its end");
+        changes.emplace_back(end_changed);
     return changes;
 }
 

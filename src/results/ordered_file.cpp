@@ -136,7 +136,7 @@ void OrderedFile::commit(Order direction) {
     pending_.clear();
     pending_metadata_.clear();
     if (size_ < disk_size_) resize(size_);
-    committed_ = size_;
+    committed_ = end_ = size_;
 }
 
 void OrderedFile::abandon() noexcept {

@@ -44,7 +44,7 @@ class OrderedFile : public std::enable_shared_from_this<OrderedFile> {
     void adopt() { adopted_ = size_; }
     // The size that the next commit gives the file.
     void set_size(std::uint64_t size) { size_ = size; }
-    // End of the last byte written, committed or not.
+    // End of the file as it was last committed, or of the last byte written since.
     std::uint64_t end() const { return end_; }
     // In the order above, or, of a file from which rows are only taken away, in the reverse one: sizes before
     // what is no longer within them. Throws std::system_error, for instance when the disk is full.

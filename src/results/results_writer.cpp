@@ -129,15 +129,26 @@ ResultsWriter::ResultsWriter(ResumableFile file,
     frame_bytes_ = count_frame_bytes(model);
     clear_file_sums(root_);
     commit();
-    write_resumption(root_, file.deck(), deck);
-    tables_.emplace(root_, deck, model, output, file.place().steps, file.place().frames);
-    commit();
+    const auto open_tables = [&] {
+        tables_.emplace(root_, deck, model, output, file.place().steps, file.place().frames);
+        commit();
+    };
+    open_tables();
     tables_->trim_times();
     commit(OrderedFile::Order::shrinking);
     tables_->flush_frame_count();
     commit();
+    // Compressed frames would be written over those that are there, which a kill in between would tear. What
+    // becomes free must not be used again, as if nothing on disk referred to it: HDF5 forgets it.
+    tables_->trim();
+    commit(OrderedFile::Order::shrinking);
+    close_hdf5();
+    hdf5_ = open_hdf5(*file_);
+    root_ = open_root(hdf5_);
+    write_resumption(root_, file.deck(), deck);
+    open_tables();
     // Once more, with checksums of histories that are new.
-    tables_->set_restart(file.take_record());
+    set_restart(file.take_record());
     commit();
     tables_->switch_restart();
     commit();

@@ -61,7 +61,9 @@ void pass_over_errors(Action&& action) {
     restart_processor_clock(limits);
     try {
         action();
-    } catch (const std::runtime_error&) {
+    } catch (const std::bad_alloc&) {
+        throw;
+    } catch (const std::exception&) {
         H5Eclear2(H5E_DEFAULT);
     }
 }
@@ -207,6 +209,8 @@ void survey_file(const std::filesystem::path& path) {
     std::string fault;
     try {
         fault = run_in_child([&] { return survey(path); }, limits);
+    } catch (const ChildMemoryError&) {
+        throw std::bad_alloc();
     } catch (const ChildError& error) {
         fault = error.what();
     }

@@ -126,7 +126,6 @@ TEST_CASE("A chunk of another length is told", "[results]") {
 }
 
 TEST_CASE("A chunk that inflates to another length is told", "[results]") {
-    Rows shorter(Form::deflated, 1);
     const auto deflated_of = [](hsize_t rows_of_chunk) {
         Rows other(Form::deflated, 0);
         const std::array<hsize_t, 2> size{rows_of_chunk, 3};

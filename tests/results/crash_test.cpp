@@ -14,6 +14,7 @@
 #include "results/restart_table.hpp"
 #include "results/results_file.hpp"
 #include "results/sample.hpp"
+#include "results/survey.hpp"
 
 // What is left of a results file whose writer is killed, or whose disk is full.
 
@@ -111,6 +112,16 @@ Survey survey(const std::filesystem::path& path) {
         found.fault = error.what();
     }
     return found;
+}
+
+// What readers that look at all of a file first say of it.
+std::string refusal(const std::filesystem::path& path) {
+    try {
+        survey_file(path);
+    } catch (const FileError& error) {
+        return error.what();
+    }
+    return "";
 }
 
 // Every dataset holds at least the rows that the counts promise.
@@ -227,6 +238,7 @@ Watch watch_writes(pid_t child, const std::filesystem::path& path, const Survey&
                             (call.entry.nr == SYS_pwrite64 || call.entry.nr == SYS_ftruncate);
         if (!writes) continue;
         Survey found = survey(path);
+        if (least.steps > 0 && found.fault.empty() && watch.checks % 16 == 0) found.fault = refusal(path);
         if (found.steps < least.steps || found.frames < least.frames) found.fault = "too few steps";
         step_falls += found.steps < watch.last.steps;
         frame_falls += found.frames < watch.last.frames;
@@ -317,7 +329,9 @@ TEST_CASE("Between any two system calls of a resumed writer the file is whole", 
         }
         ::raise(SIGSTOP);
         ResultsFile file(deck, model, output, std::move(resumed));
+        // Frames that are compressed to another length than those that they replace.
         sample::Motion motion(0.0);
+        for (NodeMotion& node : motion.nodes) node.v = Vec3(0.1, 0.7, 1.3) / (1.0 + node.v.norm());
         for (std::size_t step = first_steps; step < last_step; step += 400) {
             write_steps(file, motion, step, 400);
             file.set_restart(sample::make_restart(time_of(step)));

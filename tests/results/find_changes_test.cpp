@@ -149,6 +149,34 @@ TEST_CASE("What is changed before there is a state is told", "[results]") {
           std::vector<std::string>{"its steps have no checksum, as its run was stopped while it wrote them"});
 }
 
+TEST_CASE("What a run that could not begin has written is told when it changes", "[results]") {
+    const auto after = [](const std::function<void(const sample::WrittenFile&)>& action) {
+        sample::WrittenFile written;
+        written.path = written.folder / "failed.vtkhdf";
+        {
+            ResultsFile file({written.path}, sample::make_deck(), written.model, sample::make_output());
+            file.write_frame(sample::Motion(0.0).snapshot());
+            file.close(RunStatus::failed, "no equilibrium at the start");
+        }
+        action(written);
+        return written.changes();
+    };
+    CHECK(after([](const sample::WrittenFile&) {}).empty());
+    const std::vector<std::string> end_changed{
+        "its status, its last frame or the number of its rows is not that of its end"};
+    CHECK(after([](const sample::WrittenFile& written) { written.change_number("/VTKHDF/Points", 0); }) ==
+          end_changed);
+    CHECK(after([](const sample::WrittenFile& written) {
+              written.change([](hid_t file) {
+                  const Hdf5Handle root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "opening");
+                  rewrite_attribute(root.id(), "status", std::string("complete"));
+              });
+          }) == end_changed);
+    CHECK(after([](const sample::WrittenFile& written) {
+              written.change_number("/VTKHDF/NumberOfPoints", 0);
+          }) == std::vector{sample::structure_changed});
+}
+
 // A run that was killed soon after it went on is no other.
 TEST_CASE("What lies beyond the state may change, and nothing before it", "[results]") {
     const sample::WrittenFile written;

@@ -144,7 +144,7 @@ LineMesh read_line_mesh(const std::filesystem::path& file) {
     std::string said;
     try {
         said = run_in_child([&] { return answer(gmsh, file); },
-                            {.processor_seconds = most_seconds, .reads_only = true});
+                            {.processor_seconds = most_seconds, .waiting_seconds = 30, .reads_only = true});
     } catch (const ChildError& error) {
         throw MeshError(std::string("Gmsh cannot read it: ") + error.what());
     }
