@@ -305,7 +305,7 @@ TEST_CASE("Between any two system calls of a resumed writer the file is whole", 
     const auto path = folder / "traced";
     constexpr std::size_t first_steps = 1200;
     constexpr std::size_t lost_steps = 400;
-    constexpr std::size_t last_step = 2000;
+    constexpr std::size_t last_step = 1600;
     {
         ResultsFile file({path}, sample::make_deck(), model, make_output(compression));
         sample::Motion motion(0.0);
