@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <vector>
 
 #include "results/hdf5_objects.hpp"
@@ -82,6 +83,7 @@ class ChunkCheck {
 
     bool is_sound(const std::vector<hsize_t>& place, hsize_t stored) {
         if (stored > file_bytes_ || bytes_ > most_inflated * static_cast<double>(stored)) return false;
+        if (!inflater_) throw std::bad_alloc();
         stored_.resize(stored);
         std::uint32_t skipped = 0;
         check_hdf5(H5Dread_chunk(dataset_, H5P_DEFAULT, place.data(), &skipped, stored_.data()),

@@ -102,7 +102,7 @@ std::vector<std::string> find_changes(const Hdf5Reader& file) {
         }
         std::vector<std::string> changes =
             place ? find_changes(file, *place) : find_changes_without_state(file);
-        const bool has_ended = !place && read_file_sums(file).end != 0;
+        const bool has_ended = read_file_sums(file).end != 0;
         if (changes.empty() && !has_ended && steps > (place ? place->steps : 0))
             changes.push_back(
                 fmt::format("its steps{} have no checksum, as its run was stopped while it wrote them",

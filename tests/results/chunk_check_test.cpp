@@ -10,7 +10,6 @@
 #include "deck/text_file.hpp"
 #include "results/hdf5_objects.hpp"
 #include "results/sample.hpp"
-#include "tools/let_hdf5_leak.hpp"
 
 using namespace gxrod;
 
@@ -20,19 +19,19 @@ constexpr hsize_t rows = 10, rows_in_chunk = 4;  // in three chunks, the last on
 constexpr std::size_t chunk_bytes = rows_in_chunk * 3 * sizeof(double);
 
 enum class Entry { length, skipped_filters };  // of a chunk in the index
-enum class Form { contiguous, chunked, deflated };
+enum class Form { contiguous, chunked, deflated, nbit };
 
 // A dataset of rows of three numbers in a file of its own.
 struct Rows {
     sample::ScratchFolder folder;
     Hdf5Handle file, dataset;
 
-    explicit Rows(Form form, hsize_t count = rows) {
+    explicit Rows(Form form, hsize_t count = rows, hsize_t chunk_rows = rows_in_chunk) {
         silence_hdf5();
         file = Hdf5Handle(H5Fcreate((folder / "a").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT),
                           H5Fclose,
                           "creating the file");
-        const std::array<hsize_t, 2> size{count, 3}, limit{H5S_UNLIMITED, 3}, chunk{rows_in_chunk, 3};
+        const std::array<hsize_t, 2> size{count, 3}, limit{H5S_UNLIMITED, 3}, chunk{chunk_rows, 3};
         const bool grows = form != Form::contiguous;
         const Hdf5Handle space(
             H5Screate_simple(2, size.data(), grows ? limit.data() : nullptr), H5Sclose, "space");
@@ -42,7 +41,12 @@ struct Rows {
             check_hdf5(H5Pset_shuffle(properties.id()), "shuffle");
             check_hdf5(H5Pset_deflate(properties.id(), 1), "deflate");
         }
-        create(space, properties);
+        if (form == Form::nbit) check_hdf5(H5Pset_nbit(properties.id()), "nbit");
+        dataset = Hdf5Handle(
+            H5Dcreate2(
+                file.id(), "rows", H5T_IEEE_F64LE, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
+            H5Dclose,
+            "creating a dataset");
         std::vector<double> values(count * 3);
         std::iota(values.begin(), values.end(), 0.0);
         if (count > 0)
@@ -50,13 +54,6 @@ struct Rows {
                 H5Dwrite(dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
                 "writing");
         check_hdf5(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "flushing");
-    }
-    void create(const Hdf5Handle& space, const Hdf5Handle& properties) {
-        dataset = Hdf5Handle(
-            H5Dcreate2(
-                file.id(), "rows", H5T_IEEE_F64LE, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
-            H5Dclose,
-            "creating a dataset");
     }
     // As it is in the file, in place of a chunk.
     void write_chunk(hsize_t first, const std::vector<std::uint8_t>& bytes) const {
@@ -126,23 +123,7 @@ TEST_CASE("A chunk of another length is told", "[results]") {
 }
 
 TEST_CASE("A chunk that inflates to another length is told", "[results]") {
-    const auto deflated_of = [](hsize_t rows_of_chunk) {
-        Rows other(Form::deflated, 0);
-        const std::array<hsize_t, 2> size{rows_of_chunk, 3};
-        const Hdf5Handle space(H5Screate_simple(2, size.data(), nullptr), H5Sclose, "space");
-        const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "properties");
-        check_hdf5(H5Pset_chunk(properties.id(), 2, size.data()), "chunks");
-        check_hdf5(H5Pset_shuffle(properties.id()), "shuffle");
-        check_hdf5(H5Pset_deflate(properties.id(), 1), "deflate");
-        check_hdf5(H5Ldelete(other.file.id(), "rows", H5P_DEFAULT), "deleting");
-        other.create(space, properties);
-        const std::vector<double> values(rows_of_chunk * 3, 1.0);
-        check_hdf5(
-            H5Dwrite(other.dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-            "writing");
-        check_hdf5(H5Fflush(other.file.id(), H5F_SCOPE_LOCAL), "flushing");
-        return other.read_chunk(0);
-    };
+    const auto deflated_of = [](hsize_t count) { return Rows(Form::deflated, count, count).read_chunk(0); };
     for (const hsize_t first : {0, 4, 8}) {
         Rows changed(Form::deflated);
         changed.write_chunk(first, deflated_of(rows_in_chunk));
@@ -167,19 +148,6 @@ TEST_CASE("A compressed chunk that is said not to be is told", "[results]") {
 }
 
 TEST_CASE("Chunks that are compressed in another way than gxrod does are told", "[results]") {
-    const test::LetHdf5Leak leaks;
-    Rows other(Form::contiguous, 0);
-    const std::array<hsize_t, 2> size{rows_in_chunk, 3};
-    const Hdf5Handle space(H5Screate_simple(2, size.data(), nullptr), H5Sclose, "space");
-    const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "properties");
-    check_hdf5(H5Pset_chunk(properties.id(), 2, size.data()), "chunks");
-    check_hdf5(H5Pset_nbit(properties.id()), "nbit");
-    check_hdf5(H5Ldelete(other.file.id(), "rows", H5P_DEFAULT), "deleting");
-    other.create(space, properties);
-    CHECK(other.are_sound());  // without any chunk
-    const std::vector<double> values(rows_in_chunk * 3, 1.0);
-    check_hdf5(H5Dwrite(other.dataset.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
-               "writing");
-    check_hdf5(H5Fflush(other.file.id(), H5F_SCOPE_LOCAL), "flushing");
-    CHECK_FALSE(other.are_sound());
+    CHECK(Rows(Form::nbit, 0).are_sound());  // without any chunk
+    CHECK_FALSE(Rows(Form::nbit).are_sound());
 }

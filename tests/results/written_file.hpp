@@ -69,5 +69,7 @@ inline const std::string steps_changed =
 inline const std::string frames_changed = "frames up to t = 1 are not those that were written";
 inline const std::string structure_changed =
     "its names, deck, meshes or other texts are not those that were written";
+inline const std::string end_changed =
+    "its status, its last frame or the number of its rows is not that of its end";
 
 }  // namespace gxrod::sample
