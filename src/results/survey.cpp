@@ -70,11 +70,14 @@ void pass_over_errors(Action&& action) {
 
 struct Links {
     std::vector<std::string> hard;
+    bool are_found = true;    // by their names
     bool stay_within = true;  // the file
 };
 
-herr_t add_link(hid_t, const char* name, const H5L_info_t* information, void* data) {
+herr_t add_link(hid_t group, const char* name, const H5L_info_t* information, void* data) {
     auto& links = *static_cast<Links*>(data);
+    // Where a new link belongs among others that it does not find, the library ends the process.
+    links.are_found = links.are_found && H5Lexists(group, name, H5P_DEFAULT) > 0;
     if (information->type == H5L_TYPE_HARD) links.hard.emplace_back(name);
     if (information->type != H5L_TYPE_HARD && information->type != H5L_TYPE_SOFT) links.stay_within = false;
     return 0;
@@ -150,6 +153,7 @@ class Survey {
     void visit_members(const Hdf5Handle& group) {
         Links links;
         expect_listed(H5Literate(group.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add_link, &links));
+        is_listed_ = is_listed_ && links.are_found;
         stays_within_ = stays_within_ && links.stay_within;
         for (const std::string& name : links.hard) {
             pass_over_errors([&] {
