@@ -41,7 +41,7 @@ Hdf5Handle make_access(std::size_t chunk_bytes) {
 
 struct ChunkForm {
     hsize_t rows = 1;
-    std::size_t bytes = 0;
+    std::size_t bytes = 0;  // 0: no chunks
 };
 
 ChunkForm read_chunk_form(const Hdf5Handle& group, const std::string& name) {
@@ -62,6 +62,20 @@ hsize_t most_chunks(const Hdf5Handle& dataset) {
     hsize_t bytes = 0;
     check_hdf5(H5Fget_filesize(file.id(), &bytes), "size of the file");
     return bytes / entry_bytes + unwritten;
+}
+
+// Rows up to the end of the last chunk on disk.
+hsize_t find_chunk_end(const Hdf5Handle& dataset, const ChunkForm& chunk) {
+    if (chunk.bytes == 0) return 0;
+    const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose, "dataspace");
+    hsize_t chunks = 0;
+    check_hdf5(H5Dget_num_chunks(dataset.id(), space.id(), &chunks), "counting chunks");
+    if (chunks == 0) return 0;
+    std::array<hsize_t, 2> first{0, 0};
+    check_hdf5(
+        H5Dget_chunk_info(dataset.id(), space.id(), chunks - 1, first.data(), nullptr, nullptr, nullptr),
+        "the last chunk");
+    return first[0] + chunk.rows;
 }
 
 // Rows of a dataset on disk, and as many in memory.
@@ -109,11 +123,13 @@ void AppendDataset<Number>::open(const Hdf5Handle& group, const DatasetLabel& la
     if (size[1] != static_cast<hsize_t>(shape_.columns) || size[0] < rows_) {
         throw std::runtime_error(label.name + " has another shape, or lacks rows");
     }
+    // A process killed within trim() has cut off rows, but not all of their chunks yet.
+    const hsize_t end = find_chunk_end(dataset_, chunk);
+    extent_ = end < size[0] + chunk.rows ? size[0] : end;
     // HDF5 looks for each chunk that it is to cut off, whether it is there or not.
-    if ((size[0] - rows_) / chunk.rows > most_chunks(dataset_)) {
+    if ((extent_ - rows_) / chunk.rows > most_chunks(dataset_)) {
         throw std::runtime_error(label.name + " has more rows than its file can hold");
     }
-    extent_ = size[0];
 }
 
 template <class Number>
@@ -160,7 +176,9 @@ void AppendDataset<Number>::set_extent(hsize_t rows) {
 
 template <class Number>
 void AppendDataset<Number>::trim() {
-    if (extent_ > rows_) set_extent(rows_);
+    if (extent_ == rows_) return;
+    set_extent(extent_);  // so that HDF5 comes to all chunks
+    set_extent(rows_);
 }
 
 template <class Number>

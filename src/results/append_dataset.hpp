@@ -65,7 +65,7 @@ class AppendDataset {
     Hdf5Handle dataset_;
     RowShape shape_;
     hsize_t rows_;        // written
-    hsize_t extent_ = 0;  // rows on disk, those to be replaced too
+    hsize_t extent_ = 0;  // rows on disk, those to be replaced too, and of chunks beyond
     std::vector<Number> buffer_;
     RowSum sum_;
     std::size_t summed_ = 0;  // of the buffer

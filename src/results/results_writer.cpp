@@ -236,8 +236,6 @@ void ResultsWriter::close(const std::string& status,
                           std::span<const std::int64_t> reason_nodes) {
     flush();
     attempt(0, [&] {
-        tables_->trim();
-        commit(OrderedFile::Order::shrinking);  // what was freed is used again by later commits only
         rewrite_attribute(root_.id(), "reason", reason);
         if (!reason_nodes.empty()) rewrite_attribute(root_.id(), "reason_nodes", reason_nodes);
         rewrite_attribute(root_.id(), "status", status);

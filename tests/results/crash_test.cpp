@@ -1,11 +1,6 @@
-#include <sys/ptrace.h>
 #include <sys/resource.h>
-#include <sys/syscall.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <catch2/catch.hpp>
-#include <csignal>
 #include <random>
 
 #include "model/file_error.hpp"
@@ -15,10 +10,12 @@
 #include "results/results_file.hpp"
 #include "results/sample.hpp"
 #include "results/survey.hpp"
+#include "results/traced_writer.hpp"
 
 // What is left of a results file whose writer is killed, or whose disk is full.
 
 using namespace gxrod;
+using test::run_child, test::wait_for;
 
 namespace {
 
@@ -145,21 +142,6 @@ bool is_complete(const std::filesystem::path& path) {
     return true;
 }
 
-int wait_for(pid_t child) {
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    return status;
-}
-
-// Runs `action` in a child process that ends by _exit with what it returns.
-template <class Action>
-pid_t run_child(Action&& action) {
-    const pid_t child = ::fork();
-    REQUIRE(child >= 0);
-    if (child == 0) ::_exit(action());
-    return child;
-}
-
 }  // namespace
 
 TEST_CASE("A killed writer leaves a file with all that it had flushed", "[results]") {
@@ -204,39 +186,20 @@ TEST_CASE("A killed writer leaves a file with all that it had flushed", "[result
 
 namespace {
 
-constexpr int not_allowed = 77;  // exit status of a child that may not be traced
-
 // What a writer's file was like before each of its writes.
 struct Watch {
     std::size_t checks = 0;
     Survey last;
-    bool was_allowed = true;
-    bool ended_well = false;
+    test::TraceEnd end = test::TraceEnd::left_off;
 };
 
-// Stops a child, which has asked to be traced and raised SIGSTOP, before each system call that writes.
 // Counts may fall once, to no less than what a run goes on from.
 Watch watch_writes(pid_t child, const std::filesystem::path& path, const Survey& least) {
     Watch watch;
-    int status = wait_for(child);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == not_allowed) {
-        watch.was_allowed = false;
-        return watch;
-    }
-    REQUIRE(WIFSTOPPED(status));
-    ::ptrace(PTRACE_SETOPTIONS, child, nullptr, PTRACE_O_TRACESYSGOOD | PTRACE_O_EXITKILL);
     // With nothing to go on from, none may be lost.
     int step_falls = least.steps > 0 ? 0 : 1;
     int frame_falls = step_falls;
-    while (watch.last.fault.empty()) {
-        REQUIRE(::ptrace(PTRACE_SYSCALL, child, nullptr, nullptr) == 0);
-        status = wait_for(child);
-        if (!WIFSTOPPED(status)) break;
-        __ptrace_syscall_info call;
-        if (::ptrace(PTRACE_GET_SYSCALL_INFO, child, sizeof call, &call) <= 0) continue;
-        const bool writes = call.op == PTRACE_SYSCALL_INFO_ENTRY &&
-                            (call.entry.nr == SYS_pwrite64 || call.entry.nr == SYS_ftruncate);
-        if (!writes) continue;
+    watch.end = test::trace_writes(child, [&] {
         Survey found = survey(path);
         if (least.steps > 0 && found.fault.empty() && watch.checks % 16 == 0) found.fault = refusal(path);
         if (found.steps < least.steps || found.frames < least.frames) found.fault = "too few steps";
@@ -245,9 +208,8 @@ Watch watch_writes(pid_t child, const std::filesystem::path& path, const Survey&
         if (step_falls > 1 || frame_falls > 1) found.fault = "fewer steps than before";
         watch.last = found;
         if (++watch.checks % 50 == 0) CHECK(is_complete(path));
-    }
-    if (!watch.last.fault.empty()) ::kill(child, SIGKILL);
-    watch.ended_well = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+        return watch.last.fault.empty();
+    });
     return watch;
 }
 
@@ -257,14 +219,12 @@ void check_watch(const Watch& watch,
                  std::size_t least_checks) {
     INFO("after " << watch.checks << " writes and " << watch.last.steps << " steps");
     CHECK(watch.last.fault == "");
-    CHECK(watch.ended_well);
+    CHECK(watch.end == test::TraceEnd::ended_well);
     CHECK(watch.last.steps == last_step);
     CHECK(watch.checks > least_checks);
     CHECK(is_complete(path));
     CHECK(survey(path).fault == "");
 }
-
-bool may_be_traced() { return ::ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) == 0; }
 
 }  // namespace
 
@@ -274,7 +234,7 @@ TEST_CASE("Between any two system calls of its writer the file is whole", "[resu
     const auto path = folder / "traced";
     constexpr std::size_t last_step = 21500;
     const pid_t child = run_child([&] {
-        if (!may_be_traced()) return not_allowed;
+        if (!test::may_be_traced()) return test::exit_not_allowed;
         ResultsFile file({path}, sample::make_deck(), model, make_output());
         ::raise(SIGSTOP);
         // The leaps come just before B-trees split: at the root after 64 chunks, below it after about 120.
@@ -291,7 +251,7 @@ TEST_CASE("Between any two system calls of its writer the file is whole", "[resu
     });
 
     const Watch watch = watch_writes(child, path, {});
-    if (!watch.was_allowed) {
+    if (watch.end == test::TraceEnd::not_allowed) {
         WARN("skipped: processes may not be traced here");
         return;
     }
@@ -317,7 +277,7 @@ TEST_CASE("Between any two system calls of a resumed writer the file is whole", 
         file.flush();
     }
     const pid_t child = run_child([&] {
-        if (!may_be_traced()) return not_allowed;
+        if (!test::may_be_traced()) return test::exit_not_allowed;
         ResumableFile resumed(path);
         DeckRecord deck = sample::make_deck();
         deck.text += "# another one, long enough for a place of its own" + std::string(5000, '!') + "\n";
@@ -341,7 +301,7 @@ TEST_CASE("Between any two system calls of a resumed writer the file is whole", 
         return 0;
     });
     const Watch watch = watch_writes(child, path, {first_steps, first_steps / 8, ""});
-    if (!watch.was_allowed) return;
+    if (watch.end == test::TraceEnd::not_allowed) return;
     check_watch(watch, path, last_step, 200);
 }
 
