@@ -1,5 +1,6 @@
 #include "results/survey.hpp"
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <set>
@@ -54,6 +55,22 @@ bool is_sound_type(hid_t type) {
 bool has_single_bytes(hid_t text) {
     const Hdf5Handle character(H5Tget_super(text), H5Tclose, "type");
     return H5Tget_size(character.id()) == 1;
+}
+
+// Of the nodes of its trees and of addresses. Where they are others than gxrod's, which are the library's
+// usual ones, it writes nodes over what lies behind them.
+bool has_usual_sizes(hid_t file) {
+    const Hdf5Handle own(H5Fget_create_plist(file), H5Pclose, "properties of a file");
+    const Hdf5Handle usual(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "properties of files");
+    const auto read = [](const Hdf5Handle& properties) {
+        std::array<unsigned, 3> nodes{};
+        std::array<std::size_t, 2> bytes{};
+        check_hdf5(H5Pget_sym_k(properties.id(), &nodes[0], &nodes[1]), "sizes of trees");
+        check_hdf5(H5Pget_istore_k(properties.id(), &nodes[2]), "sizes of trees");
+        check_hdf5(H5Pget_sizes(properties.id(), &bytes[0], &bytes[1]), "sizes of addresses");
+        return std::pair{nodes, bytes};
+    };
+    return read(own) == read(usual);
 }
 
 template <class Action>
@@ -144,13 +161,25 @@ class Survey {
         pass_over_errors([&] {
             const Hdf5Handle type(H5Aget_type(attribute.id()), H5Tclose, "type");
             const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose, "dataspace");
+            check_text_room(attribute, type, space);
             read_values(type, space, [&](hid_t memory, void* buffer) {
                 return H5Aread(attribute.id(), memory, buffer);
             });
         });
     }
 
+    // The library keeps a text's reference with the attribute, in as much room as the type says.
+    void check_text_room(const Hdf5Handle& attribute, const Hdf5Handle& type, const Hdf5Handle& space) {
+        if (H5Tis_variable_str(type.id()) <= 0) return;
+        const auto count = static_cast<hsize_t>(H5Sget_simple_extent_npoints(space.id()));
+        has_sound_texts_ =
+            has_sound_texts_ && H5Aget_storage_size(attribute.id()) == count * text_reference_bytes;
+    }
+
     void visit_members(const Hdf5Handle& group) {
+        // All of it, so that the library goes along the leaves of the group's tree, as other programs do.
+        H5O_info_t information{};
+        expect_listed(H5Oget_info2(group.id(), &information, H5O_INFO_ALL));
         Links links;
         expect_listed(H5Literate(group.id(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add_link, &links));
         is_listed_ = is_listed_ && links.are_found;
@@ -199,6 +228,7 @@ std::string survey(const std::filesystem::path& path) {
     TextCheck texts(path);
     try {
         const Hdf5Reader file(path);
+        if (!has_usual_sizes(file.id())) return "its trees are not of the size of gxrod's";
         Survey all(std::move(texts));
         all.visit({H5Oopen(file.id(), "/", H5P_DEFAULT), H5Oclose, "an object"});
         return all.fault();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstring>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,22 @@ std::vector<std::size_t> places_of(const std::string& bytes, const std::string& 
     for (std::size_t at = bytes.find(part); at != std::string::npos; at = bytes.find(part, at + 1))
         places.push_back(at);
     return places;
+}
+
+// Changes a tree of each group, from a place on.
+void check_group_trees(const std::function<void(std::string&, std::size_t)>& change) {
+    const ScratchFolder folder;
+    const std::string& sound = results_sample();
+    const std::vector<std::size_t> trees = places_of(sound, std::string("TREE\0", 5));
+    CHECK(trees.size() > 5);
+    for (const std::size_t tree : trees) {
+        std::string bytes = sound;
+        change(bytes, tree);
+        const std::filesystem::path path = folder.write("damaged.vtkhdf", bytes);
+        INFO("byte " << tree);
+        CHECK_THROWS_WITH(ResumableFile(path), not_listed);
+        CHECK_THROWS_WITH(list_changes(path), not_listed);
+    }
 }
 
 }  // namespace
@@ -64,19 +81,16 @@ TEST_CASE("A file whose objects or attributes cannot be listed is an error", "[r
 // The tree of a group leads from a name to where it is kept, but its leaves have all names. Where a run that
 // goes on put a group that it did not find, HDF5 ended the process.
 TEST_CASE("A file whose names are listed, but not found, is an error", "[results]") {
-    const ScratchFolder folder;
-    const std::string& sound = results_sample();
-    int groups = 0;
-    for (const std::size_t node : places_of(sound, std::string("TREE\0", 5))) {
-        constexpr std::size_t second_key = 24 + 16;  // the greatest name of the first leaf
-        std::string bytes = sound;
-        std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(node + second_key), 8, '\0');
-        const std::filesystem::path path = folder.write("damaged.vtkhdf", bytes);
-        CHECK_THROWS_WITH(ResumableFile(path), not_listed);
-        CHECK_THROWS_WITH(list_changes(path), not_listed);
-        ++groups;
-    }
-    CHECK(groups > 5);
+    constexpr std::size_t second_key = 24 + 16;  // the greatest name of the first leaf
+    check_group_trees([](std::string& bytes, std::size_t tree) {
+        std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(tree + second_key), 8, '\0');
+    });
+}
+
+// HDF5 lists names from parents to children; other programs that visit a file go from leaf to leaf.
+TEST_CASE("A file in which a leaf of a group's names does not lead to the next is an error", "[results]") {
+    constexpr std::size_t next_leaf = 16;
+    check_group_trees([](std::string& bytes, std::size_t tree) { bytes[tree + next_leaf + 2] ^= 0x20; });
 }
 
 // A heap of texts says that it is longer than it is: HDF5 takes what lies behind for more of its texts, and a
@@ -127,6 +141,39 @@ TEST_CASE("A file whose texts are not of the length that is told is an error", "
         }
     }
     CHECK(references > 100);
+}
+
+// HDF5 keeps as many bytes of a text's reference as its type has, and writes them where there is room for 16.
+TEST_CASE("A file whose attributes keep texts in another room is an error", "[results]") {
+    const ScratchFolder folder;
+    const std::string& sound = results_sample();
+    const std::string type("\x19\x01\x01\0\x10\0\0\0", 8);
+    int attributes = 0;
+    const std::vector<std::size_t> texts = places_of(sound, type);
+    for (const std::size_t at : texts) {
+        std::string changed = sound;
+        changed[at + 4] = '\x11';
+        const std::filesystem::path path = folder.write("damaged.vtkhdf", changed);
+        try {
+            list_changes(path);
+        } catch (const FileError&) {
+            CHECK_THROWS_WITH(ResumableFile(path), beyond_texts);
+            ++attributes;
+        }
+    }
+    CHECK(attributes > 100);
+    CHECK(texts.size() - attributes == 1);  // the deck, a dataset: that takes 16 bytes whatever its type says
+}
+
+// HDF5 writes nodes of the size that the file's beginning tells, over what lies behind them.
+TEST_CASE("A file whose trees have another size is an error", "[results]") {
+    const ScratchFolder folder;
+    for (const auto& [place, bit] : {std::pair{16, 1}, {18, 4}}) {
+        std::string changed = results_sample();
+        changed[place] = static_cast<char>(changed[place] ^ bit);
+        const std::filesystem::path path = folder.write("damaged.vtkhdf", changed);
+        CHECK_THROWS_WITH(ResumableFile(path), Catch::Contains("its trees are not of the size of gxrod's"));
+    }
 }
 
 // The first entry of a heap of texts is one without an end and without a length: HDF5 1.10 looks for the next
