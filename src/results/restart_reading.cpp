@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "results/restart_form.hpp"
 #include "results/restart_table.hpp"
@@ -40,6 +41,33 @@ bool has_label(const Hdf5Reader& file, const std::string& dataset, const Dataset
            file.text_attribute(dataset, "frame") == label.frame && !file.has_attribute(dataset, "dimension");
 }
 
+bool is_of_type(hid_t (*get_type)(hid_t), hid_t object, hid_t written) {
+    const Hdf5Handle type(get_type(object), H5Tclose, "type");
+    return H5Tequal(type.id(), written) > 0;
+}
+
+// What may change of /restart, apart from its rows.
+bool has_known_attributes(const Hdf5Reader& file) {
+    const std::array attributes{std::pair{"slot", H5S_SCALAR},
+                                std::pair{"structure", H5S_SCALAR},
+                                std::pair{"end", H5S_SCALAR},
+                                std::pair{"version", H5S_SIMPLE}};
+    return std::all_of(attributes.begin(), attributes.end(), [&](const auto& known) {
+        const Hdf5Handle attribute(
+            H5Aopen_by_name(file.id(), "/restart", known.first, H5P_DEFAULT, H5P_DEFAULT),
+            H5Aclose,
+            "opening an attribute");
+        const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose, "dataspace");
+        return is_of_type(H5Aget_type, attribute.id(), H5T_STD_I64LE) &&
+               H5Sget_simple_extent_type(space.id()) == known.second;
+    });
+}
+
+bool has_known_type(const Hdf5Reader& file, const std::string& dataset) {
+    const Hdf5Handle rows(H5Dopen2(file.id(), dataset.c_str(), H5P_DEFAULT), H5Dclose, "opening a dataset");
+    return is_of_type(H5Dget_type, rows.id(), H5T_IEEE_F64LE);
+}
+
 }  // namespace
 
 bool has_known_form(const Hdf5Reader& file) {
@@ -47,6 +75,7 @@ bool has_known_form(const Hdf5Reader& file) {
 }
 
 bool has_known_labels(const Hdf5Reader& file) {
+    if (!has_known_attributes(file)) return false;
     const std::array labels{
         nodes_label, sections_label, algorithmic_label, driving_label, damping_label, numbers_label()};
     for (const std::string& slot : file.members("/restart")) {
@@ -55,7 +84,9 @@ bool has_known_labels(const Hdf5Reader& file) {
         for (const std::string& name : file.members(path)) {
             const auto* const label = std::find_if(
                 labels.begin(), labels.end(), [&](const DatasetLabel& one) { return one.name == name; });
-            if (label == labels.end() || !has_label(file, path + name, *label)) return false;
+            if (label == labels.end() || !has_label(file, path + name, *label) ||
+                !has_known_type(file, path + name))
+                return false;
         }
     }
     return true;

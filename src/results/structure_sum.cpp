@@ -50,6 +50,7 @@ class StructureSum {
         H5O_info_t information{};
         // All of it, so that HDF5 goes along the leaves of its trees, as other programs do.
         check_hdf5(H5Oget_info2(object, &information, H5O_INFO_ALL), "looking at an object");
+        sum_ = checksum(std::span<const unsigned>(&information.rc, 1), sum_);  // how many names it has
         for (hsize_t i = 0; i < information.num_attrs; ++i) add_attribute_by_index(object, path, i);
         if (H5Iget_type(object) == H5I_DATASET) add_dataset(object);
     }

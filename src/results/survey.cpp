@@ -51,10 +51,11 @@ bool is_sound_type(hid_t type) {
     return std::has_single_bit(size) && size <= 8 && has_bits_within(type);
 }
 
-// The library takes as many times the memory of a text as a character has bytes.
+// The library takes as many times the memory of a text as a character has bytes, and converts its bits.
 bool has_single_bytes(hid_t text) {
     const Hdf5Handle character(H5Tget_super(text), H5Tclose, "type");
-    return H5Tget_size(character.id()) == 1;
+    return H5Tget_class(character.id()) == H5T_INTEGER && H5Tget_size(character.id()) == 1 &&
+           has_bits_within(character.id());
 }
 
 // Of the nodes of its trees and of addresses. Where they are others than gxrod's, which are the library's
@@ -106,6 +107,21 @@ bool has_own_rows(hid_t dataset) {
     return H5Pget_layout(properties.id()) != H5D_VIRTUAL && H5Pget_external_count(properties.id()) == 0;
 }
 
+// Of the first rows in the file; HADDR_UNDEF if there are none.
+haddr_t find_rows(hid_t dataset) {
+    const Hdf5Handle properties(H5Dget_create_plist(dataset), H5Pclose, "properties of a dataset");
+    if (H5Pget_layout(properties.id()) != H5D_CHUNKED) return H5Dget_offset(dataset);
+    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "dataspace");
+    hsize_t chunks = 0;
+    check_hdf5(H5Dget_num_chunks(dataset, space.id(), &chunks), "counting chunks");
+    haddr_t place = HADDR_UNDEF;
+    std::array<hsize_t, H5S_MAX_RANK> first{};
+    if (chunks > 0)
+        check_hdf5(H5Dget_chunk_info(dataset, space.id(), 0, first.data(), nullptr, &place, nullptr),
+                   "the first chunk");
+    return place;
+}
+
 // Visits all objects of a file. What cannot even be listed is not passed over: a reader, who asks by name,
 // may come to what lies behind it.
 class Survey {
@@ -144,8 +160,10 @@ class Survey {
     void check_rows(hid_t dataset) {
         try {
             stays_within_ = stays_within_ && has_own_rows(dataset);
-            has_sound_chunks_ =
-                has_sound_chunks_ && has_sound_chunks(dataset, [] { restart_processor_clock(limits); });
+            const haddr_t place = find_rows(dataset);
+            const bool has_own_place = place == HADDR_UNDEF || places_.insert(place).second;
+            has_sound_chunks_ = has_sound_chunks_ && has_own_place &&
+                                has_sound_chunks(dataset, [] { restart_processor_clock(limits); });
         } catch (const Hdf5Error&) {
             is_listed_ = false;
             throw;
@@ -215,6 +233,7 @@ class Survey {
 
     TextCheck texts_;
     std::set<haddr_t> seen_;
+    std::set<haddr_t> places_;  // of rows
     bool is_listed_ = true;
     bool stays_within_ = true;
     bool has_sound_numbers_ = true;

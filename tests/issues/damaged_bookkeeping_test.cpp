@@ -165,6 +165,24 @@ TEST_CASE("A file whose attributes keep texts in another room is an error", "[re
     CHECK(texts.size() - attributes == 1);  // the deck, a dataset: that takes 16 bytes whatever its type says
 }
 
+// HDF5 converts bits of characters that there are not, when a run that goes on writes another text.
+TEST_CASE("A file whose characters have bits beyond their bytes is an error", "[results]") {
+    const ScratchFolder folder;
+    const std::string& sound = results_sample();
+    const std::string character("\x10\0\0\0\x01\0\0\0\0\0\x08\0", 12);
+    int texts = 0;
+    for (const std::size_t at : places_of(sound, character)) {
+        const bool is_of_text = sound[at - 8] == '\x19';
+        if (!is_of_text) continue;
+        std::string changed = sound;
+        changed[at + 10] = '\x28';
+        const std::filesystem::path path = folder.write("damaged.vtkhdf", changed);
+        CHECK_THROWS_WITH(list_changes(path), beyond_texts);
+        ++texts;
+    }
+    CHECK(texts > 100);
+}
+
 // HDF5 writes nodes of the size that the file's beginning tells, over what lies behind them.
 TEST_CASE("A file whose trees have another size is an error", "[results]") {
     const ScratchFolder folder;
@@ -216,6 +234,34 @@ TEST_CASE("A file whose chunks are not of the length that is told is an error", 
         CHECK(told == 1);  // without filters there is none to skip; the length of what is compressed may vary
     }
     CHECK(leaves > 20);
+}
+
+// A dataset that leads to the rows of another, of equal ones until a run goes on, say.
+TEST_CASE("A file in which two datasets have the same rows is an error", "[results]") {
+    const ScratchFolder folder;
+    const std::string& sound = results_sample();
+    const std::vector<std::size_t> trees = places_of(sound, "TREE\x01");
+    const auto bytes_of = [](std::size_t place) {
+        std::string bytes(8, '\0');
+        std::memcpy(bytes.data(), &place, sizeof place);
+        return bytes;
+    };
+    const auto beyond_rows = std::string("it would go beyond the ends of rows");
+    int told = 0;
+    for (std::size_t i = 0; i + 1 < trees.size(); ++i) {
+        std::string changed = sound;
+        for (const std::size_t at : places_of(sound, bytes_of(trees[i + 1])))
+            changed.replace(at, 8, bytes_of(trees[i]));
+        const std::filesystem::path path = folder.write("damaged.vtkhdf", changed);
+        INFO("tree " << i);
+        CHECK_THROWS_AS(list_changes(path), FileError);
+        try {
+            list_changes(path);
+        } catch (const FileError& error) {
+            told += std::string(error.what()).ends_with(beyond_rows) ? 1 : 0;
+        }
+    }
+    CHECK(told > 25);
 }
 
 }  // namespace gxrod::fuzz

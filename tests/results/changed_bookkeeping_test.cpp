@@ -12,6 +12,14 @@
 
 using namespace gxrod;
 
+namespace {
+
+Hdf5Handle open_restart_attribute(hid_t file, const char* name) {
+    return {H5Aopen_by_name(file, "/restart", name, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "opening"};
+}
+
+}  // namespace
+
 // The same bytes are other numbers if their type is another.
 TEST_CASE("A changed bit of the type of numbers is told", "[results]") {
     const test::LetHdf5Leak leaks;
@@ -53,8 +61,8 @@ TEST_CASE("A changed bit of the type of numbers is told", "[results]") {
 TEST_CASE("A text that is said to be of other characters, or padded in another way, is told", "[results]") {
     const sample::WrittenFile written;
     written.change([](hid_t file) {
-        const Hdf5Handle group(H5Gopen2(file, "/restart", H5P_DEFAULT), H5Gclose, "opening");
-        rewrite_attribute(group.id(), "end", std::array<std::int64_t, 1>{0});
+        const std::int64_t none = 0;
+        H5Awrite(open_restart_attribute(file, "end").id(), H5T_NATIVE_INT64, &none);
     });
     REQUIRE(written.changes().empty());
     const std::string sound = read_text_file(written.path);
@@ -94,4 +102,62 @@ TEST_CASE("A leaf of an index that does not lead to the next is told", "[results
         leaves += written.changes().empty() ? 0 : 1;
     }
     CHECK(leaves > 10);
+}
+
+// Of the one of two that the run did not last write, too, for it writes it next.
+TEST_CASE("A changed type of a state's numbers is told", "[results]") {
+    for (const std::string slot : {"a", "b"}) {
+        const sample::WrittenFile written;
+        written.change([&](hid_t file) {
+            const std::string name = "/restart/" + slot + "/sections";
+            const Hdf5Handle space = [&] {
+                const Hdf5Handle before(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, "opening");
+                return Hdf5Handle(H5Dget_space(before.id()), H5Sclose, "space");
+            }();
+            H5Ldelete(file, name.c_str(), H5P_DEFAULT);
+            const Hdf5Handle after(
+                H5Dcreate2(
+                    file, name.c_str(), H5T_IEEE_F32LE, space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                H5Dclose,
+                "creating");
+            write_label(after.id(), {"sections", "memory of sections", "none", ""});
+        });
+        CHECK(!written.changes().empty());
+    }
+}
+
+TEST_CASE("A changed form of a state's attributes is told", "[results]") {
+    for (const char* const name : {"slot", "structure", "version"}) {
+        const sample::WrittenFile written;
+        written.change([&](hid_t file) {
+            std::int64_t number = 0;
+            H5Aread(open_restart_attribute(file, name).id(), H5T_NATIVE_INT64, &number);
+            H5Adelete_by_name(file, "/restart", name, H5P_DEFAULT);
+            const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "space");
+            const Hdf5Handle changed(
+                H5Acreate_by_name(
+                    file, "/restart", name, H5T_STD_I32BE, space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                H5Aclose,
+                "creating");
+            H5Awrite(changed.id(), H5T_NATIVE_INT64, &number);
+        });
+        INFO(name);
+        CHECK(written.changes() == std::vector{sample::structure_changed});
+    }
+}
+
+// A program that removes one of its names would remove the rows.
+TEST_CASE("A changed number of the names of rows is told", "[results]") {
+    const sample::WrittenFile written;
+    const haddr_t address = [&] {
+        const Hdf5Reader file(written.path);
+        return address_of(
+            Hdf5Handle(H5Dopen2(file.id(), "/histories/time", H5P_DEFAULT), H5Dclose, "opening").id());
+    }();
+    std::string bytes = read_text_file(written.path);
+    constexpr std::size_t names = 4;  // HDF5's file format, IV.A.1.a
+    REQUIRE(bytes[address + names] > 1);
+    bytes[address + names] = 1;
+    std::ofstream(written.path, std::ios::binary) << bytes;
+    CHECK(written.changes() == std::vector{sample::structure_changed});
 }
