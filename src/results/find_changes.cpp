@@ -72,7 +72,7 @@ bool do_times_go_on(const Hdf5Reader& file, const RestartPlace& place) {
 }
 
 bool is_structure_as_written(const Hdf5Reader& file, const Hdf5Handle& root) {
-    return sum_structure(root.id()) == read_file_sums(file).structure && has_known_labels(file);
+    return sum_structure(root.id()) == read_file_sums(file).structure;
 }
 
 const char* const structure_changed =
@@ -94,6 +94,7 @@ std::vector<std::string> find_changes(const Hdf5Reader& file) {
     try {
         // Of another version's, nothing is known.
         if (file.has("/restart") && !has_known_form(file)) return {};
+        if (file.has("/restart") && !has_known_labels(file)) return {structure_changed};
         const std::optional<RestartPlace> place = read_restart(file);
         const hsize_t steps = file.size("/histories/time").at(0);
         if (read_file_sums(file).structure == 0) {
@@ -114,6 +115,7 @@ std::vector<std::string> find_changes(const Hdf5Reader& file) {
 }
 
 std::vector<std::string> find_changes(const Hdf5Reader& file, const RestartPlace& place) {
+    if (!has_known_labels(file)) return {structure_changed};
     const FileSums written = read_file_sums(file);
     if (written.structure == 0) return {};
     const Hdf5Handle root = open_root(file);

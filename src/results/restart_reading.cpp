@@ -133,7 +133,8 @@ std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
 FileSums read_file_sums(const Hdf5Reader& file) {
     const auto read = [&](const char* name) {
         const long long sum = file.integer_attribute("/restart", name);
-        if (sum < 0 || sum > std::numeric_limits<std::uint32_t>::max())
+        if (sum == no_sum) return std::uint32_t{0};
+        if (sum <= 0 || sum > std::numeric_limits<std::uint32_t>::max())
             throw std::runtime_error(std::string("/restart@") + name + " is damaged");
         return static_cast<std::uint32_t>(sum);
     };

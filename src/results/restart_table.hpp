@@ -20,7 +20,7 @@ class RestartTable {
     void write(const RestartPlace& place);
     // … which is in use from here on.
     void switch_slot();
-    // The checksum of the file's structure, once it and the slot in use are of each other; 0 before.
+    // The checksum of the file's structure, once it and the slot in use are of each other; none before.
     void write_structure_sum(std::uint32_t sum);
     // That of all, once the run has ended.
     void write_end_sum(std::uint32_t sum);

@@ -12,14 +12,6 @@
 
 using namespace gxrod;
 
-namespace {
-
-Hdf5Handle open_restart_attribute(hid_t file, const char* name) {
-    return {H5Aopen_by_name(file, "/restart", name, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "opening"};
-}
-
-}  // namespace
-
 // The same bytes are other numbers if their type is another.
 TEST_CASE("A changed bit of the type of numbers is told", "[results]") {
     const test::LetHdf5Leak leaks;
@@ -60,10 +52,7 @@ TEST_CASE("A changed bit of the type of numbers is told", "[results]") {
 // before it ends.
 TEST_CASE("A text that is said to be of other characters, or padded in another way, is told", "[results]") {
     const sample::WrittenFile written;
-    written.change([](hid_t file) {
-        const std::int64_t none = 0;
-        H5Awrite(open_restart_attribute(file, "end").id(), H5T_NATIVE_INT64, &none);
-    });
+    written.change([](hid_t file) { sample::rewrite_checksum(file, "end", -1); });
     REQUIRE(written.changes().empty());
     const std::string sound = read_text_file(written.path);
     // HDF5's file format, IV.A.2.d: a list of any length, that is a text, ends with a zero, and is UTF-8.
@@ -131,7 +120,7 @@ TEST_CASE("A changed form of a state's attributes is told", "[results]") {
         const sample::WrittenFile written;
         written.change([&](hid_t file) {
             std::int64_t number = 0;
-            H5Aread(open_restart_attribute(file, name).id(), H5T_NATIVE_INT64, &number);
+            H5Aread(sample::open_restart_attribute(file, name).id(), H5T_NATIVE_INT64, &number);
             H5Adelete_by_name(file, "/restart", name, H5P_DEFAULT);
             const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "space");
             const Hdf5Handle changed(
@@ -144,6 +133,18 @@ TEST_CASE("A changed form of a state's attributes is told", "[results]") {
         INFO(name);
         CHECK(written.changes() == std::vector{sample::structure_changed});
     }
+}
+
+// HDF5 looks for the sum behind the form of it, in as many bytes as that is said to have.
+TEST_CASE("A checksum that is not where it was is told", "[results]") {
+    const sample::WrittenFile written;
+    std::string bytes = read_text_file(written.path);
+    const std::string head("\x0a\0\x0c\0\x08\0structure", 15);  // bytes of the name, the type, the form
+    const std::size_t place = bytes.find(head);
+    REQUIRE(place != std::string::npos);
+    bytes[place + 4] = 9;
+    std::ofstream(written.path, std::ios::binary) << bytes;
+    CHECK(written.changes() == std::vector<std::string>{"/restart@structure is damaged"});
 }
 
 // A program that removes one of its names would remove the rows.

@@ -299,12 +299,10 @@ TEST_CASE("Of a file of another version nothing is doubted", "[results]") {
 
 TEST_CASE("Checksums that are none, and objects that no run writes, are told", "[results]") {
     const sample::WrittenFile written;
-    written.change([](hid_t file) {
-        const Hdf5Handle group(H5Gopen2(file, "/restart", H5P_DEFAULT), H5Gclose, "opening");
-        const std::array<std::int64_t, 1> none{-5};
-        rewrite_attribute(group.id(), "structure", none);
-    });
-    CHECK(written.changes() == std::vector<std::string>{"/restart@structure is damaged"});
+    for (const std::int64_t sum : {std::int64_t{-5}, std::int64_t{0}, std::int64_t{1} << 32}) {
+        written.change([&](hid_t file) { sample::rewrite_checksum(file, "structure", sum); });
+        CHECK(written.changes() == std::vector<std::string>{"/restart@structure is damaged"});
+    }
     const auto with = [](hid_t type, hsize_t count) {
         const sample::WrittenFile other;
         other.change([&](hid_t file) {

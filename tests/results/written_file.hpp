@@ -30,6 +30,16 @@ inline DeckRecord make_deck_with_mesh() {
     return deck;
 }
 
+inline Hdf5Handle open_restart_attribute(hid_t file, const char* name) {
+    return {H5Aopen_by_name(file, "/restart", name, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "opening"};
+}
+
+inline void rewrite_checksum(hid_t file, const char* name, std::int64_t sum) {
+    const Hdf5Handle group(H5Gopen2(file, "/restart", H5P_DEFAULT), H5Gclose, "opening");
+    const Hdf5Handle attribute(H5Aopen(group.id(), name, H5P_DEFAULT), H5Aclose, "opening");
+    check_hdf5(H5Awrite(attribute.id(), H5T_NATIVE_INT64, &sum), "writing a checksum");
+}
+
 // A results file of five steps, the last at t = 1, and three frames.
 struct WrittenFile {
     ScratchFolder folder;
