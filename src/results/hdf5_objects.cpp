@@ -183,6 +183,12 @@ bool grows(hid_t dataset) {
     return !most.empty() && most[0] == H5S_UNLIMITED;
 }
 
+std::array<hsize_t, 3> header_form(hid_t object) {
+    H5O_info_t information{};
+    check_hdf5(H5Oget_info2(object, &information, H5O_INFO_HDR), "looking at an object's header");
+    return {information.hdr.space.total, information.hdr.nmesgs, information.hdr.nchunks};
+}
+
 haddr_t address_of(hid_t object) {
     H5O_info_t information{};
     check_hdf5(H5Oget_info2(object, &information, H5O_INFO_BASIC), "looking at an object");

@@ -35,6 +35,9 @@ bool grows(hid_t dataset);
 // Where an object lies in its file, by which its names are told to be of the same one.
 haddr_t address_of(hid_t object);
 
+// Bytes, messages and parts of an object's header.
+std::array<hsize_t, 3> header_form(hid_t object);
+
 // Bytes that deflate makes of one, at most.
 inline constexpr double most_inflated = 1100.0;
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 #include <utility>
 
@@ -68,6 +69,11 @@ bool has_known_type(const Hdf5Reader& file, const std::string& dataset) {
     return is_of_type(H5Dget_type, rows.id(), H5T_IEEE_F64LE);
 }
 
+std::array<hsize_t, 3> header_form_of(const Hdf5Reader& file, const std::string& path) {
+    return header_form(
+        Hdf5Handle(H5Oopen(file.id(), path.c_str(), H5P_DEFAULT), H5Oclose, "opening an object").id());
+}
+
 }  // namespace
 
 bool has_known_form(const Hdf5Reader& file) {
@@ -78,6 +84,8 @@ bool has_known_labels(const Hdf5Reader& file) {
     if (!has_known_attributes(file)) return false;
     const std::array labels{
         nodes_label, sections_label, algorithmic_label, driving_label, damping_label, numbers_label()};
+    // States are made alike, and so are all datasets of them.
+    std::set<std::array<hsize_t, 3>> slot_headers, headers;
     for (const std::string& slot : file.members("/restart")) {
         if (slot != slot_name(0) && slot != slot_name(1)) return false;
         const std::string path = "/restart/" + slot + "/";
@@ -87,9 +95,11 @@ bool has_known_labels(const Hdf5Reader& file) {
             if (label == labels.end() || !has_label(file, path + name, *label) ||
                 !has_known_type(file, path + name))
                 return false;
+            headers.insert(header_form_of(file, path + name));
         }
+        slot_headers.insert(header_form_of(file, path));
     }
-    return true;
+    return slot_headers.size() <= 1 && headers.size() <= 1;
 }
 
 std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {

@@ -26,6 +26,7 @@ class StructureSum {
             add(path);
             if (is_new) add_object(object, path);
         }).walk(root, "/");
+        add_header(Hdf5Handle(H5Gopen2(root, "restart", H5P_DEFAULT), H5Gclose, "opening a group").id());
         return not_none(sum_);
     }
 
@@ -46,11 +47,15 @@ class StructureSum {
   private:
     void add(std::string_view text) { sum_ = checksum(std::span<const char>(text), sum_); }
 
+    void add_header(hid_t object) { sum_ = checksum(std::span<const hsize_t>(header_form(object)), sum_); }
+
     void add_object(hid_t object, const std::string& path) {
         H5O_info_t information{};
         // All of it, so that HDF5 goes along the leaves of its trees, as other programs do.
         check_hdf5(H5Oget_info2(object, &information, H5O_INFO_ALL), "looking at an object");
         sum_ = checksum(std::span<const unsigned>(&information.rc, 1), sum_);  // how many names it has
+        // The root's header changes where a run ends at other nodes.
+        if (path != "/") add_header(object);
         for (hsize_t i = 0; i < information.num_attrs; ++i) add_attribute_by_index(object, path, i);
         if (H5Iget_type(object) == H5I_DATASET) add_dataset(object);
     }

@@ -12,6 +12,15 @@
 
 using namespace gxrod;
 
+namespace {
+
+haddr_t address_in(const std::filesystem::path& path, const char* object) {
+    const Hdf5Reader file(path);
+    return address_of(Hdf5Handle(H5Oopen(file.id(), object, H5P_DEFAULT), H5Oclose, "opening").id());
+}
+
+}  // namespace
+
 // The same bytes are other numbers if their type is another.
 TEST_CASE("A changed bit of the type of numbers is told", "[results]") {
     const test::LetHdf5Leak leaks;
@@ -20,10 +29,7 @@ TEST_CASE("A changed bit of the type of numbers is told", "[results]") {
     // HDF5's file format, IV.A.2.d: a float of 8 bytes, the lowest first.
     const std::string type("\x11\x20\x3f\0\x08\0\0\0\0\0\x40\0\x34\x0b\0\x34\xff\x03\0\0", 20);
     const char* const name = "/ledger/energy_error";
-    const std::size_t place = sound.find(type, [&] {
-        const Hdf5Reader file(written.path);
-        return address_of(Hdf5Handle(H5Dopen2(file.id(), name, H5P_DEFAULT), H5Dclose, "opening").id());
-    }());
+    const std::size_t place = sound.find(type, address_in(written.path, name));
     REQUIRE(place != std::string::npos);
     const auto is_same_type = [&] {
         const Hdf5Reader file(written.path);
@@ -144,17 +150,38 @@ TEST_CASE("A checksum that is not where it was is told", "[results]") {
     REQUIRE(place != std::string::npos);
     bytes[place + 4] = 9;
     std::ofstream(written.path, std::ios::binary) << bytes;
-    CHECK(written.changes() == std::vector<std::string>{"/restart@structure is damaged"});
+    try {
+        CHECK(written.changes() == std::vector<std::string>{"/restart@structure is damaged"});
+    } catch (const FileError& error) {  // where a sanitizer looks, HDF5 breaks down before that
+        CHECK_THAT(error.what(), Catch::Contains("is damaged: where HDF5's library reads it"));
+    }
+}
+
+// HDF5 takes what lies behind the second part of a header for more of it, and writes that back later.
+TEST_CASE("A header that is said to be longer is told", "[results]") {
+    const sample::WrittenFile written;
+    const std::string sound = read_text_file(written.path);
+    const std::string next_part("\x10\0\x10\0\0\0\0\0", 8);  // HDF5's file format, IV.A.2.q
+    for (const char* const name : {"/restart", "/restart/a/numbers", "/restart/b/driving", "/ledger/time"}) {
+        INFO(name);
+        const haddr_t header = address_in(written.path, name);
+        const std::size_t place = sound.find(next_part, header);
+        REQUIRE(place < header + 300);
+        std::string changed = sound;
+        changed[place + 16] = static_cast<char>(changed[place + 16] + 8);  // the length of the part
+        std::ofstream(written.path, std::ios::binary) << changed;
+        try {
+            CHECK(!written.changes().empty());
+        } catch (const FileError& error) {
+            CHECK_THAT(error.what(), Catch::Contains("is damaged: where HDF5's library reads it"));
+        }
+    }
 }
 
 // A program that removes one of its names would remove the rows.
 TEST_CASE("A changed number of the names of rows is told", "[results]") {
     const sample::WrittenFile written;
-    const haddr_t address = [&] {
-        const Hdf5Reader file(written.path);
-        return address_of(
-            Hdf5Handle(H5Dopen2(file.id(), "/histories/time", H5P_DEFAULT), H5Dclose, "opening").id());
-    }();
+    const haddr_t address = address_in(written.path, "/histories/time");
     std::string bytes = read_text_file(written.path);
     constexpr std::size_t names = 4;  // HDF5's file format, IV.A.1.a
     REQUIRE(bytes[address + names] > 1);
