@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 
@@ -67,15 +68,8 @@ hsize_t most_chunks(const Hdf5Handle& dataset) {
 // Rows up to the end of the last chunk on disk.
 hsize_t find_chunk_end(const Hdf5Handle& dataset, const ChunkForm& chunk) {
     if (chunk.bytes == 0) return 0;
-    const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose, "dataspace");
-    hsize_t chunks = 0;
-    check_hdf5(H5Dget_num_chunks(dataset.id(), space.id(), &chunks), "counting chunks");
-    if (chunks == 0) return 0;
-    std::array<hsize_t, 2> first{0, 0};
-    check_hdf5(
-        H5Dget_chunk_info(dataset.id(), space.id(), chunks - 1, first.data(), nullptr, nullptr, nullptr),
-        "the last chunk");
-    return first[0] + chunk.rows;
+    const std::optional<ChunkEnds> chunks = find_chunk_ends(dataset.id());
+    return chunks ? chunks->last.row + chunk.rows : 0;
 }
 
 // Rows of a dataset on disk, and as many in memory.

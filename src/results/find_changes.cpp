@@ -79,43 +79,7 @@ const char* const structure_changed =
     "its names, deck, meshes or other texts are not those that were written";
 const char* const end_changed = "its status, its last frame or the number of its rows is not that of its end";
 
-// Of a run that could not begin, say.
-std::vector<std::string> find_changes_without_state(const Hdf5Reader& file) {
-    const Hdf5Handle root = open_root(file);
-    if (!is_structure_as_written(file, root)) return {structure_changed};
-    const std::uint32_t end = read_file_sums(file).end;
-    if (end != 0 && sum_end(root.id(), RowSums(file, {}, true).of_all()) != end) return {end_changed};
-    return {};
-}
-
-}  // namespace
-
-std::vector<std::string> find_changes(const Hdf5Reader& file) {
-    try {
-        // Of another version's, nothing is known.
-        if (file.has("/restart") && !has_known_form(file)) return {};
-        if (file.has("/restart") && !has_known_labels(file)) return {structure_changed};
-        const std::optional<RestartPlace> place = read_restart(file);
-        const hsize_t steps = file.size("/histories/time").at(0);
-        if (read_file_sums(file).structure == 0) {
-            if (steps == 0) return {};
-            return {"its run was stopped before it wrote checksums, so that changes would not be told"};
-        }
-        std::vector<std::string> changes =
-            place ? find_changes(file, *place) : find_changes_without_state(file);
-        const bool has_ended = read_file_sums(file).end != 0;
-        if (changes.empty() && !has_ended && steps > (place ? place->steps : 0))
-            changes.push_back(
-                fmt::format("its steps{} have no checksum, as its run was stopped while it wrote them",
-                            place ? fmt::format(" after t = {:.10g}", place->record.steps.time) : ""));
-        return changes;
-    } catch (const std::runtime_error& error) {
-        return {error.what()};
-    }
-}
-
-std::vector<std::string> find_changes(const Hdf5Reader& file, const RestartPlace& place) {
-    if (!has_known_labels(file)) return {structure_changed};
+std::vector<std::string> find_changes_with_state(const Hdf5Reader& file, const RestartPlace& place) {
     const FileSums written = read_file_sums(file);
     if (written.structure == 0) return {};
     const Hdf5Handle root = open_root(file);
@@ -138,6 +102,46 @@ std::vector<std::string> find_changes(const Hdf5Reader& file, const RestartPlace
     if (changes.empty() && written.end != 0 && sum_end(root.id(), sums.of_all()) != written.end)
         changes.emplace_back(end_changed);
     return changes;
+}
+
+// Of a run that could not begin, say.
+std::vector<std::string> find_changes_without_state(const Hdf5Reader& file) {
+    const Hdf5Handle root = open_root(file);
+    if (!is_structure_as_written(file, root)) return {structure_changed};
+    const std::uint32_t end = read_file_sums(file).end;
+    if (end != 0 && sum_end(root.id(), RowSums(file, {}, true).of_all()) != end) return {end_changed};
+    return {};
+}
+
+}  // namespace
+
+std::vector<std::string> find_changes(const Hdf5Reader& file) {
+    try {
+        // Of another version's, nothing is known.
+        if (file.has("/restart") && !has_known_form(file)) return {};
+        if (file.has("/restart") && !has_known_structure(file)) return {structure_changed};
+        const std::optional<RestartPlace> place = read_restart(file);
+        const hsize_t steps = file.size("/histories/time").at(0);
+        if (read_file_sums(file).structure == 0) {
+            if (steps == 0) return {};
+            return {"its run was stopped before it wrote checksums, so that changes would not be told"};
+        }
+        std::vector<std::string> changes =
+            place ? find_changes_with_state(file, *place) : find_changes_without_state(file);
+        const bool has_ended = read_file_sums(file).end != 0;
+        if (changes.empty() && !has_ended && steps > (place ? place->steps : 0))
+            changes.push_back(
+                fmt::format("its steps{} have no checksum, as its run was stopped while it wrote them",
+                            place ? fmt::format(" after t = {:.10g}", place->record.steps.time) : ""));
+        return changes;
+    } catch (const std::runtime_error& error) {
+        return {error.what()};
+    }
+}
+
+std::vector<std::string> find_changes(const Hdf5Reader& file, const RestartPlace& place) {
+    if (!has_known_structure(file)) return {structure_changed};
+    return find_changes_with_state(file, place);
 }
 
 }  // namespace gxrod

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,6 +36,17 @@ bool grows(hid_t dataset);
 
 // Where an object lies in its file, by which its names are told to be of the same one.
 haddr_t address_of(hid_t object);
+
+// A chunk of rows: the first of them, and where they lie in the file.
+struct ChunkPlace {
+    hsize_t row = 0;
+    haddr_t address = HADDR_UNDEF;
+};
+struct ChunkEnds {
+    ChunkPlace first, last;
+};
+// Of the chunks that a dataset has, those with the lowest and the highest rows; nothing if it has none.
+std::optional<ChunkEnds> find_chunk_ends(hid_t dataset);
 
 // Bytes, messages and parts of an object's header.
 std::array<hsize_t, 3> header_form(hid_t object);

@@ -80,7 +80,7 @@ bool has_known_form(const Hdf5Reader& file) {
     return file.integer_attribute("/restart", "version") == form_version;
 }
 
-bool has_known_labels(const Hdf5Reader& file) {
+bool has_known_structure(const Hdf5Reader& file) {
     if (!has_known_attributes(file)) return false;
     const std::array labels{
         nodes_label, sections_label, algorithmic_label, driving_label, damping_label, numbers_label()};

@@ -38,8 +38,8 @@ void clear_file_sums(const Hdf5Handle& root);
 // Whether its states are such as this version writes.
 bool has_known_form(const Hdf5Reader& file);
 
-// Whether what lies beside their numbers is what this version writes: names, labels, types.
-bool has_known_labels(const Hdf5Reader& file);
+// Whether what lies beside their numbers is what this version writes: names, labels, types, headers.
+bool has_known_structure(const Hdf5Reader& file);
 
 // Nothing if the file has no whole record. Throws Hdf5Error, and std::runtime_error if it is damaged.
 std::optional<RestartPlace> read_restart(const Hdf5Reader& file);

@@ -11,6 +11,7 @@
 #include "machine/child_process.hpp"
 #include "model/file_error.hpp"
 #include "results/chunk_check.hpp"
+#include "results/hdf5_objects.hpp"
 #include "results/hdf5_reader.hpp"
 #include "results/text_check.hpp"
 
@@ -107,19 +108,11 @@ bool has_own_rows(hid_t dataset) {
     return H5Pget_layout(properties.id()) != H5D_VIRTUAL && H5Pget_external_count(properties.id()) == 0;
 }
 
-// Of the first rows in the file; HADDR_UNDEF if there are none.
+// Where the first rows are in the file; HADDR_UNDEF if there are none.
 haddr_t find_rows(hid_t dataset) {
     const Hdf5Handle properties(H5Dget_create_plist(dataset), H5Pclose, "properties of a dataset");
     if (H5Pget_layout(properties.id()) != H5D_CHUNKED) return H5Dget_offset(dataset);
-    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "dataspace");
-    hsize_t chunks = 0;
-    check_hdf5(H5Dget_num_chunks(dataset, space.id(), &chunks), "counting chunks");
-    haddr_t place = HADDR_UNDEF;
-    std::array<hsize_t, H5S_MAX_RANK> first{};
-    if (chunks > 0)
-        check_hdf5(H5Dget_chunk_info(dataset, space.id(), 0, first.data(), nullptr, &place, nullptr),
-                   "the first chunk");
-    return place;
+    return find_chunk_ends(dataset).value_or(ChunkEnds{}).first.address;
 }
 
 // Visits all objects of a file. What cannot even be listed is not passed over: a reader, who asks by name,

@@ -14,6 +14,9 @@ using namespace gxrod;
 
 namespace {
 
+// HDF5's file format, IV.A.2.d: a float of 8 bytes, the lowest first.
+const std::string float_type("\x11\x20\x3f\0\x08\0\0\0\0\0\x40\0\x34\x0b\0\x34\xff\x03\0\0", 20);
+
 haddr_t address_in(const std::filesystem::path& path, const char* object) {
     const Hdf5Reader file(path);
     return address_of(Hdf5Handle(H5Oopen(file.id(), object, H5P_DEFAULT), H5Oclose, "opening").id());
@@ -26,10 +29,8 @@ TEST_CASE("A changed bit of the type of numbers is told", "[results]") {
     const test::LetHdf5Leak leaks;
     const sample::WrittenFile written;
     const std::string sound = read_text_file(written.path);
-    // HDF5's file format, IV.A.2.d: a float of 8 bytes, the lowest first.
-    const std::string type("\x11\x20\x3f\0\x08\0\0\0\0\0\x40\0\x34\x0b\0\x34\xff\x03\0\0", 20);
     const char* const name = "/ledger/energy_error";
-    const std::size_t place = sound.find(type, address_in(written.path, name));
+    const std::size_t place = sound.find(float_type, address_in(written.path, name));
     REQUIRE(place != std::string::npos);
     const auto is_same_type = [&] {
         const Hdf5Reader file(written.path);
@@ -37,7 +38,7 @@ TEST_CASE("A changed bit of the type of numbers is told", "[results]") {
         return H5Tequal(Hdf5Handle(H5Dget_type(dataset.id()), H5Tclose, "type").id(), H5T_IEEE_F64LE) > 0;
     };
     int told = 0;
-    for (std::size_t bit = 0; bit < 8 * type.size(); ++bit) {
+    for (std::size_t bit = 0; bit < 8 * float_type.size(); ++bit) {
         INFO("byte " << bit / 8 << ", bit " << bit % 8);
         std::string changed = sound;
         changed[place + bit / 8] = static_cast<char>(changed[place + bit / 8] ^ (1 << (bit % 8)));
@@ -101,42 +102,33 @@ TEST_CASE("A leaf of an index that does not lead to the next is told", "[results
 
 // Of the one of two that the run did not last write, too, for it writes it next.
 TEST_CASE("A changed type of a state's numbers is told", "[results]") {
-    for (const std::string slot : {"a", "b"}) {
-        const sample::WrittenFile written;
-        written.change([&](hid_t file) {
-            const std::string name = "/restart/" + slot + "/sections";
-            const Hdf5Handle space = [&] {
-                const Hdf5Handle before(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, "opening");
-                return Hdf5Handle(H5Dget_space(before.id()), H5Sclose, "space");
-            }();
-            H5Ldelete(file, name.c_str(), H5P_DEFAULT);
-            const Hdf5Handle after(
-                H5Dcreate2(
-                    file, name.c_str(), H5T_IEEE_F32LE, space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                H5Dclose,
-                "creating");
-            write_label(after.id(), {"sections", "memory of sections", "none", ""});
-        });
-        CHECK(!written.changes().empty());
+    const sample::WrittenFile written;
+    const std::string sound = read_text_file(written.path);
+    for (const char* const name : {"/restart/a/sections", "/restart/b/sections", "/restart/b/numbers"}) {
+        INFO(name);
+        const std::size_t type = sound.find(float_type, address_in(written.path, name));
+        REQUIRE(type != std::string::npos);
+        std::string changed = sound;
+        changed[type] = '\x10';  // whole numbers
+        std::ofstream(written.path, std::ios::binary) << changed;
+        CHECK(written.changes() == std::vector{sample::structure_changed});
+        std::ofstream(written.path, std::ios::binary) << sound;
     }
 }
 
-TEST_CASE("A changed form of a state's attributes is told", "[results]") {
-    for (const char* const name : {"slot", "structure", "version"}) {
-        const sample::WrittenFile written;
-        written.change([&](hid_t file) {
-            std::int64_t number = 0;
-            H5Aread(sample::open_restart_attribute(file, name).id(), H5T_NATIVE_INT64, &number);
-            H5Adelete_by_name(file, "/restart", name, H5P_DEFAULT);
-            const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "space");
-            const Hdf5Handle changed(
-                H5Acreate_by_name(
-                    file, "/restart", name, H5T_STD_I32BE, space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                H5Aclose,
-                "creating");
-            H5Awrite(changed.id(), H5T_NATIVE_INT64, &number);
-        });
+TEST_CASE("A changed type of a state's attributes is told", "[results]") {
+    const sample::WrittenFile written;
+    const std::string sound = read_text_file(written.path);
+    const std::string type("\x10\x08\0\0\x08\0\0\0\0\0\x40\0", 12);  // whole numbers with a sign
+    for (const std::string name : {"slot", "structure", "end", "version"}) {
         INFO(name);
+        const std::string head = name + std::string(8 - name.size() % 8, '\0') + type;
+        const std::size_t place = sound.find(head);
+        REQUIRE(place != std::string::npos);
+        CHECK(sound.find(head, place + 1) == std::string::npos);
+        std::string changed = sound;
+        changed[place + head.size() - type.size() + 1] = '\0';  // without a sign
+        std::ofstream(written.path, std::ios::binary) << changed;
         CHECK(written.changes() == std::vector{sample::structure_changed});
     }
 }

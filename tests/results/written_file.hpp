@@ -30,10 +30,6 @@ inline DeckRecord make_deck_with_mesh() {
     return deck;
 }
 
-inline Hdf5Handle open_restart_attribute(hid_t file, const char* name) {
-    return {H5Aopen_by_name(file, "/restart", name, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "opening"};
-}
-
 inline void rewrite_checksum(hid_t file, const char* name, std::int64_t sum) {
     const Hdf5Handle group(H5Gopen2(file, "/restart", H5P_DEFAULT), H5Gclose, "opening");
     const Hdf5Handle attribute(H5Aopen(group.id(), name, H5P_DEFAULT), H5Aclose, "opening");
