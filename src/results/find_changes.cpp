@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "results/file_seal.hpp"
 #include "results/object_walk.hpp"
 #include "results/restart_table.hpp"
 #include "results/row_sums.hpp"
@@ -77,6 +78,7 @@ bool is_structure_as_written(const Hdf5Reader& file, const Hdf5Handle& root) {
 
 const char* const structure_changed =
     "its names, deck, meshes or other texts are not those that were written";
+const char* const seal_changed = "not all of its bytes are those that were written";
 const char* const end_changed = "its status, its last frame or the number of its rows is not that of its end";
 
 std::vector<std::string> find_changes_with_state(const Hdf5Reader& file, const RestartPlace& place) {
@@ -128,12 +130,15 @@ std::vector<std::string> find_changes(const Hdf5Reader& file) {
         }
         std::vector<std::string> changes =
             place ? find_changes_with_state(file, *place) : find_changes_without_state(file);
+        if (!changes.empty()) return changes;
+        const SealState seal = look_at_seal(file);
+        if (seal == SealState::violated) return {seal_changed};
         const bool has_ended = read_file_sums(file).end != 0;
-        if (changes.empty() && !has_ended && steps > (place ? place->steps : 0))
-            changes.push_back(
-                fmt::format("its steps{} have no checksum, as its run was stopped while it wrote them",
-                            place ? fmt::format(" after t = {:.10g}", place->record.steps.time) : ""));
-        return changes;
+        if (seal == SealState::broken && !has_ended && steps > (place ? place->steps : 0)) {
+            return {fmt::format("its steps{} have no checksum, as its run was stopped while it wrote them",
+                                place ? fmt::format(" after t = {:.10g}", place->record.steps.time) : "")};
+        }
+        return {};
     } catch (const std::runtime_error& error) {
         return {error.what()};
     }
@@ -141,7 +146,9 @@ std::vector<std::string> find_changes(const Hdf5Reader& file) {
 
 std::vector<std::string> find_changes(const Hdf5Reader& file, const RestartPlace& place) {
     if (!has_known_structure(file)) return {structure_changed};
-    return find_changes_with_state(file, place);
+    std::vector<std::string> changes = find_changes_with_state(file, place);
+    if (changes.empty() && look_at_seal(file) == SealState::violated) changes.emplace_back(seal_changed);
+    return changes;
 }
 
 }  // namespace gxrod

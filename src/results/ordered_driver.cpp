@@ -70,9 +70,9 @@ herr_t set_allocated(H5FD_t* base, H5FD_mem_t, haddr_t end) {
 // Bytes after a piece that keep HDF5 from making it longer when it is the last of the file.
 constexpr haddr_t hedge = 8;
 
-// A heap of texts is raw data to a file driver; by its size it is known.
+// A heap of texts and the file's seal are raw data to a file driver; by their sizes they are known.
 bool is_within_page(H5FD_mem_t type, hsize_t size) {
-    return type != H5FD_MEM_DRAW || size == text_heap_bytes;
+    return type != H5FD_MEM_DRAW || size == text_heap_bytes || size == sizeof(broken_seal);
 }
 
 // New room at the end. A killed write ends between two pages of memory, so what HDF5 needs whole, metadata

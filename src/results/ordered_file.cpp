@@ -10,22 +10,12 @@
 #include <new>
 #include <system_error>
 
+#include "results/descriptor_io.hpp"
+
 namespace gxrod {
 namespace {
 
 [[noreturn]] void throw_errno() { throw std::system_error(errno, std::generic_category()); }
-
-void write_all(int descriptor, std::uint64_t offset, std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = ::pwrite(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-        if (written < 0) {
-            if (errno == EINTR) continue;
-            throw_errno();
-        }
-        bytes = bytes.subspan(static_cast<std::size_t>(written));
-        offset += static_cast<std::uint64_t>(written);
-    }
-}
 
 // Height of a version 1 B-tree node above the leaves: signature "TREE", node type, level.
 int tree_level(std::span<const std::byte> node) {
@@ -69,7 +59,7 @@ bool OrderedFile::try_to_write_now(std::uint64_t offset, std::span<const std::by
     });
     if (offset < committed_ || is_taken) return false;
     try {
-        write_all(descriptor_, offset, bytes);
+        write_at(descriptor_, offset, bytes);
     } catch (const std::system_error&) {
         return false;  // the commit tells of it
     }
@@ -78,15 +68,7 @@ bool OrderedFile::try_to_write_now(std::uint64_t offset, std::span<const std::by
 }
 
 void OrderedFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {
-    std::size_t filled = 0;
-    while (filled < bytes.size()) {
-        const ssize_t got = ::pread(
-            descriptor_, bytes.data() + filled, bytes.size() - filled, static_cast<off_t>(offset + filled));
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) throw_errno();
-        if (got == 0) break;
-        filled += static_cast<std::size_t>(got);
-    }
+    const std::size_t filled = read_at(descriptor_, offset, bytes);
     std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(filled), bytes.end(), std::byte{0});
 
     for (const Write& write : pending_) {
@@ -111,6 +93,7 @@ void OrderedFile::resize(std::uint64_t size) {
 
 void OrderedFile::commit(Order direction) {
     if (is_abandoned_) throw std::bad_alloc();
+    break_seal();
     if (size_ > disk_size_) resize(size_);
 
     // Rank of each write: 0 new places, 1 superblock, 2 heaps, then trees from the root down, then headers.
@@ -128,15 +111,34 @@ void OrderedFile::commit(Order direction) {
     for (const Write& write : pending_) order.emplace_back(sign * rank(write), &write);
     std::stable_sort(
         order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (const auto& [unused, write] : order) write_all(descriptor_, write->offset, write->bytes);
+    for (const auto& [unused, write] : order) write_at(descriptor_, write->offset, write->bytes);
 
     for (const Write& write : pending_) {
         if (write.part != Part::data) metadata_on_disk_.insert(write.offset);
+        if (seal_) seal_->sums.mark_changed(write.offset, write.bytes.size());
     }
     pending_.clear();
     pending_metadata_.clear();
     if (size_ < disk_size_) resize(size_);
     committed_ = end_ = size_;
+}
+
+void OrderedFile::keep_seal(std::uint64_t place) { seal_.emplace(place); }
+
+void OrderedFile::write_seal(std::int64_t number) {
+    write_at(descriptor_, seal_->place, std::as_bytes(std::span(&number, 1)));
+}
+
+void OrderedFile::break_seal() {
+    if (!seal_ || seal_->is_broken) return;
+    write_seal(broken_seal);
+    seal_->is_broken = true;
+}
+
+void OrderedFile::seal() {
+    if (is_abandoned_) throw std::bad_alloc();
+    write_seal(seal_->sums.compute(descriptor_, committed_));
+    seal_->is_broken = false;
 }
 
 void OrderedFile::abandon() noexcept {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "results/file_seal.hpp"
 #include "results/restart_form.hpp"
 #include "results/restart_table.hpp"
 
@@ -38,8 +39,10 @@ Table read_numbers(const Hdf5Reader& file, const std::string& slot) {
 }
 
 bool has_label(const Hdf5Reader& file, const std::string& dataset, const DatasetLabel& label) {
+    const bool has_dimension = file.has_attribute(dataset, "dimension");
     return file.text_attribute(dataset, "description") == label.description &&
-           file.text_attribute(dataset, "frame") == label.frame && !file.has_attribute(dataset, "dimension");
+           file.text_attribute(dataset, "frame") == label.frame &&
+           label.dimension == (has_dimension ? file.text_attribute(dataset, "dimension") : "");
 }
 
 bool is_of_type(hid_t (*get_type)(hid_t), hid_t object, hid_t written) {
@@ -64,9 +67,15 @@ bool has_known_attributes(const Hdf5Reader& file) {
     });
 }
 
-bool has_known_type(const Hdf5Reader& file, const std::string& dataset) {
+bool has_type(const Hdf5Reader& file, const std::string& dataset, hid_t written) {
     const Hdf5Handle rows(H5Dopen2(file.id(), dataset.c_str(), H5P_DEFAULT), H5Dclose, "opening a dataset");
-    return is_of_type(H5Dget_type, rows.id(), H5T_IEEE_F64LE);
+    return is_of_type(H5Dget_type, rows.id(), written);
+}
+
+bool has_known_seal(const Hdf5Reader& file) {
+    const std::string path = "/restart/" + seal_label.name;
+    return has_label(file, path, seal_label) && has_type(file, path, H5T_STD_I64LE) &&
+           file.size(path) == std::vector<hsize_t>{1};
 }
 
 std::array<hsize_t, 3> header_form_of(const Hdf5Reader& file, const std::string& path) {
@@ -81,19 +90,20 @@ bool has_known_form(const Hdf5Reader& file) {
 }
 
 bool has_known_structure(const Hdf5Reader& file) {
-    if (!has_known_attributes(file)) return false;
+    if (!has_known_attributes(file) || !has_known_seal(file)) return false;
     const std::array labels{
         nodes_label, sections_label, algorithmic_label, driving_label, damping_label, numbers_label()};
     // States are made alike, and so are all datasets of them.
     std::set<std::array<hsize_t, 3>> slot_headers, headers;
     for (const std::string& slot : file.members("/restart")) {
+        if (slot == seal_label.name) continue;
         if (slot != slot_name(0) && slot != slot_name(1)) return false;
         const std::string path = "/restart/" + slot + "/";
         for (const std::string& name : file.members(path)) {
             const auto* const label = std::find_if(
                 labels.begin(), labels.end(), [&](const DatasetLabel& one) { return one.name == name; });
             if (label == labels.end() || !has_label(file, path + name, *label) ||
-                !has_known_type(file, path + name))
+                !has_type(file, path + name, H5T_IEEE_F64LE))
                 return false;
             headers.insert(header_form_of(file, path + name));
         }

@@ -5,6 +5,8 @@
 #include <span>
 #include <stdexcept>
 
+#include "results/file_seal.hpp"
+#include "results/ordered_file.hpp"
 #include "results/restart_form.hpp"
 
 namespace gxrod {
@@ -82,6 +84,7 @@ RestartTable::RestartTable(const Hdf5Handle& root) : group_(require_group(root, 
     structure_attribute_ = create_number(group_, "structure", no_sum);
     end_attribute_ = create_number(group_, "end", no_sum);
     write_attribute(group_.id(), "version", std::array{form_version});
+    write_dataset(group_, seal_label, std::array{broken_seal});
 }
 
 void RestartTable::write_structure_sum(std::uint32_t sum) { write_number(structure_attribute_, sum); }

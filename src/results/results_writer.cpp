@@ -9,6 +9,7 @@
 #include "model/version.hpp"
 #include "results/deck_reading.hpp"
 #include "results/digest.hpp"
+#include "results/file_seal.hpp"
 #include "results/memory_reserve.hpp"
 #include "results/ordered_driver.hpp"
 #include "results/structure_sum.hpp"
@@ -115,7 +116,9 @@ ResultsWriter::ResultsWriter(int descriptor,
     write_provenance(root_, deck);
     tables_.emplace(root_, deck, model, output, 0, 0);
     commit();
+    file_->keep_seal(find_seal(root_));
     write_structure_sum();
+    file_->seal();
     next_flush_ = Clock::now() + flush_interval;
 }
 
@@ -127,6 +130,7 @@ ResultsWriter::ResultsWriter(ResumableFile file,
       hdf5_(open_hdf5(*file_)),
       root_(open_root(hdf5_)) {
     frame_bytes_ = count_frame_bytes(model);
+    file_->keep_seal(find_seal(root_));
     clear_file_sums(root_);
     commit();
     const auto open_tables = [&] {
@@ -153,6 +157,7 @@ ResultsWriter::ResultsWriter(ResumableFile file,
     tables_->switch_restart();
     commit();
     write_structure_sum();
+    file_->seal();
     next_flush_ = Clock::now() + flush_interval;
 }
 
@@ -161,6 +166,7 @@ ResultsWriter::~ResultsWriter() {
     try {
         flush();
         close_hdf5();
+        file_->seal();
     } catch (...) {
         // The file on disk stays as it was last written. Closing HDF5 needs no disk.
     }
@@ -207,6 +213,7 @@ void ResultsWriter::flush() {
         commit();
         tables_->switch_restart();
         commit();
+        file_->seal();
         H5garbage_collect();  // what HDF5 keeps for more frames of that size
     });
     // A slow disk takes at most a tenth of the time.
@@ -242,6 +249,7 @@ void ResultsWriter::close(const std::string& status,
         commit();
         tables_->write_end_sum(sum_end(root_.id(), tables_->sum()));
         close_hdf5();
+        file_->seal();
         check_name(*file_);
     });
 }

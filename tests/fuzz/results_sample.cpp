@@ -3,6 +3,7 @@
 #include "deck/problem.hpp"
 #include "deck/text_file.hpp"
 #include "fuzz/scratch_folder.hpp"
+#include "results/break_seal.hpp"
 #include "results/restart_table.hpp"
 #include "results/results_file.hpp"
 
@@ -64,8 +65,11 @@ struct Motion {
 // As of a run that was stopped while it was resumed. Else checksums would tell nearly every change, before
 // what they are a check of is read.
 void leave_unchecked(const std::filesystem::path& path) {
-    const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, "opening");
-    clear_file_sums(Hdf5Handle(H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose, "opening"));
+    {
+        const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, "opening");
+        clear_file_sums(Hdf5Handle(H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose, "opening"));
+    }
+    test::break_seal(path);
 }
 
 std::string make_sample() {

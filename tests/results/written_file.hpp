@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "results/break_seal.hpp"
 #include "results/hdf5_objects.hpp"
 #include "results/list_changes.hpp"
 #include "results/results_file.hpp"
@@ -36,7 +37,7 @@ inline void rewrite_checksum(hid_t file, const char* name, std::int64_t sum) {
     check_hdf5(H5Awrite(attribute.id(), H5T_NATIVE_INT64, &sum), "writing a checksum");
 }
 
-// A results file of five steps, the last at t = 1, and three frames.
+// A results file of five steps, the last at t = 1, and three frames. Its seal is broken.
 struct WrittenFile {
     ScratchFolder folder;
     Model model = make_model();
@@ -46,6 +47,7 @@ struct WrittenFile {
         ResultsFile file({path}, make_deck_with_mesh(), model, make_output());
         write_steps(file, 0, 5);
         file.close(RunStatus::interrupted, "Ctrl-C");
+        test::break_seal(path);
     }
 
     // Changes it, through HDF5.
@@ -75,6 +77,7 @@ inline const std::string steps_changed =
 inline const std::string frames_changed = "frames up to t = 1 are not those that were written";
 inline const std::string structure_changed =
     "its names, deck, meshes or other texts are not those that were written";
+inline const std::string seal_changed = "not all of its bytes are those that were written";
 inline const std::string end_changed =
     "its status, its last frame or the number of its rows is not that of its end";
 

@@ -1,0 +1,62 @@
+#include "results/page_sums.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <span>
+#include <system_error>
+
+#include "results/checksum.hpp"
+#include "results/descriptor_io.hpp"
+
+namespace gxrod {
+namespace {
+
+constexpr std::uint64_t page_bytes = 4096;
+constexpr std::uint64_t pages_at_once = 64;
+
+std::uint64_t count_pages(std::uint64_t bytes) { return (bytes + page_bytes - 1) / page_bytes; }
+
+}  // namespace
+
+void PageSums::mark_changed(std::uint64_t offset, std::size_t count) {
+    changed_.emplace_back(offset / page_bytes, count_pages(offset + count));
+}
+
+std::uint32_t PageSums::compute(int descriptor, std::uint64_t size) {
+    const std::uint64_t pages = count_pages(size);
+    if (size != size_) {
+        changed_.emplace_back(std::min(size, size_) / page_bytes, pages);
+        size_ = size;
+    }
+    sums_.resize(pages);
+    std::sort(changed_.begin(), changed_.end());
+    std::uint64_t next = 0;
+    for (const auto& [first, last] : changed_) {
+        for (next = std::max(next, first); next < std::min(last, pages);) {
+            const std::uint64_t end = std::min({last, pages, next + pages_at_once});
+            read_pages(descriptor, next, end);
+            next = end;
+        }
+    }
+    changed_.clear();
+    return checksum(std::span<const std::uint32_t>(sums_),
+                    checksum(std::span<const std::uint64_t>(std::array{size})));
+}
+
+void PageSums::read_pages(int descriptor, std::uint64_t first, std::uint64_t last) {
+    const std::uint64_t begin = first * page_bytes;
+    std::vector<std::byte> bytes(std::min(last * page_bytes, size_) - begin);
+    if (read_at(descriptor, begin, bytes) < bytes.size())
+        throw std::system_error(EIO, std::generic_category());
+    for (std::uint64_t at = left_out_; at < left_out_ + 8; ++at) {
+        if (at >= begin && at < begin + bytes.size()) bytes[at - begin] = std::byte{0};
+    }
+    for (std::uint64_t page = first; page < last; ++page) {
+        const std::uint64_t at = (page - first) * page_bytes;
+        const std::span<const std::byte> rest = std::span(bytes).subspan(at);
+        sums_[page] = checksum(rest.first(std::min<std::size_t>(page_bytes, rest.size())));
+    }
+}
+
+}  // namespace gxrod
