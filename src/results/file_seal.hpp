@@ -16,8 +16,8 @@ inline const DatasetLabel seal_label{"checksum_of_file",
 // Its place in the file. Throws Hdf5Error, and std::runtime_error if it has none.
 std::uint64_t find_seal(const Hdf5Handle& root);
 
-// `kept`: the file is, to the bit, the one that was sealed; `violated`: it is not. One whose writer was killed
-// while it changed the file is `broken`, which says nothing of its bits.
+// `kept`: the file is, to the bit, the one that was sealed; `violated`: it is not. One whose writer was
+// killed while it changed the file is `broken`, which says nothing of its bits.
 enum class SealState { kept, violated, broken };
 // Reads the whole file. Throws like Hdf5Reader, and std::system_error.
 SealState look_at_seal(const Hdf5Reader& file);

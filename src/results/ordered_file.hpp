@@ -17,7 +17,6 @@ namespace gxrod {
 // In place of the seal of a file that is being changed, or was when its writer was killed.
 inline constexpr std::int64_t broken_seal = -1;
 
-
 // The bytes of an HDF5 file that change on disk in commits only, and within a commit in an order that leaves
 // a valid file wherever the writer is killed or the disk fills up:
 //

@@ -165,10 +165,8 @@ TEST_CASE("A run goes on from a file whose seal is broken, and seals it", "[resu
     CHECK(seal_of(written.path) == SealState::broken);
     CHECK(written.changes().empty());
     {
-        ResultsFile file(sample::make_deck_with_mesh(),
-                         written.model,
-                         sample::make_output(),
-                         ResumableFile(written.path));
+        ResultsFile file(
+            sample::make_deck_with_mesh(), written.model, sample::make_output(), ResumableFile(written.path));
         CHECK(seal_of(written.path) == SealState::kept);
     }
     CHECK(seal_of(written.path) == SealState::kept);
