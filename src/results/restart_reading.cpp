@@ -113,11 +113,14 @@ bool has_known_structure(const Hdf5Reader& file) {
 }
 
 std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
-    if (!file.has("/restart") || file.integer_attribute("/restart", "slot") == no_slot) return std::nullopt;
+    if (!file.has("/restart")) return std::nullopt;
+    const long long number = file.integer_attribute("/restart", "slot");
+    if (number == no_slot) return std::nullopt;
     if (!has_known_form(file)) {
         throw std::runtime_error("its state was written in another form, by another version of gxrod");
     }
-    const std::string slot = "/restart/" + slot_name(file.integer_attribute("/restart", "slot")) + "/";
+    if (number != 0 && number != 1) throw std::runtime_error("/restart@slot is damaged");
+    const std::string slot = "/restart/" + slot_name(number) + "/";
     std::uint32_t sum = 0;
     const auto read = [&](const DatasetLabel& label, hsize_t columns) {
         const std::vector<hsize_t> size = file.size(slot + label.name);

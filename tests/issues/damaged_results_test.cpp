@@ -212,6 +212,12 @@ TEST_CASE("A state of another version is not gone on from", "[results]") {
           "cannot be resumed: its state was written in another form, by another version of gxrod");
 }
 
+TEST_CASE("No other state is read where none of the two is named", "[results]") {
+    Damaged damaged;
+    damaged.replace_attribute("/restart", "slot", {}, 2.0);
+    CHECK(damaged.resume_fault() == "cannot be resumed: /restart@slot is damaged");
+}
+
 TEST_CASE("A list where one value belongs is an error", "[results]") {
     Damaged slots;
     slots.replace_attribute("/restart", "slot", {1000});
