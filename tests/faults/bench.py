@@ -37,6 +37,7 @@ class Bench:
         self.needs = {}  # of memory, by deck
         self.durations = {}
         self.batch = None
+        self.bases = {}  # files to change bits of, by deck
         self.plot = str(self.program.parent / "gxrod-plot")
         self.plotted = 1.0  # how many of the files that are read are drawn, too, which takes long
 

@@ -143,6 +143,7 @@ class Deck:
     long: tuple = ()
     threads: int = 1
     files: tuple = ()  # that it names: name and text
+    later: tuple = ()  # changes with which a run that has ended goes on
 
 
 DYNAMIC = 'kind = "dynamic"\nend_time = 0.6\ntime_step = 0.01'
@@ -151,15 +152,18 @@ DYNAMIC = 'kind = "dynamic"\nend_time = 0.6\ntime_step = 0.01'
 LARGE = Deck("large", rod(20000, 'kind = "dynamic"\nend_time = 0.002\ntime_step = 0.001', "every = 1"), 20000)
 
 DECKS = {deck.name: deck for deck in (
-    Deck("body", BODY, 200, ("analysis.steps=80000",)),
-    Deck("rod", rod(12, DYNAMIC), 3000, ("analysis.time_step=0.0002",)),
-    Deck("deflated", rod(12, DYNAMIC, 'every = 3\ncompression = "deflate"'), 3000, ("analysis.time_step=0.0004",)),
+    Deck("body", BODY, 200, ("analysis.steps=80000",),
+         later=("analysis.end_time=6.2", "analysis.steps=620")),
+    Deck("rod", rod(12, DYNAMIC), 3000, ("analysis.time_step=0.0002",), later=("analysis.end_time=0.64",)),
+    Deck("deflated", rod(12, DYNAMIC, 'every = 3\ncompression = "deflate"'), 3000, ("analysis.time_step=0.0004",),
+         later=("analysis.end_time=0.66",)),
     Deck("adaptive", rod(6, 'kind = "dynamic"\nintegrator = "sdirk-4"\nend_time = 0.4\ntime_step = 0.005\n'
                             'adaptive = { tolerance = 1e-4, min_step = 1e-6, max_step = 0.1 }'), 2000,
-         ("analysis.adaptive.tolerance=3e-11",)),
+         ("analysis.adaptive.tolerance=3e-11",), later=("analysis.end_time=0.5",)),
     Deck("static", rod(12, 'kind = "static"\nsteps = 60'), 3000, ("analysis.steps=3000",)),
     Deck("threads", rod(260, 'kind = "dynamic"\nend_time = 0.2\ntime_step = 0.01'), 1500, ("analysis.time_step=0.001",),
-         threads=2),
-    Deck("frame", FRAME, 3000, ("analysis.time_step=0.0002",)),
-    Deck("net", NET, 3000, ("analysis.time_step=1e-5",), files=(("truss.msh", (MESHES / "truss_2.2.msh").read_text()),)),
+         threads=2, later=("analysis.end_time=0.24",)),
+    Deck("frame", FRAME, 3000, ("analysis.time_step=0.0002",), later=("analysis.end_time=0.68",)),
+    Deck("net", NET, 3000, ("analysis.time_step=1e-5",), files=(("truss.msh", (MESHES / "truss_2.2.msh").read_text()),),
+         later=("analysis.end_time=0.07",)),
 )}

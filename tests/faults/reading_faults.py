@@ -4,9 +4,8 @@ import shutil
 import subprocess
 import sys
 
-import h5py
-
 from bench import NOTHING_TO_RESUME, Trial, describe_end
+from own_bits import find_own_bytes, flip_bit
 
 
 def readers(bench, name):
@@ -65,24 +64,9 @@ def describe_forms(bench, name):
 
 
 def choose_bit(path, random):
-    """Anywhere, or, every other time, in what HDF5 keeps of its own, which is a small part of a file: what lies outside of
-    the chunks of rows and is not 0."""
-    content = bytearray(path.read_bytes())
-    if random.random() < 0.5 or not any(content):
-        return random.randrange(8 * len(content))
-
-    def clear_chunks(_, item):
-        if isinstance(item, h5py.Dataset) and item.chunks:
-            for i in range(item.id.get_num_chunks()):
-                chunk = item.id.get_chunk_info(i)
-                content[chunk.byte_offset:chunk.byte_offset + chunk.size] = bytes(chunk.size)
-
-    try:
-        with h5py.File(path, locking=False) as file:
-            file.visititems(clear_chunks)
-    except OSError:
-        pass  # killed before it was a file of HDF5's
-    return 8 * random.choice([at for at, byte in enumerate(content) if byte]) + random.randrange(8)
+    """Anywhere, or, every other time, in what HDF5 keeps of its own."""
+    own_bytes = find_own_bytes(path) if random.random() < 0.5 else []
+    return 8 * (random.choice(own_bytes) if own_bytes else random.randrange(path.stat().st_size)) + random.randrange(8)
 
 
 def flipped(bench, deck, random):
@@ -100,11 +84,7 @@ def flipped(bench, deck, random):
         return bench.recover(deck, Trial(describe_end(process.returncode), ""), is_long=True)
     before = describe_forms(bench, path.name)
     bit = choose_bit(path, random)
-    with open(path, "r+b") as file:
-        file.seek(bit // 8)
-        byte = file.read(1)[0]
-        file.seek(bit // 8)
-        file.write(bytes([byte ^ 1 << bit % 8]))
+    path.write_bytes(flip_bit(path.read_bytes(), bit))
     trial = Trial("", "")
     for reader, (done, written) in describe_forms(bench, path.name).items():
         was_well = before[reader][0].returncode == 0

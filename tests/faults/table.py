@@ -32,6 +32,8 @@ ROWS = {
     "flipped": ("a bit of a results file that changed", "`export` and `report` say that the file is in doubt, or it changes nothing of what they make; "
                 "`resume` goes on to the last bit, or says what is not as it was written",
                 "one bit of the file, half of them anywhere, half in what HDF5 keeps of its own, of a run that was killed at a random moment or has ended"),
+    "flipped_own": ("a bit of what HDF5 keeps of its own that changed", "`gxrod resume` goes on to the last bit, or says that the file is damaged and changes nothing",
+                    "the n-th bit of what lies outside of rows and is not zero, of a run that was killed halfway, between two writes, and of one that has ended and is to last longer"),
     "kill_batch": ("`kill -9` of a batch", "no row of its table is lost; the same command goes on to the same table and results",
                    "its first process, at a random moment"),
     "kill_worker": ("`kill -9` of a worker of a batch", "the batch runs its case again by itself", "one of two workers, at a random moment"),
