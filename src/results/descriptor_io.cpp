@@ -26,9 +26,11 @@ std::size_t transfer_all(Bytes bytes, std::uint64_t offset, Transfer transfer) {
 }  // namespace
 
 void write_at(int descriptor, std::uint64_t offset, std::span<const std::byte> bytes) {
-    transfer_all(bytes, offset, [&](std::span<const std::byte> rest, off_t place) {
-        return ::pwrite(descriptor, rest.data(), rest.size(), place);
-    });
+    const std::size_t written =
+        transfer_all(bytes, offset, [&](std::span<const std::byte> rest, off_t place) {
+            return ::pwrite(descriptor, rest.data(), rest.size(), place);
+        });
+    if (written < bytes.size()) throw std::system_error(EIO, std::generic_category());
 }
 
 std::size_t read_at(int descriptor, std::uint64_t offset, std::span<std::byte> bytes) {

@@ -13,8 +13,8 @@ inline const DatasetLabel seal_label{"checksum_of_file",
                                      "none",
                                      "1"};
 
-// Its place in the file. Throws Hdf5Error, and std::runtime_error if it has none.
-std::uint64_t find_seal(const Hdf5Handle& root);
+// Its place in the file, by the group /restart. Throws Hdf5Error, and std::runtime_error if it has none.
+std::uint64_t find_seal(const Hdf5Handle& restart);
 
 // `kept`: the file is, to the bit, the one that was sealed; `violated`: it is not. One whose writer was
 // killed while it changed the file is `broken`, which says nothing of its bits.

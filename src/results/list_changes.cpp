@@ -14,7 +14,8 @@ std::vector<std::string> list_changes(const std::filesystem::path& path) {
     if (error || bytes > most_bytes || is_being_written(path).value_or(true)) return {};
     std::vector<std::string> changes;
     read_results(path, [&](const Hdf5Reader& file) { changes = find_changes(file); });
-    return changes;
+    // A run may go on with it since.
+    return is_being_written(path).value_or(true) ? std::vector<std::string>{} : changes;
 }
 
 }  // namespace gxrod

@@ -111,15 +111,20 @@ void OrderedFile::commit(Order direction) {
     for (const Write& write : pending_) order.emplace_back(sign * rank(write), &write);
     std::stable_sort(
         order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (const auto& [unused, write] : order) write_at(descriptor_, write->offset, write->bytes);
+    for (const auto& [unused, write] : order) {
+        // Before: what is half written when an error comes has changed, too.
+        if (seal_) seal_->sums.mark_changed(write->offset, write->bytes.size());
+        write_at(descriptor_, write->offset, write->bytes);
+    }
 
     for (const Write& write : pending_) {
         if (write.part != Part::data) metadata_on_disk_.insert(write.offset);
-        if (seal_) seal_->sums.mark_changed(write.offset, write.bytes.size());
     }
     pending_.clear();
     pending_metadata_.clear();
     if (size_ < disk_size_) resize(size_);
+    // There, other bytes may be before the next seal.
+    if (seal_ && size_ < committed_) seal_->sums.mark_changed(size_, committed_ - size_);
     committed_ = end_ = size_;
 }
 

@@ -116,7 +116,7 @@ ResultsWriter::ResultsWriter(int descriptor,
     write_provenance(root_, deck);
     tables_.emplace(root_, deck, model, output, 0, 0);
     commit();
-    file_->keep_seal(find_seal(root_));
+    file_->keep_seal(tables_->find_seal());
     write_structure_sum();
     file_->seal();
     next_flush_ = Clock::now() + flush_interval;
@@ -130,7 +130,7 @@ ResultsWriter::ResultsWriter(ResumableFile file,
       hdf5_(open_hdf5(*file_)),
       root_(open_root(hdf5_)) {
     frame_bytes_ = count_frame_bytes(model);
-    file_->keep_seal(find_seal(root_));
+    file_->keep_seal(find_seal(require_group(root_, "restart")));
     clear_file_sums(root_);
     commit();
     const auto open_tables = [&] {

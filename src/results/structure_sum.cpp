@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "results/checksum.hpp"
+#include "results/file_seal.hpp"
 #include "results/object_walk.hpp"
 #include "results/row_sums.hpp"
 
@@ -26,7 +27,11 @@ class StructureSum {
             add(path);
             if (is_new) add_object(object, path);
         }).walk(root, "/");
-        add_header(Hdf5Handle(H5Gopen2(root, "restart", H5P_DEFAULT), H5Gclose, "opening a group").id());
+        const Hdf5Handle restart(H5Gopen2(root, "restart", H5P_DEFAULT), H5Gclose, "opening a group");
+        add_header(restart.id());
+        // A run that goes on writes there.
+        const std::array<std::uint64_t, 1> seal{find_seal(restart)};
+        sum_ = checksum(std::span<const std::uint64_t>(seal), sum_);
         return not_none(sum_);
     }
 

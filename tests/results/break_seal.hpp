@@ -13,7 +13,7 @@ namespace gxrod::test {
 inline void break_seal(const std::filesystem::path& path) {
     const std::uint64_t place = [&] {
         const Hdf5Reader file(path);
-        return find_seal(Hdf5Handle(H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose, "opening"));
+        return find_seal(Hdf5Handle(H5Gopen2(file.id(), "restart", H5P_DEFAULT), H5Gclose, "opening"));
     }();
     std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
     file.seekp(static_cast<std::streamoff>(place));

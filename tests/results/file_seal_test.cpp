@@ -1,6 +1,7 @@
 #include "results/file_seal.hpp"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 
 #include <catch2/catch.hpp>
 #include <fstream>
@@ -10,6 +11,7 @@
 #include "deck/text_file.hpp"
 #include "model/file_error.hpp"
 #include "results/checksum.hpp"
+#include "results/traced_writer.hpp"
 #include "results/written_file.hpp"
 #include "tools/let_hdf5_leak.hpp"
 
@@ -63,7 +65,7 @@ SealState seal_of(const std::filesystem::path& path) { return look_at_seal(Hdf5R
 
 std::uint64_t find_seal_of(const std::filesystem::path& path) {
     const Hdf5Reader file(path);
-    return find_seal(Hdf5Handle(H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose, "opening"));
+    return find_seal(Hdf5Handle(H5Gopen2(file.id(), "restart", H5P_DEFAULT), H5Gclose, "opening"));
 }
 
 }  // namespace
@@ -132,6 +134,62 @@ TEST_CASE("A commit breaks an ordered file's seal, and sealing it makes it whole
     CHECK(is_whole());
     file.abandon();
     CHECK_THROWS_AS(file.seal(), std::bad_alloc);
+}
+
+TEST_CASE("Bytes that were cut off and written anew between two seals count", "[results]") {
+    const sample::ScratchFolder folder;
+    const auto path = folder / "a";
+    OrderedFile file(::open(path.c_str(), O_RDWR | O_CREAT, 0600));
+    const auto write = [&](std::uint64_t at, const std::string& text) {
+        file.write(Part::data, at, std::as_bytes(std::span(text)));
+    };
+    write(0, std::string(20000, 'a'));
+    file.set_size(20000);
+    file.commit();
+    file.keep_seal(16);
+    file.seal();
+    file.set_size(5000);
+    file.commit(OrderedFile::Order::shrinking);
+    write(6000, std::string(9000, 'b'));
+    file.set_size(20000);
+    file.commit();
+    file.seal();
+    CHECK(number_at(path, 16) == sum_whole(read_text_file(path), 16));
+}
+
+TEST_CASE("What a commit that failed has written counts for the seal", "[results]") {
+    const sample::ScratchFolder folder;
+    const auto path = folder / "a";
+    OrderedFile file(::open(path.c_str(), O_RDWR | O_CREAT, 0600));
+    const auto write = [&](Part part, std::uint64_t at, const std::string& text) {
+        file.write(part, at, std::as_bytes(std::span(text)));
+    };
+    write(Part::data, 0, std::string(30000, 'a'));
+    file.set_size(30000);
+    file.commit();
+    file.keep_seal(16);
+    file.seal();
+    const auto fails_first = [&] {
+        std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limit{20000, RLIM_INFINITY}, none{RLIM_INFINITY, RLIM_INFINITY};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        write(Part::header, 100, std::string(9000, 'b'));
+        write(Part::header, 19990, std::string(100, 'c'));
+        try {
+            file.commit();
+            return false;
+        } catch (const std::system_error&) {
+            ::setrlimit(RLIMIT_FSIZE, &none);
+        }
+        const bool is_half_written = read_text_file(path)[9000] == 'b';
+        write(Part::header, 100, "short");
+        file.commit();
+        file.seal();
+        return is_half_written && number_at(path, 16) == sum_whole(read_text_file(path), 16);
+    };
+    const int status = test::wait_for(test::run_child([&] { return fails_first() ? 0 : 1; }));
+    CHECK(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
 }
 
 TEST_CASE("A results file is sealed from its start to its end", "[results]") {
