@@ -113,3 +113,22 @@ TEST_CASE("A heap of texts keeps to one page, and is not made longer", "[results
     }
     CHECK(heaps >= 4);
 }
+
+TEST_CASE("The place of a seal lies within a page", "[results]") {
+    silence_hdf5();
+    const sample::ScratchFolder folder;
+    const NewFile file(folder / "a");
+    constexpr haddr_t page = 4096;
+    int at_ends = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const std::string number = std::to_string(i);
+        write_dataset(file.root, {"bytes" + number, "", "", ""}, std::vector<std::uint8_t>(997 + i % 17));
+        write_dataset(file.root, {"seal" + number, "", "", ""}, std::array{broken_seal});
+        const Hdf5Handle seal(
+            H5Dopen2(file.root.id(), ("seal" + number).c_str(), H5P_DEFAULT), H5Dclose, "opening");
+        const haddr_t in_page = H5Dget_offset(seal.id()) % page;
+        CHECK(in_page <= page - sizeof(broken_seal));
+        if (in_page == 0) ++at_ends;  // of the page before it had no room
+    }
+    CHECK(at_ends > 0);
+}
