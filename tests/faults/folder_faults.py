@@ -68,26 +68,29 @@ def start_and_wait(bench, deck, random):
     raise RuntimeError(f"{deck.name} always ended before it could be disturbed")
 
 
-def removed(bench, deck, random):
-    """The results file is removed while the run writes it: it ends and says so."""
+def take_away(bench, deck, random, action, told):
+    """Does so with the file of a run, which must end with code 4 and such words, unless all was written before."""
     process = start_and_wait(bench, deck, random)
-    bench.path(deck).unlink()
+    with open(bench.path(deck), "rb") as file:
+        action(bench.path(deck))
+        was_complete = results.is_complete(f"/proc/self/fd/{file.fileno()}")
     errors = process.communicate(timeout=300)[1]
     trial = Trial(describe_end(process.returncode), "", message=errors.strip())
-    if not (process.returncode == 4 and "it was removed while the run wrote it" in errors):
+    if not (process.returncode == 4 and told in errors) and not (process.returncode == 0 and was_complete):
         trial.lost = f"{trial.end}: {errors}"
+    return trial
+
+
+def removed(bench, deck, random):
+    """The results file is removed while the run writes it: it ends and says so."""
+    trial = take_away(bench, deck, random, lambda path: path.unlink(), "it was removed while the run wrote it")
     return bench.recover(deck, trial, is_long=True)
 
 
 def moved(bench, deck, random):
     """The results file is moved while the run writes it: it is complete under its new name, and that is told."""
-    process = start_and_wait(bench, deck, random)
     new = bench.folder / "moved.vtkhdf"
-    bench.path(deck).rename(new)
-    errors = process.communicate(timeout=300)[1]
-    trial = Trial(describe_end(process.returncode), "", message=errors.strip())
-    if not (process.returncode == 4 and "was moved while the run wrote it" in errors):
-        trial.lost = f"{trial.end}: {errors}"
+    trial = take_away(bench, deck, random, lambda path: path.rename(new), "was moved while the run wrote it")
     new.rename(bench.path(deck))
     return bench.recover(deck, trial, is_long=True)
 

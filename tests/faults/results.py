@@ -52,6 +52,15 @@ def count_steps(path):
         return None  # a file that is not whole, or not yet
 
 
+def is_complete(path):
+    """Whether a file says that its run has come to its end."""
+    try:
+        with h5py.File(path, "r", locking=False) as file:
+            return file.attrs["status"] == "complete"
+    except (OSError, KeyError, RuntimeError):
+        return False  # it is being written
+
+
 def find_fault(path, whole_path):
     """Says what is wrong with the steps and frames that a file says it has, or "": they must be those of a whole run."""
     with h5py.File(path, "r", locking=False) as file, h5py.File(whole_path, "r", locking=False) as whole:
