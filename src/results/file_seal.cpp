@@ -6,6 +6,7 @@
 #include "results/page_sums.hpp"
 
 namespace gxrod {
+
 std::uint64_t find_seal(const Hdf5Handle& restart) {
     const Hdf5Handle dataset(
         H5Dopen2(restart.id(), seal_label.name.c_str(), H5P_DEFAULT), H5Dclose, "opening a dataset");

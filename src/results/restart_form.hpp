@@ -15,7 +15,7 @@ namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
 inline constexpr std::int64_t no_sum = -1;       // which no damaged sum is, read as 0 say
-inline constexpr std::int64_t form_version = 4;  // of what is in a slot; raise it with every change
+inline constexpr std::int64_t form_version = 4;  // of what is in /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 // Calls visit(vector) for each vector of a row, const or not.

@@ -3,7 +3,6 @@
 #include <array>
 #include <optional>
 
-#include "results/file_seal.hpp"
 #include "results/hdf5_objects.hpp"
 #include "results/hdf5_reader.hpp"
 #include "results/restart_record.hpp"
@@ -21,8 +20,6 @@ class RestartTable {
     void write(const RestartPlace& place);
     // … which is in use from here on.
     void switch_slot();
-    // Where the file's seal stands.
-    std::uint64_t find_seal() const { return gxrod::find_seal(group_); }
     // The checksum of the file's structure, once it and the slot in use are of each other; none before.
     void write_structure_sum(std::uint32_t sum);
     // That of all, once the run has ended.

@@ -31,7 +31,6 @@ class ResultsTables {
     void flush_times();
     // … and last which state to go on from.
     void switch_restart();
-    std::uint64_t find_seal() const { return restart_.find_seal(); }
     // Of all that there is but rows.
     void write_structure_sum(std::uint32_t sum) { restart_.write_structure_sum(sum); }
     // Of all rows so far.

@@ -116,7 +116,7 @@ ResultsWriter::ResultsWriter(int descriptor,
     write_provenance(root_, deck);
     tables_.emplace(root_, deck, model, output, 0, 0);
     commit();
-    file_->keep_seal(tables_->find_seal());
+    file_->keep_seal(find_seal(require_group(root_, "restart")));
     write_structure_sum();
     file_->seal();
     next_flush_ = Clock::now() + flush_interval;
