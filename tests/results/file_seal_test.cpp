@@ -61,6 +61,12 @@ std::int64_t number_at(const std::filesystem::path& path, std::size_t place) {
     return number;
 }
 
+int create(const std::filesystem::path& path) { return ::open(path.c_str(), O_RDWR | O_CREAT, 0600); }
+
+void write(OrderedFile& file, Part part, std::uint64_t at, const std::string& text) {
+    file.write(part, at, std::as_bytes(std::span(text)));
+}
+
 SealState seal_of(const std::filesystem::path& path) { return look_at_seal(Hdf5Reader(path)); }
 
 std::uint64_t find_seal_of(const std::filesystem::path& path) {
@@ -99,20 +105,17 @@ TEST_CASE("The checksum of a file that changes is that of its bytes as they are"
 TEST_CASE("A commit breaks an ordered file's seal, and sealing it makes it whole", "[results]") {
     const sample::ScratchFolder folder;
     const auto path = folder / "a";
-    OrderedFile file(::open(path.c_str(), O_RDWR | O_CREAT, 0600));
-    const auto write = [&](Part part, std::uint64_t at, const std::string& text) {
-        file.write(part, at, std::as_bytes(std::span(text)));
-    };
+    OrderedFile file(create(path));
     const auto is_whole = [&] {
         return number_at(path, 16) == sum_whole(read_text_file(path), 16) && number_at(path, 16) != 0;
     };
-    write(Part::data, 0, std::string(5000, 'a'));
+    write(file, Part::data, 0, std::string(5000, 'a'));
     file.set_size(6000);
     file.commit();
     file.keep_seal(16);
     file.seal();
     CHECK(is_whole());
-    write(Part::header, 4990, "header");
+    write(file, Part::header, 4990, "header");
     CHECK(is_whole());  // nothing is on disk yet
     file.commit();
     CHECK(number_at(path, 16) == broken_seal);
@@ -120,7 +123,7 @@ TEST_CASE("A commit breaks an ordered file's seal, and sealing it makes it whole
     file.seal();
     CHECK(is_whole());
     // Data beyond what is committed go to the disk at once.
-    write(Part::data, 7000, std::string(9000, 'b'));
+    write(file, Part::data, 7000, std::string(9000, 'b'));
     CHECK(read_text_file(path).size() == 16000);
     CHECK(number_at(path, 16) == sum_whole(read_text_file(path).substr(0, 6000), 16));
     file.set_size(20000);
@@ -139,18 +142,15 @@ TEST_CASE("A commit breaks an ordered file's seal, and sealing it makes it whole
 TEST_CASE("Bytes that were cut off and written anew between two seals count", "[results]") {
     const sample::ScratchFolder folder;
     const auto path = folder / "a";
-    OrderedFile file(::open(path.c_str(), O_RDWR | O_CREAT, 0600));
-    const auto write = [&](std::uint64_t at, const std::string& text) {
-        file.write(Part::data, at, std::as_bytes(std::span(text)));
-    };
-    write(0, std::string(20000, 'a'));
+    OrderedFile file(create(path));
+    write(file, Part::data, 0, std::string(20000, 'a'));
     file.set_size(20000);
     file.commit();
     file.keep_seal(16);
     file.seal();
     file.set_size(5000);
     file.commit(OrderedFile::Order::shrinking);
-    write(6000, std::string(9000, 'b'));
+    write(file, Part::data, 6000, std::string(9000, 'b'));
     file.set_size(20000);
     file.commit();
     file.seal();
@@ -160,11 +160,8 @@ TEST_CASE("Bytes that were cut off and written anew between two seals count", "[
 TEST_CASE("What a commit that failed has written counts for the seal", "[results]") {
     const sample::ScratchFolder folder;
     const auto path = folder / "a";
-    OrderedFile file(::open(path.c_str(), O_RDWR | O_CREAT, 0600));
-    const auto write = [&](Part part, std::uint64_t at, const std::string& text) {
-        file.write(part, at, std::as_bytes(std::span(text)));
-    };
-    write(Part::data, 0, std::string(30000, 'a'));
+    OrderedFile file(create(path));
+    write(file, Part::data, 0, std::string(30000, 'a'));
     file.set_size(30000);
     file.commit();
     file.keep_seal(16);
@@ -173,8 +170,8 @@ TEST_CASE("What a commit that failed has written counts for the seal", "[results
         std::signal(SIGXFSZ, SIG_IGN);
         const rlimit limit{20000, RLIM_INFINITY}, none{RLIM_INFINITY, RLIM_INFINITY};
         ::setrlimit(RLIMIT_FSIZE, &limit);
-        write(Part::header, 100, std::string(9000, 'b'));
-        write(Part::header, 19990, std::string(100, 'c'));
+        write(file, Part::header, 100, std::string(9000, 'b'));
+        write(file, Part::header, 19990, std::string(100, 'c'));
         try {
             file.commit();
             return false;
@@ -182,7 +179,7 @@ TEST_CASE("What a commit that failed has written counts for the seal", "[results
             ::setrlimit(RLIMIT_FSIZE, &none);
         }
         const bool is_half_written = read_text_file(path)[9000] == 'b';
-        write(Part::header, 100, "short");
+        write(file, Part::header, 100, "short");
         file.commit();
         file.seal();
         return is_half_written && number_at(path, 16) == sum_whole(read_text_file(path), 16);
