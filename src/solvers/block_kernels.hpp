@@ -73,10 +73,12 @@ struct BlockKernels {
         std::int64_t stride;
     };
 
+    // Counts the pivot if it is negative: where A = Aᵀ these count the negative eigenvalues (Sylvester 1852).
     template <int K>
-    static bool eliminate_pivot(Column<tile>* d) {
+    static bool eliminate_pivot(Column<tile>* d, std::int64_t& negative_pivots) {
         const double pivot = d[K].template get<K>();
         if (pivot == 0.0) return false;
+        negative_pivots += pivot < 0.0;
         const double reciprocal = 1.0 / pivot;
         for (int j = 0; j < tile; ++j) {
             if (j == K) continue;
@@ -90,11 +92,13 @@ struct BlockKernels {
     }
 
     // D ← D⁻¹ of a tile, by Gauss-Jordan without pivoting. False if a pivot vanishes.
-    static bool invert_tile(const Target& D) {
+    static bool invert_tile(const Target& D, std::int64_t& negative_pivots) {
         Column<tile> d[tile];
         for (int j = 0; j < tile; ++j) d[j].load(D.entries + j * D.stride);
-        if (!(eliminate_pivot<0>(d) && eliminate_pivot<1>(d) && eliminate_pivot<2>(d) &&
-              eliminate_pivot<3>(d) && eliminate_pivot<4>(d) && eliminate_pivot<5>(d)))
+        std::int64_t& negative = negative_pivots;
+        if (!(eliminate_pivot<0>(d, negative) && eliminate_pivot<1>(d, negative) &&
+              eliminate_pivot<2>(d, negative) && eliminate_pivot<3>(d, negative) &&
+              eliminate_pivot<4>(d, negative) && eliminate_pivot<5>(d, negative)))
             return false;
         for (int j = 0; j < tile; ++j) d[j].store(D.entries + j * D.stride);
         return true;
@@ -175,10 +179,11 @@ struct BlockKernels {
     }
 
     // As invert_tile.
-    static bool invert_any(int n, double* D) {
+    static bool invert_any(int n, double* D, std::int64_t& negative_pivots) {
         for (int k = 0; k < n; ++k) {
             double* pivot_column = D + k * n;
             if (pivot_column[k] == 0.0) return false;
+            negative_pivots += pivot_column[k] < 0.0;
             const double reciprocal = 1.0 / pivot_column[k];
             for (int j = 0; j < n; ++j) {
                 if (j == k) continue;
@@ -195,12 +200,12 @@ struct BlockKernels {
 
     // D ← L and U of n × n with D = L U, in tiles; on the diagonal the inverses of L's tiles, those of U are
     // 1. D⁻¹ if there are no whole tiles. False if a pivot vanishes.
-    static bool factorize(int n, double* D) {
-        if (n % tile != 0) return invert_any(n, D);
+    static bool factorize(int n, double* D, std::int64_t& negative_pivots) {
+        if (n % tile != 0) return invert_any(n, D, negative_pivots);
         for (int p = 0; p < n; p += tile) {
             double* pivot = D + p * n + p;
             const int below = n - p - tile;
-            if (!invert_tile({pivot, n})) return false;
+            if (!invert_tile({pivot, n}, negative_pivots)) return false;
             if (below == 0) break;
             double* right = pivot + tile * n;
             multiply_tile({pivot, n}, {right, n}, {right, n}, below);

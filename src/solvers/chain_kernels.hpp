@@ -64,8 +64,11 @@ struct ChainSteps {
 // Compiled for each instruction set; all give the same bits.
 struct ChainKernels {
     // Makes the copies, factorizes each D_t and eliminates it: A_uv ← A_uv − A_ut D_t⁻¹ A_tv. False if a
-    // pivot vanishes.
-    bool (*eliminate)(const ChainSteps& chain, const double* values, double* blocks);
+    // pivot vanishes. Adds the number of negative pivots.
+    bool (*eliminate)(const ChainSteps& chain,
+                      const double* values,
+                      double* blocks,
+                      std::int64_t& negative_pivots);
     // x_t ← D_t⁻¹ x_t, x_u ← x_u − A_ut x_t, step by step; or of an x_u apart.
     void (*go_forward)(
         const ChainSteps& chain, const double* values, const double* blocks, double* x, double* apart);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace gxrod {
 namespace {
@@ -121,29 +122,32 @@ Factorization ChainSolver::factorize(const std::vector<double>& values) {
     is_general_ = !works_by_blocks() || !eliminate() || !factorize_junctions();
     if (is_general_) return factorize_generally();
     general_.reset();  // a rare need's memory, of the size of all the rest
-    return {};
+    return {.negative_pivots =
+                negative_pivots_ + (junction_solver_ ? junction_solver_->negative_pivots() : 0)};
 }
 
 bool ChainSolver::eliminate() {
     std::vector<char> is_regular(tasks_.size(), 1);
+    std::vector<std::int64_t> negative_pivots(tasks_.size(), 0);
     for (std::size_t level = 0; level + 1 < level_starts_.size(); ++level) {
         const std::size_t first = level_starts_[level];
         team_->for_each(level_starts_[level + 1] - first, [&](std::size_t task) {
-            is_regular[first + task] = eliminate(tasks_[first + task]) ? 1 : 0;
+            is_regular[first + task] = eliminate(tasks_[first + task], negative_pivots[first + task]) ? 1 : 0;
         });
         if (std::count(is_regular.begin(), is_regular.end(), 0) > 0) return false;
     }
+    negative_pivots_ = std::accumulate(negative_pivots.begin(), negative_pivots.end(), std::int64_t{0});
     return true;
 }
 
-bool ChainSolver::eliminate(const ChainTask& task) {
+bool ChainSolver::eliminate(const ChainTask& task, std::int64_t& negative_pivots) {
     for (std::int64_t i = 0; i < task.first_copies.count; ++i)
         copy_block(first_copies_[task.first_copies.first + i], values_->data(), blocks_.data());
     for (std::int64_t i = 0; i < task.merges.count; ++i) {
         const auto [from, to, size] = merges_[task.merges.first + i];
         for (std::int32_t k = 0; k < size; ++k) blocks_[to + k] += blocks_[from + k];
     }
-    return kernels_.eliminate(steps_of(task), values_->data(), blocks_.data());
+    return kernels_.eliminate(steps_of(task), values_->data(), blocks_.data(), negative_pivots);
 }
 
 bool ChainSolver::factorize_junctions() {

@@ -38,7 +38,7 @@ class ChainSolver : public LinearSolver {
                 copies_.data() + task.copies.first};
     }
     bool eliminate();
-    bool eliminate(const ChainTask& task);
+    bool eliminate(const ChainTask& task, std::int64_t& negative_pivots);
     void go_forward(const ChainTask& task, double* x);
     bool factorize_junctions();
     Factorization factorize_generally();
@@ -78,7 +78,8 @@ class ChainSolver : public LinearSolver {
     std::unique_ptr<FrontSolver> junction_solver_;
 
     std::unique_ptr<LinearSolver> general_;
-    bool is_general_ = false;  // whether it has the last factorization
+    bool is_general_ = false;           // whether it has the last factorization
+    std::int64_t negative_pivots_ = 0;  // of the last elimination of blocks
 };
 
 }  // namespace gxrod

@@ -67,6 +67,15 @@ cholmod_dense view_of(Eigen::VectorXd& vector) {
     return dense;
 }
 
+// Of the D of L D Lᵀ, whose entries stand first in the columns of a simplicial factor.
+std::int64_t count_negative(const cholmod_factor& factor) {
+    const auto* starts = static_cast<const SuiteSparse_long*>(factor.p);
+    const auto* entries = static_cast<const double*>(factor.x);
+    std::int64_t count = 0;
+    for (std::size_t column = 0; column < factor.n; ++column) count += entries[starts[column]] < 0.0;
+    return count;
+}
+
 }  // namespace
 
 // Replaces the right-hand side by the solution with the factors, as they are.
@@ -94,7 +103,7 @@ Factorization CholmodSolver::factorize(const std::vector<double>& values) {
     cholmod_l_factorize(&handles_->matrix, handles_->factor, &handles_->common);
     if (handles_->is_out_of_memory()) throw_no_memory_to_factorize();
     const std::size_t failed = handles_->factor->minor;
-    if (failed == handles_->factor->n) return {};
+    if (failed == handles_->factor->n) return {.negative_pivots = count_negative(*handles_->factor)};
     return {false, static_cast<const SuiteSparse_long*>(handles_->factor->Perm)[failed]};
 }
 

@@ -129,15 +129,18 @@ struct DenseKernels : BlockKernels<Arch> {
 
     // A ← L and U of a matrix of rows × columns, rows ≥ columns, with A = L U, in tiles; on the diagonal the
     // inverses of L's tiles, those of U are 1. Without pivoting; false if a pivot vanishes.
-    static bool factorize_columns(std::int64_t rows, std::int64_t columns, const Target& A) {
-        if (columns <= Blocks::tile) return invert(static_cast<int>(columns), A);
+    static bool factorize_columns(std::int64_t rows,
+                                  std::int64_t columns,
+                                  const Target& A,
+                                  std::int64_t& negative_pivots) {
+        if (columns <= Blocks::tile) return invert(static_cast<int>(columns), A, negative_pivots);
         const std::int64_t half = halve(columns);
         const Target right = at(A, 0, half);
-        if (!factorize_columns(rows, half, A)) return false;
+        if (!factorize_columns(rows, half, A, negative_pivots)) return false;
         solve_lower(half, columns - half, view(A), right);
         subtract_large_product(
             rows - half, columns - half, half, at(view(A), half, 0), view(right), at(right, half, 0));
-        return factorize_columns(rows - half, columns - half, at(A, half, half));
+        return factorize_columns(rows - half, columns - half, at(A, half, half), negative_pivots);
     }
 
     // B ← L⁻¹ B of n × columns.
@@ -150,11 +153,11 @@ struct DenseKernels : BlockKernels<Arch> {
     }
 
     // A ← A⁻¹ of a tile or less.
-    static bool invert(int n, const Target& A) {
-        if (n == Blocks::tile) return Blocks::invert_tile(A);
+    static bool invert(int n, const Target& A, std::int64_t& negative_pivots) {
+        if (n == Blocks::tile) return Blocks::invert_tile(A, negative_pivots);
         double inverse[Blocks::tile * Blocks::tile];
         Blocks::copy(n, n, view(A), inverse);
-        const bool is_regular = Blocks::invert_any(n, inverse);
+        const bool is_regular = Blocks::invert_any(n, inverse, negative_pivots);
         for (int j = 0; j < n; ++j) {
             for (int i = 0; i < n; ++i) A.entries[j * A.stride + i] = inverse[j * n + i];
         }

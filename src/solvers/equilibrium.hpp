@@ -19,7 +19,8 @@ enum class Outcome {
     not_finite,          // a residual or an increment is not a number
     rotation_too_large,  // a node turns by π or more within the step
     element_too_turned,  // nodes of one element are turned against each other by nearly π
-    error_too_large      // the step's estimated error is above its tolerance
+    error_too_large,     // the step's estimated error is above its tolerance
+    lost_stability       // the step ends on an equilibrium with more negative pivots than it began with
 };
 
 // How the search for one equilibrium went. Not converging is a value, not an exception.
@@ -29,7 +30,8 @@ struct EquilibriumReport {
     double residual = 0.0;  // the larger of force and moment, each relative to its scale
     int worst_node = -1;    // where: of the residual, the pivot, the rotation or the non-finite number
     int worst_component = -1;
-    double step_error = 0.0;  // of error_too_large: the estimate
+    double step_error = 0.0;            // of error_too_large: the estimate
+    std::int64_t negative_pivots = -1;  // of the last factorization; −1: not known
 
     bool converged() const { return outcome == Outcome::converged; }
 };

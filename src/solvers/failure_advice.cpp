@@ -99,6 +99,8 @@ std::string describe_outcome(const Failure& failure) {
         case Outcome::error_too_large:
             return fmt::format(
                 "the estimated error of the step, {:.2e}, is above the tolerance{}", failure.step_error, at);
+        case Outcome::lost_stability:
+            return "the equilibrium found is less stable than the one before" + at;
     }
     return "";
 }
@@ -133,6 +135,9 @@ std::vector<std::string> advise(const Failure& failure) {
         case Outcome::error_too_large:
             advice.push_back("a smaller adaptive.min_step");
             advice.push_back("a larger adaptive.tolerance");
+            break;
+        case Outcome::lost_stability:
+            advice.push_back(shorter_steps(failure));
             break;
     }
     return advice;

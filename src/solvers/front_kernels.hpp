@@ -45,12 +45,13 @@ struct Fronts {
 // Compiled for each instruction set; all give the same bits.
 struct FrontKernels {
     // Gathers one front from the values and the updates of its children, eliminates its pivots, and leaves
-    // its own update in its stack. False if a pivot vanishes.
+    // its own update in its stack. False if a pivot vanishes. Adds the number of negative pivots.
     bool (*eliminate)(const Fronts& fronts,
                       std::int64_t front,
                       const double* values,
                       double* factors,
-                      double* const* stacks);
+                      double* const* stacks,
+                      std::int64_t& negative_pivots);
     // x ← L⁻¹ x of one front; `work` has room for its rows.
     void (*go_forward)(
         const Fronts& fronts, std::int64_t front, const double* factors, double* x, double* work);

@@ -31,8 +31,10 @@ Fronts FrontSolver::fronts() const {
 bool FrontSolver::factorize(const std::vector<double>& values) {
     double* const stacks[2] = {stacks_[0].data(), stacks_[1].data()};
     const Fronts all = fronts();
+    negative_pivots_ = 0;
     for (std::int64_t front = 0; front < all.count; ++front) {
-        if (!kernels_.eliminate(all, front, values.data(), factors_.data(), stacks)) return false;
+        if (!kernels_.eliminate(all, front, values.data(), factors_.data(), stacks, negative_pivots_))
+            return false;
     }
     return true;
 }

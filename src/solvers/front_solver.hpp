@@ -15,6 +15,8 @@ class FrontSolver {
 
     // False if a pivot vanishes.
     bool factorize(const std::vector<double>& values);
+    // Of the last regular factorization.
+    std::int64_t negative_pivots() const { return negative_pivots_; }
     // Replaces the right-hand side by the solution. After a regular factorization only.
     void solve(Eigen::VectorXd& right_hand_side);
 
@@ -26,6 +28,7 @@ class FrontSolver {
     std::vector<double> factors_;
     std::array<std::vector<double>, 2> stacks_;
     std::vector<double> solution_, work_;
+    std::int64_t negative_pivots_ = 0;
 };
 
 }  // namespace gxrod

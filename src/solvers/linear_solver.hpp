@@ -15,6 +15,9 @@ namespace gxrod {
 struct Factorization {
     bool regular = true;
     std::int64_t singular_equation = -1;  // where the pivot vanished, if known
+    // Of a symmetric matrix the number of its negative eigenvalues, of any other one its parity is that of
+    // the determinant's sign. −1: not known, since the solver exchanged rows.
+    std::int64_t negative_pivots = -1;
 };
 
 // A direct solver of sparse systems on one pattern: the symbolic work is done once, each

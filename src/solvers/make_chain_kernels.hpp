@@ -25,10 +25,11 @@ struct ChainSweeps : BlockKernels<Arch> {
     static bool eliminate_step(const ChainStep& step,
                                const ChainCoupling* couplings,
                                const double* values,
-                               double* blocks) {
+                               double* blocks,
+                               std::int64_t& negative_pivots) {
         const int n = step.size;
         double* D = blocks + step.diagonal;
-        if (!Blocks::factorize(n, D)) return false;
+        if (!Blocks::factorize(n, D, negative_pivots)) return false;
         for (int i = 0; i < step.couplings; ++i) {
             const ChainCoupling& u = couplings[i];
             Blocks::solve(n, u.size, D, view(u.row, values, blocks), blocks + u.to);
@@ -65,14 +66,17 @@ struct ChainSweeps : BlockKernels<Arch> {
         }
     }
 
-    static bool eliminate(const ChainSteps& chain, const double* values, double* blocks) {
+    static bool eliminate(const ChainSteps& chain,
+                          const double* values,
+                          double* blocks,
+                          std::int64_t& negative_pivots) {
         const ChainCoupling* couplings = chain.couplings;
         const BlockCopy* copies = chain.copies;
         for (std::int64_t s = 0; s < chain.count; ++s) {
             const ChainStep& step = chain.steps[s];
             fetch_ahead(chain, couplings, values);
             for (int i = 0; i < step.copies; ++i) copy_from_values(*copies++, values, blocks);
-            if (!eliminate_step(step, couplings, values, blocks)) return false;
+            if (!eliminate_step(step, couplings, values, blocks, negative_pivots)) return false;
             couplings += step.couplings;
         }
         return true;

@@ -73,7 +73,8 @@ struct FrontSweeps : DenseKernels<Arch> {
                           std::int64_t index,
                           const double* values,
                           double* factors,
-                          double* const* stacks) {
+                          double* const* stacks,
+                          std::int64_t& negative_pivots) {
         const Front& front = fronts.fronts[index];
         const Parts parts = find_parts(front, factors, stacks);
         clear(parts.lower.entries, front.rows * parts.pivots);
@@ -84,7 +85,7 @@ struct FrontSweeps : DenseKernels<Arch> {
             const Front& child = fronts.fronts[fronts.children[front.children + c]];
             add_child(fronts, child, stacks[child.stack] + child.update, parts);
         }
-        if (!Dense::factorize_columns(front.rows, parts.pivots, parts.lower)) return false;
+        if (!Dense::factorize_columns(front.rows, parts.pivots, parts.lower, negative_pivots)) return false;
         Dense::solve_lower(parts.pivots, parts.behind, Dense::view(parts.lower), parts.upper);
         Dense::subtract_large_product(parts.behind,
                                       parts.behind,

@@ -91,6 +91,7 @@ bool solve_increment(const System& system,
 bool factorize(const System& system, SolverWorkspace& workspace, EquilibriumReport& report) {
     const PhaseTimer timer(workspace.seconds.solve);
     const Factorization factorization = workspace.linear_solver->factorize(workspace.values);
+    report.negative_pivots = factorization.negative_pivots;
     if (factorization.regular) return true;
     report.outcome = Outcome::singular;
     report.worst_node = report.worst_component = -1;

@@ -122,7 +122,8 @@ TEST_CASE("A block of any size is eliminated as by a dense LU, in the same bits 
         std::vector<double> first;
         for (const ChainKernels& kernels : all_kernels()) {
             std::vector<double> blocks = problem.make_blocks();
-            REQUIRE(kernels.eliminate(problem.chain(), A.data(), blocks.data()));
+            std::int64_t negative_pivots = 0;
+            REQUIRE(kernels.eliminate(problem.chain(), A.data(), blocks.data(), negative_pivots));
             CHECK(relative_difference(problem.remainder(blocks), expected) < 1e-14);
             if (first.empty()) first = blocks;
             CHECK(blocks == first);
@@ -138,7 +139,8 @@ TEST_CASE("A step's solution is that of a dense LU, in the same bits by all sets
         Eigen::VectorXd first;
         for (const ChainKernels& kernels : all_kernels()) {
             std::vector<double> blocks = problem.make_blocks();
-            REQUIRE(kernels.eliminate(problem.chain(), A.data(), blocks.data()));
+            std::int64_t negative_pivots = 0;
+            REQUIRE(kernels.eliminate(problem.chain(), A.data(), blocks.data(), negative_pivots));
             Eigen::VectorXd x = load;
             kernels.go_forward(problem.chain(), A.data(), blocks.data(), x.data(), nullptr);
             OneStep other = problem;
@@ -169,7 +171,9 @@ TEST_CASE("A pivot that vanishes is told wherever it is", "[solvers]") {
             problem.matrix.col(k).setZero();
             for (const ChainKernels& kernels : all_kernels()) {
                 std::vector<double> blocks = problem.make_blocks();
-                CHECK_FALSE(kernels.eliminate(problem.chain(), problem.matrix.data(), blocks.data()));
+                std::int64_t negative_pivots = 0;
+                CHECK_FALSE(kernels.eliminate(
+                    problem.chain(), problem.matrix.data(), blocks.data(), negative_pivots));
             }
         }
     }

@@ -64,11 +64,12 @@ class TwoFronts {
 
     bool eliminate(const FrontKernels& kernels) {
         double* const stacks[2] = {nullptr, update_.data()};
+        negative_pivots = 0;
         // Whatever was there before.
         std::fill(factors_.begin(), factors_.end(), 7.0);
         std::fill(update_.begin(), update_.end(), 7.0);
-        return kernels.eliminate(all(), 0, matrix.data(), factors_.data(), stacks) &&
-               kernels.eliminate(all(), 1, matrix.data(), factors_.data(), stacks);
+        return kernels.eliminate(all(), 0, matrix.data(), factors_.data(), stacks, negative_pivots) &&
+               kernels.eliminate(all(), 1, matrix.data(), factors_.data(), stacks, negative_pivots);
     }
     Eigen::VectorXd solve(const FrontKernels& kernels, Eigen::VectorXd x) {
         std::vector<double> work(fronts_[1].rows);
@@ -83,6 +84,7 @@ class TwoFronts {
         return Eigen::Map<const Eigen::MatrixXd>(update_.data(), fronts_[1].rows, fronts_[1].rows);
     }
 
+    std::int64_t negative_pivots = 0;  // of the last elimination
     Eigen::MatrixXd matrix;
 
   private:
