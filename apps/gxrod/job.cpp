@@ -127,6 +127,7 @@ int run_and_tell(const RunRequest& request, const JobOptions& options, ProgressL
     const RunSummary summary = run_analysis(request);
     line.finish();
     tell(options, summary, request.resumed != nullptr);
+    for (const std::string& warning : summary.warnings) say(stderr, "warning: {}\n", warning);
     warn_of_energy(summary, request.model);
     if (!options.summary.empty()) write_summary(options.summary, summary, options.deck, options.results);
     return exit_code_of(summary, summary.deck_fault);

@@ -28,6 +28,7 @@ void write_summary(const std::string& target,
     const nlohmann::ordered_json json = {
         {"status", name_of(summary.status)},
         {"reason", summary.reason},
+        {"warnings", summary.warnings},
         {"deck", deck},
         {"results", results},
         {"nodes", summary.nodes},

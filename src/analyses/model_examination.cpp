@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "analyses/stability.hpp"
 #include "analyses/stiffness_contrast.hpp"
 #include "analyses/unconnected_points.hpp"
 #include "analyses/unsupported_motions.hpp"
@@ -81,6 +82,16 @@ void find_idle_loads(const Model& model, std::vector<Finding>& findings) {
     }
 }
 
+void note_lack_of_potential(const Model& model, std::vector<Finding>& findings) {
+    const std::string load = find_load_without_potential(model);
+    if (load.empty()) return;
+    findings.push_back({Severity::note,
+                        load +
+                            ", so it has no potential and the tangent's negative pivots do not count "
+                            "unstable shapes: the run reports only where the tangent's determinant changes "
+                            "its sign. A dynamic analysis shows whether the structure stays there"});
+}
+
 double compute_mass(const Model& model) {
     double mass = 0.0;
     for (const Rod& rod : model.rods) mass += model.sections[rod.section].mass(0, 0) * rod.length;
@@ -124,6 +135,7 @@ std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& a
     std::vector<Finding> findings;
     if (std::holds_alternative<StaticSettings>(analysis)) {
         find_drifting_parts(model, parts, findings);
+        note_lack_of_potential(model, findings);
     }
     if (solves_equilibria(analysis)) warn_of_contrasts(model, parts, findings);
     for (const std::string& sentence : find_unconnected_points(model)) {

@@ -179,10 +179,15 @@ class Run {
 
     void close() {
         if (summary_.status == RunStatus::running) summary_.status = RunStatus::complete;
+        summary_.warnings = analysis_->list_warnings();
+        summary_.is_unstable = analysis_->is_unstable();
         if (file_) {
             const PhaseTimer timer(output_seconds_);
             write_end();
-            file_->close(summary_.status, summary_.reason, summary_.reason_nodes);
+            file_->close(summary_.status,
+                         summary_.reason,
+                         summary_.reason_nodes,
+                         fmt::format("{}", fmt::join(summary_.warnings, "\n")));
         }
         summary_.time = recorded_time_;
         summary_.phases = analysis_->seconds();

@@ -44,6 +44,8 @@ struct RunSummary {
     std::vector<std::int64_t> reason_nodes;  // that it names
     bool deck_fault = false;                 // whether the deck is to blame: a load without a finite value
     bool out_of_memory = false;
+    std::vector<std::string> warnings;  // what is to be known before the results are trusted, a sentence each
+    bool is_unstable = false;           // whether equilibria were accepted that no structure would stay at
     long nodes = 0;
     long elements = 0;
     long unknowns = 0;

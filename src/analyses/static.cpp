@@ -12,6 +12,11 @@ namespace {
 // a billionth of the others.
 constexpr int halvings = 30;
 
+// Of a nominal step, down to which a stable equilibrium is sought, and how many times in a run: a shape that
+// wrinkles all the way is not to take sixteen times as many steps.
+constexpr double finest_part = 1.0 / 256.0;
+constexpr int most_sought = 5;
+
 }  // namespace
 
 StaticAnalysis::StaticAnalysis(const Model& model, const StaticSettings& settings, int threads)
@@ -20,7 +25,12 @@ StaticAnalysis::StaticAnalysis(const Model& model, const StaticSettings& setting
                       std::make_unique<LoadStepping>(),
                       settings.newton,
                       settings.linear_solver,
-                      std::make_unique<StepControl>(1.0, settings.steps, halvings)) {}
+                      std::make_unique<StepControl>(1.0, settings.steps, halvings)),
+      nominal_step_(1.0 / static_cast<double>(settings.steps)),
+      counter_(system_),
+      has_potential_(find_load_without_potential(model).empty()),
+      trial_(has_contrast_ ? -1 : 0),
+      accepted_(trial_) {}
 
 EquilibriumReport StaticAnalysis::start() {
     for (NodeMotion& motion : state_.trial) {
@@ -30,6 +40,43 @@ EquilibriumReport StaticAnalysis::start() {
     system_.compute_residual(state_, 0.0, workspace_.residual);
     accept_start();
     return {};
+}
+
+Stage StaticAnalysis::current_stage() const {
+    return {0, steps_->time(), steps_->time_step(), steps_->next_time()};
+}
+
+void StaticAnalysis::judge_equilibrium(EquilibriumReport& report) {
+    if (has_contrast_) return;
+    const bool is_last = steps_->next_time() >= 1.0;
+    const auto as_known = [&](std::int64_t count) { return has_potential_ || count < 0 ? count : count % 2; };
+    trial_ = as_known(report.negative_pivots);
+    // The last factorization was of the iterate before, of the mixed tangent mostly.
+    if (is_last || trial_ != accepted_) {
+        trial_ = as_known(counter_.count(*integrator_, current_stage(), workspace_, state_));
+    }
+    if (trial_ < 0) trial_ = accepted_;
+    const bool can_seek =
+        sought_ < most_sought && steps_->time_step() > nominal_step_ * finest_part * (1.0 + 1e-9);
+    if (trial_ > accepted_ && can_seek) report.outcome = Outcome::lost_stability;
+}
+
+void StaticAnalysis::note_equilibrium() {
+    if (trial_ == accepted_) return;
+    StabilityChange change{steps_->time(), steps_->next_time(), accepted_, trial_, ""};
+    if (trial_ > accepted_) {
+        change.shape = counter_.describe_shape(*integrator_, current_stage(), workspace_, state_);
+        was_unstable_ = true;
+        ++sought_;
+    }
+    changes_.push_back(std::move(change));
+    accepted_ = trial_;
+}
+
+bool StaticAnalysis::is_unstable() const { return was_unstable_ || accepted_ > 0; }
+
+std::vector<std::string> StaticAnalysis::list_warnings() const {
+    return describe_stability(changes_, accepted_, state_.time, has_potential_);
 }
 
 std::unique_ptr<SteppedAnalysis> make_analysis(const Model& model,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "analyses/stability.hpp"
 #include "analyses/stepped_analysis.hpp"
 #include "model/settings.hpp"
 
@@ -12,6 +13,30 @@ class StaticAnalysis : public SteppedAnalysis {
     StaticAnalysis(const Model& model, const StaticSettings& settings, int threads = 1);
 
     EquilibriumReport start() override;
+    std::vector<std::string> list_warnings() const override;
+    // Whether its end, or a state before it that a touch would leave, is no answer to what was asked.
+    bool is_unstable() const override;
+
+  protected:
+    // An equilibrium with more negative pivots than the last one lies beyond a bifurcation or on another
+    // branch: shorter steps seek a stable one first.
+    void judge_equilibrium(EquilibriumReport& report) override;
+    void note_equilibrium() override;
+    std::int64_t accepted_pivots() const override { return accepted_; }
+    void resume_pivots(std::int64_t pivots) override { accepted_ = pivots; }
+
+  private:
+    Stage current_stage() const;
+
+    double nominal_step_;
+    PivotCounter counter_;
+    bool has_potential_;
+    std::int64_t trial_ =
+        0;  // negative pivots at the trial equilibrium; of det K's sign alone without potential
+    std::int64_t accepted_;  // −1 with a contrast of stiffness, whose round-off makes pivots negative
+    int sought_ = 0;         // losses of stability that shorter steps could not avoid
+    bool was_unstable_ = false;
+    std::vector<StabilityChange> changes_;
 };
 
 // The analysis that the settings ask for; so many threads share its work, and their number changes no result.

@@ -58,6 +58,7 @@ void SteppedAnalysis::accept_start() {
     point_values_ = system_.compute_point_values(state_, 0.0, watched_);
     system_.commit(state_, 0.0);
     reactions_ = system_.compute_reactions(workspace_.residual);
+    solver_row_.negative_pivots = accepted_pivots();
     ledger_ = std::make_unique<Ledger>(system_, *integrator_, state_, workspace_.residual);
 }
 
@@ -68,6 +69,7 @@ RestartRecord SteppedAnalysis::restart_record() const {
     record.algorithmic = state_.algorithmic_previous;
     record.ledger = ledger_->memory();
     record.steps = steps_->memory();
+    record.negative_pivots = accepted_pivots();
     return record;
 }
 
@@ -86,6 +88,7 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     state_.sections = record.sections;
     state_.algorithmic_previous = state_.algorithmic_trial = record.algorithmic;
     state_.time = steps_->time();
+    resume_pivots(record.negative_pivots);
     reactions_.assign(nodes, Vec6::Zero());
     ledger_ = std::make_unique<Ledger>(system_, *integrator_);
     ledger_->resume(record.ledger);
@@ -106,6 +109,7 @@ bool SteppedAnalysis::take_step(EquilibriumReport& report) {
         throw;
     }
     if (report.converged() && steps_->needs_error()) check_error(report);
+    if (report.converged()) judge_equilibrium(report);
     if (!report.converged()) undo();
     return report.converged();
 }
@@ -146,6 +150,8 @@ EquilibriumReport SteppedAnalysis::advance() {
     solver_row_.time_step = steps_->time_step();
     solver_row_.newton_iterations = report.iterations;
     solver_row_.residual = report.residual;
+    note_equilibrium();
+    solver_row_.negative_pivots = accepted_pivots();
     system_.commit(state_, steps_->next_time());
     steps_->accept();
     return report;

@@ -38,6 +38,11 @@ class SteppedAnalysis {
     const StepSequence& steps() const { return *steps_; }
     const PhaseSeconds& seconds() const { return workspace_.seconds; }
 
+    // What is to be known of the steps so far before their results are trusted, a sentence each.
+    virtual std::vector<std::string> list_warnings() const { return {}; }
+    // Whether equilibria were accepted that no structure would stay at.
+    virtual bool is_unstable() const { return false; }
+
     LedgerRow ledger_row() const { return ledger_->row(state_); }
     const SolverRow& solver_row() const { return solver_row_; }
     // Points of rods that snapshots tell of; before the start.
@@ -61,6 +66,13 @@ class SteppedAnalysis {
 
     // Takes the trial motions for the state at t = 0; the workspace has their residual.
     void accept_start();
+    // What a kind of analysis has against a step that converged, as an outcome of the report …
+    virtual void judge_equilibrium(EquilibriumReport&) {}
+    // … and what it keeps of one that is accepted, before it is committed.
+    virtual void note_equilibrium() {}
+    // Negative pivots of the tangent at the last accepted equilibrium; −1 where none are counted.
+    virtual std::int64_t accepted_pivots() const { return -1; }
+    virtual void resume_pivots(std::int64_t) {}
 
     ThreadTeam team_;
     System system_;

@@ -105,6 +105,7 @@ class CaseRun {
         row_.newton_iterations = summary.totals.newton_iterations;
         row_.rejected_steps = summary.totals.rejected_steps;
         row_.time = summary.time;
+        for (const std::string& warning : summary.warnings) add_warning(row_, warning);
         add_warning(
             row_,
             describe_imbalance(

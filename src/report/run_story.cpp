@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "model/energy_round_off.hpp"
 #include "report/step_blocks.hpp"
@@ -117,6 +118,8 @@ std::vector<std::string> list_warnings(const Hdf5Reader& file, const RunStory& s
         warnings.push_back(
             "The run had not ended when this page was made, or was killed; this is what it got to.");
     }
+    std::istringstream lines(text_of(file, "warnings"));
+    for (std::string line; std::getline(lines, line);) warnings.push_back("Mind: " + line + ".");
     const EnergyBalance energy = survey_energy(file, steps);
     const double round_off = story.problem ? compute_energy_round_off(story.problem->model) : 0.0;
     const std::string imbalance = describe_imbalance(energy.largest, energy.error, round_off);

@@ -95,6 +95,11 @@ std::vector<StepChart> list_charts(const Hdf5Reader& file, bool is_static) {
         "solver",
         "Newton iterations",
         {{"/solver/newton_iterations", "iterations"}, {"/solver/rejected_steps", "rejected trials"}}));
+    const std::string pivots = "/solver/negative_pivots";
+    if (is_static && file.has(pivots)) {
+        charts.push_back(
+            make_chart(file, "solver", "Negative pivots of the tangent", {{pivots, "negative pivots"}}));
+    }
     return charts;
 }
 

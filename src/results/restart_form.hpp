@@ -15,7 +15,7 @@ namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
 inline constexpr std::int64_t no_sum = -1;       // which no damaged sum is, read as 0 say
-inline constexpr std::int64_t form_version = 4;  // of what is in /restart; raise it with every change
+inline constexpr std::int64_t form_version = 5;  // of what is in /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 // Calls visit(vector) for each vector of a row, const or not.
@@ -98,6 +98,7 @@ void visit_numbers(Place& place, Visitor&& visit) {
     visit("dissipated", record.ledger.dissipated);
     visit("driving_power", record.ledger.driving_power);
     visit("damping_power", record.ledger.damping_power);
+    visit("negative_pivots", record.negative_pivots);
     visit("is_framed", record.is_framed);
     visit("accepted_steps", record.totals.steps);
     visit("rejected_steps", record.totals.rejected_steps);

@@ -36,7 +36,8 @@ struct RestartRecord {
     LedgerMemory ledger;
     StepMemory steps;
     RunTotals totals;
-    bool is_framed = false;  // whether the last frame shows this state
+    std::int64_t negative_pivots = -1;  // of the tangent there, in statics
+    bool is_framed = false;             // whether the last frame shows this state
 };
 
 // Checksums of all rows up to a place, or of all there are.

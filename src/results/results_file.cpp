@@ -97,8 +97,9 @@ void ResultsFile::flush() {
 
 void ResultsFile::close(RunStatus status,
                         const std::string& reason,
-                        std::span<const std::int64_t> reason_nodes) {
-    writing(path_, [&] { writer_->close(name_of(status), reason, reason_nodes); });
+                        std::span<const std::int64_t> reason_nodes,
+                        const std::string& warnings) {
+    writing(path_, [&] { writer_->close(name_of(status), reason, reason_nodes, warnings); });
     if (!writer_->is_at(path_)) {
         throw FileError(path_, "was moved while the run wrote it", "it is complete, under its new name");
     }

@@ -66,7 +66,11 @@ class ResultsFile {
     void flush();
     // Writes all, with the status, its reason and the nodes that the reason names. Nothing may be added after
     // it. Throws FileError, too, if the file has another name by now.
-    void close(RunStatus status, const std::string& reason, std::span<const std::int64_t> reason_nodes = {});
+    // `warnings` are lines.
+    void close(RunStatus status,
+               const std::string& reason,
+               std::span<const std::int64_t> reason_nodes = {},
+               const std::string& warnings = "");
 
   private:
     std::filesystem::path path_;

@@ -79,6 +79,7 @@ void write_provenance(const Hdf5Handle& root, const DeckRecord& deck) {
     write_attribute(root.id(), "status", "running");
     write_attribute(root.id(), "reason", "");
     write_attribute(root.id(), "reason_nodes", std::span<const std::int64_t>{});
+    write_attribute(root.id(), "warnings", "");
     const Hdf5Handle group = require_group(root, "deck");
     write_dataset(group, {"text", "the deck as run", "none", ""}, deck.text);
     if (!deck.meshes.empty()) write_meshes(group, deck.meshes);
@@ -103,6 +104,7 @@ void write_resumption(const Hdf5Handle& root, const DeckRecord& before, const De
     rewrite_attribute(root.id(), "status", "running");
     rewrite_attribute(root.id(), "reason", "");
     rewrite_attribute(root.id(), "reason_nodes", std::span<const std::int64_t>{});
+    rewrite_attribute(root.id(), "warnings", "");
 }
 
 }  // namespace
@@ -240,11 +242,13 @@ void ResultsWriter::close_hdf5() {
 
 void ResultsWriter::close(const std::string& status,
                           const std::string& reason,
-                          std::span<const std::int64_t> reason_nodes) {
+                          std::span<const std::int64_t> reason_nodes,
+                          const std::string& warnings) {
     flush();
     attempt(0, [&] {
         rewrite_attribute(root_.id(), "reason", reason);
         if (!reason_nodes.empty()) rewrite_attribute(root_.id(), "reason_nodes", reason_nodes);
+        if (!warnings.empty()) rewrite_attribute(root_.id(), "warnings", warnings);
         rewrite_attribute(root_.id(), "status", status);
         commit();
         tables_->write_end_sum(sum_end(root_.id(), tables_->sum()));

@@ -38,7 +38,8 @@ class ResultsWriter {
     void flush();
     void close(const std::string& status,
                const std::string& reason,
-               std::span<const std::int64_t> reason_nodes);
+               std::span<const std::int64_t> reason_nodes,
+               const std::string& warnings);
 
     // Whether nothing has failed so far. If something has, the file stays as it was last written.
     bool is_sound() const { return is_sound_; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "state/point_values.hpp"
@@ -24,6 +25,9 @@ struct SolverRow {
     int newton_iterations = 0;  // over all stages of the step
     double residual = 0.0;      // scaled, of the last equilibrium
     int rejected_steps = 0;     // trials cut before this step was accepted
+    // Of the tangent at a static equilibrium: unstable shapes, or, where loads have no potential, 1 if its
+    // determinant is negative. −1: not counted.
+    std::int64_t negative_pivots = -1;
 };
 
 // The accepted state and what is derived from it. Valid during the call that passes it only.

@@ -65,7 +65,7 @@ void LedgerTable::add_sums(std::vector<RowSum>& sums) {
     for (AppendDataset<double>* column : columns()) sums.push_back(column->sum());
 }
 
-SolverTable::SolverTable(const Hdf5Handle& solver, hsize_t rows)
+SolverTable::SolverTable(const Hdf5Handle& solver, bool is_static, hsize_t rows)
     : time_step_(
           solver, {"time_step", "length of the step that ended here", "none", "time"}, scalar_row, rows),
       residual_(solver,
@@ -79,13 +79,26 @@ SolverTable::SolverTable(const Hdf5Handle& solver, hsize_t rows)
       rejected_steps_(solver,
                       {"rejected_steps", "trial steps cut before this one was accepted", "none", "1"},
                       scalar_row,
-                      rows) {}
+                      rows) {
+    if (!is_static) return;
+    negative_pivots_.emplace(
+        solver,
+        DatasetLabel{"negative_pivots",
+                     "negative pivots of the tangent: 0 where the equilibrium is stable; with "
+                     "loads that follow, 1 where the tangent's determinant is negative; -1 if "
+                     "not counted",
+                     "none",
+                     "1"},
+        scalar_row,
+        rows);
+}
 
 void SolverTable::append(const SolverRow& row) {
     time_step_.append(row.time_step);
     residual_.append(row.residual);
     newton_iterations_.append(row.newton_iterations);
     rejected_steps_.append(row.rejected_steps);
+    if (negative_pivots_) negative_pivots_->append(row.negative_pivots);
 }
 
 template <class Action>
@@ -94,6 +107,7 @@ void SolverTable::for_each_column(Action&& action) {
     action(residual_);
     action(newton_iterations_);
     action(rejected_steps_);
+    if (negative_pivots_) action(*negative_pivots_);
 }
 
 void SolverTable::flush() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "results/append_dataset.hpp"
 #include "results/step_record.hpp"
@@ -27,7 +28,7 @@ class LedgerTable {
 // /solver: what each step cost, one row a step, after the `rows` that are there. Throws Hdf5Error.
 class SolverTable {
   public:
-    SolverTable(const Hdf5Handle& solver, hsize_t rows);
+    SolverTable(const Hdf5Handle& solver, bool is_static, hsize_t rows);
     void append(const SolverRow& row);
     void flush();
     void trim();
@@ -40,6 +41,7 @@ class SolverTable {
 
     AppendDataset<double> time_step_, residual_;
     AppendDataset<std::int64_t> newton_iterations_, rejected_steps_;
+    std::optional<AppendDataset<std::int64_t>> negative_pivots_;  // of statics
 };
 
 }  // namespace gxrod

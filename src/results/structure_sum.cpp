@@ -14,8 +14,8 @@
 namespace gxrod {
 namespace {
 
-constexpr std::array<std::string_view, 4> changing_attributes = {
-    "/@status", "/@reason", "/@reason_nodes", "/VTKHDF/Steps@NSteps"};
+constexpr std::array<std::string_view, 5> changing_attributes = {
+    "/@status", "/@reason", "/@reason_nodes", "/@warnings", "/VTKHDF/Steps@NSteps"};
 
 // 0 stands for none.
 std::uint32_t not_none(std::uint32_t sum) { return std::max<std::uint32_t>(sum, 1); }
