@@ -124,7 +124,7 @@ class Adviser {
     bool is_enough(const Worst& worst) const { return worst.share <= 0.5 * study_->tolerance; }
     // … however it falls.
     bool is_negligible(const Worst& worst) const {
-        return worst.share <= negligible * study_->tolerance || study_->is_accurate();
+        return worst.share <= negligible * study_->tolerance || study_->has_small_errors();
     }
 
     // `remedy` has places for by what to refine, and for its fourth power.

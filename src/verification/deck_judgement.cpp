@@ -27,6 +27,7 @@ class Judge {
         }
         if (study_->is_interrupted) say("Interrupted: of the runs that are missing nothing is said.");
         judge_soundness();
+        judge_stability();
         judge_orientation();
         if (study_->has_finer_steps()) {
             if (study_->knows_errors())
@@ -63,6 +64,12 @@ class Judge {
                 run->variant.title,
                 run->failure);
         }
+    }
+
+    void judge_stability() {
+        if (study_->is_stable()) return;
+        say("No series is called right, since the structure would not stay at these equilibria: {}.",
+            fmt::join(study_->runs.front().warnings, "; "));
     }
 
     bool has_failed(VariantKind kind) const {
@@ -153,6 +160,10 @@ class Judge {
             say("All series are right to {} of their largest change.", goal);
             return;
         }
+        if (!study_->is_stable() && study_->has_small_errors()) {
+            say("Step and mesh add less than {} to all series.", goal);
+            return;
+        }
         std::vector<std::string> right, wrong, still, unknown;
         for (const SeriesReport& report : study_->series) {
             const std::string title = report.series.title();
@@ -168,7 +179,12 @@ class Judge {
                 wrong.push_back(title + " (it changes in finer runs alone)");
             }
         }
-        if (!right.empty()) say("Right to {} of their largest change: {}.", goal, fmt::join(right, ", "));
+        if (!right.empty()) {
+            say("{} {} of their largest change: {}.",
+                study_->is_stable() ? "Right to" : "Step and mesh add less than",
+                goal,
+                fmt::join(right, ", "));
+        }
         if (!wrong.empty()) say("Not right to {}: {}.", goal, fmt::join(wrong, ", "));
         if (!unknown.empty())
             say("Not known, as the finer runs do not come nearer to each other, or elements of the next "

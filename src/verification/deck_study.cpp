@@ -128,6 +128,8 @@ class DeckExaminer {
         run.seconds = trace.seconds;
         run.failure = trace.failure;
         run.books = trace.books;
+        run.warnings = trace.warnings;
+        run.is_unstable = trace.is_unstable;
         take(run, std::move(trace));
     }
 

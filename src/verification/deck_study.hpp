@@ -28,6 +28,8 @@ struct VariantRun {
     std::string untried;  // why there was nothing to try, or to compare with: it is whole then
     std::string failure;  // why it ended before its end; of the resumed and threaded runs, how they differ
     TraceBooks books;
+    std::vector<std::string> warnings;
+    bool is_unstable = false;  // whether equilibria were accepted that no structure would stay at
 
     bool is_whole() const { return failure.empty(); }
 };
@@ -123,7 +125,11 @@ struct DeckStudy {
     // Whether nothing was seen of what must not be for any step and mesh: that it depends on the orientation,
     // on stopping, on threads.
     bool is_sound() const;
-    // Whether each series is within the tolerance.
+    // Whether each equilibrium of the deck as it is was one that a structure stays at.
+    bool is_stable() const { return runs.empty() || !runs.front().is_unstable; }
+    // Whether what step and mesh add to each series is within the tolerance …
+    bool has_small_errors() const;
+    // … and the equilibria are stable.
     bool is_accurate() const;
 };
 

@@ -162,10 +162,12 @@ bool DeckStudy::is_sound() const {
     return holds(VariantKind::resumed) && holds(VariantKind::two_threads) && !depends_on_orientation();
 }
 
-bool DeckStudy::is_accurate() const {
+bool DeckStudy::has_small_errors() const {
     return !series.empty() && std::all_of(series.begin(), series.end(), [&](const SeriesReport& report) {
         return report.is_right(tolerance);
     });
 }
+
+bool DeckStudy::is_accurate() const { return is_stable() && has_small_errors(); }
 
 }  // namespace gxrod

@@ -59,6 +59,7 @@ Json to_json(const VariantRun& run) {
             {"seconds", run.seconds},
             {"untried", run.untried.empty() ? Json(nullptr) : Json(run.untried)},
             {"failure", run.is_whole() ? Json(nullptr) : Json(run.failure)},
+            {"warnings", run.warnings},
             {"books", to_json(run.books)}};
 }
 
@@ -95,6 +96,7 @@ Json to_json(const DeckStudy& study, bool with_curves) {
               {"interrupted", study.is_interrupted},
               {"sound", study.is_whole() ? Json(study.is_sound()) : Json(nullptr)},
               {"orientation_judged", study.is_orientation_judged()},
+              {"stable", study.is_stable()},
               {"accurate", study.is_accurate()},
               {"judgement", judge(study)},
               {"runs", Json::array()},

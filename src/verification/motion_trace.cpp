@@ -92,6 +92,8 @@ class Tracer {
                 trace.failure = error.what();
             }
         }
+        trace.warnings = analysis_->list_warnings();
+        trace.is_unstable = analysis_->is_unstable();
         trace.samples = sampler_.samples().size();
         trace.rows.resize(request_->series.size());
         for (std::size_t k = 0; k < trace.rows.size(); ++k) {

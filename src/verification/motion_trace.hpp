@@ -73,7 +73,9 @@ struct MotionTrace {
     std::vector<double> rejected_at;  // of each trial that was cut, the time it began at
     long newton_iterations = 0;
     double seconds = 0.0;
-    std::string failure;  // or why it ended before its end
+    std::string failure;                // or why it ended before its end
+    std::vector<std::string> warnings;  // as SteppedAnalysis lists them
+    bool is_unstable = false;           // whether equilibria were accepted that no structure would stay at
 
     bool is_whole() const { return failure.empty(); }
 };
