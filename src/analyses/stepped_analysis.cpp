@@ -115,7 +115,8 @@ bool SteppedAnalysis::take_step(EquilibriumReport& report) {
 }
 
 void SteppedAnalysis::check_error(EquilibriumReport& report) {
-    const StepError error = integrator_->estimate_error(state_, steps_->time_step(), system_.length_scale());
+    const StepError error = integrator_->estimate_error(
+        state_, steps_->time_step(), [&](int node) { return system_.length_scale_at(node); });
     if (steps_->admits(error.size)) return;
     report.outcome = Outcome::error_too_large;
     report.step_error = error.size;

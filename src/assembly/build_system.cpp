@@ -38,14 +38,16 @@ RodElementGeometry<Nodes> find_geometry(const Model& model, const Rod& rod, int 
 }
 
 template <class E>
-void add_rod(const Model& model, const Rod& rod, int first_element, ElementBlock<E>& block) {
+void add_rod(const Model& model, const Rod& rod, int group, int first_element, ElementBlock<E>& block) {
     const auto section = std::make_shared<const RodSection>(model.sections[rod.section]);
     const auto count = static_cast<std::size_t>(rod.element_count());
     reserve_more(count, block.elements);
     reserve_more(count, block.section_index);
+    reserve_more(count, block.groups);
     for (int e = 0; e < rod.element_count(); ++e) {
         block.elements.emplace_back(find_geometry<E::node_count>(model, rod, e), section);
         block.section_index.push_back(first_element + e);
+        block.groups.push_back(group);
     }
 }
 
@@ -83,6 +85,7 @@ System::System(const Model& model, const Kernels& kernels, const ThreadTeam& tea
       team_(&team),
       supports_(model),
       equations_(supports_),
+      scale_groups_(model),
       rod_batches_(kernels, kernels, kernels, kernels),
       rotary_batches_(kernels, equations_) {
     build_blocks();
@@ -93,18 +96,25 @@ System::System(const Model& model, const Kernels& kernels, const ThreadTeam& tea
 }
 
 void System::build_blocks() {
-    for (const Body& body : model_->bodies)
-        std::get<ElementBlock<RigidBody>>(blocks_).elements.emplace_back(body);
-    for (const Rod& rod : model_->rods) {
+    auto& bodies = std::get<ElementBlock<RigidBody>>(blocks_);
+    for (int body = 0; body < static_cast<int>(model_->bodies.size()); ++body) {
+        bodies.elements.emplace_back(model_->bodies[body]);
+        bodies.groups.push_back(scale_groups_.of_body(body));
+    }
+    for (int index = 0; index < static_cast<int>(model_->rods.size()); ++index) {
+        const Rod& rod = model_->rods[index];
+        const int group = scale_groups_.of_rod(index);
         visit_node_count(rod.order, [&](auto node_count) {
             if (rod.kind == ElementKind::simo) {
                 add_rod(*model_,
                         rod,
+                        group,
                         rod_element_count_,
                         std::get<ElementBlock<SimoElement<node_count>>>(blocks_));
             } else {
                 add_rod(*model_,
                         rod,
+                        group,
                         rod_element_count_,
                         std::get<ElementBlock<ObjectiveElement<node_count>>>(blocks_));
             }
@@ -170,8 +180,11 @@ void System::build_batches() {
             for (std::size_t e = 0; e < block.elements.size(); ++e) {
                 if (!is_in_batch(rod_batches_, block, e)) continue;
                 const E& element = block.elements[e];
-                for (int i = 0; i < E::node_count; ++i)
-                    rotary_batches_.add(element.nodes[i], element.inertia().compute_rotary_inertia(i));
+                for (int i = 0; i < E::node_count; ++i) {
+                    const int node = element.nodes[i];
+                    rotary_batches_.add(
+                        node, scale_groups_.of_node(node), element.inertia().compute_rotary_inertia(i));
+                }
             }
         }
     });

@@ -3,6 +3,7 @@
 #include <tuple>
 #include <vector>
 
+#include "assembly/residual.hpp"
 #include "assembly/scatter.hpp"
 #include "elements/element.hpp"
 #include "elements/rigid_body.hpp"
@@ -24,8 +25,15 @@ struct ElementBlock {
     std::size_t first_history = 0;   // of this block in State::sections
     std::size_t first_point = 0;     // in State::resultants
     std::vector<int> section_index;  // of a rod element among all rod elements of the model
+    std::vector<int> groups;         // of each element in ScaleGroups, ascending
     bool is_damped = false;          // whether any element is
     WorkPhases phases;               // of the elements
+
+    // The groups that a part's elements belong to, with those between: the first, and how many.
+    int first_group(std::size_t part) const { return groups[phases.first(part)]; }
+    std::size_t group_count(std::size_t part) const {
+        return static_cast<std::size_t>(groups[phases.last(part) - 1] - first_group(part) + 1);
+    }
 
     Histories histories(const State& state, std::size_t element) const {
         return {state.sections.data() + first_history + element * history_count, history_count};

@@ -77,7 +77,7 @@ void RodBatches<Nodes>::add_forces(std::size_t part,
                                    const std::vector<NodeMotion>& motions,
                                    const Vec3& gravity,
                                    std::vector<Vec6>& nodal,
-                                   ForceScales& scales) const {
+                                   const PartScales& scales) const {
     alignas(64) std::array<double, Rows::motion_rows * most_lanes> rows;
     alignas(64) std::array<double, Rows::force_rows * most_lanes> forces;
     for (std::size_t b = first_batch_[part]; b < first_batch_[part + 1]; ++b) {
@@ -99,7 +99,7 @@ void RodBatches<Nodes>::add_forces(std::size_t part,
             for (const int node : batch.nodes[lane]) {
                 for (int i = 0; i < 6; ++i, force += width_) nodal[node][i] += *force;
             }
-            scales.raise(force[0], force[width_]);
+            scales.of(block_->groups[batch.elements[lane]]).raise(force[0], force[width_]);
         }
     }
 }
@@ -109,7 +109,7 @@ void RodBatches<Nodes>::add_forces_alone(const Batch& batch,
                                          const std::vector<NodeMotion>& motions,
                                          const Vec3& gravity,
                                          std::vector<Vec6>& nodal,
-                                         ForceScales& scales) const {
+                                         const PartScales& scales) const {
     for (int lane = 0; lane < batch.count; ++lane) {
         const ObjectiveElement<Nodes>& element = block_->elements[batch.elements[lane]];
         const Motions<Nodes> nodes = block_->point_at(motions, element.nodes);
@@ -117,8 +117,9 @@ void RodBatches<Nodes>::add_forces_alone(const Batch& batch,
         NodalVector<Nodes> inertial = NodalVector<Nodes>::Zero();
         element.add_internal_force(nodes, {}, internal);
         element.inertia().add_translational_force(nodes, gravity, inertial);
-        scales.raise(internal);
-        scales.raise(inertial);
+        ForceScales& own = scales.of(block_->groups[batch.elements[lane]]);
+        own.raise(internal);
+        own.raise(inertial);
         add_to_nodes<Nodes>(internal + inertial, element.nodes, nodal);
     }
 }

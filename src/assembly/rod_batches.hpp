@@ -26,7 +26,7 @@ class RodBatches {
                     const std::vector<NodeMotion>& motions,
                     const Vec3& gravity,
                     std::vector<Vec6>& nodal,
-                    ForceScales& scales) const;
+                    const PartScales& scales) const;
     // Adds the derivatives of these.
     void add_tangents(std::size_t part,
                       const std::vector<NodeMotion>& motions,
@@ -56,7 +56,7 @@ class RodBatches {
                           const std::vector<NodeMotion>& motions,
                           const Vec3& gravity,
                           std::vector<Vec6>& nodal,
-                          ForceScales& scales) const;
+                          const PartScales& scales) const;
     void add_tangents_alone(const Batch& batch,
                             const std::vector<NodeMotion>& motions,
                             const std::vector<NodeLinearization>& linearizations,

@@ -1,5 +1,7 @@
 #include "assembly/rotary_batches.hpp"
 
+#include <algorithm>
+
 #include "assembly/lane_column.hpp"
 
 namespace gxrod {
@@ -10,16 +12,31 @@ RotaryBatches::RotaryBatches(const Kernels& kernels, const EquationNumbers& equa
       equations_(&equations),
       index_(equations.node_count(), -1) {}
 
-void RotaryBatches::add(int node, const Mat3& inertia) {
+void RotaryBatches::add(int node, int group, const Mat3& inertia) {
     if (index_[node] < 0) {
         index_[node] = static_cast<int>(nodes_.size());
         nodes_.push_back(node);
+        groups_.push_back(group);
         inertias_.push_back(Mat3::Zero());
     }
     inertias_[index_[node]] += inertia;
 }
 
+void RotaryBatches::find_part_groups() {
+    part_groups_.resize(part_count());
+    for (std::size_t part = 0; part < part_count(); ++part) {
+        std::vector<int>& own = part_groups_[part];
+        own.assign(&groups_[part * part_size],
+                   &groups_[part * part_size] + (last_of(part) - part * part_size));
+        std::sort(own.begin(), own.end());
+        own.erase(std::unique(own.begin(), own.end()), own.end());
+        for (std::size_t i = part * part_size; i < last_of(part); ++i)
+            groups_[i] = static_cast<int>(std::lower_bound(own.begin(), own.end(), groups_[i]) - own.begin());
+    }
+}
+
 void RotaryBatches::lay_out(const SparsePattern& pattern) {
+    find_part_groups();
     const std::size_t batches = (nodes_.size() + width_ - 1) / width_;
     constants_.resize(batches * RotaryKernels::constant_rows * width_);
     for (std::size_t lane = 0; lane < batches * width_; ++lane) {
@@ -38,7 +55,7 @@ void RotaryBatches::lay_out(const SparsePattern& pattern) {
 void RotaryBatches::add_forces(std::size_t part,
                                const std::vector<NodeMotion>& motions,
                                std::vector<Vec6>& nodal,
-                               ForceScales& scales) const {
+                               std::span<ForceScales> scales) const {
     alignas(64) std::array<double, RotaryKernels::motion_rows * most_lanes> rows;
     alignas(64) std::array<double, RotaryKernels::moment_rows * most_lanes> moments;
     for (std::size_t first = part * part_size; first < last_of(part); first += width_) {
@@ -53,7 +70,7 @@ void RotaryBatches::add_forces(std::size_t part,
             &constants_[first * RotaryKernels::constant_rows], rows.data(), moments.data());
         for (int lane = 0; lane < width_ && first + lane < nodes_.size(); ++lane) {
             const Vec3 moment(moments[lane], moments[width_ + lane], moments[2 * width_ + lane]);
-            scales.raise(0.0, moment.lpNorm<Eigen::Infinity>());
+            scales[groups_[first + lane]].raise(0.0, moment.lpNorm<Eigen::Infinity>());
             nodal[node_of(first + lane)].tail<3>() += moment;
         }
     }

@@ -14,18 +14,22 @@ class RotaryBatches {
     // The equations must outlive this.
     RotaryBatches(const Kernels& kernels, const EquationNumbers& equations);
 
-    // `inertia` is in the global axes of t = 0. All of it before lay_out.
-    void add(int node, const Mat3& inertia);
+    // `inertia` is in the global axes of t = 0, `group` that of the node in ScaleGroups. All of it before
+    // lay_out.
+    void add(int node, int group, const Mat3& inertia);
     void lay_out(const SparsePattern& pattern);
 
     // Each node is in one of the parts.
     std::size_t part_count() const { return (nodes_.size() + part_size - 1) / part_size; }
 
-    // Adds inertial moments of the nodes of a part.
+    // The groups that the nodes of a part belong to.
+    std::span<const int> groups(std::size_t part) const { return part_groups_[part]; }
+
+    // Adds inertial moments of the nodes of a part; `scales` are of its groups.
     void add_forces(std::size_t part,
                     const std::vector<NodeMotion>& motions,
                     std::vector<Vec6>& nodal,
-                    ForceScales& scales) const;
+                    std::span<ForceScales> scales) const;
     // Adds the derivatives of these.
     void add_tangents(std::size_t part,
                       const std::vector<NodeMotion>& motions,
@@ -40,10 +44,14 @@ class RotaryBatches {
     int node_of(std::size_t lane) const { return nodes_[std::min(lane, nodes_.size() - 1)]; }
     void add_tangent(const double* tangents, std::size_t lane, std::vector<double>& values) const;
 
+    void find_part_groups();
+
     int width_;
     RotaryKernels kernels_;
     const EquationNumbers* equations_;
-    std::vector<int> nodes_;                // that have rotary inertia
+    std::vector<int> nodes_;   // that have rotary inertia
+    std::vector<int> groups_;  // of each of these: its place among those of its part
+    std::vector<std::vector<int>> part_groups_;
     std::vector<ElementPlaces<1>> places_;  // of each of these
     std::vector<double> constants_;         // their inertia: of each batch, by rows
     // Until they are laid out: of each node its index among nodes_, −1 of none; and inertias, one of these.

@@ -8,6 +8,34 @@ namespace gxrod {
 
 namespace {
 
+// Scales that parts of the work find at the same time, each those of its groups.
+class PartwiseScales {
+  public:
+    // count_groups(part): how many groups a part has.
+    template <class CountGroups>
+    void start(std::size_t parts, const CountGroups& count_groups) {
+        firsts_.assign(1, 0);
+        for (std::size_t part = 0; part < parts; ++part)
+            firsts_.push_back(firsts_.back() + count_groups(part));
+        scales_.assign(firsts_.back(), {});
+    }
+    std::span<ForceScales> of(std::size_t part) {
+        return std::span(scales_).subspan(firsts_[part], firsts_[part + 1] - firsts_[part]);
+    }
+    // group_at(part, i): the part's group i.
+    template <class GroupAt>
+    void raise(std::vector<ForceScales>& groups, const GroupAt& group_at) {
+        for (std::size_t part = 0; part + 1 < firsts_.size(); ++part) {
+            const std::span<const ForceScales> own = of(part);
+            for (std::size_t i = 0; i < own.size(); ++i) groups[group_at(part, i)].raise(own[i]);
+        }
+    }
+
+  private:
+    std::vector<std::size_t> firsts_;
+    std::vector<ForceScales> scales_;
+};
+
 // What accelerations alone ask of an element's nodes.
 template <Element E>
 NodalVector<E::node_count> compute_acceleration_force(const E& element,
@@ -58,7 +86,7 @@ State System::initial_state() const {
 void System::add_loads(const State& state, double time, Residual& residual) const {
     for (const NodalLoad& load : model_->loads) {
         const Vec6 force = compute_load(load, state.trial[load.node], time);
-        residual.raise(force);
+        residual.raise_group(scale_groups_.of_node(load.node), force);
         residual.nodal[load.node] -= force;
     }
     if (loaded_elements_.empty()) return;
@@ -67,7 +95,7 @@ void System::add_loads(const State& state, double time, Residual& residual) cons
         add_distributed_load(element, state.trial, time, distributed);
     }
     for (std::size_t i = 0; i < distributed.size(); ++i) {
-        residual.raise(distributed[i]);
+        residual.raise_group(scale_groups_.of_node(static_cast<int>(i)), distributed[i]);
         residual.nodal[i] -= distributed[i];
     }
 }
@@ -78,7 +106,7 @@ void System::add_forces(const ElementBlock<E>& block,
                         const State& state,
                         const Vec3& gravity,
                         std::vector<Vec6>& nodal,
-                        ForceScales& scales) const {
+                        const PartScales& scales) const {
     if constexpr (std::is_same_v<E, ObjectiveElement<E::node_count>>) {
         batches_of(block).add_forces(part, state.trial, gravity, nodal, scales);
     }
@@ -93,10 +121,11 @@ void System::add_forces(const ElementBlock<E>& block,
         if (is_alone) element.add_internal_force(motions, block.histories(state, e), internal);
         if (block.is_damped) element.add_damping_force(motions, block.histories(state, e), internal);
         if (is_alone) element.add_inertial_force(motions, gravity, inertial);
-        scales.raise(internal);
-        scales.raise(inertial);
+        ForceScales& own = scales.of(block.groups[e]);
+        own.raise(internal);
+        own.raise(inertial);
         // With nothing internal, inertia balances itself and its sum vanishes: its terms are the scale.
-        if constexpr (!E::has_section) scales.raise(compute_acceleration_force(element, motions));
+        if constexpr (!E::has_section) own.raise(compute_acceleration_force(element, motions));
         add_to_nodes<E::node_count>(internal + inertial, element.nodes, nodal);
     }
 }
@@ -106,25 +135,30 @@ void System::compute_residual(const State& state, double time, Residual& residua
     team_->for_each_range(residual.nodal.size(), [&](std::size_t first, std::size_t last) {
         std::fill(residual.nodal.begin() + first, residual.nodal.begin() + last, Vec6::Zero());
     });
-    residual.force_scale = residual.moment_scale = 0.0;
+    residual.groups.assign(scale_groups_.count(), {});
     const Vec3 gravity = model_->gravity(time);
-    std::vector<ForceScales> scales;
-    const auto raise_by_all = [&] {
-        for (const ForceScales& part : scales) residual.raise(part.force_scale, part.moment_scale);
-    };
+    PartwiseScales scales;
     for_each_block(blocks_, [&](const auto& block) {
-        scales.assign(block.phases.part_count(), {});
+        const auto groups = [&](std::size_t part) { return block.group_count(part); };
+        scales.start(block.phases.part_count(), groups);
         block.phases.run(*team_, [&](std::size_t part) {
-            add_forces(block, part, state, gravity, residual.nodal, scales[part]);
+            const PartScales own{scales.of(part), block.first_group(part)};
+            add_forces(block, part, state, gravity, residual.nodal, own);
         });
-        raise_by_all();
+        scales.raise(residual.groups, [&](std::size_t part, std::size_t i) {
+            return block.first_group(part) + static_cast<int>(i);
+        });
     });
-    scales.assign(rotary_batches_.part_count(), {});
-    team_->for_each(scales.size(), [&](std::size_t part) {
-        rotary_batches_.add_forces(part, state.trial, residual.nodal, scales[part]);
+    scales.start(rotary_batches_.part_count(),
+                 [&](std::size_t part) { return rotary_batches_.groups(part).size(); });
+    team_->for_each(rotary_batches_.part_count(), [&](std::size_t part) {
+        rotary_batches_.add_forces(part, state.trial, residual.nodal, scales.of(part));
     });
-    raise_by_all();
+    scales.raise(residual.groups,
+                 [&](std::size_t part, std::size_t i) { return rotary_batches_.groups(part)[i]; });
     add_loads(state, time, residual);
+    residual.force_scale = residual.moment_scale = 0.0;
+    for (const ForceScales& group : residual.groups) residual.raise(group);
 }
 
 void System::add_load_tangents(const State& state,

@@ -9,6 +9,7 @@
 #include "assembly/residual.hpp"
 #include "assembly/rod_batches.hpp"
 #include "assembly/rotary_batches.hpp"
+#include "assembly/scale_groups.hpp"
 #include "assembly/sparse_pattern.hpp"
 #include "constraints/supports.hpp"
 #include "loads/distributed_load.hpp"
@@ -65,6 +66,9 @@ class System {
     // The model's length for scaling: the largest of its extent and the bodies' own sizes; 1 if both are
     // zero.
     double length_scale() const { return length_scale_; }
+    // The same of the part of the model to which a node belongs.
+    double length_scale_at(int node) const { return scale_groups_.length_at(node); }
+    const ScaleGroups& scale_groups() const { return scale_groups_; }
     std::size_t element_count() const;
     // Whether any element interpolates rotations of the step, so that these must stay below π.
     bool uses_step_rotations() const { return history_count_ > 0; }
@@ -129,7 +133,7 @@ class System {
                     const State& state,
                     const Vec3& gravity,
                     std::vector<Vec6>& nodal,
-                    ForceScales& scales) const;
+                    const PartScales& scales) const;
     template <class E>
     void add_tangents(const ElementBlock<E>& block,
                       std::size_t part,
@@ -148,6 +152,7 @@ class System {
     const ThreadTeam* team_;
     Supports supports_;
     EquationNumbers equations_;
+    ScaleGroups scale_groups_;
     ElementBlocks blocks_;
     AllRodBatches rod_batches_;
     RotaryBatches rotary_batches_;

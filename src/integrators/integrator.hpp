@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -17,7 +18,10 @@ struct Stage {
     double end_time;   // where the step ends: step_time + time_step but for rounding
 };
 
-// An estimate of a step's error: the length of that of a node's displacement relative to the model's length,
+// The length for scaling of the part of the model to which a node belongs.
+using NodeLengths = std::function<double(int node)>;
+
+// An estimate of a step's error: the length of that of a node's displacement relative to its part's length,
 // of its rotation in rad, and of its velocity and angular velocity, times Δt, alike. The largest, and the
 // node that has it, with the largest component (0 … 5).
 struct StepError {
@@ -79,7 +83,9 @@ class Integrator {
     // The power of Δt by which estimate_error falls; 0 for a scheme that has no estimate.
     virtual int error_order() const { return 0; }
     // Of the step whose last stage was just solved, before it is committed. `length` is the model's.
-    virtual StepError estimate_error(const State&, double /*time_step*/, double /*length*/) const {
+    virtual StepError estimate_error(const State&,
+                                     double /*time_step*/,
+                                     const NodeLengths& /*lengths*/) const {
         return {};
     }
 

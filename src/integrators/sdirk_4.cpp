@@ -98,9 +98,10 @@ void Sdirk4::finish_nodes(State& state, const Stage& stage, NodeRange nodes) con
     }
 }
 
-StepError Sdirk4::estimate_error(const State& state, double time_step, double length) const {
+StepError Sdirk4::estimate_error(const State& state, double time_step, const NodeLengths& length_at) const {
     StepError error;
     for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        const double length = length_at(static_cast<int>(i));
         Vec6 placement = Vec6::Zero();
         Vec6 rates = Vec6::Zero();
         for (int j = 0; j < stages; ++j) {

@@ -21,7 +21,9 @@ class Sdirk4 : public Integrator {
     double stage_fraction(int stage) const override;
     // The difference between the schemes of order 4 and 3, whose leading term is that of order 3.
     int error_order() const override { return 4; }
-    StepError estimate_error(const State& state, double time_step, double length) const override;
+    StepError estimate_error(const State& state,
+                             double time_step,
+                             const NodeLengths& length_at) const override;
     std::vector<double> power_weights() const override;
 
   protected:

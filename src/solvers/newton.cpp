@@ -149,7 +149,8 @@ class Newton {
     double measure(const std::vector<Vec6>& deltas) const {
         return team_.find_largest(deltas.size(), [&](std::size_t node) {
             const Vec6& delta = deltas[node];
-            const double scale = std::max(system_.length_scale(), state_.trial[node].r.norm());
+            const double scale =
+                std::max(system_.length_scale_at(static_cast<int>(node)), state_.trial[node].r.norm());
             return std::max(delta.head<3>().lpNorm<Eigen::Infinity>() / scale,
                             delta.tail<3>().lpNorm<Eigen::Infinity>());
         });

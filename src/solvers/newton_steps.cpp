@@ -5,12 +5,6 @@
 
 namespace gxrod {
 
-ResidualScales compute_scales(const System& system, const Residual& residual) {
-    const double length = system.length_scale();
-    return {std::max(residual.force_scale, 1e-6 * residual.moment_scale / length),
-            std::max(residual.moment_scale, 1e-6 * residual.force_scale * length)};
-}
-
 namespace {
 
 struct Worst {
@@ -20,19 +14,20 @@ struct Worst {
 };
 
 // The first that is not finite, or else the largest, of nodes first … last − 1.
-Worst find_worst(const EquationNumbers& equations,
+Worst find_worst(const System& system,
                  const Residual& residual,
-                 const ResidualScales& scales,
+                 const NodeScales& scales,
                  std::size_t first,
                  std::size_t last) {
     Worst worst;
     for (int node = static_cast<int>(first); node < static_cast<int>(last); ++node) {
-        const Vec6 own = equations.to_own_axes(node, residual.nodal[node]);
-        const std::array<std::int64_t, 6> numbers = equations.of_node(node);
+        const Vec6 own = system.equations().to_own_axes(node, residual.nodal[node]);
+        const std::array<std::int64_t, 6> numbers = system.equations().of_node(node);
+        const ResidualScales& scale = scales.of(node);
         for (int component = 0; component < 6; ++component) {
             const double value = std::abs(own[component]);
             if (value == 0.0 || numbers[component] < 0) continue;
-            const double scaled = value / scales.of(component);
+            const double scaled = value / scale.of(component);
             if (!std::isfinite(scaled)) return {scaled, node, component};
             if (scaled > worst.residual) worst = {scaled, node, component};
         }
@@ -43,10 +38,10 @@ Worst find_worst(const EquationNumbers& equations,
 }  // namespace
 
 void measure_residual(const System& system, const Residual& residual, EquilibriumReport& report) {
-    const ResidualScales scales = compute_scales(system, residual);
+    const NodeScales scales = system.scale_groups().compute_scales(residual);
     const std::vector<Worst> parts =
         system.team().collect<Worst>(residual.nodal.size(), [&](std::size_t first, std::size_t last) {
-            return find_worst(system.equations(), residual, scales, first, last);
+            return find_worst(system, residual, scales, first, last);
         });
     Worst worst;
     for (const Worst& part : parts) {
@@ -62,10 +57,13 @@ void measure_residual(const System& system, const Residual& residual, Equilibriu
 
 bool is_as_large_as_forces(const System& system, const Residual& residual, const EquilibriumReport& report) {
     constexpr double tenth = 0.1;
-    const double length = system.length_scale();
-    const double worst = report.residual * compute_scales(system, residual).of(report.worst_component);
+    const ScaleGroups& groups = system.scale_groups();
+    const double length = system.length_scale_at(report.worst_node);
+    const double worst =
+        report.residual * groups.compute_scales(residual).of(report.worst_node).of(report.worst_component);
     const double force = report.worst_component < 3 ? worst : worst / length;
-    return force > tenth * std::max(residual.force_scale, residual.moment_scale / length);
+    const ForceScales acting = groups.acting_in(groups.of_node(report.worst_node), residual);
+    return force > tenth * std::max(acting.force_scale, acting.moment_scale / length);
 }
 
 double largest_component(const System& system, const Residual& residual) {

@@ -11,13 +11,13 @@
 namespace gxrod {
 
 std::vector<WorstNode> find_worst_nodes(const System& system, const Residual& residual, std::size_t count) {
-    const ResidualScales scales = compute_scales(system, residual);
+    const NodeScales scales = system.scale_groups().compute_scales(residual);
     const Eigen::VectorXd values = gather(residual.nodal, system.equations());
     std::vector<WorstNode> worst;
     for (std::int64_t i = 0; i < values.size(); ++i) {
         const auto [node, component] = system.equations().unknown(i);
         if (values[i] == 0.0) continue;
-        double size = std::abs(values[i]) / scales.of(component);
+        double size = std::abs(values[i]) / scales.of(node).of(component);
         if (!std::isfinite(size)) size = std::numeric_limits<double>::infinity();
         if (worst.empty() || worst.back().node != node) worst.push_back({node, component, 0.0});
         if (size > worst.back().residual) worst.back() = {node, component, size};

@@ -15,8 +15,7 @@ TEST_CASE("the worst nodes come in order, each by its worst component", "[solver
     const System system(model);
     Residual residual;
     residual.nodal.assign(5, Vec6::Zero());
-    residual.force_scale = 10.0;
-    residual.moment_scale = 100.0;
+    residual.groups = {{10.0, 100.0}};
     residual.nodal[0] = Vec6::Constant(1e6);  // held
     residual.nodal[1] << 0.0, -1.0, 0.5, 9.0, 0.0, 0.0;
     residual.nodal[2] << 0.1, 0.0, 0.0, 0.0, 0.0, 50.0;
@@ -44,7 +43,7 @@ TEST_CASE("components are those of a support's own axes", "[solvers]") {
     const System system(model);
     Residual residual;
     residual.nodal.assign(2, Vec6::Zero());
-    residual.force_scale = residual.moment_scale = 1.0;
+    residual.groups = {{1.0, 1.0}};
     residual.nodal[0] << 0.5, 7.0, 0.0, 0.0, 0.0, 0.0;
     const std::vector<WorstNode> worst = find_worst_nodes(system, residual, 3);
     REQUIRE(worst.size() == 1);

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "assembly/residual.hpp"
+#include "model/model.hpp"
+
+namespace gxrod {
+
+// What a residual's forces and moments are small against.
+struct ResidualScales {
+    double force, moment;
+    double of(int component) const { return component < 3 ? force : moment; }
+};
+
+// Those of each node.
+class NodeScales {
+  public:
+    // The same for all nodes; or of each group, and the group of each node, which must outlive this.
+    explicit NodeScales(const ResidualScales& common) : common_(common) {}
+    NodeScales(std::vector<ResidualScales> of_groups, const std::vector<int>& group_of_node)
+        : of_groups_(std::move(of_groups)), group_of_node_(&group_of_node) {}
+
+    const ResidualScales& of(int node) const {
+        return group_of_node_ ? of_groups_[(*group_of_node_)[node]] : common_;
+    }
+
+  private:
+    ResidualScales common_{0.0, 0.0};
+    std::vector<ResidualScales> of_groups_;
+    const std::vector<int>* group_of_node_ = nullptr;
+};
+
+// Which forces a node's residual is compared with. A group is a rod, a body, or a node that several of them
+// share; each belongs to one part of the model, whose nodes elements tie to each other. A residual is small
+// if it is so against the largest force in its part and, against a thousand times that, in its own group: a
+// weakly loaded rod beside a strong one is solved too. Neither falls below the round-off of forces there.
+class ScaleGroups {
+  public:
+    explicit ScaleGroups(const Model& model);
+
+    std::size_t count() const { return part_of_group_.size(); }
+    std::size_t part_count() const { return lengths_.size(); }
+    int of_rod(int rod) const { return rod; }
+    int of_body(int body) const { return rod_count_ + body; }
+    int of_node(int node) const { return group_of_node_[node]; }
+    // The length for scaling of the node's part: the largest of its extent and its bodies' own sizes; 1 if
+    // both are zero.
+    double length_at(int node) const { return lengths_[part_of_group_[group_of_node_[node]]]; }
+
+    // What acts in a group and, at a shared node, in those that meet there.
+    ForceScales acting_in(int group, const Residual& residual) const;
+    // Of each node, from what acts in the groups; valid as long as this.
+    NodeScales compute_scales(const Residual& residual) const;
+
+  private:
+    void find_nodes(const Model& model);
+    void find_parts_of_groups(const Model& model);
+    void find_round_off(const Model& model);
+
+    int rod_count_;
+    std::vector<int> group_of_node_;
+    std::vector<int> part_of_group_;
+    std::vector<double> lengths_;  // of each part
+    std::vector<std::vector<int>>
+        neighbours_;  // of each group that is a shared node: the groups that meet there
+    std::vector<ResidualScales> round_off_;  // of each group: of the forces on a node
+};
+
+// With what acts on either: a force at some length is a moment, so neither falls to round-off of the other.
+ResidualScales relate_scales(const ForceScales& scales, double length);
+
+}  // namespace gxrod
