@@ -57,11 +57,11 @@ stiffness_matrix = [
 ]
 [rod.leg]
 section = "s"
-line = { from = [0, 0, 0], to = [0, 1000, 0] }
+line = { from = [0, 0, 0], to = [0, 2000, 0] }
 elements = 4
 [rod.beam]
 section = "s"
-line = { from = [0, 1000, 0], to = [800, 1000, 0] }
+line = { from = [0, 2000, 0], to = [900, 2000, 0] }
 elements = 4
 [[connect]]
 points = ["leg.end", "beam.start"]
@@ -70,7 +70,7 @@ at = "leg.start"
 fix = "all"
 [[load]]
 at = "beam.end"
-force = [5e4, 0, 2e-9]
+force = [1e2, 0, 2e-9]
 [analysis]
 kind = "static"
 steps = 4
