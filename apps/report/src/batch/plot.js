@@ -76,8 +76,7 @@ export class Plot {
       values: (plot, ticks) => ticks.map((tick) => (tick === null ? "" : axis.write(tick))),
     };
     if (!isUpright && axis.places) {
-      options.rotate = (plot) => (axis.isSlanted(pixels(plot)) ? -slant : 0);
-      // Slanted names reach down, and beyond the chart's left edge no farther than the upright axis is wide.
+      options.rotate = (plot) => (axis.isSlanted(pixels(plot)) ? slant : 0);
       options.size = (plot) => (axis.isSlanted(pixels(plot)) ? 12 + 6.4 * longestName(axis) * Math.sin((slant * Math.PI) / 180) + 10 : 24);
     }
     if (axis.ticks(400, isUpright) !== undefined) {
