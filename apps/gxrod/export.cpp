@@ -1,7 +1,9 @@
 #include <memory>
+#include <optional>
 
 #include "exit_code.hpp"
 #include "model/printable.hpp"
+#include "results/along_export.hpp"
 #include "results/csv_export.hpp"
 #include "results/list_changes.hpp"
 #include "results/series_export.hpp"
@@ -16,12 +18,25 @@ struct ExportArguments {
     std::string results;
     std::string csv;
     std::string series;
+    std::string along;
+    std::string folder = ".";
+    std::optional<double> time;
+    bool all = false;
     bool force = false;
 };
 
+void export_along_rod(const ExportArguments& arguments, Existing existing) {
+    const AlongExport done = export_along(
+        arguments.results, arguments.folder, {arguments.along, arguments.time, arguments.all}, existing);
+    for (const auto& path : done.files) say(stdout, "{}\n", path.lexically_normal().string());
+    // Where it was asked for another moment than that of a frame.
+    if (arguments.time && done.times.size() == 1 && done.times[0] != *arguments.time)
+        say(stderr, "the frame nearest to {:.10g} is that at {:.10g}\n", *arguments.time, done.times[0]);
+}
+
 int export_results(const ExportArguments& arguments) {
-    if (arguments.csv.empty() && arguments.series.empty()) {
-        throw CLI::ValidationError("export", "give --csv DIR, --series DIR, or both");
+    if (arguments.csv.empty() && arguments.series.empty() && arguments.along.empty()) {
+        throw CLI::ValidationError("export", "give --csv DIR, --series DIR, --along ROD, or several of them");
     }
     for (const std::string& change : list_changes(arguments.results))
         say(stderr, "warning: {}: {}\n", arguments.results, printable(change));
@@ -34,6 +49,7 @@ int export_results(const ExportArguments& arguments) {
     if (!arguments.series.empty()) {
         say(stdout, "{}\n", export_series(arguments.results, arguments.series, existing).string());
     }
+    if (!arguments.along.empty()) export_along_rod(arguments, existing);
     return exit_done;
 }
 
@@ -52,6 +68,19 @@ void add_export_verb(CLI::App& program, int& exit_code) {
         arguments->series,
         "Folder for NAME_0000.hdf …, a file for each frame, and NAME.hdf.series with their times, "
         "which ParaView 5.11 opens");
+    CLI::Option* along = verb->add_option(
+        "--along",
+        arguments->along,
+        "Name of a rod: along_ROD_nodes.csv and along_ROD_elements.csv have what a frame has along it, from "
+        "its start to its end");
+    CLI::Option* time = verb->add_option("--time",
+                                         arguments->time,
+                                         "Time, or load factor, of --along: the nearest frame is taken "
+                                         "[default: the last]");
+    verb->add_flag("--all", arguments->all, "All frames, of --along")->needs(along)->excludes(time);
+    verb->add_option("-o,--output", arguments->folder, "Folder for the tables of --along [default: this one]")
+        ->needs(along);
+    time->needs(along);
     verb->add_flag("--force", arguments->force, "Overwrite files that exist");
     verb->callback([arguments, &exit_code] { exit_code = export_results(*arguments); });
 }

@@ -32,7 +32,7 @@ double semi_axis(double bending, double axial, double otherwise) {
 
 // Whether the line goes on from one cell to the next as if they were one.
 bool continues(const DrawnCell& cell, const DrawnCell& next) {
-    return cell.nodes[1] == next.nodes[0] && cell.radius_y == next.radius_y &&
+    return cell.nodes[1] == next.nodes[0] && cell.rod == next.rod && cell.radius_y == next.radius_y &&
            cell.radius_z == next.radius_z && cell.axes[1].angularDistance(next.axes[0]) < 1e-3;
 }
 
@@ -92,16 +92,24 @@ FrameTopology read_topology(const Hdf5Reader& file) {
 bool refine_cells(const Model& model, FrameTopology& topology) {
     if (!has_cells_of(model, topology)) return false;
     auto cell = topology.rod_cells.begin();
+    int number = 0;
     for (const Rod& rod : model.rods) {
         const Mat6& C = model.sections[rod.section].stiffness;
         const auto order = static_cast<std::size_t>(rod.order);
         for (std::size_t first = 0; first < rod.triads.size(); first += order + 1, ++cell) {
             cell->axes = {rod.triads[first], rod.triads[first + order]};
-            for (std::size_t i = 1; i < order; ++i) cell->axes.push_back(rod.triads[first + i]);
+            cell->arc_length = {rod.arc_length[first], rod.arc_length[first + order]};
+            for (std::size_t i = 1; i < order; ++i) {
+                cell->axes.push_back(rod.triads[first + i]);
+                cell->arc_length.push_back(rod.arc_length[first + i]);
+            }
+            cell->rod = number;
+            cell->middle = 0.5 * (rod.arc_length[first] + rod.arc_length[first + order]);
             // Bending about z strains along y, and the reverse.
             cell->radius_y = semi_axis(C(5, 5), C(0, 0), cell->radius_y);
             cell->radius_z = semi_axis(C(4, 4), C(0, 0), cell->radius_z);
         }
+        ++number;
     }
     return true;
 }
@@ -127,6 +135,9 @@ std::vector<DrawnCell> join_cells(const std::vector<DrawnCell>& cells,
             cell.nodes = {cells[first].nodes[0], cells[last].nodes[1]};
             cell.axes = {cells[first].axes[0], cells[last].axes[1]};
             cell.source = cells[(first + last) / 2].source;
+            cell.middle = cells[(first + last) / 2].middle;
+            if (cell.rod >= 0)
+                cell.arc_length = {cells[first].arc_length.at(0), cells[last].arc_length.at(1)};
         }
         joined.push_back(std::move(cell));
         first = last + 1;

@@ -16,6 +16,9 @@ struct DrawnCell {
     double radius_y = 0.0;   // semi-axes of the ellipse that is drawn, along section y and z
     double radius_z = 0.0;
     int source = 0;  // row in CellData of the element at its middle
+    int rod = -1;    // in the order of the deck; −1, and no arc lengths, where the model is not known
+    std::vector<double> arc_length;  // of `nodes`, from the start of the rod
+    double middle = 0.0;             // arc length of the middle of `source`
 };
 
 // What a results file's frames show.
@@ -30,8 +33,8 @@ struct FrameTopology {
 // std::runtime_error if the cells are not those of rods and bodies.
 FrameTopology read_topology(const Hdf5Reader& file);
 
-// Sets true axes and the proportions of the sections from the model; false, and nothing done, if it is not
-// the model of these results.
+// Sets true axes, the proportions of the sections and the places along rods from the model; false, and
+// nothing done, if it is not the model of these results.
 bool refine_cells(const Model& model, FrameTopology& topology);
 
 // Joins up to `run` elements that follow each other between nodes of `kept` and corners into straight pieces.

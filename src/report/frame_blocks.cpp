@@ -57,6 +57,22 @@ void write_topology(const ReportPlan& plan, const ReportContent& content, std::o
     write_block(out, "radii", radii);
 }
 
+// Of each cell the number of its rod, −1 where it is not known; of its middle, and of the entries of
+// connectivity, the arc length.
+void write_places(const ReportPlan& plan, std::ostream& out) {
+    std::vector<std::int32_t> rods;
+    std::vector<float> middles, arc_lengths;
+    for (const DrawnCell& cell : plan.cells) {
+        rods.push_back(cell.rod);
+        middles.push_back(static_cast<float>(cell.middle));
+        for (std::size_t i = 0; i < cell.nodes.size(); ++i)
+            arc_lengths.push_back(cell.rod < 0 ? 0.0F : static_cast<float>(cell.arc_length.at(i)));
+    }
+    write_block(out, "cell-rods", rods);
+    write_block(out, "middles", middles);
+    write_block(out, "arc-lengths", arc_lengths);
+}
+
 Vec6 value_of(const LoadArrow& arrow, const Vec3& rotation, double time) {
     NodeMotion motion;
     motion.Lambda = exp_quaternion(rotation);
@@ -103,6 +119,7 @@ void write_frame_blocks(const Hdf5Reader& file,
     write_block(out, "frame-times", times);
     write_block(out, "reference", read_reference(file, plan, content));
     write_topology(plan, content, out);
+    write_places(plan, out);
 
     const auto write_quantity =
         [&](const std::string& folder, const std::string& name, int rows, const std::vector<int>& chosen) {

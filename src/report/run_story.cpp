@@ -146,6 +146,7 @@ Json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbe
         json["bodies"] = bare_bodies(story, number);
         json["supports"] = Json::array();
         json["tables"] = Json::array();
+        json["rods"] = Json::array();
         return json;
     }
     const Model& model = story.problem->model;
@@ -153,6 +154,8 @@ Json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbe
     json["bodies"] = describe_bodies(model, number, most_bodies);
     json["supports"] = describe_supports(model, number, most_supports);
     json["tables"] = describe_tables(*story.problem);
+    json["rods"] = Json::array();
+    for (const Rod& rod : model.rods) json["rods"].push_back(rod.name);
     return json;
 }
 

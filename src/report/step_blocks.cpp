@@ -25,7 +25,7 @@ StepChart make_chart(const Hdf5Reader& file,
                      const std::string& group,
                      const std::string& title,
                      const std::vector<std::pair<std::string, std::string>>& datasets) {
-    StepChart chart{title, group, "", "", "", {}};
+    StepChart chart{title, group, "", "", "", "", {}};
     for (const auto& [dataset, label] : datasets) chart.sources.push_back(find_source(file, dataset, label));
     const std::string& first = datasets.front().first;
     chart.description = datasets.size() == 1 ? file.text_attribute(first, "description") : "";
@@ -80,8 +80,8 @@ std::vector<StepChart> list_charts(const Hdf5Reader& file, bool is_static) {
         if (name == "time") continue;
         for (const std::string& quantity : file.members("/histories/" + name)) {
             const std::string dataset = fmt::format("/histories/{}/{}", name, quantity);
-            const std::string title = fmt::format("{}: {}", name, quantity);
-            charts.push_back(make_chart(file, "history", title, {{dataset, quantity}}));
+            charts.push_back(make_chart(file, "history", name, {{dataset, quantity}}));
+            charts.back().quantity = quantity;
         }
     }
     if (!is_static) {
@@ -112,6 +112,7 @@ nlohmann::ordered_json describe_charts(const std::vector<StepChart>& charts) {
         }
         list.push_back({{"title", chart.title},
                         {"group", chart.group},
+                        {"quantity", chart.quantity},
                         {"description", chart.description},
                         {"dimension", chart.dimension},
                         {"frame", chart.frame},

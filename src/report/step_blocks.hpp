@@ -12,8 +12,9 @@ namespace gxrod {
 
 // A chart of one dataset or more, a row each step.
 struct StepChart {
-    std::string title;
-    std::string group;  // "energy", "momentum", "history" or "solver"
+    std::string title;     // of a history its name, which stays as the deck has it
+    std::string group;     // "energy", "momentum", "history" or "solver"
+    std::string quantity;  // of a history
     std::string description;
     std::string dimension;
     std::string frame;

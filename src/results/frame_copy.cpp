@@ -50,6 +50,16 @@ DatasetCopy copy_rows(const Hdf5Reader& file, const std::string& path, hsize_t f
     return copy;
 }
 
+// All of a group that has `rows` rows a frame, or so many for all frames.
+void copy_data(
+    const Hdf5Reader& file, const std::string& group, hsize_t frame, hsize_t rows, FrameCopy& copy) {
+    for (const std::string& name : file.members(group)) {
+        const std::string path = group + "/" + name;
+        const bool is_of_all = !grows(open_dataset(file.id(), path).id());
+        copy.push_back(copy_rows(file, path, is_of_all ? 0 : frame * rows, rows));
+    }
+}
+
 // Groups on the way to a dataset are made when it is.
 Hdf5Handle make_groups_on_the_way() {
     Hdf5Handle properties(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "link properties");
@@ -115,12 +125,8 @@ FrameCopy read_frame(const Hdf5Reader& results, hsize_t frame) {
     const auto points = static_cast<hsize_t>(results.count("/VTKHDF/NumberOfPoints"));
     const auto cells = static_cast<hsize_t>(results.count("/VTKHDF/NumberOfCells"));
     copy.push_back(copy_rows(results, "/VTKHDF/Points", frame * points, points));
-    for (const std::string& name : results.members("/VTKHDF/PointData")) {
-        copy.push_back(copy_rows(results, "/VTKHDF/PointData/" + name, frame * points, points));
-    }
-    for (const std::string& name : results.members("/VTKHDF/CellData")) {
-        copy.push_back(copy_rows(results, "/VTKHDF/CellData/" + name, frame * cells, cells));
-    }
+    copy_data(results, "/VTKHDF/PointData", frame, points, copy);
+    copy_data(results, "/VTKHDF/CellData", frame, cells, copy);
     return copy;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "results/rod_table.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
@@ -45,12 +46,6 @@ RowChunks frame_chunks(std::size_t frame_rows, std::size_t row_bytes, bool is_de
     return {bytes / row_bytes, false};
 }
 
-// Another name for a dataset, unless it has it already.
-void link(hid_t dataset, const Hdf5Handle& group, const std::string& name) {
-    if (has_link(group, name)) return;
-    check_hdf5(H5Olink(dataset, group.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "linking a dataset");
-}
-
 Hdf5Handle require_frame_count(const Hdf5Handle& steps) {
     if (H5Aexists(steps.id(), "NSteps") > 0) {
         return {H5Aopen(steps.id(), "NSteps", H5P_DEFAULT), H5Aclose, "opening an attribute"};
@@ -87,7 +82,7 @@ FrameTable::FrameTable(const Hdf5Handle& root,
       topology_offsets_(
           steps_, {"CellOffsets", "one topology serves all frames: 0", "none", "1"}, number_in_row, frames),
       frame_count_(require_frame_count(steps_)) {
-    link(topology_offsets_.id(), steps_, "ConnectivityIdOffsets");
+    link_dataset(topology_offsets_.id(), steps_, "ConnectivityIdOffsets");
     if (!has_link(group_, "Types")) {
         write_topology();
         flush_count();
@@ -95,7 +90,7 @@ FrameTable::FrameTable(const Hdf5Handle& root,
     // On disk now.
     mesh_.connectivity = mesh_.offsets = std::vector<std::int64_t>();
     mesh_.types = std::vector<std::uint8_t>();
-    create_fields();
+    create_fields(root);
 }
 
 void FrameTable::write_topology() {
@@ -117,7 +112,7 @@ void FrameTable::write_topology() {
         mesh_.types);
 }
 
-void FrameTable::create_fields() {
+void FrameTable::create_fields(const Hdf5Handle& root) {
     const hsize_t point_rows = static_cast<hsize_t>(frames_) * model_->nodes.size();
     const hsize_t cell_rows = static_cast<hsize_t>(frames_) * mesh_.cell_count();
     const auto chunks = [this](std::size_t rows, std::size_t row_bytes) {
@@ -135,22 +130,25 @@ void FrameTable::create_fields() {
     const Hdf5Handle point_data_offsets = require_group(steps_, "PointDataOffsets");
     for (const DatasetLabel& label : point_labels) {
         points_.emplace_back(point_data, label, vector_row, point_rows, point_chunks);
-        link(point_offsets_.id(), point_data_offsets, label.name);
+        link_dataset(point_offsets_.id(), point_data_offsets, label.name);
     }
     points_.emplace_back(
         point_data, point_radius_label, scalar_row, point_rows, chunks(model_->nodes.size(), sizeof(double)));
-    link(point_offsets_.id(), point_data_offsets, point_radius_label.name);
+    link_dataset(point_offsets_.id(), point_data_offsets, point_radius_label.name);
 
     const Hdf5Handle cell_data = require_group(group_, "CellData");
     const Hdf5Handle cell_data_offsets(
         H5Gopen2(steps_.id(), "CellDataOffsets", H5P_DEFAULT), H5Gclose, "opening a group");
     for (const DatasetLabel& label : cell_labels) {
         cells_.emplace_back(cell_data, label, vector_row, cell_rows, cell_chunks);
-        if (label.name != cell_labels[0].name) link(cell_offsets_.id(), cell_data_offsets, label.name);
+        if (label.name != cell_labels[0].name)
+            link_dataset(cell_offsets_.id(), cell_data_offsets, label.name);
     }
     cells_.emplace_back(
         cell_data, cell_radius_label, scalar_row, cell_rows, chunks(mesh_.cell_count(), sizeof(double)));
-    link(cell_offsets_.id(), cell_data_offsets, cell_radius_label.name);
+    link_dataset(cell_offsets_.id(), cell_data_offsets, cell_radius_label.name);
+    write_rod_places({root, point_data, point_data_offsets, cell_data, cell_data_offsets, part_offsets_.id()},
+                     *model_);
 }
 
 void FrameTable::append(const Snapshot& snapshot) {

@@ -9,7 +9,8 @@
 namespace gxrod {
 
 // /VTKHDF: frames in the temporal form of VTKHDF 2.0, which ParaView and VTK (from 9.3) read. Fixed topology;
-// N points and E cells are appended a frame. Throws Hdf5Error.
+// N points and E cells are appended a frame; where they lie along the rods stands there once, with /rods.
+// Throws Hdf5Error.
 class FrameTable {
   public:
     // Appends after the first `frames` frames; the count of those there follows with flush_count(), once the
@@ -33,7 +34,7 @@ class FrameTable {
 
   private:
     void write_topology();
-    void create_fields();
+    void create_fields(const Hdf5Handle& root);
     void append_points(const Snapshot& snapshot);
     void append_cells(const Snapshot& snapshot);
     void flush_if_much(std::vector<AppendDataset<double>>& fields) const;

@@ -85,6 +85,11 @@ Hdf5Handle require_group(const Hdf5Handle& parent, const std::string& name) {
             "creating a group"};
 }
 
+void link_dataset(hid_t dataset, const Hdf5Handle& group, const std::string& name) {
+    if (has_link(group, name)) return;
+    check_hdf5(H5Olink(dataset, group.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "linking a dataset");
+}
+
 void write_attribute(hid_t object, const std::string& name, const std::string& text) {
     const char* value = text.c_str();
     write_attribute(object, name, text_type(), scalar_space(), &value);
@@ -253,6 +258,25 @@ std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t
     std::string text(size, '\0');
     check_hdf5(read(type.id(), text.data()), "reading a string");
     return text;
+}
+
+std::vector<std::string> read_texts(hid_t dataset, const std::string& name) {
+    const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, "type");
+    check_type(type.id(), name);
+    const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "dataspace");
+    const hssize_t count = H5Sget_simple_extent_npoints(space.id());
+    if (count < 0 || static_cast<std::size_t>(count) > most_texts)
+        throw std::runtime_error(name + " has more texts than gxrod writes");
+    if (H5Tis_variable_str(type.id()) <= 0) throw std::runtime_error(name + " is no list of texts");
+    std::vector<char*> texts(static_cast<std::size_t>(count), nullptr);
+    check_hdf5(H5Dread(dataset, type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, static_cast<void*>(texts.data())),
+               "reading texts");
+    std::vector<std::string> result;
+    for (char* text : texts) {
+        result.emplace_back(text != nullptr ? text : "");
+        H5free_memory(text);
+    }
+    return result;
 }
 
 std::string read_text_attribute(hid_t object, const std::string& name) {

@@ -25,6 +25,9 @@ bool has_link(const Hdf5Handle& group, const std::string& name);
 // The group of that name, new if there is none.
 Hdf5Handle require_group(const Hdf5Handle& parent, const std::string& name);
 
+// Another name for a dataset, unless the group has it already.
+void link_dataset(hid_t dataset, const Hdf5Handle& group, const std::string& name);
+
 // What a group has, groups and datasets, by name.
 std::vector<std::string> list_members(hid_t group);
 
@@ -58,6 +61,10 @@ inline constexpr double most_inflated = 1100.0;
 // Small files may have rows that were never written.
 double most_bytes_of(hid_t object);
 
+// How many texts a dataset may have: that many are looked at before they are read.
+inline constexpr std::size_t most_texts = std::size_t{1} << 16;
+// All texts of a dataset of such. Throws std::runtime_error if they are more, or not of variable length.
+std::vector<std::string> read_texts(hid_t dataset, const std::string& name);
 // A string of any kind; `read` reads it as a type into a buffer.
 std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t, void*)>& read);
 // Throws std::runtime_error, with the name, if a dataset or an attribute is of a type that gxrod does not

@@ -113,6 +113,10 @@ std::string Hdf5Reader::text(const std::string& name) const {
     });
 }
 
+std::vector<std::string> Hdf5Reader::texts(const std::string& name) const {
+    return read_texts(open_dataset(name).id(), name);
+}
+
 std::string Hdf5Reader::bytes(const std::string& name) const {
     const std::vector<hsize_t> extent = size(name);
     if (extent.size() != 1) throw std::runtime_error(name + " is no list of bytes");

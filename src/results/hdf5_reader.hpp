@@ -32,6 +32,8 @@ class Hdf5Reader {
     // The first number, which must be a whole one from 0 to the largest int.
     int count(const std::string& dataset) const;
     std::string text(const std::string& dataset) const;
+    // All texts of a list.
+    std::vector<std::string> texts(const std::string& dataset) const;
     // Of a dataset of bytes.
     std::string bytes(const std::string& dataset) const;
     // Attributes of the object at `path`.

@@ -112,6 +112,13 @@ class StructureSum {
     void add_dataset(hid_t dataset) {
         const Hdf5Handle type(H5Dget_type(dataset), H5Tclose, "type");
         const H5T_class_t kind = H5Tget_class(type.id());
+        if (kind == H5T_STRING && H5Tis_variable_str(type.id()) > 0 && !extent_of(dataset).empty()) {
+            for (const std::string& text : read_texts(dataset, "a list of texts")) {
+                add(text);
+                add(std::string_view("", 1));  // where one ends
+            }
+            return;
+        }
         if (kind == H5T_STRING) {
             const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "dataspace");
             add_values(

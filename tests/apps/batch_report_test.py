@@ -68,7 +68,18 @@ def make_evil(folder):
     return batch.write()
 
 
-BATCHES = {"grid": make_grid, "sample": make_sample, "large": make_large, "evil": make_evil}
+LONG_NAMES = ("newmark-simplified", "newmark-ibrahimbegovic", "generalized-alpha", "runge-kutta-4", "sdirk-4")
+
+
+def make_names(folder):
+    """Names that have no room in a row."""
+    batch = BatchFolder(folder, ["analysis.integrator"], ["tip"])
+    for number, name in enumerate(LONG_NAMES):
+        batch.add([name], [number])
+    return batch.write()
+
+
+BATCHES = {"grid": make_grid, "names": make_names, "sample": make_sample, "large": make_large, "evil": make_evil}
 
 
 def setUpModule():
@@ -409,6 +420,29 @@ class Chart(BatchPageTest):
         self.choose("#kind", "heat")
         self.point_at(*self.place(0.75, 0.1))
         self.assertIn("sdirk-4", self.tip())
+
+
+    def test_names_every_category(self):
+        for size in (LAPTOP, PHONE):
+            self.open("names", size)
+            self.run_script("""
+                window.written = [];
+                const { fillText } = CanvasRenderingContext2D.prototype;
+                CanvasRenderingContext2D.prototype.fillText = function (text, ...others) {
+                    const { a, b, c, d, e, f } = this.getTransform();
+                    window.written.push([text, (a * others[0] + c * others[1] + e) / devicePixelRatio, this.textAlign, b !== 0]);
+                    fillText.call(this, text, ...others);
+                };""")
+            self.choose("#kind", "lines")
+            self.choose("#kind", "points")
+            written = {text: rest for text, *rest in self.run_script("return window.written")}
+            for name in LONG_NAMES:
+                self.assertIn(name, written)
+                left, side, is_slanted = written[name]
+                self.assertTrue(is_slanted)
+                # Slanted names end at their place, and begin within the picture.
+                self.assertEqual(side, "right")
+                self.assertGreater(left, 0)
 
 
 class Safety(BatchPageTest):

@@ -17,6 +17,41 @@ def read_table(path):
     return rows[0], np.array([[float(number) for number in row] for row in rows[1:]])
 
 
+def read_columns(path):
+    headings, values = read_table(path)
+    return dict(zip(headings, values.T))
+
+
+TWO_RODS = """
+[section.s]
+stiffness = { EA = 1000, GAy = 500, GAz = 500, GJ = 1, EIy = 1, EIz = 1 }
+inertia = { rhoA = 1, rhoIy = 0.1, rhoIz = 0.1 }
+[rod.arc]
+section = "s"
+arc = { centre = [0, 0, 0], axis = [0, 0, 1], from = [1, 0, 0], angle = "pi/2" }
+elements = 2
+order = 3
+[rod.stick]
+section = "s"
+line = { from = [0, 1, 0], to = [-1, 1, 0] }
+elements = 2
+[[connect]]
+points = ["arc.end", "stick.start"]
+[[support]]
+at = "arc.start"
+fix = "all"
+[[load]]
+at = "stick.end"
+force = [0, 0, 5]
+[analysis]
+kind = "dynamic"
+end_time = 0.2
+time_step = 0.01
+[output]
+every = 5
+"""
+
+
 class Export(ProgramTest):
     def setUp(self):
         super().setUp()
@@ -133,6 +168,86 @@ steps = 2
             run.kill()
             run.wait()
 
+    def run_two_rods(self):
+        """A clamped quarter of a circle of order 3 and, from its end on, a straight rod of order 1, in motion."""
+        self.write("two.toml", TWO_RODS)
+        self.gxrod("run", "two.toml", "--quiet")
+
+    def test_what_is_along_a_rod(self):
+        self.run_two_rods()
+        done = self.gxrod("export", "two.vtkhdf", "--along", "arc", "--all", "-o", "along")
+        self.assertEqual(done.stdout.split(), ["along/along_arc_nodes.csv", "along/along_arc_elements.csv"])
+        nodes = read_columns(self.folder / "along/along_arc_nodes.csv")
+        elements = read_columns(self.folder / "along/along_arc_elements.csv")
+        with h5py.File(self.folder / "two.vtkhdf") as file:
+            grid = file["VTKHDF"]
+            times = grid["Steps/Values"][()]
+            points = grid["Points"][()].reshape(len(times), -1, 3)
+            moment = grid["CellData/moment"][()].reshape(len(times), -1, 3)
+        self.assertEqual(len(nodes["time"]), len(times) * 7)
+        self.assertEqual(len(elements["time"]), len(times) * 2)
+        np.testing.assert_array_equal(nodes["time"][::7], times)
+        # At t = 0 positions are those of the circle.
+        start = nodes["time"] == 0.0
+        s = nodes["arc_length"][start]
+        np.testing.assert_allclose(s[[0, 3, 6]], [0.0, np.pi / 4, np.pi / 2], rtol=1e-14)
+        np.testing.assert_array_equal(nodes["element"][start], [0, 0, 0, 0, 1, 1, 1])
+        np.testing.assert_allclose(nodes["position_x"][start], np.cos(s), atol=1e-12)
+        np.testing.assert_allclose(nodes["position_y"][start], np.sin(s), atol=1e-12)
+        middles = elements["arc_length"][:2]
+        np.testing.assert_allclose(middles, [np.pi / 8, 3 * np.pi / 8], rtol=1e-14)
+        # The remainder of cubic interpolation at ξ = 0: (ξ² − 1)(ξ² − 1/5) (L/2)⁴/4! of a fourth derivative up to 1.
+        remainder = 0.2 * (np.pi / 8)**4 / 24
+        np.testing.assert_allclose(elements["position_x"][:2], np.cos(middles), atol=remainder)
+        np.testing.assert_allclose(elements["position_y"][:2], np.sin(middles), atol=remainder)
+        for i, axis in enumerate("xyz"):
+            np.testing.assert_array_equal(nodes[f"position_{axis}"],
+                                          points[:, nodes["point"][:7].astype(int), i].ravel())
+            np.testing.assert_array_equal(elements[f"moment_{axis}"], moment[:, :2, i].ravel())
+        np.testing.assert_allclose(nodes["position_z"], nodes["displacement_z"], atol=1e-14)
+        self.assertGreater(np.abs(elements["moment_y"]).max(), 0.005)
+
+    def test_one_frame_along_a_rod(self):
+        self.run_two_rods()
+        self.gxrod("export", "two.vtkhdf", "--along", "stick")
+        nodes = read_columns(self.folder / "along_stick_nodes.csv")
+        np.testing.assert_array_equal(nodes["time"], [0.2] * 3)
+        # The first node is the arc's last, whose arc length there is another.
+        np.testing.assert_array_equal(nodes["arc_length"], [0.0, 0.5, 1.0])
+        done = self.gxrod("export", "two.vtkhdf", "--along", "stick", "--time", "0.11", "--force")
+        self.assertEqual(done.stderr, "the frame nearest to 0.11 is that at 0.1\n")
+        nodes = read_columns(self.folder / "along_stick_nodes.csv")
+        np.testing.assert_allclose(nodes["time"], [0.1] * 3, rtol=1e-14)
+
+    def test_what_cannot_be_exported_along_a_rod(self):
+        self.run_two_rods()
+        for arguments, code, said in (
+                (("--along", "stock"), 4, "two.vtkhdf: has no rod stock (it has arc, stick)"),
+                (("--along", "arc", "--time", "0.3"), 4,
+                 "two.vtkhdf: has no frame near t = 0.3 (its frames are from t = 0 to 0.2)"),
+                (("--along", "arc", "--time", "nan"), 4, "has no frame near t = nan"),
+                (("--along", "arc", "--time", "0", "--all"), 2, "--time excludes --all"),
+                (("--csv", "tables", "--all"), 2, "--all requires --along")):
+            self.assertIn(said, self.gxrod("export", "two.vtkhdf", *arguments, code=code).stderr)
+        self.assertIn("body.vtkhdf: has no rods", self.gxrod("export", "body.vtkhdf", "--along", "arc", code=4).stderr)
+        self.gxrod("export", "two.vtkhdf", "--along", "arc")
+        done = self.gxrod("export", "two.vtkhdf", "--along", "arc", code=4)
+        self.assertIn("along_arc_nodes.csv: exists already (--force overwrites it)", done.stderr)
+        done = self.gxrod("export", "two.vtkhdf", "--along", "arc", "-o", "full", code=4, preexec_fn=limit_file_size(500))
+        self.assertIn("full/along_arc_nodes.csv: cannot be written (File too large)", done.stderr)
+
+    def test_results_of_earlier_versions_have_no_rods_and_are_exported_all_the_same(self):
+        self.run_two_rods()
+        with h5py.File(self.folder / "two.vtkhdf", "r+") as file:
+            del file["rods"]
+            for data in ("PointData", "CellData"):
+                for name in ("rod", "element", "arc_length"):
+                    del file[f"VTKHDF/{data}/{name}"], file[f"VTKHDF/Steps/{data}Offsets/{name}"]
+        self.gxrod("export", "two.vtkhdf", "--csv", "tables", "--series", "series")
+        self.gxrod("report", "two.vtkhdf")
+        self.assertIn("two.vtkhdf: does not say where its rods are, as an earlier version of gxrod wrote it",
+                      self.gxrod("export", "two.vtkhdf", "--along", "arc", code=4).stderr)
+
     def test_a_full_disk_is_told(self):
         for form, file in (("--csv", "ledger.csv"), ("--series", "body_0000.hdf")):
             done = self.gxrod("export", "body.vtkhdf", form, "full", code=4, preexec_fn=limit_file_size(5000))
@@ -161,7 +276,7 @@ steps = 2
             done = self.gxrod("export", "body.vtkhdf", option, folder.name, code=4)
             self.assertIn(f"{folder.name}/{name}: cannot be written (No such file or directory)", done.stderr)
         done = self.gxrod("export", "body.vtkhdf", code=2)
-        self.assertIn("give --csv DIR, --series DIR, or both", done.stderr)
+        self.assertIn("give --csv DIR, --series DIR, --along ROD, or several of them", done.stderr)
 
 
 if __name__ == "__main__":

@@ -62,6 +62,20 @@ class Scripts(ProgramTest):
         self.assertEqual(some.shape[0], 3 * 288 - 1)
         self.assertEqual(self.draw("histories", "--history", "tip/position")[1].shape[0], 288)
 
+    def test_along_rod(self):
+        results = self.run_deck("right_angle")
+        printed, _ = self.draw("along_rod")
+        largest, s, time = map(float, re.match(r"largest (\S+), at arc length (\S+) and time (\S+)\n", printed).groups())
+        with h5py.File(results) as file:
+            grid = file["VTKHDF"]
+            frames = len(grid["Steps/Values"])
+            moment = grid["CellData/moment"][()].reshape(frames, -1, 3)[:, :5, 1]  # the leg is the first rod
+            self.assertAlmostEqual(time, grid["Steps/Values"][np.abs(moment).max(axis=1).argmax()])
+        self.assertAlmostEqual(abs(largest), np.abs(moment).max(), delta=1e-4 * np.abs(moment).max())
+        # Ten long, of five elements.
+        self.assertEqual(s, [1, 3, 5, 7, 9][np.abs(moment).max(axis=0).argmax()])
+        self.draw("along_rod", "--time", "1.5")
+
     def test_energy(self):
         results = self.run_deck("free_flight")
         printed, _ = self.draw("energy")

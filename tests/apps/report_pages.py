@@ -43,13 +43,54 @@ quantities = ["position", "velocity"]
 STATIC = ROD.replace('"dynamic"\nend_time = 2.0\ntime_step = 0.02', '"static"\nsteps = 8').replace(
     'fix = "position"', 'fix = "all"').replace("every = 5", "every = 1").replace('"4*sin(2*t)"', "2").replace(
     ', "velocity"', "")
+# Two rods that meet in a corner; a matrix over several lines; a point relative to another; forces in N, lengths in mm.
+FRAME = """title = "A frame"
+units = "mm t s"
+[section.s]
+stiffness_matrix = [
+  [4e5, 0, 0, 0, 0, 0],
+  [0, 4e5, 0, 0, 0, 0],
+  [0, 0, 4e5, 0, 0, 0],
+  [0, 0, 0, 4e8, 0, 0],
+  [0, 0, 0, 0, 4e8, 0],
+  [0, 0, 0, 0, 0, 4e8],
+]
+[rod.leg]
+section = "s"
+line = { from = [0, 0, 0], to = [0, 2000, 0] }
+elements = 4
+[rod.beam]
+section = "s"
+line = { from = [0, 2000, 0], to = [900, 2000, 0] }
+elements = 4
+[[connect]]
+points = ["leg.end", "beam.start"]
+[[support]]
+at = "leg.start"
+fix = "all"
+[[load]]
+at = "beam.end"
+force = [1e2, 0, 2e-9]
+[analysis]
+kind = "static"
+steps = 4
+[[history]]
+name = "tip"
+at = "beam.end"
+quantities = ["position", "displacement"]
+relative_to = "leg.end"
+[[history]]
+name = "foot"
+at = "leg.start"
+quantities = ["reaction_moment", "reaction_force"]
+"""
 # From t = 0.5 the force is a billion times too large.
 FAILING = ROD.replace('"4*sin(2*t)"', '"t < 0.5 ? 1 : 1e10"')
 MARK = "document.documentElement.dataset.evil = 1"
 EVIL_TEXT = f"</script><script>{MARK}</script><img src=x onerror='{MARK}'>"
 EVIL = ROD.replace("A swinging rod", EVIL_TEXT).replace("m kg s", EVIL_TEXT) + f"# {EVIL_TEXT} <!-- <script>\n"
 EVIL_NAME = f"<img src=x onerror={MARK.replace(' ', '')}>"
-DECKS = {"rod": ROD, "static": STATIC, "failing": FAILING, "body": SPINNING_BODY, EVIL_NAME: EVIL}
+DECKS = {"rod": ROD, "static": STATIC, "failing": FAILING, "body": SPINNING_BODY, "frame": FRAME, EVIL_NAME: EVIL}
 
 
 class PageTest(unittest.TestCase):
@@ -100,7 +141,7 @@ class PageTest(unittest.TestCase):
     def cursor(self, chart=0):
         """Where the line of the present time is in a chart, as a part of its width."""
         return self.browser.run("""
-            const over = document.querySelectorAll('.chart .u-over')[arguments[0]];
+            const over = document.querySelectorAll(".chart:not(.along) .u-over")[arguments[0]];
             return new DOMMatrix(getComputedStyle(over.querySelector('.now')).transform).m41 / over.clientWidth;""", chart)
 
 

@@ -1,10 +1,12 @@
 """The picture, the charts and the looks of the page of gxrod report, in a browser."""
 
+import io
 import unittest
 
 import h5py
 import numpy as np
 from browser import PHONE
+from PIL import Image
 from report_pages import PageTest, set_up_pages
 
 
@@ -28,11 +30,18 @@ class Picture(PageTest):
         self.assertEqual(self.browser.take_errors(), [])
 
     def test_plays_and_pauses(self):
-        self.open("rod")
+        def come_back(file):
+            file["VTKHDF/PointData/displacement"][-5 * 13:] = 0.0
+        self.make_changed_page("back", come_back)
+        self.open("back")
         position = lambda: int(self.browser.run("return document.getElementById('time-slider').value"))
-        self.assertEqual(position(), 0)
+        with h5py.File(self.folder / "back.vtkhdf") as file:
+            moved = np.linalg.norm(file["VTKHDF/PointData/displacement"][:], axis=1).reshape(21, -1).max(axis=1)
+        opened = position()
+        self.assertEqual(opened, moved.argmax(), "it does not open where the rod has moved most")
+        self.assertGreater(opened, 4)
         self.browser.run("document.getElementById('play').click()")
-        self.browser.wait(lambda: position() >= 2)
+        self.browser.wait(lambda: 2 <= position() < opened)  # from the start
         self.browser.run("document.getElementById('play').click()")
         stopped = position()
         self.browser.settle()
@@ -98,6 +107,64 @@ class Picture(PageTest):
         self.assertIn("Supports, loads, sections and shapes of bodies are not shown: ", self.text("#model"))
         self.assertEqual(self.browser.take_errors(), [])
 
+    def coloured(self, colour):
+        """Where pixels of the whole canvas are of about a hue, as parts of its width and height: least and largest."""
+        png = self.browser.driver.find_element("css selector", "#canvas").screenshot_as_png
+        pixels = np.asarray(Image.open(io.BytesIO(png)).convert("RGB")).astype(float)
+        wanted = np.array(colour) / np.linalg.norm(colour)
+        norm = np.maximum(np.linalg.norm(pixels, axis=2), 1.0)
+        near = (pixels @ wanted / norm > 0.985) & (pixels.max(axis=2) - pixels.min(axis=2) > 70)
+        rows, columns = np.nonzero(near)
+        self.assertGreater(len(rows), 20, "no pixel of that colour")
+        return [columns.min() / near.shape[1], columns.max() / near.shape[1]], [rows.min() / near.shape[0], rows.max() / near.shape[0]]
+
+    def test_shows_arrows_of_loads_whole(self):
+        self.open("frame")
+        self.browser.run("const c = document.getElementById('quantity'); c.value = ''; c.dispatchEvent(new Event('change'));"
+                         "document.querySelector('.corner').hidden = true; document.querySelector('.top').style.visibility = 'hidden'")
+        self.browser.settle()
+        across, _ = self.coloured((224, 114, 42))
+        self.assertLess(across[1], 0.98, "an arrow leaves the picture")
+        self.assertGreater(across[1], 0.6)
+
+    def test_keeps_the_legend_off_the_model(self):
+        for name in ("frame", "rod"):
+            self.open(name)
+            legend = self.browser.run("const t = document.querySelector('.top').getBoundingClientRect();"
+                                      "const c = document.getElementById('canvas').getBoundingClientRect();"
+                                      "return (t.bottom - c.top) / c.height")
+            self.hide_all_but_parts()
+            self.browser.run("document.querySelector('.top').style.visibility = 'hidden';"
+                             "document.querySelector('.corner').style.visibility = 'hidden'")
+            self.browser.settle()
+            png = self.browser.driver.find_element("css selector", "#canvas").screenshot_as_png
+            pixels = np.asarray(Image.open(io.BytesIO(png)).convert("RGB")).astype(int)
+            background = np.median(pixels.reshape(-1, 3), axis=0)
+            rows = np.nonzero((np.abs(pixels - background).max(axis=2) > 40).any(axis=1))[0]
+            self.assertGreater(rows.min() / len(pixels), legend - 0.01, name)
+
+    def test_leaves_no_slit_where_rods_meet(self):
+        """Around the corner of thick rods, lines from it to all sides but the inner one cross the rods' colour first."""
+        self.open("frame")
+        self.hide_all_but_parts()
+        self.browser.run("const c = document.getElementById('quantity'); c.value = ''; c.dispatchEvent(new Event('change'));"
+                         "const s = document.getElementById('scale'); s.value = '0'; s.dispatchEvent(new Event('change'));"
+                         "const t = document.getElementById('thickness'); t.value = '2'; t.dispatchEvent(new Event('input'));"
+                         "for (const o of document.querySelectorAll('.overlay')) o.style.visibility = 'hidden'")
+        self.browser.settle()
+        png = self.browser.driver.find_element("css selector", "#canvas").screenshot_as_png
+        pixels = np.asarray(Image.open(io.BytesIO(png)).convert("RGB")).astype(int)
+        rod = np.abs(pixels - np.median(pixels.reshape(-1, 3), axis=0)).max(axis=2) > 25
+        rod[int(0.85 * len(rod)):] = False  # the axes in the corner
+        rows, columns = np.nonzero(rod)
+        top, left = rows.min(), columns.min()
+        leg = rod[int(0.5 * (rows.min() + rows.max()))]
+        width = leg.sum()
+        self.assertGreater(width, 20)
+        # The outer corner: of a square as wide as the rods, a quarter of a disc is covered, not just two of its sides.
+        corner = rod[top:top + width // 2, left:left + width // 2]
+        self.assertGreater(corner.mean(), 0.7, "there is a slit where the rods meet")
+
     def test_shows_bodies(self):
         self.open("body")
         self.hide_all_but_parts()
@@ -111,7 +178,7 @@ class Charts(PageTest):
         self.slide(5)
         self.assertAlmostEqual(self.cursor(), 0.25, delta=0.01)
         self.browser.run("""
-            const over = document.querySelectorAll('.chart .u-over')[1];
+            const over = document.querySelectorAll('.chart:not(.along) .u-over')[1];
             const box = over.getBoundingClientRect();
             over.dispatchEvent(new PointerEvent('pointerdown', {clientX: box.left + 0.75 * box.width,
                 clientY: box.top + 10, pointerId: 1, bubbles: true}));""")
@@ -123,7 +190,7 @@ class Charts(PageTest):
         self.slide(12)
         with h5py.File(self.folder / "rod.vtkhdf") as file:
             expected = file["ledger/kinetic_energy"][60]
-        self.assertAlmostEqual(float(self.text(".chart .value")), expected, delta=1e-3 * expected)
+        self.assertAlmostEqual(float(self.text(".chart:not(.along) .value")), expected, delta=1e-3 * expected)
 
     def test_are_there_for_all_that_was_recorded(self):
         self.open("rod")
@@ -135,6 +202,115 @@ class Charts(PageTest):
         self.assertNotIn("Linear momentum", titles)
         self.assertEqual(self.text("#time-text"), "λ = 1")
         self.assertEqual(self.browser.take_errors(), [])
+
+
+    def headings(self):
+        return self.browser.run("return [...document.querySelectorAll('.chart h3')].map((h) => h.textContent)")
+
+    def test_tell_units_and_axes(self):
+        self.open("frame")
+        self.assertEqual([heading for heading in self.headings() if ":" in heading],
+                         ["foot: reaction forceN, spatial axes", "foot: reaction momentN·mm, spatial axes",
+                          "tip: displacementmm, axes of leg.end", "tip: positionmm, axes of leg.end"])
+        self.assertIn("EnergiesN·mm", self.headings())
+        self.assertEqual(self.text("#legend-text"), "element middles, over all frames, N·mm")
+        self.assertIn("N·mm; over arc length, mm; element middles", self.text(".along"))
+
+    def test_show_round_off_as_a_flat_line(self):
+        """Of a force of 100 in the plane, what is left out of it is round-off: alone in its chart, it must not fill it."""
+        self.open("frame")
+        with h5py.File(self.folder / "frame.vtkhdf") as file:
+            force = np.abs(file["histories/foot/reaction_force"][()]).max(axis=0)
+        self.assertLess(force[2], 1e-6 * force[0])
+        self.assertGreater(force[2], 0.0)
+        find = ("const chart = [...document.querySelectorAll('.chart')].find((c) => "
+                "c.querySelector('h3')?.textContent.startsWith('foot: reaction force'));")
+        self.browser.run(f"{find} chart.scrollIntoView();")
+        self.browser.wait(lambda: self.browser.run(f"{find} return Boolean(chart.querySelector('canvas'))"))
+        heights = []
+        for alone in range(3):
+            # What is not of the background or of grey, in the part within the axes.
+            heights.append(self.browser.run(f"""{find}
+                [...chart.querySelectorAll('.key')].forEach((key, i) => {{
+                    if ((key.getAttribute('aria-pressed') === 'true') !== (i === arguments[0])) key.click();
+                }});
+                return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => {{
+                    const canvas = chart.querySelector('canvas');
+                    const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+                    let [top, bottom] = [canvas.height, 0];
+                    for (let y = 0; y < canvas.height; y++) {{
+                        for (let x = 0; x < canvas.width; x++) {{
+                            const [r, g, b, a] = data.subarray(4 * (y * canvas.width + x));
+                            if (a < 128 || Math.max(r, g, b) - Math.min(r, g, b) < 60) continue;
+                            [top, bottom] = [Math.min(top, y), Math.max(bottom, y)];
+                        }}
+                    }}
+                    done((bottom - top) / canvas.height);
+                }})));""", alone))
+        self.assertGreater(heights[0], 0.4, "the force is not drawn")
+        self.assertGreater(heights[2], 0.0, "nothing is drawn")
+        self.assertLess(heights[2], 0.08, "round-off is drawn at full height")
+
+
+class AlongRod(PageTest):
+    def choose(self, label, value):
+        self.browser.run("const menu = document.querySelector(`.along [aria-label=${arguments[0]}]`); menu.value = arguments[1];"
+                         "menu.dispatchEvent(new Event('change'))", label, value)
+        self.browser.settle()
+
+    def test_is_chosen_by_rod_quantity_and_component(self):
+        self.open("frame")
+        options = lambda label: self.browser.run(
+            "return [...document.querySelector(`.along [aria-label=${arguments[0]}]`).options].map((o) => o.textContent)", label)
+        self.assertEqual(options("Rod"), ["leg", "beam"])
+        self.assertEqual(options("Component"), ["torque", "bending about y", "bending about z", "magnitude"])
+        self.assertIn("λ = 1", self.text(".along"))
+        before = self.canvas()
+        self.choose("Rod", "1")
+        other = self.canvas()
+        self.assertGreater(np.abs(before - other).max(), 60)
+        self.choose("Quantity", "displacement")
+        self.assertIn("mm; over arc length, mm; nodes", self.text(".along"))
+        self.slide(1)
+        self.assertIn("λ = 0.25", self.text(".along"))
+        self.assertGreater(np.abs(other - self.canvas()).max(), 60)
+        self.assertEqual(self.browser.take_errors(), [])
+
+    def canvas(self):
+        png = self.browser.driver.find_element("css selector", ".along canvas").screenshot_as_png
+        return np.asarray(Image.open(io.BytesIO(png)).convert("RGB")).astype(int)
+
+    def test_has_the_range_over_time_and_the_present_values(self):
+        self.open("rod")
+        self.slide(7)
+        # The plot's own numbers are those of the file.
+        s, largest, least, present = self.browser.run("return document.querySelector('.along .chart-body').plotted().map((c) => [...c])")
+        with h5py.File(self.folder / "rod.vtkhdf") as file:
+            moment = file["VTKHDF/CellData/moment"][()].reshape(21, 6, 3)
+            arc_length = file["VTKHDF/CellData/arc_length"][()]
+        component = np.abs(moment).max(axis=(0, 1)).argmax()
+        np.testing.assert_allclose(s, arc_length, rtol=1e-6)
+        np.testing.assert_allclose(largest, moment[..., component].max(axis=0), rtol=1e-6, atol=1e-6)
+        np.testing.assert_allclose(least, moment[..., component].min(axis=0), rtol=1e-6, atol=1e-6)
+        np.testing.assert_allclose(present, moment[7, :, component], rtol=1e-6, atol=1e-6)
+
+    def test_is_not_there_without_rods_or_their_model(self):
+        self.open("body")
+        self.assertFalse(self.browser.run("return Boolean(document.querySelector('.along'))"))
+
+
+class Decks(PageTest):
+    def test_show_headings_where_there_are_some(self):
+        self.open("frame")
+        self.browser.run("document.querySelector('[aria-controls=deck]').click()")
+        headings = self.browser.run("return [...document.querySelectorAll('.toml-heading')].map((h) => h.textContent)")
+        with open(self.folder / "frame.toml", encoding="utf-8") as deck:
+            expected = [line.strip() for line in deck if line.startswith("[")]
+        self.assertEqual(headings, expected)
+        self.assertGreater(len(headings), 7)
+        numbers = self.browser.run("return [...document.querySelectorAll('.toml-number')].map((n) => n.textContent)")
+        self.assertEqual(numbers[:3], ["4e5", "0", "0"])
+        self.assertIn("from", self.browser.run("return [...document.querySelectorAll('.toml-key')].map((n) => n.textContent)"))
 
 
 class Looks(PageTest):

@@ -82,20 +82,20 @@ class Resumed(PageTest):
     def chart(self, title):
         """Number of the chart, scrolled into sight and so drawn."""
         number = self.browser.run("""
-            const charts = [...document.querySelectorAll('.chart')];
+            const charts = [...document.querySelectorAll('.chart:not(.along)')];
             const number = charts.findIndex((chart) => chart.querySelector('h3').textContent.startsWith(arguments[0]));
             charts[number].scrollIntoView();
             return number;""", title)
         self.browser.wait(lambda: self.browser.run(
-            "return document.querySelectorAll('.chart')[arguments[0]].querySelector('canvas') !== null", number))
+            "return document.querySelectorAll('.chart:not(.along)')[arguments[0]].querySelector('canvas') !== null", number))
         self.browser.settle()
         return number
 
     def drawn_columns(self, number, halves):
         """Pixels of coloured lines in the left and the right part of a chart, off its middle."""
         return self.browser.run("""
-            const canvas = document.querySelectorAll('.chart canvas')[arguments[0]];
-            const over = document.querySelectorAll('.chart .u-over')[arguments[0]];
+            const canvas = document.querySelectorAll('.chart:not(.along) canvas')[arguments[0]];
+            const over = document.querySelectorAll('.chart:not(.along) .u-over')[arguments[0]];
             const scale = canvas.width / canvas.clientWidth;
             const context = canvas.getContext('2d');
             return arguments[1].map(([from, to]) => {
@@ -112,7 +112,7 @@ class Resumed(PageTest):
 
     def values(self, number):
         return self.browser.run("""
-            return [...document.querySelectorAll('.chart')[arguments[0]].querySelectorAll('.value')].map((v) => v.textContent)""",
+            return [...document.querySelectorAll('.chart:not(.along)')[arguments[0]].querySelectorAll('.value')].map((v) => v.textContent)""",
             number)
 
     def test_steps_that_were_not_recorded_are_gaps(self):

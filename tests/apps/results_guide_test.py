@@ -15,7 +15,7 @@ class Examples(unittest.TestCase):
     def test_examples(self):
         guide = GUIDE.read_text(encoding="utf-8")
         examples = re.findall(r"^```python\n(.*?)^```", guide, re.MULTILINE | re.DOTALL)
-        self.assertEqual(len(examples), 2)
+        self.assertEqual(len(examples), 3)
         with tempfile.TemporaryDirectory() as folder:
             environment = dict(os.environ, GXROD_PLOT_SAMPLE=f"{folder}/flyer.vtkhdf", MPLBACKEND="Agg")
             subprocess.run([os.environ["GXROD_TESTS"], "[.plot-sample]"], env=environment, check=True,
@@ -25,6 +25,9 @@ class Examples(unittest.TestCase):
                        for example in examples]
             self.assertEqual(outputs[0], "Swaying spring and spinning top complete end_time reached\n")
             self.assertIn("at t = 10.0 the first rod's start is at [1. 0. 0.]", outputs[1])
+            lines = outputs[2].splitlines()
+            self.assertEqual(lines[0], "along spring")
+            self.assertEqual(len(lines), 1 + 60)
             self.assertTrue((Path(folder) / "tip.png").exists())
 
 

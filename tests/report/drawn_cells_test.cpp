@@ -35,6 +35,22 @@ TEST_CASE("Elements in a line are joined, with the data of the middle one", "[re
     CHECK(join_cells(make_line(10), 1, std::vector<bool>(11, false)).size() == 10);
 }
 
+TEST_CASE("Joined elements keep their places along the rod, and end with it", "[report]") {
+    std::vector<DrawnCell> cells = make_line(6);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const double s = i < 4 ? 0.5 * static_cast<double>(i) : 0.5 * static_cast<double>(i - 4);
+        cells[i].rod = i < 4 ? 0 : 1;
+        cells[i].arc_length = {s, s + 0.5};
+        cells[i].middle = s + 0.25;
+    }
+    const std::vector<DrawnCell> joined = join_cells(cells, 3, std::vector<bool>(7, false));
+    CHECK(ends_of(joined) == Ends{{0, 3}, {3, 4}, {4, 6}});
+    CHECK(joined[0].arc_length == std::vector{0.0, 1.5});
+    CHECK(joined[0].middle == 0.75);
+    CHECK(joined[2].rod == 1);
+    CHECK(joined[2].arc_length == std::vector{0.0, 1.0});
+}
+
 TEST_CASE("Nodes to keep, corners, other radii and branches end a piece", "[report]") {
     std::vector<bool> kept(12, false);
     std::vector<DrawnCell> cells = make_line(10);

@@ -129,6 +129,11 @@ bool is_complete(const std::filesystem::path& path) {
     for (const std::string& dataset : file.datasets()) {
         const bool is_step_row = dataset.starts_with("/histories") || dataset.starts_with("/ledger") ||
                                  dataset.starts_with("/solver");
+        // Where cells and points lie along rods stands there once.
+        const std::string name = dataset.substr(dataset.rfind('/') + 1);
+        if (!dataset.starts_with("/VTKHDF/Steps") &&
+            (name == "rod" || name == "element" || name == "arc_length"))
+            continue;
         const bool is_point_row = dataset.starts_with("/VTKHDF/PointData") ||
                                   dataset.starts_with("/VTKHDF/CellData") || dataset == "/VTKHDF/Points";
         const bool is_frame_row = dataset.starts_with("/VTKHDF/Steps");

@@ -41,8 +41,14 @@ TEST_CASE("A changed bit of any row is told", "[results]") {
 }
 
 TEST_CASE("A changed bit of what is written once is told", "[results]") {
-    for (const char* dataset :
-         {"/VTKHDF/NumberOfCells", "/VTKHDF/Connectivity", "/VTKHDF/Types", "/deck/meshes/cable.msh"}) {
+    for (const char* dataset : {"/VTKHDF/NumberOfCells",
+                                "/VTKHDF/Connectivity",
+                                "/VTKHDF/Types",
+                                "/deck/meshes/cable.msh",
+                                "/VTKHDF/CellData/rod",
+                                "/VTKHDF/PointData/arc_length",
+                                "/rods/first_cell",
+                                "/rods/arc_length"}) {
         const sample::WrittenFile written;
         written.change_number(dataset, 0);
         CHECK(written.changes() == std::vector{sample::structure_changed});
@@ -54,6 +60,14 @@ TEST_CASE("A changed bit of what is written once is told", "[results]") {
     };
     CHECK(rename("/histories/middle", "/histories/niddle") == std::vector{sample::structure_changed});
     CHECK(rename("/ledger/time", "/ledger/tame") == std::vector{sample::structure_changed});
+    const sample::WrittenFile renamed;
+    renamed.change([](hid_t file) {
+        const Hdf5Handle names(H5Dopen2(file, "/rods/name", H5P_DEFAULT), H5Dclose, "opening");
+        const Hdf5Handle type(H5Dget_type(names.id()), H5Tclose, "type");
+        const char* name = "team";
+        H5Dwrite(names.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, static_cast<const void*>(&name));
+    });
+    CHECK(renamed.changes() == std::vector{sample::structure_changed});
     const auto rewrite = [](const char* object, const char* name, const char* text) {
         const sample::WrittenFile written;
         written.change([&](hid_t file) {

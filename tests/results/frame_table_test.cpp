@@ -1,5 +1,7 @@
 #include "results/frame_table.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 
 #include "results/hdf5_reader.hpp"
@@ -70,6 +72,35 @@ TEST_CASE("Frames have the form that VTK asks for", "[results]") {
         CHECK(file.numbers(std::string("/VTKHDF/Steps/CellDataOffsets/") + name) == Numbers{0, 4, 8});
         CHECK(file.size(std::string("/VTKHDF/CellData/") + name)[0] == 12);
     }
+}
+
+TEST_CASE("Where cells and points lie along rods stands there once for all frames", "[results]") {
+    const sample::ScratchFolder folder;
+    const Hdf5Reader file = write_frames(folder);
+    using Numbers = std::vector<double>;
+    CHECK(file.numbers("/VTKHDF/CellData/rod") == Numbers{0, 0, -1, -1});
+    CHECK(file.numbers("/VTKHDF/CellData/element") == Numbers{0, 1, -1, -1});
+    CHECK(file.numbers("/VTKHDF/CellData/arc_length") == Numbers{0.5, 1.5, 0.0, 0.0});
+    CHECK(file.numbers("/VTKHDF/PointData/rod") == Numbers{0, 0, 0, -1});
+    CHECK(file.numbers("/VTKHDF/PointData/element") == Numbers{0, 0, 1, -1});
+    CHECK(file.numbers("/VTKHDF/PointData/arc_length") == Numbers{0.0, 1.0, 2.0, 0.0});
+    for (const char* group : {"CellDataOffsets", "PointDataOffsets"}) {
+        for (const char* name : {"rod", "element", "arc_length"})
+            CHECK(file.numbers(fmt::format("/VTKHDF/Steps/{}/{}", group, name)) == Numbers{0, 0, 0});
+    }
+}
+
+TEST_CASE("A file without rods has no table of them", "[results]") {
+    const sample::ScratchFolder folder;
+    Model model = sample::make_model();
+    model.rods.clear();
+    model.sections.clear();
+    ResultsFile results({folder / "bodies.vtkhdf"}, sample::make_deck(), model, OutputSettings{});
+    results.write_frame(Motion(0.0).snapshot());
+    results.close(RunStatus::complete, "");
+    const Hdf5Reader file(folder / "bodies.vtkhdf");
+    CHECK_FALSE(file.has("/rods"));
+    CHECK(file.numbers("/VTKHDF/CellData/rod") == std::vector<double>{-1, -1});
 }
 
 TEST_CASE("The points of a frame carry their motion and axes", "[results]") {

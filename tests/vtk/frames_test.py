@@ -59,7 +59,7 @@ class Frames(ProgramTest):
 
     def assert_is_frame(self, grid, step, frame):
         def rows(dataset, count):
-            return dataset[step * count:(step + 1) * count]
+            return dataset[step * count:(step + 1) * count] if dataset.maxshape[0] is None else dataset[()]
 
         points, cells = grid["NumberOfPoints"][0], grid["NumberOfCells"][0]
         self.assertEqual((frame.GetNumberOfPoints(), frame.GetNumberOfCells()), (points, cells))
@@ -127,6 +127,23 @@ class Frames(ProgramTest):
                     self.assertAlmostEqual(off / distances[order], 1.0, delta=0.01)
                     nodes = curve_of(frames[0], cell, np.linspace(0, 1, order + 1))
                     np.testing.assert_allclose(np.linalg.norm(nodes, axis=1), RADIUS, atol=1e-13)
+
+    def test_cells_and_points_know_their_place_along_the_rods(self):
+        for _, order, element in CASES:
+            _, frames = self.run_deck("moving", order, element)
+            for frame in frames:  # the same at all times
+                cells, points = arrays_of(frame.GetCellData()), arrays_of(frame.GetPointData())
+                np.testing.assert_array_equal(cells["rod"], [0, 0, 0, 1, 1, 2, -1, -1])
+                np.testing.assert_array_equal(cells["element"], [0, 1, 2, 0, 1, 0, -1, -1])
+                third = RADIUS * np.pi / 6
+                np.testing.assert_allclose(cells["arc_length"][:3], third * np.array([0.5, 1.5, 2.5]), rtol=1e-12)
+                arc = points["rod"] == 0
+                self.assertEqual(arc.sum(), 3 * order + 1)
+                positions = points_of(frames[0])[arc]
+                angle = np.arctan2(positions[:, 1], positions[:, 0])
+                along = points["arc_length"][arc] / RADIUS
+                np.testing.assert_allclose(np.minimum(np.abs(along - angle), np.abs(along - np.pi / 2 + angle)), 0, atol=1e-12)
+                self.assertEqual(points["arc_length"][-1], 0.0)
 
     def test_a_ball_falls_and_spins(self):
         reader, frames = self.run_deck("moving", 2, "objective")

@@ -1,14 +1,18 @@
 import uPlot from "uplot";
 import { find, make } from "./elements.js";
 import { formatNumber, inWords } from "./format.js";
+import { axesOptions, largestSize, rangeAround, widen } from "./plot_axes.js";
 import { readTheme } from "./theme.js";
+import { unitOf } from "./units.js";
 
 const height = 168;
 
 // One chart with its values at the clock's time; pressing or dragging in it moves the clock.
 export class Chart {
-  constructor(chart, times, clock, timeName) {
+  constructor(chart, times, clock, { timeName, units, leastHeight }) {
     this.chart = chart;
+    this.units = units;
+    this.leastHeight = leastHeight;
     this.times = times;
     this.clock = clock;
     this.timeName = timeName;
@@ -27,22 +31,20 @@ export class Chart {
 
   // Names of histories stay as the deck has them.
   makeTitle() {
-    const { title, group } = this.chart;
-    const start = group === "history" ? title.indexOf(": ") + 2 : 0;
-    return title.slice(0, start) + inWords(title.slice(start));
+    const { title, quantity } = this.chart;
+    return quantity ? `${title}: ${inWords(quantity)}` : title;
   }
 
   makeUnit() {
     const { dimension, frame } = this.chart;
-    const words = [dimension === "1" ? "" : dimension, frame === "none" ? "" : `${frame} axes`].filter(Boolean);
-    return make("small", {}, words.join(", ").replace("axes of", "axes of").replace(/^(axes of .*) axes$/, "$1"));
+    return make("small", {}, [unitOf(dimension, this.units), axesInWords(frame)].filter(Boolean).join(", "));
   }
 
   // A label with its value, that shows and hides its line.
   makeKey(label, i) {
     const key = make("button", { className: "key", type: "button" }, make("i"), inWords(label), this.values[i]);
     key.style.setProperty("--series", `var(--series-${(i % 4) + 1})`);
-    const isHidden = (label === "magnitude" && hidesMagnitude(this.chart.title)) || this.isNothing(i);
+    const isHidden = (label === "magnitude" && hasNoMagnitude.has(this.chart.quantity)) || this.isNothing(i);
     key.setAttribute("aria-pressed", String(!isHidden));
     key.addEventListener("click", () => {
       const isShown = key.getAttribute("aria-pressed") !== "true";
@@ -74,13 +76,7 @@ export class Chart {
 
   options(width) {
     const theme = () => readTheme();
-    const axis = {
-      stroke: () => theme().muted,
-      grid: { stroke: () => theme().line, width: 1 },
-      ticks: { show: false },
-      font: `11px ${getComputedStyle(document.body).fontFamily}`,
-      values: (plot, ticks) => ticks.map((tick) => (tick === null ? "" : formatNumber(tick, 6))),
-    };
+    const range = (plot, least, largest) => rangeAround(least, largest, this.leastHeight);
     return {
       width,
       height,
@@ -88,11 +84,8 @@ export class Chart {
       cursor: { show: false },
       pxAlign: 0,
       padding: [10, 10, 0, 0],
-      scales: { x: { time: false, range: (plot, least, largest) => widen(least, largest) }, y: { range: rangeOf } },
-      axes: [
-        { ...axis, size: 26, gap: 4 },
-        { ...axis, size: (plot, ticks) => 16 + 6.2 * Math.max(3, ...(ticks ?? []).map((tick) => String(tick).length)), gap: 4 },
-      ],
+      scales: { x: { time: false, range: (plot, least, largest) => widen(least, largest) }, y: { range } },
+      axes: axesOptions(),
       series: [
         { label: this.timeName },
         ...this.chart.labels.map((label, i) => ({
@@ -137,18 +130,26 @@ export class Chart {
   }
 }
 
-const hidesMagnitude = (title) => /position|orientation|quaternion|centre_of_mass/.test(title);
+// Whose magnitudes say nothing.
+const hasNoMagnitude = new Set(["position", "orientation", "quaternion", "centre_of_mass"]);
 
-function widen(least, largest) {
-  return least < largest ? [least, largest] : [least - 0.5, largest + 0.5];
+// "spatial" and "material" axes, those of a point ("axes of hub.start"), or none.
+function axesInWords(frame) {
+  if (frame === "none") return "";
+  return frame === "spatial" || frame === "material" ? `${frame} axes` : frame;
 }
 
-// Around what there is, with room above and below; round-off about a constant stays a flat line.
-function rangeOf(plot, least, largest) {
-  if (least === null) return [0, 1];
-  const size = Math.max(Math.abs(least), Math.abs(largest));
-  const margin = Math.max(0.06 * (largest - least), 1e-6 * size);
-  return size === 0 ? [-1, 1] : [least - margin, largest + margin];
+// What is less beside a vector's magnitude, or an energy's imbalance beside the energies, is round-off: numbers in a page have
+// seven digits, and equilibria are found to some eight.
+const roundOff = 1e-6;
+const imbalanceRoundOff = 1e-8;
+
+// Heights below which charts show flat lines.
+function listLeastHeights(charts) {
+  const energies = charts.filter(({ group }) => group === "energy").map(({ columns }) => largestSize(columns));
+  return charts.map(({ group, columns }) =>
+    Math.max(roundOff * largestSize(columns), group === "energy" ? imbalanceRoundOff * Math.max(...energies) : 0),
+  );
 }
 
 function nearest(times, time) {
@@ -165,9 +166,13 @@ function nearest(times, time) {
 const headings = { energy: "Energy", history: "Histories", momentum: "Momentum", solver: "Solver" };
 
 // All charts under headings; each is drawn when it comes into sight.
-export function showCharts(data, clock, timeName) {
-  const charts = data.info.charts.map((chart) => new Chart(chart, data.stepTimes, clock, timeName));
+export function showCharts(data, clock, { timeName, units, along }) {
+  const heights = listLeastHeights(data.info.charts);
+  const charts = data.info.charts.map(
+    (chart, i) => new Chart(chart, data.stepTimes, clock, { timeName, units, leastHeight: heights[i] }),
+  );
   const panel = find("charts");
+  if (along) panel.append(along.element);
   if (data.stepTimes.length === 0) {
     panel.append(make("p", { className: "note" }, "The run has no step, so there is nothing to draw over time."));
     return charts;

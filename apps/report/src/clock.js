@@ -4,6 +4,7 @@ export class Clock {
     this.times = times;
     this.position = 0;
     this.playing = false;
+    this.isOpening = false;
     this.rate = 1;
     this.unitsPerSecond = chooseSpeed(times, isStatic);
     this.listeners = [];
@@ -28,7 +29,14 @@ export class Clock {
     for (const listener of this.listeners) listener(this);
   }
 
+  // Where a page opens; it plays from the start all the same.
+  openAt(frame) {
+    this.goToFrame(frame);
+    this.isOpening = true;
+  }
+
   goToFrame(frame) {
+    this.isOpening = false;
     this.position = Math.max(0, Math.min(this.last, Math.round(frame)));
     this.tell();
   }
@@ -58,7 +66,8 @@ export class Clock {
 
   play() {
     if (this.last < 1) return;
-    if (this.position >= this.last) this.position = 0;
+    if (this.position >= this.last || this.isOpening) this.position = 0;
+    this.isOpening = false;
     this.playing = true;
     let before = performance.now();
     const advance = (now) => {

@@ -1,26 +1,10 @@
 import { find, make } from "./elements.js";
 import { formatNumber, inWords } from "./format.js";
-
-const sectionForce = ["axial", "shear y", "shear z"];
-const componentNames = {
-  force: sectionForce,
-  moment: ["torque", "bending about y", "bending about z"],
-  strain: sectionForce,
-  curvature: ["twist", "bending about y", "bending about z"],
-};
-const dimensions = {
-  displacement: "length",
-  rotation_vector: "angle",
-  velocity: "length/time",
-  angular_velocity: "angle/time",
-  force: "force",
-  moment: "force·length",
-  strain: "",
-  curvature: "angle/length",
-};
+import { componentsOf, dimensionOf } from "./quantities.js";
+import { unitOf } from "./units.js";
 
 // The menus that choose what colours the rods, and the legend.
-export function bindColouring(data, picture) {
+export function bindColouring(data, picture, units) {
   const quantity = find("quantity");
   const component = find("component");
   quantity.append(make("option", { value: "" }, "plain"));
@@ -30,14 +14,14 @@ export function bindColouring(data, picture) {
   quantity.value = hasRods && data.quantities.moment ? "moment" : "";
 
   const listComponents = () => {
-    const names = componentNames[quantity.value] ?? ["x", "y", "z"];
+    const names = componentsOf(quantity.value);
     component.replaceChildren(
       make("option", { value: "3" }, "magnitude"),
       ...names.map((name, i) => make("option", { value: String(i) }, name)),
     );
     component.hidden = quantity.value === "";
   };
-  const apply = () => showLegend(picture.colourBy(quantity.value, Number(component.value || 3)), quantity.value);
+  const apply = () => showLegend(picture.colourBy(quantity.value, Number(component.value || 3)), data.quantities[quantity.value]?.of === "cell", unitOf(dimensionOf(quantity.value), units));
   quantity.addEventListener("change", () => {
     listComponents();
     apply();
@@ -47,14 +31,12 @@ export function bindColouring(data, picture) {
   apply();
 }
 
-function showLegend(scale, name) {
+function showLegend(scale, isOfCells, unit) {
   find("legend").hidden = !scale;
   if (!scale) return;
   find("legend-bar").style.background = scale.gradient();
   const middle = 0.5 * (scale.least + scale.largest);
   const ticks = [scale.least, middle, scale.largest].map((value) => make("span", {}, formatNumber(value, 3)));
   find("legend-ticks").replaceChildren(...ticks);
-  const dimension = dimensions[name] ? `, ${dimensions[name]}` : "";
-  const where = name in componentNames ? "element middles, " : "";
-  find("legend-text").textContent = `${where}over all frames${dimension}`;
+  find("legend-text").textContent = [isOfCells ? "element middles" : "", "over all frames", unit].filter(Boolean).join(", ");
 }

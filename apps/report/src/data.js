@@ -28,8 +28,8 @@ function readSteps(charts) {
   return times;
 }
 
-// { info, times, reference, connectivity, offsets, axes, radii, arrows, quantities: {name: {of, values}},
-//   stepTimes }: vectors are three numbers each, frame after frame; `of` is "node" or "cell".
+// { info, times, reference, connectivity, offsets, axes, radii, cellRods, middles, arcLengths, arrows,
+//   quantities: {name: {of, values}}, stepTimes }: vectors are three numbers each, frame after frame; `of` is "node" or "cell".
 export function readData() {
   const info = JSON.parse(document.getElementById("report").textContent);
   const quantities = {};
@@ -44,6 +44,9 @@ export function readData() {
     offsets: decode("offsets", Int32Array),
     axes: decode("axes", Float32Array),
     radii: decode("radii", Float32Array),
+    cellRods: decode("cell-rods", Int32Array),
+    middles: decode("middles", Float32Array),
+    arcLengths: decode("arc-lengths", Float32Array),
     arrows: decode("arrows", Float32Array),
     stepTimes: readSteps(info.charts),
   };

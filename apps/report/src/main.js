@@ -1,3 +1,4 @@
+import { Along } from "./along.js";
 import { showCharts } from "./chart.js";
 import { Clock } from "./clock.js";
 import { bindColouring } from "./colouring.js";
@@ -5,16 +6,18 @@ import { readData } from "./data.js";
 import { showDeck } from "./deck.js";
 import { bindDisplay } from "./display.js";
 import { find } from "./elements.js";
-import { Motion } from "./motion.js";
+import { findMostMoved, Motion } from "./motion.js";
 import { Picture } from "./picture.js";
 import { bindPlayer } from "./player.js";
 import { showAbout, showFailure, showHeader, showModel } from "./story.js";
 import { bindTabs } from "./tabs.js";
 import { bindThemeButton, readTheme } from "./theme.js";
+import { readUnits } from "./units.js";
 
 const data = readData();
 const { info } = data;
 const timeName = info.is_static ? "load factor" : "time";
+const units = readUnits(info.units);
 const clock = new Clock(data.times, info.is_static);
 
 // null where the browser cannot draw in 3D.
@@ -36,12 +39,15 @@ showModel(data);
 bindTabs(find("tabs"));
 bindPlayer(clock, timeName);
 const picture = makePicture();
-const charts = showCharts(data, clock, timeName);
+const along = Along.isPossible(data) ? new Along(data, clock, units) : null;
+const charts = [...showCharts(data, clock, { timeName, units, along }), ...(along ? [along] : [])];
 showAbout(data, picture);
 if (picture) {
-  bindColouring(data, picture);
+  bindColouring(data, picture, units);
   bindDisplay(data, picture, clock);
   showFailure(info);
+  const legend = document.querySelector(".overlay.top");
+  picture.stage.covered = () => (find("colouring").hidden ? 0 : legend.offsetTop + legend.offsetHeight);
   picture.stage.resize();
   picture.resetView();
 }
@@ -50,5 +56,5 @@ bindThemeButton(find("theme"), () => {
   charts.forEach((chart) => chart.recolour());
 });
 picture?.setColours(readTheme());
-clock.goToFrame(info.status === "failed" || info.is_static ? clock.last : 0);
+clock.openAt(info.status === "failed" || info.is_static ? clock.last : findMostMoved(data));
 document.documentElement.dataset.ready = "true";

@@ -35,7 +35,7 @@ export class Picture {
   colourBy(name, component) {
     this.quantity = this.data.quantities[name];
     this.component = component;
-    this.scale = this.quantity ? new ColourScale(rangeOf(this.quantity, component)) : null;
+    this.scale = this.quantity ? new ColourScale(widenRoundOff(this.quantity, component)) : null;
     const count = this.quantity?.of === "cell" ? this.data.offsets.length - 1 : this.motion.count;
     this.values = new Float32Array(count);
     this.paint();
@@ -67,14 +67,14 @@ export class Picture {
     if (this.theme) this.colourLines();
   }
 
-  // Of all frames, bodies and thickness included.
+  // Of all frames; bodies, arrows of loads and thickness included.
   boxOfAll() {
     const [least, largest] = this.motion.bounds();
     const margin = 0.03 * this.size;
-    const paths = this.parts.bodies.bounds();
+    const others = [this.parts.bodies.bounds(), this.parts.loads.bounds()];
     return [
-      least.map((x, i) => Math.min(x - margin, paths[0][i])),
-      largest.map((x, i) => Math.max(x + margin, paths[1][i])),
+      least.map((x, i) => Math.min(x - margin, ...others.map((bounds) => bounds[0][i]))),
+      largest.map((x, i) => Math.max(x + margin, ...others.map((bounds) => bounds[1][i]))),
     ];
   }
 
@@ -103,6 +103,15 @@ export class Picture {
     for (const lines of this.shapes.children) lines.material.color.set(this.theme.muted);
     for (const grid of this.grid.children) grid.material.color.set(this.theme.line);
   }
+}
+
+// What is less beside the magnitude is round-off of single precision, and gets one colour.
+const roundOff = 1e-6;
+
+function widenRoundOff(quantity, component) {
+  const [least, largest] = rangeOf(quantity, component);
+  const height = roundOff * rangeOf(quantity, 3)[1];
+  return Math.max(-least, largest) < height ? [-height, height] : [least, largest];
 }
 
 function replaceIn(group, lines) {

@@ -12,7 +12,11 @@ export function limitRadii(radii, size) {
   return drawn;
 }
 
-// Rings along each cell: its own ends and, of curves, some between. cap: −1 or 1 where a rod begins or ends.
+// How far around the rounded end of a tube its rings lie, from the end to nearly the tip; in radians.
+const domeAngles = [0.4, 0.8, 1.15, 1.45];
+
+// Rings along each cell: its own ends and, of curves, some between. cap: −1 or 1 where a tube ends; dome: the angle of a ring of
+// the rounded end that a tube has where others meet it, so that no slit is left between them.
 export function listRings(data) {
   const { connectivity, offsets } = data;
   const cells = offsets.length - 1;
@@ -26,17 +30,28 @@ export function listRings(data) {
   const follows = (cell) =>
     cell > 0 && cell < cells && connectivity[offsets[cell - 1] + 1] === connectivity[offsets[cell]] &&
     ends.get(connectivity[offsets[cell]]) === 2 && sameAxes(data, offsets[cell - 1] + 1, offsets[cell]);
+  const meetsOthers = (node) => ends.get(node) > 1;
   const pieces = cells < 400 ? 10 : cells < 3000 ? 4 : 2;
   const rings = [];
   for (let cell = 0; cell < cells; cell++) {
     const nodes = offsets[cell + 1] - offsets[cell];
     const count = nodes === 2 ? 1 : pieces;
+    const isEnd = [!follows(cell), !follows(cell + 1)];
+    const isRound = isEnd.map((is, end) => is && meetsOthers(connectivity[offsets[cell] + end]));
+    if (isRound[0]) rings.push(...makeDome(cell, shapeFunctions(nodes, -1), -1));
     for (let i = 0; i <= count; i++) {
-      const cap = i === 0 && !follows(cell) ? -1 : i === count && !follows(cell + 1) ? 1 : 0;
-      rings.push({ cell, weights: shapeFunctions(nodes, (2 * i) / count - 1), cap });
+      const cap = i === 0 && isEnd[0] && !isRound[0] ? -1 : i === count && isEnd[1] && !isRound[1] ? 1 : 0;
+      rings.push({ cell, weights: shapeFunctions(nodes, (2 * i) / count - 1), cap, side: 0, dome: 0 });
     }
+    if (isRound[1]) rings.push(...makeDome(cell, shapeFunctions(nodes, 1), 1));
   }
   return rings;
+}
+
+// From the start of a rod backwards, or from its end on; in the order of the rings along it.
+function makeDome(cell, weights, side) {
+  const rings = domeAngles.map((dome, i) => ({ cell, weights, cap: i === domeAngles.length - 1 ? side : 0, side, dome }));
+  return side < 0 ? rings.reverse() : rings;
 }
 
 function sameAxes({ axes }, i, j) {

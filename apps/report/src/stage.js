@@ -34,10 +34,17 @@ export class Stage {
     if (width === 0 || height === 0) return;
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    this.makeRoom(width, height);
     if (!this.isOwnView && this.box) this.fit();
     this.draw();
+  }
+
+  // The box is shown below what lies over the canvas at its top: the legend.
+  makeRoom(width, height) {
+    const covered = Math.min(this.covered?.() ?? 0, 0.4 * height);
+    this.camera.aspect = width / (height - covered);
+    // Of a view of the free part, which the canvas goes beyond at its top.
+    this.camera.setViewOffset(width, height - covered, 0, -covered, width, height);
   }
 
   // What fit() shows: [least, largest] corners.
@@ -55,6 +62,8 @@ export class Stage {
   }
 
   fit() {
+    const { clientWidth: width, clientHeight: height } = this.renderer.domElement.parentElement;
+    if (width > 0 && height > 0) this.makeRoom(width, height);
     if (this.direction) this.camera.position.copy(this.centre).sub(this.direction);
     const back = this.camera.position.clone().sub(this.controls.target).normalize();
     if (this.direction) back.copy(this.direction).negate();

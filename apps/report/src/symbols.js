@@ -93,6 +93,33 @@ export class Loads {
     return largest;
   }
 
+  // [least, largest] corners of the arrows of all frames that show something.
+  bounds() {
+    const least = [Infinity, Infinity, Infinity];
+    const largest = [-Infinity, -Infinity, -Infinity];
+    const value = new Vector3();
+    const count = 6 * this.data.info.arrows.length;
+    for (let frame = 0; this.arrows.length > 0 && frame < this.motion.frames; frame++) {
+      this.motion.moveTo(frame);
+      for (const { node, at, kind, along_rod: isAlongRod } of this.arrows) {
+        value.fromArray(this.data.arrows, frame * count + at);
+        const share = value.length() / (this.largest[kind] ?? 1);
+        if (!(share > 1e-3)) continue;
+        value.setLength(this.lengthOf(isAlongRod, share));
+        value.toArray().forEach((part, i) => {
+          const tip = this.motion.positions[3 * node + i] + part;
+          least[i] = Math.min(least[i], tip);
+          largest[i] = Math.max(largest[i], tip);
+        });
+      }
+    }
+    return [least, largest];
+  }
+
+  lengthOf(isAlongRod, share) {
+    return (isAlongRod ? 0.08 : 0.16) * this.size * share;
+  }
+
   move() {
     const { frame, part, frames, positions } = this.motion;
     const count = 6 * this.data.info.arrows.length;
@@ -104,8 +131,7 @@ export class Loads {
       const share = value.length() / (this.largest[kind] ?? 1);
       mark.visible = share > 1e-3;
       if (!mark.visible) continue;
-      const length = (isAlongRod ? 0.08 : 0.16) * this.size * share;
-      setLength(mark, length, (isAlongRod ? 0.002 : 0.0035) * this.size);
+      setLength(mark, this.lengthOf(isAlongRod, share), (isAlongRod ? 0.002 : 0.0035) * this.size);
       mark.position.fromArray(positions, 3 * node);
       mark.quaternion.setFromUnitVectors(z, value.normalize());
     }

@@ -64,9 +64,12 @@ export class Tubes {
     this.frames = this.frames ?? new Float32Array(9 * rings.length);
     rings.forEach((ring, i) => {
       this.placeRing(ring, this.frames, 9 * i);
+      if (ring.dome > 0) this.moveToDome(ring, 9 * i);
       const [cx, cy, cz, yx, yy, yz, zx, zy, zz] = this.frames.subarray(9 * i, 9 * i + 9);
-      const a = this.drawnRadii[2 * ring.cell] * this.thickness;
-      const b = this.drawnRadii[2 * ring.cell + 1] * this.thickness;
+      // Of the normal along the tangent y × z.
+      const [tx, ty, tz] = [yy * zz - yz * zy, yz * zx - yx * zz, yx * zy - yy * zx].map((t) => t * Math.sin(ring.dome));
+      const whole = [0, 1].map((axis) => this.drawnRadii[2 * ring.cell + axis] * this.thickness);
+      const [a, b] = whole.map((radius) => radius * Math.cos(ring.dome));
       for (let k = 0; k <= sides; k++) {
         const angle = (2 * Math.PI * k) / sides;
         const c = Math.cos(angle);
@@ -75,10 +78,10 @@ export class Tubes {
         position[at] = cx + a * c * yx + b * s * zx;
         position[at + 1] = cy + a * c * yy + b * s * zy;
         position[at + 2] = cz + a * c * yz + b * s * zz;
-        const norm = 1 / Math.hypot(c * b, s * a);
-        normal[at] = (c * b * yx + s * a * zx) * norm;
-        normal[at + 1] = (c * b * yy + s * a * zy) * norm;
-        normal[at + 2] = (c * b * yz + s * a * zz) * norm;
+        const norm = Math.cos(ring.dome) / Math.hypot(c * b, s * a);
+        normal[at] = (c * b * yx + s * a * zx) * norm + ring.side * tx;
+        normal[at + 1] = (c * b * yy + s * a * zy) * norm + ring.side * ty;
+        normal[at + 2] = (c * b * yz + s * a * zz) * norm + ring.side * tz;
       }
     });
     this.moveCaps(position, normal);
@@ -115,6 +118,15 @@ export class Tubes {
     out[at + 6] = n * (qx * qz + qw * qy);
     out[at + 7] = n * (qy * qz - qw * qx);
     out[at + 8] = 1 - n * (qx * qx + qy * qy);
+  }
+
+  // Along the tangent, out of the rod's end.
+  moveToDome({ cell, side, dome }, at) {
+    const [, , , yx, yy, yz, zx, zy, zz] = this.frames.subarray(at, at + 9);
+    const reach = side * Math.sin(dome) * this.thickness * Math.max(this.drawnRadii[2 * cell], this.drawnRadii[2 * cell + 1]);
+    this.frames[at] += reach * (yy * zz - yz * zy);
+    this.frames[at + 1] += reach * (yz * zx - yx * zz);
+    this.frames[at + 2] += reach * (yx * zy - yy * zx);
   }
 
   moveCaps(position, normal) {

@@ -56,9 +56,18 @@ export class Axis {
     return this.takesSize ? `|${name}|, logarithmic` : `${name}, logarithmic`;
   }
 
+  // Whether the names of places lie on the slant, as they would touch one another in a row.
+  isSlanted(pixels) {
+    return Boolean(this.places) && widthOfNames(this.names) > pixels;
+  }
+
+  get names() {
+    return this.places.map((value) => this.say(value));
+  }
+
   // Where ticks go in so many pixels; undefined leaves it to the chart.
   ticks(pixels, isUpright) {
-    if (this.places) return thinPlaces(this.places.map((value) => this.say(value)), pixels, isUpright);
+    if (this.places) return thinPlaces(this.names.length, pixels);
     if (!this.column.isNumeric) return null;
     return this.isLog ? logTicks(this.range, pixels / (isUpright ? 26 : 62)) : undefined;
   }
@@ -74,11 +83,13 @@ export class Axis {
   }
 }
 
-// Every so many places, so that their names do not touch.
-function thinPlaces(names, pixels, isUpright) {
-  const widest = isUpright ? 18 : 14 + 6.4 * Math.max(...names.map((name) => name.length), 1);
-  const stride = Math.max(1, Math.ceil((names.length * widest) / pixels));
-  return names.map((_, i) => i).filter((i) => i % stride === 0);
+// Of all names in a row, in pixels.
+const widthOfNames = (names) => names.length * (14 + 6.4 * Math.max(...names.map((name) => name.length), 1));
+
+// All places, or every so many of them where not even their lines, which may lie on the slant, have room.
+function thinPlaces(count, pixels) {
+  const stride = Math.max(1, Math.ceil((count * 18) / pixels));
+  return Array.from({ length: count }, (_, i) => i).filter((i) => i % stride === 0);
 }
 
 // 1, 2 and 5 times powers of ten, or powers only, at most so many.

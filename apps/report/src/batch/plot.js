@@ -61,6 +61,7 @@ export class Plot {
 
   axis(axis, isUpright) {
     const font = getComputedStyle(document.body).fontFamily;
+    const pixels = (plot) => (isUpright ? plot.bbox.height : plot.bbox.width) / uPlot.pxRatio || 400;
     const options = {
       stroke: () => readTheme().muted,
       grid: { stroke: () => readTheme().line, width: 1, show: !axis.places },
@@ -74,7 +75,10 @@ export class Plot {
       size: isUpright ? widthOfTicks : 24,
       values: (plot, ticks) => ticks.map((tick) => (tick === null ? "" : axis.write(tick))),
     };
-    const pixels = (plot) => (isUpright ? plot.bbox.height : plot.bbox.width) / uPlot.pxRatio || 400;
+    if (!isUpright && axis.places) {
+      options.rotate = (plot) => (axis.isSlanted(pixels(plot)) ? slant : 0);
+      options.size = (plot) => (axis.isSlanted(pixels(plot)) ? 12 + 6.4 * longestName(axis) * Math.sin((slant * Math.PI) / 180) + 10 : 24);
+    }
     if (axis.ticks(400, isUpright) !== undefined) {
       options.splits = (plot) => axis.ticks(pixels(plot), isUpright);
       options.filter = (plot, ticks) => ticks;
@@ -153,4 +157,6 @@ export class Plot {
   }
 }
 
+const slant = 35; // degrees
+const longestName = (axis) => Math.max(...axis.names.map((name) => name.length));
 const widthOfTicks = (plot, ticks) => 14 + 6.4 * Math.max(3, ...(ticks ?? []).map((tick) => tick.length));

@@ -1,0 +1,177 @@
+import uPlot from "uplot";
+import { make } from "./elements.js";
+import { formatNumber, inWords } from "./format.js";
+import { componentOf } from "./motion.js";
+import { axesOptions, rangeAround, widen } from "./plot_axes.js";
+import { componentsOf, dimensionOf } from "./quantities.js";
+import { readTheme } from "./theme.js";
+import { unitOf } from "./units.js";
+
+const height = 190;
+const roundOff = 1e-6; // beside the magnitude: numbers in a page have seven digits
+
+// Where a quantity is known along a rod: { s, row } by arc length, of nodes or of the middles of elements.
+function listPlaces(data, rod, of) {
+  const places = [];
+  const seen = new Set();
+  for (let cell = 0; cell + 1 < data.offsets.length; cell++) {
+    if (data.cellRods[cell] !== rod) continue;
+    if (of === "cell") places.push({ s: data.middles[cell], row: cell });
+    for (let i = data.offsets[cell]; of === "node" && i < data.offsets[cell + 1]; i++) {
+      const key = `${data.connectivity[i]} ${data.arcLengths[i]}`; // a ring comes back to its first node
+      if (!seen.has(key)) places.push({ s: data.arcLengths[i], row: data.connectivity[i] });
+      seen.add(key);
+    }
+  }
+  return places.sort((a, b) => a.s - b.s);
+}
+
+// A chart along a rod: a quantity at the clock's time, within its range over all frames.
+export class Along {
+  constructor(data, clock, units) {
+    Object.assign(this, { data, clock, units });
+    this.rods = data.info.rods.map((name, rod) => ({ name, rod })).filter(({ rod }) => data.cellRods.includes(rod));
+    this.rod = make("select", { "aria-label": "Rod" }, ...this.rods.map(({ name, rod }) => make("option", { value: String(rod) }, name)));
+    this.quantity = make("select", { "aria-label": "Quantity" }, ...Object.keys(data.quantities).map((name) => make("option", { value: name }, inWords(name))));
+    this.component = make("select", { "aria-label": "Component" });
+    this.unit = make("small", {});
+    this.now = make("span", { className: "value" });
+    this.body = make("div", { className: "chart-body" });
+    this.body.plotted = () => this.plot.data; // for whoever looks at it from outside: arc length, range, present
+    this.element = make("section", { className: "chart along" }, make("h2", {}, "Along a rod"), this.makeChoices(), this.makeKeys(), this.body);
+    if (data.quantities.moment) this.quantity.value = "moment";
+    this.rod.hidden = this.rods.length < 2;
+    this.rod.addEventListener("change", () => this.choose());
+    this.quantity.addEventListener("change", () => this.chooseQuantity());
+    this.component.addEventListener("change", () => this.choose());
+    clock.listen(() => this.follow());
+    new ResizeObserver(() => this.resize()).observe(this.body);
+    this.chooseQuantity();
+  }
+
+  // Whether there is a rod whose places are known.
+  static isPossible(data) {
+    return data.cellRods.some((rod) => rod >= 0);
+  }
+
+  makeChoices() {
+    return make("div", { className: "along-choices" }, this.rod, this.quantity, this.component, this.unit);
+  }
+
+  makeKeys() {
+    const present = make("span", { className: "key" }, make("i"), this.now);
+    const range = make("span", { className: "key range" }, make("i"), "range over all frames");
+    for (const key of [present, range]) key.style.setProperty("--series", "var(--series-1)");
+    return make("div", { className: "keys" }, present, range);
+  }
+
+  chooseQuantity() {
+    const names = componentsOf(this.quantity.value);
+    this.component.replaceChildren(
+      ...names.map((name, i) => make("option", { value: String(i) }, name)),
+      make("option", { value: "3" }, "magnitude"),
+    );
+    this.component.value = String(this.largestComponent());
+    this.choose();
+  }
+
+  // That with the largest values; of those that are alike, the first.
+  largestComponent() {
+    const { values } = this.data.quantities[this.quantity.value];
+    const largest = [0, 0, 0];
+    for (let i = 0; i < values.length; i++) largest[i % 3] = Math.max(largest[i % 3], Math.abs(values[i]));
+    return largest.indexOf(Math.max(...largest));
+  }
+
+  choose() {
+    const quantity = this.data.quantities[this.quantity.value];
+    this.of = quantity.of;
+    this.values = quantity.values;
+    this.rows = this.values.length / 3 / this.data.times.length;
+    this.places = listPlaces(this.data, Number(this.rod.value), quantity.of);
+    const unit = unitOf(dimensionOf(this.quantity.value), this.units);
+    const length = unitOf("length", this.units);
+    const where = quantity.of === "cell" ? "element middles" : "nodes";
+    this.unit.textContent = [unit, `over arc length${length === "length" ? "" : `, ${length}`}`, where].filter(Boolean).join("; ");
+    this.findRange();
+    this.plot?.destroy();
+    this.plot = null;
+    this.draw();
+  }
+
+  valueAt(frame, row, component = Number(this.component.value)) {
+    return componentOf(this.values, 3 * (this.rows * frame + row), component);
+  }
+
+  findRange() {
+    const count = this.data.times.length;
+    this.least = this.places.map(() => Infinity);
+    this.largest = this.places.map(() => -Infinity);
+    let magnitude = 0;
+    for (let frame = 0; frame < count; frame++) {
+      this.places.forEach(({ row }, i) => {
+        const value = this.valueAt(frame, row);
+        if (value < this.least[i]) this.least[i] = value;
+        if (value > this.largest[i]) this.largest[i] = value;
+        magnitude = Math.max(magnitude, this.valueAt(frame, row, 3));
+      });
+    }
+    this.leastHeight = roundOff * magnitude;
+  }
+
+  // At the clock's time; between frames, between their values.
+  present() {
+    const frame = Math.min(Math.floor(this.clock.position), this.clock.last);
+    const next = Math.min(frame + 1, this.clock.last);
+    const part = this.clock.position - frame;
+    return this.places.map(({ row }) => (1 - part) * this.valueAt(frame, row) + part * this.valueAt(next, row));
+  }
+
+  draw() {
+    if (this.plot || this.body.clientWidth === 0) return;
+    const s = this.places.map((place) => place.s);
+    this.plot = new uPlot(this.options(), [s, this.largest, this.least, this.present()], this.body);
+    this.follow();
+  }
+
+  options() {
+    const series = () => readTheme().series[0];
+    const points = { show: this.places.length < 60, size: 5 };
+    return {
+      width: Math.max(this.body.clientWidth, 200),
+      height,
+      legend: { show: false },
+      cursor: { show: false },
+      pxAlign: 0,
+      padding: [10, 10, 0, 0],
+      scales: {
+        x: { time: false, range: (plot, least, largest) => widen(least, largest) },
+        y: { range: (plot, least, largest) => rangeAround(least, largest, this.leastHeight) },
+      },
+      axes: axesOptions(),
+      bands: [{ series: [1, 2], fill: () => `color-mix(in srgb, ${series()} 22%, transparent)` }],
+      series: [
+        {},
+        { stroke: series, width: 0.6, points: { show: false } },
+        { stroke: series, width: 0.6, points: { show: false } },
+        { stroke: series, width: 2, points },
+      ],
+    };
+  }
+
+  follow() {
+    const symbol = this.data.info.is_static ? "λ" : "t";
+    this.now.textContent = `${symbol} = ${formatNumber(this.clock.time, 4)}`;
+    this.plot?.setData([this.plot.data[0], this.largest, this.least, this.present()]);
+  }
+
+  resize() {
+    if (this.body.clientWidth === 0) return;
+    if (this.plot) this.plot.setSize({ width: this.body.clientWidth, height });
+    else this.draw();
+  }
+
+  recolour() {
+    this.plot?.redraw(false, true);
+  }
+}

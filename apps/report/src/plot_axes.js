@@ -1,0 +1,42 @@
+import { formatNumber } from "./format.js";
+import { readTheme } from "./theme.js";
+
+// What the axes of all charts of a run have in common.
+function axisOptions() {
+  return {
+    stroke: () => readTheme().muted,
+    grid: { stroke: () => readTheme().line, width: 1 },
+    ticks: { show: false },
+    font: `11px ${getComputedStyle(document.body).fontFamily}`,
+    values: (plot, ticks) => ticks.map((tick) => (tick === null ? "" : formatNumber(tick, 6))),
+    gap: 4,
+  };
+}
+
+export function axesOptions() {
+  const size = (plot, ticks) => 16 + 6.2 * Math.max(3, ...(ticks ?? []).map((tick) => String(tick).length));
+  return [{ ...axisOptions(), size: 26 }, { ...axisOptions(), size }];
+}
+
+export function widen(least, largest) {
+  return least < largest ? [least, largest] : [least - 0.5, largest + 0.5];
+}
+
+// Around what there is, with room above and below. What varies by less than `least_height` stays a flat line.
+export function rangeAround(least, largest, leastHeight) {
+  if (least === null) return [0, 1];
+  const size = Math.max(Math.abs(least), Math.abs(largest));
+  const margin = Math.max(0.06 * (largest - least), 1e-6 * size, leastHeight);
+  return margin === 0 ? [-1, 1] : [least - margin, largest + margin];
+}
+
+// Of columns of numbers, gaps left out.
+export function largestSize(columns) {
+  let largest = 0;
+  for (const column of columns) {
+    for (const value of column) {
+      if (Number.isFinite(value)) largest = Math.max(largest, Math.abs(value));
+    }
+  }
+  return largest;
+}

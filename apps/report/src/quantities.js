@@ -1,0 +1,22 @@
+// What frames have of nodes and of elements: names of components, and dimensions.
+
+const sectionForce = ["axial", "shear y", "shear z"];
+const componentNames = {
+  force: sectionForce,
+  moment: ["torque", "bending about y", "bending about z"],
+  strain: sectionForce,
+  curvature: ["twist", "bending about y", "bending about z"],
+};
+const dimensions = {
+  displacement: "length",
+  rotation_vector: "angle",
+  velocity: "length/time",
+  angular_velocity: "angle/time",
+  force: "force",
+  moment: "force·length",
+  strain: "",
+  curvature: "angle/length",
+};
+
+export const componentsOf = (quantity) => componentNames[quantity] ?? ["x", "y", "z"];
+export const dimensionOf = (quantity) => dimensions[quantity] ?? "";
