@@ -1,3 +1,4 @@
+#include <iterator>
 #include <memory>
 
 #include "analyses/dynamic.hpp"
@@ -5,6 +6,7 @@
 #include "analyses/mesh_frequencies.hpp"
 #include "analyses/model_examination.hpp"
 #include "analyses/model_summary.hpp"
+#include "analyses/rod_lines.hpp"
 #include "deck/problem.hpp"
 #include "exit_code.hpp"
 #include "job.hpp"
@@ -19,7 +21,11 @@ namespace {
 struct CheckArguments {
     std::string deck;
     std::vector<std::string> overrides;
+    bool all = false;
 };
+
+// Of a terminal; longer texts are shortened.
+constexpr long lines_of_screen = 50;
 
 std::string describe_size(const Problem& problem) {
     constexpr double megabyte = 1e6;
@@ -30,21 +36,58 @@ std::string describe_size(const Problem& problem) {
            fmt::format("memory: about {:.0f} MB\n", estimate_memory(problem.model, size.bytes) / megabyte);
 }
 
+// What is said of a model before anything is solved.
+struct CheckText {
+    std::vector<ItemList> lists;
+    std::string rest;  // total, analysis, output, sizes
+    std::vector<std::string> notes, warnings, errors;
+};
+
+CheckText describe_problem(const Problem& problem) {
+    CheckText text;
+    text.lists = list_model(problem.model);
+    text.rest = describe_total(problem.model) + describe_analysis(problem.analysis) +
+                describe_output(problem.analysis, problem.output) + describe_size(problem);
+    for (const std::string& note : problem.notes) text.notes.push_back("note: " + note);
+    for (const Finding& finding : examine_model(problem.model, problem.analysis)) {
+        (finding.severity == Severity::error ? text.errors : text.warnings).push_back(describe(finding));
+    }
+    for (const std::string& sentence :
+         {describe_thick_rods(problem.model), describe_coarse_rods(problem.model)}) {
+        if (!sentence.empty()) text.warnings.push_back("warning: " + sentence);
+    }
+    return text;
+}
+
+bool fits_screen(const CheckText& text) {
+    long lines = count_lines(text.rest) + std::ssize(text.notes) + std::ssize(text.warnings);
+    for (const ItemList& list : text.lists) lines += count_lines(describe(list, Detail::all));
+    return lines <= lines_of_screen;
+}
+
+void say_lines(std::FILE* stream, const std::vector<std::string>& sentences, Detail detail) {
+    for (const std::string& line : detail == Detail::all ? sentences : sum_up_repeats(sentences)) {
+        say(stream, "{}\n", line);
+    }
+}
+
+void say_problem(const CheckText& text, bool all) {
+    const Detail detail = all || fits_screen(text) ? Detail::all : Detail::shortened;
+    for (const ItemList& list : text.lists) say(stdout, "{}", describe(list, detail));
+    say(stdout, "{}", text.rest);
+    say_lines(stdout, text.notes, detail);
+    say_lines(stdout, text.warnings, detail);
+    say_lines(stderr, text.errors, detail);
+    if (detail == Detail::shortened)
+        say(stdout, "what repeats is summed up; gxrod check --all lists everything\n");
+}
+
 int check(const CheckArguments& arguments) {
     const Problem problem = read_job_problem(arguments.deck, arguments.overrides);
     if (!problem.record.title.empty()) say(stdout, "{}\n", problem.record.title);
-    say(stdout,
-        "{}{}{}{}",
-        describe_model(problem.model),
-        describe_analysis(problem.analysis),
-        describe_output(problem.analysis, problem.output),
-        describe_size(problem));
-    for (const std::string& note : problem.notes) say(stdout, "note: {}\n", note);
-    const std::vector<Finding> findings = examine_model(problem.model, problem.analysis);
-    for (const Finding& finding : findings) {
-        say(finding.severity == Severity::error ? stderr : stdout, "{}\n", describe(finding));
-    }
-    if (has_error(findings)) return exit_bad_input;
+    const CheckText text = describe_problem(problem);
+    say_problem(text, arguments.all);
+    if (!text.errors.empty()) return exit_bad_input;
     const auto* dynamic = std::get_if<DynamicSettings>(&problem.analysis);
     if (dynamic == nullptr) return exit_done;
     // The first thing that a run would do: a model without inertia somewhere is found here.
@@ -69,6 +112,7 @@ void add_check_verb(CLI::App& program, int& exit_code) {
     verb->add_option("DECK", arguments->deck, "Deck (TOML); docs/deck.md lists its keys")->required();
     verb->add_option("--set", arguments->overrides, "KEY=VALUE: change a key of the deck")
         ->allow_extra_args(false);
+    verb->add_flag("--all", arguments->all, "List every part, note and warning of a long deck");
     verb->callback([arguments, &exit_code] { exit_code = check(*arguments); });
 }
 

@@ -16,20 +16,20 @@ std::string describe(const Vec3& v) {
 }
 
 // Nodes that several rods share.
-std::string describe_connections(const Model& model) {
+ItemList list_connections(const Model& model) {
     std::vector<std::vector<int>> rods(model.nodes.size());
     for (int i = 0; i < static_cast<int>(model.rods.size()); ++i) {
         for (const int node : model.rods[i].nodes) rods[node].push_back(i);
     }
-    std::string text;
+    ItemList list{"connections", {}};
     for (std::size_t node = 0; node < rods.size(); ++node) {
         if (rods[node].size() < 2) continue;
         std::vector<std::string> names;
         for (const int rod : rods[node]) names.push_back(model.rods[rod].name);
-        text += fmt::format(
-            "connection: {} is one node of rods {}\n", model.nodes[node].name, fmt::join(names, ", "));
+        list.items.push_back(fmt::format(
+            "connection: {} is one node of rods {}\n", model.nodes[node].name, fmt::join(names, ", ")));
     }
-    return text;
+    return list;
 }
 
 std::string describe_support(const Model& model, const Support& support) {
@@ -82,23 +82,30 @@ std::string describe_velocities(const Model& model, const std::string& name, con
 }
 
 std::string describe_gravity(const Model& model) {
-    if (model.gravity.is_zero()) return "";
     if (model.gravity.is_constant()) return fmt::format("gravity {}\n", describe(model.gravity(0.0)));
     return fmt::format("gravity changes with t; at t = 1 it is {}\n", describe(model.gravity(1.0)));
 }
 
 }  // namespace
 
-std::string describe_conditions(const Model& model) {
-    std::string text = describe_connections(model);
-    for (const Support& support : model.supports) text += describe_support(model, support);
-    for (const Rod& rod : model.rods) text += describe_velocities(model, "rod " + rod.name, rod.nodes);
-    for (const Body& body : model.bodies) {
-        text += describe_velocities(model, "body " + body.name, {body.node});
+std::vector<ItemList> list_conditions(const Model& model) {
+    ItemList supports{"supports", {}};
+    for (const Support& support : model.supports) supports.items.push_back(describe_support(model, support));
+    ItemList velocities{"initial velocities", {}};
+    const auto add_velocities = [&](const std::string& name, const std::vector<int>& nodes) {
+        const std::string text = describe_velocities(model, name, nodes);
+        if (!text.empty()) velocities.items.push_back(text);
+    };
+    for (const Rod& rod : model.rods) add_velocities("rod " + rod.name, rod.nodes);
+    for (const Body& body : model.bodies) add_velocities("body " + body.name, {body.node});
+    ItemList loads{"loads", {}};
+    for (const NodalLoad& load : model.loads) loads.items.push_back(describe_load(model, load));
+    for (const DistributedLoad& load : model.distributed_loads) {
+        loads.items.push_back(describe_load(model, load));
     }
-    for (const NodalLoad& load : model.loads) text += describe_load(model, load);
-    for (const DistributedLoad& load : model.distributed_loads) text += describe_load(model, load);
-    return text + describe_gravity(model);
+    ItemList gravity{"fields", {}};
+    if (!model.gravity.is_zero()) gravity.items.push_back(describe_gravity(model));
+    return {list_connections(model), supports, velocities, loads, gravity};
 }
 
 }  // namespace gxrod

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <string>
+#include <vector>
 
+#include "analyses/item_list.hpp"
 #include "model/model.hpp"
 
 namespace gxrod {
 
 // Connections, supports, initial velocities, loads and gravity of a model, in lines for a reader.
-std::string describe_conditions(const Model& model);
+std::vector<ItemList> list_conditions(const Model& model);
 
 }  // namespace gxrod

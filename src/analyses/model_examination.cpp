@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "analyses/stability.hpp"
 #include "analyses/stiffness_contrast.hpp"
 #include "analyses/unconnected_points.hpp"
 #include "analyses/unsupported_motions.hpp"
+#include "model/body_moments.hpp"
 #include "model/parts.hpp"
 
 namespace gxrod {
@@ -128,6 +130,25 @@ void find_missing_causes(const Model& model,
     }
 }
 
+// Moments that are rounded or roughly known; others are refused by the reader.
+void find_odd_bodies(const Model& model, std::vector<Finding>& findings) {
+    for (const Body& body : model.bodies) {
+        const Eigen::SelfAdjointEigenSolver<Mat3> solver(body.inertia, Eigen::EigenvaluesOnly);
+        const Vec3 moments = solver.eigenvalues();
+        if (!exceed_sum(moments)) continue;
+        findings.push_back(
+            {Severity::warning,
+             fmt::format(
+                 "body {} has the principal moments {:.6g}, {:.6g}, {:.6g}, the largest above the sum of the "
+                 "others: no body of mass has them, and it is moved as they say; {:.6g} would be the most",
+                 body.name,
+                 moments[0],
+                 moments[1],
+                 moments[2],
+                 moments[0] + moments[1])});
+    }
+}
+
 }  // namespace
 
 std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& analysis) {
@@ -141,6 +162,7 @@ std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& a
     for (const std::string& sentence : find_unconnected_points(model)) {
         findings.push_back({Severity::warning, sentence});
     }
+    find_odd_bodies(model, findings);
     find_idle_loads(model, findings);
     find_missing_causes(model, analysis, findings);
     describe_parts(model, parts, findings);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <limits>
 
 #include "analyses/condition_summary.hpp"
 #include "analyses/rod_summary.hpp"
@@ -44,26 +46,49 @@ const char* name_of(Scheme scheme) {
     return "runge-kutta-4";
 }
 
-std::string describe_model(const Model& model) {
-    const System system(model);
-    double mass = 0.0;
-    std::string text;
-    for (const Section& section : model.sections) text += describe_section(section);
+namespace {
+
+ItemList list_rods(const Model& model) {
+    ItemList list{"rods", {}};
+    double shortest = std::numeric_limits<double>::infinity();
+    double longest = 0.0;
+    double length = 0.0;
     for (const Rod& rod : model.rods) {
-        text += describe_rod(model, rod);
-        mass += model.sections[rod.section].mass(0, 0) * rod.length;
+        list.items.push_back(describe_rod(model, rod));
+        shortest = std::min(shortest, rod.length);
+        longest = std::max(longest, rod.length);
+        length += rod.length;
     }
-    for (const Body& body : model.bodies) {
-        text += describe_body(model, body);
-        mass += body.mass;
-    }
-    text += describe_conditions(model);
-    text += fmt::format("total: mass {:.6g}, {} nodes, {} elements, {} unknowns\n",
-                        mass,
-                        model.nodes.size(),
-                        system.element_count(),
-                        system.equations().count());
-    return text;
+    list.sum = fmt::format("length {:.6g} to {:.6g}, together {:.6g}", shortest, longest, length);
+    return list;
+}
+
+double sum_mass(const Model& model) {
+    double mass = 0.0;
+    for (const Rod& rod : model.rods) mass += model.sections[rod.section].mass(0, 0) * rod.length;
+    for (const Body& body : model.bodies) mass += body.mass;
+    return mass;
+}
+
+}  // namespace
+
+std::vector<ItemList> list_model(const Model& model) {
+    ItemList sections{"sections", {}};
+    for (const Section& section : model.sections) sections.items.push_back(describe_section(section));
+    ItemList bodies{"bodies", {}};
+    for (const Body& body : model.bodies) bodies.items.push_back(describe_body(model, body));
+    std::vector<ItemList> lists{sections, list_rods(model), bodies};
+    for (ItemList& list : list_conditions(model)) lists.push_back(std::move(list));
+    return lists;
+}
+
+std::string describe_total(const Model& model) {
+    const System system(model);
+    return fmt::format("total: mass {:.6g}, {} nodes, {} elements, {} unknowns\n",
+                       sum_mass(model),
+                       model.nodes.size(),
+                       system.element_count(),
+                       system.equations().count());
 }
 
 namespace {

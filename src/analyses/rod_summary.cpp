@@ -5,24 +5,33 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analyses/rod_lines.hpp"
+
 namespace gxrod {
 namespace {
 
-// In a table of constants.
+// Relative to what is beside it.
 constexpr double round_off = 1e-12;
-// A turn of the tangent in one element above which a mesh is called coarse.
-constexpr double coarse_turn = M_PI / 4.0;
-// Of a solid round rod as long as thick it is 4.
-constexpr double least_slenderness = 4.0;
 // Less is the error of compute_twist on a coarse mesh.
 constexpr double least_twist = 0.01;
 
-std::string describe(const Vec3& v) {
-    const auto clean = [](double x) { return std::abs(x) < round_off ? 0.0 : x; };
+// Components are zero where they are round-off beside the others or `size`.
+std::string describe(const Vec3& v, double size = 0.0) {
+    const double largest = std::max(size, v.cwiseAbs().maxCoeff());
+    const auto clean = [largest](double x) { return std::abs(x) < round_off * largest ? 0.0 : x; };
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", clean(v[0]), clean(v[1]), clean(v[2]));
 }
 
-bool is_diagonal(const Mat6& matrix) { return (matrix - Mat6(matrix.diagonal().asDiagonal())).isZero(0.0); }
+// Other entries are round-off beside the diagonal ones of their row and column.
+bool is_diagonal(const Mat6& matrix) {
+    for (int i = 0; i < 6; ++i) {
+        for (int j = 0; j < i; ++j) {
+            const double scale = std::sqrt(matrix(i, i)) * std::sqrt(matrix(j, j));
+            if (std::abs(matrix(i, j)) > round_off * scale) return false;
+        }
+    }
+    return true;
+}
 
 std::string describe_rows(const Mat6& matrix) {
     std::string text;
@@ -74,13 +83,14 @@ std::string describe_axes(const Quat& triad) {
 std::string describe_extent(const Model& model, const Rod& rod) {
     if (is_line(rod)) {
         const auto end = [&](int node) {
-            return describe(model.nodes[static_cast<std::size_t>(node)].position);
+            return describe(model.nodes[static_cast<std::size_t>(node)].position, rod.length);
         };
         return fmt::format("  from {} to {}\n", end(rod.nodes.front()), end(rod.nodes.back()));
     }
     Eigen::AlignedBox3d box;
     for (const int node : rod.nodes) box.extend(model.nodes[static_cast<std::size_t>(node)].position);
-    return fmt::format("  within {} and {}\n", describe(box.min()), describe(box.max()));
+    return fmt::format(
+        "  within {} and {}\n", describe(box.min(), rod.length), describe(box.max(), rod.length));
 }
 
 double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
@@ -138,7 +148,6 @@ std::string describe_section(const Section& section) {
 
 std::string describe_rod(const Model& model, const Rod& rod) {
     const Section& section = model.sections[static_cast<std::size_t>(rod.section)];
-    const Mat6& C = section.stiffness;
     std::string text =
         fmt::format("rod {}: length {:.6g}, mass {:.6g}, {} {} elements of order {}, section {}\n",
                     rod.name,
@@ -154,19 +163,10 @@ std::string describe_rod(const Model& model, const Rod& rod) {
     if (is_line(rod) && !are_equal) text += "  axes at the end: " + describe_axes(rod.triads.back()) + "\n";
     const double twist = compute_twist(model, rod);
     if (std::abs(twist) >= least_twist) text += fmt::format("  twist: {:.4g} rad\n", twist);
-    // L √(EA/EI) compares stretching with bending: for a solid section, length over radius of gyration.
-    const double bending = std::min(C(4, 4), C(5, 5));
-    const double slenderness = rod.length * std::sqrt(C(0, 0) / bending);
-    text += fmt::format("  slenderness L √(EA/EI): {:.4g}\n", slenderness);
-    if (slenderness < least_slenderness) {
-        text += "  warning: thicker than long; are all lengths in one unit?\n";
-    }
+    text += fmt::format("  slenderness L √(EA/EI): {:.4g}\n", compute_slenderness(section, rod.length));
     const double turn = compute_largest_turn(rod);
     if (turn < 1e-9) return text;
-    text += fmt::format("  largest turn of the tangent in an element: {:.3g}°\n", turn * 180.0 / M_PI);
-    if (turn > coarse_turn)
-        text += "  warning: above 45°; more elements, or a higher order, would follow the curve\n";
-    return text;
+    return text + fmt::format("  largest turn of the tangent in an element: {:.3g}°\n", turn * 180.0 / M_PI);
 }
 
 }  // namespace gxrod

@@ -10,10 +10,12 @@
 namespace gxrod {
 namespace {
 
-// Nodes nearer than this, relative to the model's size, look like one place.
+// Nodes nearer than this, relative to the length of the shorter of their rods, look like one place.
 constexpr double same_place = 1e-6;
-// Up to this [[connect]] takes them.
+// Up to this, relative to the model's size, [[connect]] takes them.
 constexpr double connectable = 1e-9;
+// Of the coordinates: nearer nodes are at one place however short their rods are.
+constexpr double round_off = 1e-14;
 
 // Nodes at which one element of a rod begins or ends, and no other one.
 std::vector<int> find_ends(const Model& model) {
@@ -32,10 +34,35 @@ std::vector<int> find_ends(const Model& model) {
     return ends;
 }
 
+// Where a node is in a rod.
+struct RodStation {
+    int rod = -1;
+    double s = 0.0;
+};
+
+// Each node's stations; several in corners, where rods meet, and where a rod closes.
+std::vector<std::vector<RodStation>> find_stations(const Model& model) {
+    std::vector<std::vector<RodStation>> stations(model.nodes.size());
+    for (int r = 0; r < static_cast<int>(model.rods.size()); ++r) {
+        const Rod& rod = model.rods[r];
+        for (std::size_t i = 0; i < rod.element_nodes.size(); ++i) {
+            stations[rod.element_nodes[i]].push_back({r, rod.arc_length[i]});
+        }
+    }
+    return stations;
+}
+
 // The ends of rods by their places, for a search that does not compare all with all.
 class EndSearch {
   public:
-    EndSearch(const Model& model, double tolerance) : model_(model), tolerance_(tolerance) {
+    EndSearch(const Model& model, double size)
+        : model_(model), stations_(find_stations(model)), tolerances_(model.nodes.size(), same_place * size) {
+        for (std::size_t node = 0; node < stations_.size(); ++node) {
+            for (const RodStation& station : stations_[node]) {
+                const double length = model.rods[station.rod].length;
+                tolerances_[node] = std::min(tolerances_[node], same_place * length + round_off * size);
+            }
+        }
         for (const int end : find_ends(model)) keys_.emplace_back(key(end), end);
         std::sort(keys_.begin(), keys_.end());
     }
@@ -44,21 +71,37 @@ class EndSearch {
     std::vector<int> find(int node) const {
         std::vector<int> found;
         const double at = key(node);
-        auto candidate = std::lower_bound(keys_.begin(), keys_.end(), std::pair(at - tolerance_, -1));
-        for (; candidate != keys_.end() && candidate->first <= at + tolerance_; ++candidate) {
+        const double most = tolerances_[node];
+        auto candidate = std::lower_bound(keys_.begin(), keys_.end(), std::pair(at - most, -1));
+        for (; candidate != keys_.end() && candidate->first <= at + most; ++candidate) {
             const int end = candidate->second;
             const double distance = (model_.nodes[end].position - model_.nodes[node].position).norm();
-            if (end != node && distance <= tolerance_) found.push_back(end);
+            const double tolerance = std::min(most, tolerances_[end]);
+            if (end != node && distance <= tolerance && !are_neighbours(node, end, distance)) {
+                found.push_back(end);
+            }
         }
         return found;
     }
 
   private:
+    // Whether a rod leads straight from one node to the other.
+    bool are_neighbours(int first, int second, double distance) const {
+        constexpr double straight = 2.0;
+        for (const RodStation& a : stations_[first]) {
+            for (const RodStation& b : stations_[second]) {
+                if (a.rod == b.rod && std::abs(a.s - b.s) <= straight * distance) return true;
+            }
+        }
+        return false;
+    }
+
     // The coordinate along a direction that decks do not use.
     double key(int node) const { return Vec3(0.5377, 0.6181, 0.5735).dot(model_.nodes[node].position); }
 
     const Model& model_;
-    double tolerance_;
+    std::vector<std::vector<RodStation>> stations_;
+    std::vector<double> tolerances_;  // of each node, by the shortest of its rods
     std::vector<std::pair<double, int>> keys_;
 };
 
@@ -123,7 +166,7 @@ std::vector<std::string> find_unconnected_points(const Model& model) {
     Eigen::AlignedBox3d box;
     for (const Node& node : model.nodes) box.extend(node.position);
     const double size = box.isEmpty() ? 0.0 : box.diagonal().norm();
-    const EndSearch search(model, same_place * size);
+    const EndSearch search(model, size);
     // Places by the first of the ends that are there.
     std::map<int, std::set<int>> places;
     for (int node = 0; node < static_cast<int>(model.nodes.size()); ++node) {

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "deck/schema_tables.hpp"
+#include "model/body_moments.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
@@ -35,9 +36,13 @@ std::string explain_moments(const Vec3& moments, Need need) {
     if (moments[0] < -round_off * size) {
         return "expected principal moments that are not negative, found " + principal;
     }
-    if (moments[2] > moments[0] + moments[1] + round_off * size) {
-        return "no body has the principal moments " + principal +
-               ": the largest cannot be above the sum of the others";
+    if (is_beyond_rounding(moments)) {
+        return fmt::format(
+            "no body has the principal moments {}: the largest cannot be above the sum of the others; "
+            "expected "
+            "{:.6g} at most, or greater values of the others",
+            principal,
+            moments[0] + moments[1]);
     }
     return "";
 }
@@ -110,7 +115,7 @@ void set_motion(const Setting& setting, VelocitySetting& record, Vec3& motion, c
         const std::string message = record.table->path + " is at the same node and sets it too";
         return context.add_fault(setting.body, setting.key, message);
     }
-    record = {&setting.body, setting.key};
+    record = {&setting.body, setting.key, setting.value.norm()};
     motion = setting.value;
 }
 

@@ -31,6 +31,8 @@ struct PlacedPoint {
 struct VelocitySetting {
     const CheckedTable* table = nullptr;
     std::string key;
+    double size =
+        0.0;  // the largest velocity that the key gives to any node: what its round-off is small beside
 };
 
 // What the builders of a model share. Tables of rods and bodies have the order of Model::rods and

@@ -10,7 +10,7 @@
 namespace gxrod {
 namespace {
 
-// Velocities of one node nearer than this, relative to the largest that the key gives, are the same.
+// Velocities of one node nearer than this, relative to the largest that either key gives, are the same.
 constexpr double same_velocity = 1e-9;
 
 // A node of the part, where expressions are evaluated.
@@ -90,9 +90,10 @@ void set_velocity(const CheckedTable& table,
         Node& node = context.model.nodes[stations[i].node];
         VelocitySetting& setting = context.velocity_settings[stations[i].node][velocity.setting];
         if (setting.table == nullptr) {
-            setting = {&table, velocity.key};
+            setting = {&table, velocity.key, size};
             node.*velocity.member = values[i];
-        } else if ((node.*velocity.member - values[i]).norm() > same_velocity * size) {
+        } else if ((node.*velocity.member - values[i]).norm() >
+                   same_velocity * std::max(size, setting.size)) {
             return context.add_fault(
                 table,
                 velocity.key,

@@ -53,6 +53,9 @@ Mat6 matrix_of(const CheckedTable& section,
     return matrix;
 }
 
+// Poisson's ratio, round-off of E/(2G) − 1 included.
+constexpr double largest_nu = 0.5 + 1e-9;
+
 struct Moduli {
     double E, G, nu;
 };
@@ -66,7 +69,7 @@ Moduli find_moduli(const CheckedTable& material, const BuildContext& context) {
     }
     const double G = material.get<double>("G");
     const double nu = E / (2.0 * G) - 1.0;
-    if (nu > 0.5 + 1e-9 && !material.gives("shear_factor")) {
+    if (nu > largest_nu && !material.gives("shear_factor")) {
         context.add_fault(
             material,
             "G",
@@ -93,17 +96,52 @@ std::optional<ShapeConstants> find_shape(const CheckedTable& shape, double nu, c
     return std::nullopt;
 }
 
+struct ShearFactors {
+    double y, z;
+};
+
+ShearFactors find_shear_factors(const CheckedTable& material, const ShapeConstants& shape) {
+    if (!material.gives("shear_factor")) return {shape.shear_factor_y, shape.shear_factor_z};
+    const double given = material.get<double>("shear_factor");
+    return {given, given};
+}
+
+// "0.886 along y and z", or one for each.
+std::string describe_factors(const ShapeConstants& shape) {
+    if (shape.shear_factor_y == shape.shear_factor_z) {
+        return fmt::format("{:.6g} along y and z", shape.shear_factor_y);
+    }
+    return fmt::format("{:.6g} along y and {:.6g} along z", shape.shear_factor_y, shape.shear_factor_z);
+}
+
+// What a shear factor is, and which one the section has.
+std::string describe_shear_factors(const CheckedTable& table,
+                                   const CheckedTable& material,
+                                   const ShapeConstants& shape,
+                                   double nu) {
+    const std::string text = table.path + ": shear stiffness is shear_factor G A; ";
+    const std::string exact = fmt::format("the exact flexure at nu = {:.4g}", nu);
+    if (!material.gives("shear_factor")) {
+        return fmt::format("{}shear_factor follows from {}, {}", text, exact, describe_factors(shape));
+    }
+    const double given = material.get<double>("shear_factor");
+    // Beyond it there is no flexure to compare with.
+    if (nu > largest_nu) return fmt::format("{}shear_factor {:.6g} is given", text, given);
+    return fmt::format(
+        "{}shear_factor {:.6g} is given, where {} has {}", text, given, exact, describe_factors(shape));
+}
+
 void set_from_shape(const CheckedTable& table, Section& section, const BuildContext& context) {
     const CheckedTable& material = only(table, "material");
     const Moduli moduli = find_moduli(material, context);
     const std::optional<ShapeConstants> shape = find_shape(only(table, "shape"), moduli.nu, context);
     if (!shape) return;
-    const double factor =
-        material.gives("shear_factor") ? material.get<double>("shear_factor") : shape->shear_factor;
+    const ShearFactors factors = find_shear_factors(material, *shape);
+    context.notes.push_back(describe_shear_factors(table, material, *shape, moduli.nu));
     const double Iy = shape->second_moment_y;
     const double Iz = shape->second_moment_z;
-    const double GA = factor * moduli.G * shape->area;
-    section.stiffness = diagonal({moduli.E * shape->area, GA, GA},
+    const double GA = moduli.G * shape->area;
+    section.stiffness = diagonal({moduli.E * shape->area, factors.y * GA, factors.z * GA},
                                  {moduli.G * shape->torsion_constant, moduli.E * Iy, moduli.E * Iz});
     if (!material.gives("density")) return;
     const double density = material.get<double>("density");

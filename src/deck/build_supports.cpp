@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "deck/choices.hpp"
@@ -12,7 +13,7 @@
 namespace gxrod {
 namespace {
 
-// A move that is below this at t = 0, relative to its largest value, is 0 there.
+// A move that is below this at t = 0, relative to its largest value or to what it moves, is 0 there.
 constexpr double round_off = 1e-12;
 constexpr long most_samples = 1000;
 
@@ -67,9 +68,15 @@ void check_rotations(const NodeSupport& supported, const BuildContext& context) 
     }
 }
 
-// The deck's shape is that at t = 0, so that a motion begins with 0.
-void check_start(const CheckedTimeFunction& move, const BuildContext& context) {
-    double size = 0.0;
+double measure(const Model& model) {
+    Eigen::AlignedBox3d box;
+    for (const Node& node : model.nodes) box.extend(node.position);
+    return box.isEmpty() ? 0.0 : box.diagonal().norm();
+}
+
+// The deck's shape is that at t = 0, so that a motion begins with 0. `size` is that of what moves: the model,
+// or 1 rad.
+void check_start(const CheckedTimeFunction& move, double size, const BuildContext& context) {
     double start = 0.0;
     try {
         start = move.function(0.0);
@@ -105,12 +112,14 @@ void check_freedom(const std::vector<NodeSupport>& supports, const BuildContext&
 void build_supports(BuildContext& context) {
     std::vector<NodeSupport> supports;
     std::vector<int> by_node(context.model.nodes.size(), -1);
+    const double model_size = measure(context.model);
     for (const CheckedTable& table : context.deck.tables("support")) {
         const std::optional<PlacedPoint> point = context.place(table.get<std::string>("at"));
         if (point) merge_support(table, find_support(point->node, supports, by_node), context);
         if (context.is_static()) continue;
-        for (const CheckedTimeFunction* move : moves_of(table)) {
-            if (move != nullptr) check_start(*move, context);
+        const auto moves = moves_of(table);
+        for (std::size_t i = 0; i < moves.size(); ++i) {
+            if (moves[i] != nullptr) check_start(*moves[i], i < 3 ? model_size : 1.0, context);
         }
     }
     for (const NodeSupport& supported : supports) {

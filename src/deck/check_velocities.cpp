@@ -7,9 +7,10 @@
 namespace gxrod {
 namespace {
 
-// Velocities below this, relative to the largest component, are round-off of an attitude.
+// Velocities below this, relative to the largest that the key gives anywhere, are round-off of an attitude or
+// of an expression such as sin(pi*s) at the end of a rod.
 constexpr double round_off = 1e-12;
-// A difference quotient is as exact as this, relative to the largest velocity.
+// A difference quotient is as exact as this, relative to the largest velocity that the key gives.
 constexpr double same_rate = 1e-5;
 // Of the difference quotient, in steps of the analysis.
 constexpr double rate_step = 1e-3;
@@ -33,8 +34,10 @@ struct Components {
 };
 
 // What the support says of the velocity (in its own axes) that it does not allow, or "".
-std::string explain(const Components& components, const Vec3& velocity, const BuildContext& context) {
-    const double size = velocity.cwiseAbs().maxCoeff();
+std::string explain(const Components& components,
+                    const Vec3& velocity,
+                    double size,
+                    const BuildContext& context) {
     const bool has_own_axes = !components.support.axes.isApprox(Quat::Identity(), 0.0);
     const char* axes = has_own_axes ? " of its own axes" : "";
     const std::string& node = context.model.nodes[components.support.node].name;
@@ -71,7 +74,7 @@ void check(const Components& components,
     const Mat3 axes = components.support.axes.toRotationMatrix();
     Vec3 own = axes.transpose() * velocity;
     try {
-        const std::string reason = explain(components, own, context);
+        const std::string reason = explain(components, own, setting.size, context);
         if (!reason.empty()) return context.add_fault(*setting.table, setting.key, reason);
     } catch (const EvaluationError&) {
         return;  // check_functions reports it

@@ -125,8 +125,11 @@ const TableSpec& material_table() {
                   .type = ValueType::number,
                   .dimension = "1",
                   .range = positive,
-                  .default_text = "Cowper's (1966) for the shape",
-                  .sentence = "Shear stiffness is shear_factor G A along y and z."}},
+                  .default_text = "exact, for the shape and nu",
+                  .sentence = "Shear stiffness is shear_factor G A along y and z. Left out, it follows from "
+                              "the energy of "
+                              "Saint-Venant's flexure ([shear stiffness](theory/shear_stiffness.md)), and "
+                              "a rectangle has one along y and another along z."}},
         .groups = {{GroupRule::exactly_one, {"nu", "G"}}}};
     return table;
 }

@@ -8,8 +8,9 @@ struct ShapeConstants {
     double second_moment_y = 0.0;   // ∫ z² dA: of bending about y
     double second_moment_z = 0.0;   // ∫ y² dA
     double torsion_constant = 0.0;  // Saint-Venant's J; the torsional stiffness is G J
-    // Cowper (1966), "The shear coefficient in Timoshenko's beam theory", for one Poisson's ratio.
-    double shear_factor = 0.0;
+    // Shear stiffness over G A, for one Poisson's ratio: by the energy of Saint-Venant's flexure.
+    double shear_factor_y = 0.0;  // of forces along y
+    double shear_factor_z = 0.0;
 };
 
 ShapeConstants compute_circle(double radius, double nu);

@@ -5,6 +5,15 @@
 #include "deck/decks.hpp"
 
 namespace gxrod::test {
+namespace {
+
+std::string describe_conditions(const Model& model) {
+    std::string text;
+    for (const ItemList& list : list_conditions(model)) text += describe(list, Detail::all);
+    return text;
+}
+
+}  // namespace
 
 TEST_CASE("The summary lists connections, supports, velocities, loads and gravity", "[analyses]") {
     const std::string deck = "gravity = [0, 0, -9.81]\n" + rod_deck + R"deck([rod.q]

@@ -11,9 +11,9 @@ TEST_CASE("Inertias that no body has are errors", "[deck]") {
     CHECK(faults_of(replaced(body_deck, "[1, 1, 1]", "[1, 1, -1]")) ==
           "x.toml:3:11: body.top.inertia: expected a positive definite inertia, found principal moments -1, "
           "1, 1; a rotation without inertia cannot be integrated in time");
-    CHECK(faults_of(replaced(body_deck, "[1, 1, 1]", "[1, 1, 2.1]")) ==
-          "x.toml:3:11: body.top.inertia: no body has the principal moments 1, 1, 2.1: the largest cannot be "
-          "above the sum of the others");
+    CHECK(faults_of(replaced(body_deck, "[1, 1, 1]", "[1, 1, 2.3]")) ==
+          "x.toml:3:11: body.top.inertia: no body has the principal moments 1, 1, 2.3: the largest cannot be "
+          "above the sum of the others; expected 2 at most, or greater values of the others");
     CHECK(faults_of(replaced(body_deck, "[1, 1, 1]", "[[1, 0.1, 0], [0.2, 1, 0], [0, 0, 1]]")) ==
           "x.toml:3:11: body.top.inertia: expected a symmetric matrix");
     CHECK(faults_of(replaced(body_deck, "[1, 1, 1]", "[[1, 2, 0], [2, 1, 0], [0, 0, 1]]")) ==

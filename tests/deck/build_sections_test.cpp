@@ -31,8 +31,8 @@ TEST_CASE("A shape and a material make a section", "[deck]") {
         section_of("shape = { circle = { radius = 0.1 } }\nmaterial = { E = 200, nu = 0.25, density = 3 }\n");
     const double area = M_PI * 0.01, I = M_PI * 1e-4 / 4.0;
     Vec6 expected;
-    expected << 200.0 * area, 80.0 * area * 7.5 / 8.5, 80.0 * area * 7.5 / 8.5, 80.0 * 2.0 * I, 200.0 * I,
-        200.0 * I;
+    const double GA = 80.0 * area * 6.0 / 7.04;  // n = 0.2
+    expected << 200.0 * area, GA, GA, 80.0 * 2.0 * I, 200.0 * I, 200.0 * I;
     CHECK(wire.stiffness.isApprox(Mat6(expected.asDiagonal()), 1e-14));
     expected << 3 * area, 3 * area, 3 * area, 6 * I, 3 * I, 3 * I;
     CHECK(wire.mass.isApprox(Mat6(expected.asDiagonal()), 1e-14));
@@ -79,6 +79,24 @@ TEST_CASE("G stands for E/(2(1 + nu)), also in the shear factor", "[deck]") {
               .stiffness(1, 1) == Approx(40.0 * M_PI * 3.0));
     // Incompressible.
     CHECK_NOTHROW(section_of(shape + "material = { E = 300, G = 100, density = 1 }\n"));
+}
+
+TEST_CASE("A reader is told what a shear factor means and which one a section has", "[deck]") {
+    const auto note = [](const std::string& shape, const std::string& material) {
+        return read(with_section("shape = { " + shape + " }\nmaterial = { density = 1, " + material + " }\n"))
+            .notes.at(0);
+    };
+    const std::string meaning = "section.s: shear stiffness is shear_factor G A; ";
+    CHECK(note("tube = { outer_radius = 0.3, inner_radius = 0.1 }", "E = 73e9, nu = 0.33") ==
+          meaning + "shear_factor follows from the exact flexure at nu = 0.33, 0.678779 along y and z");
+    CHECK(
+        note("rectangle = { width_y = 2, height_z = 1 }", "E = 1, nu = 0.3") ==
+        meaning +
+            "shear_factor follows from the exact flexure at nu = 0.3, 0.832942 along y and 0.784442 along z");
+    CHECK(note("circle = { radius = 1 }", "E = 1, nu = 0, shear_factor = 1") ==
+          meaning + "shear_factor 1 is given, where the exact flexure at nu = 0 has 0.857143 along y and z");
+    CHECK(note("circle = { radius = 1 }", "E = 4, G = 1, shear_factor = 1") ==
+          meaning + "shear_factor 1 is given");
 }
 
 TEST_CASE("A section may be matrices", "[deck]") {

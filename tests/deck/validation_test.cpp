@@ -251,7 +251,7 @@ quantities = "strain"
 x.toml:5:11: rod.r.section: no section "none"; the deck has no section
 x.toml:6:33: rod.r.line.to: the rod has no length; expected an end away from its start
 x.toml:11:10: load[1].force[0]: "1/t" is inf at t = 0
-x.toml:14:11: body.b.inertia: no body has the principal moments 1, 1, 5: the largest cannot be above the sum of the others
+x.toml:14:11: body.b.inertia: no body has the principal moments 1, 1, 5: the largest cannot be above the sum of the others; expected 2 at most, or greater values of the others
 x.toml:19:22: analysis.newton.tangent: "paper" is for decks of bodies alone; this one has rods
 x.toml:21:8: history[0].name: "time" is taken by the times of all histories
 x.toml:23:14: history[0].quantities: "strain": only points of rods have it; this one is a body)");

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+// What repeats in a model, in full or in short.
+namespace gxrod {
+
+// Things of one kind.
+struct ItemList {
+    std::string kind;                // in the plural: "rods"
+    std::vector<std::string> items;  // texts of one line or several, with line ends
+    std::string sum = {};            // of all of them, for who is not shown each; may be ""
+};
+
+enum class Detail { all, shortened };
+
+// The items, or of a long list the first two and what the rest is: "and 382 more rods; all 384: …".
+std::string describe(const ItemList& list, Detail detail);
+
+// The same of sentences that may differ in names and numbers alone: of those that do, the first and how many
+// are like it.
+std::vector<std::string> sum_up_repeats(const std::vector<std::string>& sentences);
+
+long count_lines(std::string_view text);
+
+}  // namespace gxrod
