@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "analyses/function_examination.hpp"
 #include "analyses/stiffness_contrast.hpp"
 #include "analyses/unconnected_points.hpp"
 #include "analyses/unsupported_motions.hpp"
@@ -128,6 +129,9 @@ std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& a
     if (solves_equilibria(analysis)) warn_of_contrasts(model, parts, findings);
     for (const std::string& sentence : find_unconnected_points(model)) {
         findings.push_back({Severity::warning, sentence});
+    }
+    if (const auto* dynamic = std::get_if<DynamicSettings>(&analysis)) {
+        for (const Finding& finding : examine_functions(model, *dynamic)) findings.push_back(finding);
     }
     find_idle_loads(model, findings);
     find_missing_causes(model, analysis, findings);
