@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "analyses/function_examination.hpp"
 #include "analyses/stability.hpp"
 #include "analyses/stiffness_contrast.hpp"
 #include "analyses/unconnected_points.hpp"
@@ -163,6 +164,9 @@ std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& a
         findings.push_back({Severity::warning, sentence});
     }
     find_odd_bodies(model, findings);
+    if (const auto* dynamic = std::get_if<DynamicSettings>(&analysis)) {
+        for (const Finding& finding : examine_functions(model, *dynamic)) findings.push_back(finding);
+    }
     find_idle_loads(model, findings);
     find_missing_causes(model, analysis, findings);
     describe_parts(model, parts, findings);

@@ -52,27 +52,41 @@ void add_rod(const Model& model, const Rod& rod, int group, int first_element, E
 }
 
 template <int Nodes>
+ShapeValues compute_shapes(double xi) {
+    const NodeValues<Nodes> shape = compute_shape_functions<Nodes>(xi);
+    const NodeValues<Nodes> slope = compute_shape_slopes<Nodes>(xi);
+    ShapeValues values{};
+    for (std::size_t i = 0; i < Nodes; ++i) {
+        values.value[i] = shape[static_cast<Eigen::Index>(i)];
+        values.slope[i] = slope[static_cast<Eigen::Index>(i)];
+    }
+    return values;
+}
+
+template <int Nodes>
 LoadedElement make_loaded_element(const Model& model, const DistributedLoad& load, int element) {
     const Rod& rod = model.rods[load.rod];
     const RodElementGeometry<Nodes> geometry = find_geometry<Nodes>(model, rod, element);
-    LoadedElement loaded{.load = &load,
-                         .nodes = {geometry.nodes.begin(), geometry.nodes.end()},
-                         .triads = {geometry.triads.begin(), geometry.triads.end()},
-                         .points = {}};
-    for (const auto& [xi, weight] : compute_gauss_rule<Nodes>()) {
-        const NodeValues<Nodes> shape = compute_shape_functions<Nodes>(xi);
-        const NodeValues<Nodes> slope = compute_shape_slopes<Nodes>(xi);
-        LoadedElement::Point point{0.0, 0.0, {}};
-        Vec3 tangent = Vec3::Zero();
-        for (int i = 0; i < Nodes; ++i) {
-            point.shape[i] = shape[i];
-            point.arc_length += shape[i] * rod.arc_length[element * Nodes + i];
-            tangent += slope[i] * geometry.positions[i];
+    const auto first = rod.arc_length.begin() + element * Nodes;
+    return {.load = &load,
+            .nodes = {geometry.nodes.begin(), geometry.nodes.end()},
+            .triads = {geometry.triads.begin(), geometry.triads.end()},
+            .arc_lengths = {first, first + Nodes},
+            .positions = {geometry.positions.begin(), geometry.positions.end()},
+            .shapes = compute_shapes<Nodes>};
+}
+
+std::vector<LoadedElement> make_loaded_elements(const Model& model) {
+    std::vector<LoadedElement> elements;
+    for (const DistributedLoad& load : model.distributed_loads) {
+        const Rod& rod = model.rods[load.rod];
+        for (int e = 0; e < rod.element_count(); ++e) {
+            visit_node_count(rod.order, [&](auto node_count) {
+                elements.push_back(make_loaded_element<node_count>(model, load, e));
+            });
         }
-        point.weight = weight * tangent.norm();
-        loaded.points.push_back(point);
     }
-    return loaded;
+    return elements;
 }
 
 }  // namespace
@@ -87,9 +101,9 @@ System::System(const Model& model, const Kernels& kernels, const ThreadTeam& tea
       equations_(supports_),
       scale_groups_(model),
       rod_batches_(kernels, kernels, kernels, kernels),
-      rotary_batches_(kernels, equations_) {
+      rotary_batches_(kernels, equations_),
+      load_values_(model, make_loaded_elements(model)) {
     build_blocks();
-    build_loads();
     build_pattern();
     build_batches();
     measure();
@@ -136,18 +150,6 @@ void System::build_blocks() {
     });
 }
 
-void System::build_loads() {
-    for (const DistributedLoad& load : model_->distributed_loads) {
-        const Rod& rod = model_->rods[load.rod];
-        first_loaded_element_.push_back(loaded_elements_.size());
-        for (int e = 0; e < rod.element_count(); ++e) {
-            visit_node_count(rod.order, [&](auto node_count) {
-                loaded_elements_.push_back(make_loaded_element<node_count>(*model_, load, e));
-            });
-        }
-    }
-}
-
 void System::build_pattern() {
     std::vector<NodeGroup> groups;
     groups.reserve(element_count());
@@ -166,7 +168,7 @@ void System::build_pattern() {
     for (const NodalLoad& load : model_->loads) {
         load_places_.push_back(find_places<1>({load.node}, equations_, pattern_));
     }
-    for (const LoadedElement& element : loaded_elements_) {
+    for (const LoadedElement& element : load_values_.elements()) {
         const std::size_t size = 6 * element.nodes.size();
         loaded_element_slots_.emplace_back(size * size);
         find_slots(element.nodes, equations_, pattern_, loaded_element_slots_.back());

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "assembly/system.hpp"
+#include "loads/distributed_load.hpp"
 
 // Points of rods: the part of System that histories look at.
 namespace gxrod {
@@ -34,8 +35,10 @@ PointValues System::compute_point_value(const State& state, double time, const R
             element.add_inertial_force(motions, model_->gravity(time), force);
             for (std::size_t i = 0; i < model_->distributed_loads.size(); ++i) {
                 if (model_->distributed_loads[i].rod != place.rod) continue;
-                const std::size_t loaded = first_loaded_element_[i] + static_cast<std::size_t>(place.element);
-                force -= compute_distributed_load(loaded_elements_[loaded], state.trial, time);
+                const LoadValues& loads = loads_at(time);
+                const std::size_t loaded = loads.first_element(i) + static_cast<std::size_t>(place.element);
+                force -=
+                    compute_distributed_load(loads.elements()[loaded], loads.moments(loaded), state.trial);
             }
             values = element.point_values(motions, histories, force, place.xi);
             const auto shape = compute_shape_functions<Block::node_count>(place.xi);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "loads/distributed_load.hpp"
 #include "loads/nodal_load.hpp"
 
 namespace gxrod {
@@ -83,17 +84,20 @@ State System::initial_state() const {
     return state;
 }
 
+const LoadValues& System::loads_at(double time) const {
+    load_values_.move_to(time);
+    return load_values_;
+}
+
 void System::add_loads(const State& state, double time, Residual& residual) const {
-    for (const NodalLoad& load : model_->loads) {
-        const Vec6 force = compute_load(load, state.trial[load.node], time);
+    const LoadValues& values = loads_at(time);
+    for (std::size_t i = 0; i < model_->loads.size(); ++i) {
+        const NodalLoad& load = model_->loads[i];
+        const Vec6 force = turn_load(load, values.nodal()[i], state.trial[load.node]);
         residual.raise_group(scale_groups_.of_node(load.node), force);
         residual.nodal[load.node] -= force;
     }
-    if (loaded_elements_.empty()) return;
-    std::vector<Vec6> distributed(state.trial.size(), Vec6::Zero());
-    for (const LoadedElement& element : loaded_elements_) {
-        add_distributed_load(element, state.trial, time, distributed);
-    }
+    const std::vector<Vec6>& distributed = load_values_.add_distributed(state.trial);
     for (std::size_t i = 0; i < distributed.size(); ++i) {
         residual.raise_group(scale_groups_.of_node(static_cast<int>(i)), distributed[i]);
         residual.nodal[i] -= distributed[i];
@@ -165,18 +169,20 @@ void System::add_load_tangents(const State& state,
                                double time,
                                const std::vector<NodeLinearization>& linearizations,
                                std::vector<double>& values) const {
+    const LoadValues& loads = loads_at(time);
     for (std::size_t i = 0; i < model_->loads.size(); ++i) {
         const NodalLoad& load = model_->loads[i];
         if (load.frame == Frame::spatial) continue;
-        const Vec6 force = compute_load(load, state.trial[load.node], time);
+        const Vec6 force = turn_load(load, loads.nodal()[i], state.trial[load.node]);
         Mat6 tangent = -compute_load_tangent(load, force, linearizations[load.node]);
         turn_to_own_axes(std::span(&load.node, 1), equations_, tangent);
         add_to_values<1>(tangent, load_places_[i], values);
     }
-    for (std::size_t i = 0; i < loaded_elements_.size(); ++i) {
-        const LoadedElement& element = loaded_elements_[i];
+    for (std::size_t i = 0; i < loads.elements().size(); ++i) {
+        const LoadedElement& element = loads.elements()[i];
         if (element.load->frame == Frame::spatial) continue;
-        LoadMatrix tangent = -compute_distributed_load_tangent(element, state.trial, time, linearizations);
+        LoadMatrix tangent =
+            -compute_distributed_load_tangent(element, loads.moments(i), state.trial, linearizations);
         turn_to_own_axes(std::span<const int>(element.nodes), equations_, tangent);
         add_to_values(tangent.data(), loaded_element_slots_[i], values);
     }

@@ -12,7 +12,7 @@
 #include "assembly/scale_groups.hpp"
 #include "assembly/sparse_pattern.hpp"
 #include "constraints/supports.hpp"
-#include "loads/distributed_load.hpp"
+#include "loads/load_values.hpp"
 #include "model/model.hpp"
 #include "state/point_values.hpp"
 #include "state/section_values.hpp"
@@ -48,7 +48,8 @@ struct RelativeRotation {
     int node = -1;
 };
 
-// The model as one system of equations: what the parts become together. Holds no state.
+// The model as one system of equations: what the parts become together. Holds no state; of the loads it remembers
+// what they are at the time last asked for, which changes no result.
 class System {
   public:
     // The model must outlive the system, and so must the threads that share its work; their number
@@ -118,7 +119,6 @@ class System {
 
   private:
     void build_blocks();
-    void build_loads();
     void build_pattern();
     void build_batches();
     void measure();
@@ -146,6 +146,7 @@ class System {
                            double time,
                            const std::vector<NodeLinearization>& linearizations,
                            std::vector<double>& values) const;
+    const LoadValues& loads_at(double time) const;
     PointValues compute_point_value(const State& state, double time, const RodPlace& place) const;
 
     const Model* model_;
@@ -156,8 +157,7 @@ class System {
     ElementBlocks blocks_;
     AllRodBatches rod_batches_;
     RotaryBatches rotary_batches_;
-    std::vector<LoadedElement> loaded_elements_;
-    std::vector<std::size_t> first_loaded_element_;  // of each distributed load
+    mutable LoadValues load_values_;
     SparsePattern pattern_;
     std::vector<ElementPlaces<1>> load_places_;  // of each load's node
     std::vector<std::vector<std::int64_t>> loaded_element_slots_;

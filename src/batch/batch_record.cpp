@@ -8,7 +8,7 @@
 #include "batch/batch_folder.hpp"
 #include "batch/case_table.hpp"
 #include "batch/collector.hpp"
-#include "batch/csv_reading.hpp"
+#include "deck/csv_reading.hpp"
 #include "deck/deck_comparison.hpp"
 #include "deck/text_file.hpp"
 #include "model/file_error.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "batch/csv_reading.hpp"
+#include "deck/csv_reading.hpp"
 #include "batch/plan_schema.hpp"
 #include "batch/read_variations.hpp"
 #include "deck/text_file.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "batch/csv_reading.hpp"
+#include "deck/csv_reading.hpp"
 #include "batch/latin_hypercube.hpp"
 #include "batch/plan_schema.hpp"
 #include "batch/value_range.hpp"

@@ -9,6 +9,7 @@
 #include "deck/sample_times.hpp"
 #include "deck/suggestion.hpp"
 #include "deck/support_merge.hpp"
+#include "model/transitions.hpp"
 
 namespace gxrod {
 namespace {
@@ -16,6 +17,7 @@ namespace {
 // A move that is below this at t = 0, relative to its largest value or to what it moves, is 0 there.
 constexpr double round_off = 1e-12;
 constexpr long most_samples = 1000;
+constexpr long fewest_samples = 64;
 
 NodeSupport& find_support(int node, std::vector<NodeSupport>& supports, std::vector<int>& by_node) {
     if (by_node[node] < 0) {
@@ -95,6 +97,29 @@ void check_start(const CheckedTimeFunction& move, double size, const BuildContex
                     start));
 }
 
+// No force moves a support at once: the rods would be torn to where it is, differently at every step size.
+void check_jumps(const CheckedTimeFunction& move, const BuildContext& context) {
+    const auto& analysis = std::get<DynamicSettings>(context.analysis);
+    std::vector<Transition> jumps;
+    try {
+        const int samples = static_cast<int>(std::clamp(analysis.steps, fewest_samples, most_samples));
+        jumps = find_transitions(move.function, {0.0, analysis.end_time}, samples);
+    } catch (const EvaluationError&) {
+        return;  // check_functions reports it
+    }
+    const auto first =
+        std::find_if(jumps.begin(), jumps.end(), [](const Transition& one) { return one.is_jump; });
+    if (first == jumps.end()) return;
+    context.faults.add(
+        move.place,
+        move.path,
+        fmt::format("jumps from {:.6g} to {:.6g} at t = {:.6g}; expected a motion without jumps, such as a "
+                    "[function] whose table has interpolation = \"cubic\"",
+                    first->value_before,
+                    first->value_after,
+                    first->time));
+}
+
 // A model without an unknown is a mistake, unless its supports move it.
 void check_freedom(const std::vector<NodeSupport>& supports, const BuildContext& context) {
     const auto is_clamped = [](const NodeSupport& supported) {
@@ -119,7 +144,9 @@ void build_supports(BuildContext& context) {
         if (context.is_static()) continue;
         const auto moves = moves_of(table);
         for (std::size_t i = 0; i < moves.size(); ++i) {
-            if (moves[i] != nullptr) check_start(*moves[i], i < 3 ? model_size : 1.0, context);
+            if (moves[i] == nullptr) continue;
+            check_start(*moves[i], i < 3 ? model_size : 1.0, context);
+            check_jumps(*moves[i], context);
         }
     }
     for (const NodeSupport& supported : supports) {

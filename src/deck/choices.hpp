@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "deck/table_function.hpp"
 #include "model/model.hpp"
 #include "model/settings.hpp"
 
@@ -23,6 +24,11 @@ inline constexpr std::array<Choice<ElementKind>, 2> element_kind_choices{
 
 inline constexpr std::array<Choice<Frame>, 3> frame_choices{
     {{"spatial", Frame::spatial}, {"follower", Frame::follower}, {"body", Frame::body}}};
+
+inline constexpr std::array<Choice<Interpolation>, 3> interpolation_choices{
+    {{"linear", Interpolation::linear},
+     {"cubic", Interpolation::cubic},
+     {"monotone", Interpolation::monotone}}};
 
 inline constexpr std::array<Choice<Scheme>, 5> scheme_choices{
     {{"newmark-simplified", Scheme::newmark_simplified},

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "deck/expression_built_ins.hpp"
+#include "deck/expression_switches.hpp"
 #include "deck/expression_syntax.hpp"
 #include "deck/table_function.hpp"
 #include "model/evaluation_error.hpp"
@@ -81,13 +82,18 @@ class CompiledExpression {
 
 // One [function.NAME], as the expressions of one TimeFunction call it.
 struct CompiledFunction {
-    std::vector<std::pair<double, double>> table;
+    std::shared_ptr<const TableFunction> table;
     std::unique_ptr<CompiledExpression> expression;
 
     double operator()(double argument) {
-        return expression ? (*expression)({.t = argument}) : interpolate(table, argument);
+        return expression ? (*expression)({.t = argument}) : (*table)(argument);
     }
 };
+
+std::shared_ptr<const TableFunction> curve_of(const FunctionDefinition& definition) {
+    if (definition.curve) return definition.curve;
+    return std::make_shared<const TableFunction>(definition.table, definition.interpolation);
+}
 
 double call_function(void* function, double argument) {
     return (*static_cast<CompiledFunction*>(function))(argument);
@@ -104,10 +110,11 @@ class CompiledFunctions {
         if (is_new) {
             const FunctionDefinition& definition = *symbols_.functions.find(name)->second;
             entry->second = std::make_unique<CompiledFunction>();
-            entry->second->table = definition.table;
             if (definition.table.empty()) {
                 entry->second->expression = std::make_unique<CompiledExpression>(
                     Formula{definition.expression, symbols_, Variables::time}, *this);
+            } else {
+                entry->second->table = curve_of(definition);
             }
         }
         return entry->second.get();
@@ -226,6 +233,54 @@ double constant_value(Program& program) {
     return value;
 }
 
+// The compiled chain of one switch.
+struct SwitchProgram {
+    SwitchProgram(const SwitchSource& source, const Symbols& symbols, Variables variables)
+        : compiled(symbols) {
+        for (const std::string& text : source.chain) {
+            const Variables own = chain.empty() ? variables : Variables::time;
+            chain.push_back(std::make_unique<CompiledExpression>(Formula{text, symbols, own}, compiled));
+        }
+        functions = compiled.release();
+    }
+
+    double operator()(double time, double s) {
+        Values values{.t = time, .s = s};
+        for (const auto& expression : chain) values.t = (*expression)(values);
+        return values.t;
+    }
+
+    CompiledFunctions compiled;
+    std::vector<std::unique_ptr<CompiledExpression>> chain;
+    std::map<std::string, std::unique_ptr<CompiledFunction>> functions;
+};
+
+Switch compile_switch(const SwitchSource& source, const Formula& formula) {
+    Switch one{.argument = {},
+               .knots = source.knots,
+               .has_time = source.has_time,
+               .has_arc_length = source.has_arc_length,
+               .is_variable = false};
+    const std::string& text = source.chain.front();
+    if (source.chain.size() == 1 && (text == "t" || text == "s")) {
+        one.is_variable = true;
+        one.argument = [is_time = text == "t"](double time, double s) { return is_time ? time : s; };
+        return one;
+    }
+    one.argument = [program = std::make_shared<SwitchProgram>(source, formula.symbols, formula.variables)](
+                       double time, double s) { return (*program)(time, s); };
+    return one;
+}
+
+// nullptr if there are none.
+std::shared_ptr<const Switches> compile_switches(const Formula& formula) {
+    const std::vector<SwitchSource> sources = find_switches(formula.text, formula.symbols);
+    if (sources.empty()) return nullptr;
+    auto switches = std::make_shared<Switches>();
+    for (const SwitchSource& source : sources) switches->push_back(compile_switch(source, formula));
+    return switches;
+}
+
 }  // namespace
 
 std::optional<double> evaluate_constant(const std::string& expression, const Symbols& symbols) {
@@ -237,24 +292,29 @@ std::optional<double> evaluate_constant(const std::string& expression, const Sym
 std::optional<TimeFunction> compile_time_function(const std::string& expression,
                                                   const std::string& key,
                                                   const Symbols& symbols) {
-    const Compiled compiled = compile({expression, symbols, Variables::time}, key);
+    const Formula formula{expression, symbols, Variables::time};
+    const Compiled compiled = compile(formula, key);
     if (!compiled.program) return std::nullopt;
     if (compiled.variables.empty()) return TimeFunction(constant_value(*compiled.program));
-    return TimeFunction([program = compiled.program](double time) {
+    const auto evaluate = [program = compiled.program](double time) {
         return program->evaluate({.t = time}, [=] { return fmt::format("t = {}", time); });
-    });
+    };
+    return TimeFunction(evaluate, compile_switches(formula));
 }
 
 std::optional<LineExpression> compile_line_function(const std::string& expression,
                                                     const std::string& key,
                                                     const Symbols& symbols) {
-    const Compiled compiled = compile({expression, symbols, Variables::line}, key);
+    const Formula formula{expression, symbols, Variables::line};
+    const Compiled compiled = compile(formula, key);
     if (!compiled.program) return std::nullopt;
     if (compiled.variables.empty()) return LineExpression{LineFunction(constant_value(*compiled.program))};
     const auto evaluate = [program = compiled.program](double time, double s) {
         return program->evaluate({.t = time, .s = s}, [=] { return fmt::format("t = {}, s = {}", time, s); });
     };
-    return LineExpression{LineFunction(evaluate), compiled.variables.contains("t")};
+    const bool has_time = compiled.variables.contains("t");
+    const LineForm form{has_time ? InTime::varying : InTime::constant, !compiled.variables.contains("s")};
+    return LineExpression{LineFunction(evaluate, compile_switches(formula), form), has_time};
 }
 
 std::optional<PlaceExpression> compile_place_function(const std::string& expression,

@@ -2,12 +2,14 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "deck/table_function.hpp"
 #include "model/time_function.hpp"
 #include "rotation/types.hpp"
 
@@ -26,8 +28,10 @@ struct FunctionDefinition {
     std::vector<std::pair<double, double>>
         table;  // (t, value), t increasing; empty if there is an expression
     std::string expression;
-    double operations = 1.0;  // of one evaluation, at most
-    int depth = 1;            // of functions that call functions
+    double operations = 1.0;                               // of one evaluation, at most
+    int depth = 1;                                         // of functions that call functions
+    Interpolation interpolation = Interpolation::linear;   // of the table
+    std::shared_ptr<const TableFunction> curve = nullptr;  // the table's, where it has been made already
 };
 
 // The names that a deck defines. A nullopt stands for one that is defined but wrong, and already reported.

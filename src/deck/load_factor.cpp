@@ -9,7 +9,9 @@ TimeFunction apply_load_factor(const TimeFunction& function) {
 
 LineFunction apply_load_factor(const LineExpression& expression) {
     if (expression.has_time || expression.function.is_zero()) return expression.function;
-    return LineFunction([function = expression.function](double t, double s) { return t * function(t, s); });
+    return LineFunction([function = expression.function](double t, double s) { return t * function(t, s); },
+                        expression.function.switches(),
+                        {InTime::proportional, expression.function.form().is_even});
 }
 
 }  // namespace gxrod

@@ -15,6 +15,7 @@
 #include "deck/check_memory.hpp"
 #include "deck/check_points.hpp"
 #include "deck/check_velocities.hpp"
+#include "deck/function_files.hpp"
 #include "deck/overrides.hpp"
 #include "deck/read_rod_nets.hpp"
 #include "deck/resumption.hpp"
@@ -73,12 +74,23 @@ std::string read_deck_file(const std::filesystem::path& path) {
     return text;
 }
 
-// A text, where its meshes are, and how faults name it.
+// A text, where its meshes and tables are, and how faults name it.
 struct DeckSource {
     const std::string& text;
     const std::string& file;
     const MeshFiles& meshes;
+    TableFiles tables;
 };
+
+CheckedTable check_with_tables(const DeckNode& tree,
+                               const TableFiles& files,
+                               std::vector<MeshRecord>& records,
+                               FaultList& faults) {
+    if (!has_function_files(tree)) return check_deck(tree, faults);
+    DeckNode filled = tree;
+    fill_function_tables(filled, files, records, faults);
+    return check_deck(filled, faults);
+}
 
 // The deck of a tree, with one to go on from, if there is one: what may not differ from it is a fault.
 Problem build_tree(DeckNode tree,
@@ -87,12 +99,14 @@ Problem build_tree(DeckNode tree,
                    const DeckRecord* before) {
     FaultList faults(source.file, overrides);
     apply_overrides(overrides, tree, faults);
-    const CheckedTable deck = check_deck(tree, faults);
+    std::vector<MeshRecord> tables;
+    const CheckedTable deck = check_with_tables(tree, source.tables, tables, faults);
     faults.throw_if_any();
     if (before != nullptr) check_resumption(read_toml(before->text, before->name), tree, faults);
     faults.throw_if_any();
     Problem problem = build_problem(deck, source.meshes, faults);
     faults.throw_if_any();
+    problem.record.meshes.insert(problem.record.meshes.end(), tables.begin(), tables.end());
     problem.record.name = std::filesystem::path(source.file).filename().string();
     problem.record.text =
         overrides.empty() ? source.text : write_overridden_deck(problem.record.name, overrides, tree);
@@ -105,13 +119,14 @@ Problem read_source(const DeckSource& source,
     return build_tree(read_toml(source.text, source.file), source, overrides, before);
 }
 
-void check_meshes(const DeckRecord& before, const DeckRecord& now, const std::string& file) {
+// Meshes and tables.
+void check_files(const DeckRecord& before, const DeckRecord& now, const std::string& file) {
     for (const MeshRecord& mesh : now.meshes) {
         const auto same = std::find_if(before.meshes.begin(),
                                        before.meshes.end(),
                                        [&](const MeshRecord& other) { return other.file == mesh.file; });
         if (same != before.meshes.end() && same->bytes == mesh.bytes) continue;
-        throw FileError(file, "the mesh " + mesh.file + " is another one than the run's");
+        throw FileError(file, "the file " + mesh.file + " is another one than the run's");
     }
 }
 
@@ -119,7 +134,9 @@ void check_same_mesh(const DeckRecord& before,
                      const Model& now,
                      const MeshFiles& meshes,
                      const std::string& file) {
-    if (have_same_mesh(read_source({before.text, before.name, meshes}, {}).model, now)) return;
+    if (have_same_mesh(read_source({before.text, before.name, meshes, TableFiles(before.meshes)}, {}).model,
+                       now))
+        return;
     throw DeckError({{file,
                       0,
                       0,
@@ -137,13 +154,15 @@ Problem read_problem(const std::filesystem::path& deck, const std::vector<std::s
 Problem read_problem_text(std::string_view text,
                           const std::string& file,
                           const std::vector<std::string>& overrides) {
-    const MeshFiles meshes(std::filesystem::path(file).parent_path());
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    const MeshFiles meshes(folder);
     const std::string kept(text);
-    return read_source({kept, file, meshes}, overrides);
+    return read_source({kept, file, meshes, TableFiles(folder)}, overrides);
 }
 
 Problem rebuild_problem(const DeckRecord& record, const std::vector<std::string>& overrides) {
-    return read_source({record.text, record.name, MeshFiles(record.meshes)}, overrides);
+    return read_source({record.text, record.name, MeshFiles(record.meshes), TableFiles(record.meshes)},
+                       overrides);
 }
 
 DeckTemplate::DeckTemplate(const std::filesystem::path& deck)
@@ -153,7 +172,10 @@ DeckTemplate::DeckTemplate(const std::filesystem::path& deck)
       meshes_(deck.parent_path()) {}
 
 Problem DeckTemplate::build(const std::vector<std::string>& overrides) const {
-    return build_tree(tree_, {text_, file_, meshes_}, overrides, nullptr);
+    return build_tree(tree_,
+                      {text_, file_, meshes_, TableFiles(std::filesystem::path(file_).parent_path())},
+                      overrides,
+                      nullptr);
 }
 
 Problem read_resumption(const DeckRecord& before,
@@ -161,15 +183,16 @@ Problem read_resumption(const DeckRecord& before,
                         const std::vector<std::string>& overrides) {
     if (deck.empty()) {
         const MeshFiles kept(before.meshes);
-        Problem problem = read_source({before.text, before.name, kept}, overrides, &before);
+        Problem problem =
+            read_source({before.text, before.name, kept, TableFiles(before.meshes)}, overrides, &before);
         if (!overrides.empty()) check_same_mesh(before, problem.model, kept, before.name);
         return problem;
     }
     const MeshFiles meshes(deck.parent_path());
     const std::string file = deck.string();
     const std::string text = read_deck_file(deck);
-    Problem problem = read_source({text, file, meshes}, overrides, &before);
-    check_meshes(before, problem.record, deck.string());
+    Problem problem = read_source({text, file, meshes, TableFiles(deck.parent_path())}, overrides, &before);
+    check_files(before, problem.record, deck.string());
     check_same_mesh(before, problem.model, meshes, deck.string());
     return problem;
 }

@@ -179,6 +179,8 @@ std::string describe_expected(const KeySpec& key) {
             return "an array of 3 numbers or expressions in " + variables_of(key.type);
         case ValueType::time_table:
             return "an array of rows [t, value]";
+        case ValueType::columns:
+            return "an array of 2 names or numbers of columns, such as [\"t\", \"x\"] or [1, 3]";
         case ValueType::table:
         case ValueType::named_tables:
         case ValueType::parameters:

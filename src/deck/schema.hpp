@@ -35,6 +35,7 @@ enum class ValueType {
     line_vector,      // 3 f(t, s), s the arc length along a rod
     place_vector,     // 3 f(x, y, z, s) of the reference position
     time_table,       // rows of 2 numbers, the first of each increasing
+    columns,          // 2 names or numbers of columns
     table,            // keys of its own
     named_tables,     // [rod.NAME], any number
     table_list,       // [[load]], any number

@@ -95,6 +95,8 @@ std::string describe_type(const KeySpec& key) {
             return "3 f(x, y, z, s)";
         case ValueType::time_table:
             return "rows [t, value]";
+        case ValueType::columns:
+            return "2 names or numbers";
         default:
             return "table";
     }

@@ -90,6 +90,8 @@ Json make_type(const KeySpec& key) {
             return reference("number");
         case ValueType::time_table:
             return {{"type", "array"}, {"items", array_of(reference("number"), 2)}, {"minItems", 1}};
+        case ValueType::columns:
+            return array_of({{"type", {"string", "integer"}}}, 2);
         case ValueType::table:
             return make_table(*key.table);
         case ValueType::named_tables:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "deck/choices.hpp"
 #include "deck/expression_syntax.hpp"
 #include "deck/schema_tables.hpp"
 #include "deck/suggestion.hpp"
@@ -84,6 +85,17 @@ void read_parameters(const DeckNode& deck, Symbols& symbols, FaultList& faults) 
     }
 }
 
+// nullopt if the word is wrong.
+std::optional<Interpolation> read_interpolation(const DeckNode& node) {
+    const DeckEntry* entry = node.find("interpolation");
+    if (entry == nullptr) return Interpolation::linear;
+    if (entry->node.text() == nullptr) return std::nullopt;
+    for (const auto& choice : interpolation_choices) {
+        if (choice.word == *entry->node.text()) return choice.value;
+    }
+    return std::nullopt;
+}
+
 // What a function is made of, if nothing is wrong with it; faults stay unreported.
 std::optional<FunctionDefinition> read_definition(const DeckNode& node,
                                                   const std::string& name,
@@ -95,9 +107,14 @@ std::optional<FunctionDefinition> read_definition(const DeckNode& node,
     FaultList unreported("", {});
     const ReadingContext context{symbols, unreported};
     if (table != nullptr) {
+        const std::optional<Interpolation> interpolation = read_interpolation(node);
         const auto rows = read_value(table->node, "", *function_table().find("table"), context);
-        if (const auto* pairs = std::get_if<TimeTable>(&rows)) return FunctionDefinition{*pairs, ""};
-        return std::nullopt;
+        const auto* pairs = std::get_if<TimeTable>(&rows);
+        if (pairs == nullptr || !interpolation) return std::nullopt;
+        FunctionDefinition definition{*pairs, ""};
+        definition.interpolation = *interpolation;
+        definition.curve = std::make_shared<const TableFunction>(*pairs, *interpolation);
+        return definition;
     }
     if (const auto* integer = std::get_if<std::int64_t>(&expression->node.value)) {
         return FunctionDefinition{{{0.0, static_cast<double>(*integer)}}, ""};

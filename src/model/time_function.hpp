@@ -2,41 +2,83 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "rotation/types.hpp"
 
 namespace gxrod {
+
+// A number on which a function's form depends: where it crosses one of the knots the function may jump or
+// have a kink, between them it is smooth. Of "s < 2*t ? 1 : 0" the number is s − 2 t and the knot 0; of a
+// table, the number is what it is asked for and the knots are its rows.
+struct Switch {
+    std::function<double(double time, double s)> argument;  // may be nan where the function does not need it
+    std::vector<double> knots{0.0};                         // increasing
+    bool has_time = true;
+    bool has_arc_length = true;
+    bool is_variable = false;  // the argument is the time or the arc length itself
+};
+
+// Those that an argument of another rests on come before it.
+using Switches = std::vector<Switch>;
 
 // A number that may change with time: the value of a deck key that takes f(t).
 // Calling one function from two threads at once is not allowed (an expression evaluates in place).
 class TimeFunction {
   public:
     TimeFunction(double constant = 0.0) : constant_(constant) {}
-    explicit TimeFunction(std::function<double(double)> function) : function_(std::move(function)) {}
+    explicit TimeFunction(std::function<double(double)> function,
+                          std::shared_ptr<const Switches> switches = nullptr)
+        : function_(std::move(function)), switches_(std::move(switches)) {}
 
     double operator()(double time) const { return function_ ? function_(time) : constant_; }
     bool is_constant() const { return !function_; }
     // Whether the value is the constant 0, so that a load of it need not be evaluated.
     bool is_zero() const { return !function_ && constant_ == 0.0; }
+    // nullptr if it is smooth everywhere.
+    const std::shared_ptr<const Switches>& switches() const { return switches_; }
 
   private:
     double constant_ = 0.0;
     std::function<double(double)> function_;
+    std::shared_ptr<const Switches> switches_;
+};
+
+// How a function of time and place follows the time.
+enum class InTime {
+    constant,      // f(s)
+    proportional,  // t f(s)
+    varying
+};
+
+// What is known of a function of time and place.
+struct LineForm {
+    InTime in_time = InTime::varying;
+    bool is_even = false;  // the same all along the rod
 };
 
 // A number that may change with time and along a rod, f(t, s), s the arc length from the rod's start.
 class LineFunction {
   public:
     LineFunction(double constant = 0.0) : constant_(constant) {}
-    explicit LineFunction(std::function<double(double, double)> function) : function_(std::move(function)) {}
+    explicit LineFunction(std::function<double(double, double)> function,
+                          std::shared_ptr<const Switches> switches = nullptr,
+                          LineForm form = {})
+        : function_(std::move(function)), switches_(std::move(switches)), form_(form) {}
 
     double operator()(double time, double s) const { return function_ ? function_(time, s) : constant_; }
+    bool is_constant() const { return !function_; }
     bool is_zero() const { return !function_ && constant_ == 0.0; }
+    const std::shared_ptr<const Switches>& switches() const { return switches_; }
+    const LineForm& form() const { return form_; }
 
   private:
     double constant_ = 0.0;
     std::function<double(double, double)> function_;
+    std::shared_ptr<const Switches> switches_;
+    LineForm form_{InTime::constant, true};
 };
 
 // Whether three functions, of time or of time and place, vanish.
@@ -58,6 +100,7 @@ class TimeVector {
         return components_[0].is_constant() && components_[1].is_constant() && components_[2].is_constant();
     }
     bool is_zero() const { return gxrod::is_zero(components_); }
+    const std::array<TimeFunction, 3>& components() const { return components_; }
 
   private:
     std::array<TimeFunction, 3> components_;

@@ -9,6 +9,27 @@ namespace {
 using Functions = std::array<TimeFunction, 3>;
 using LineFunctions = std::array<LineFunction, 3>;
 
+// Those of all three.
+template <class FunctionVector>
+std::shared_ptr<const Switches> join_switches(const FunctionVector& functions) {
+    auto all = std::make_shared<Switches>();
+    for (const auto& function : functions) {
+        if (function.switches() == nullptr) continue;
+        all->insert(all->end(), function.switches()->begin(), function.switches()->end());
+    }
+    return all->empty() ? nullptr : all;
+}
+
+// Of a sum of all three.
+LineForm join_forms(const LineFunctions& functions) {
+    LineForm form = functions[0].form();
+    for (const LineFunction& function : functions) {
+        form.is_even = form.is_even && function.form().is_even;
+        if (function.form().in_time != form.in_time) form.in_time = InTime::varying;
+    }
+    return form;
+}
+
 // The components of R f. Where f varies, each calls all three of f.
 Functions turn(const Quat& rotation, const Functions& functions) {
     const Mat3 R = rotation.toRotationMatrix();
@@ -18,11 +39,14 @@ Functions turn(const Quat& rotation, const Functions& functions) {
         return {value.x(), value.y(), value.z()};
     }
     const auto all = std::make_shared<const Functions>(functions);
+    const auto switches = join_switches(functions);
     for (int i = 0; i < 3; ++i) {
         const Vec3 row = R.row(i);
-        turned[static_cast<std::size_t>(i)] = TimeFunction([all, row](double time) {
-            return row.dot(Vec3((*all)[0](time), (*all)[1](time), (*all)[2](time)));
-        });
+        turned[static_cast<std::size_t>(i)] = TimeFunction(
+            [all, row](double time) {
+                return row.dot(Vec3((*all)[0](time), (*all)[1](time), (*all)[2](time)));
+            },
+            switches);
     }
     return turned;
 }
@@ -32,23 +56,23 @@ LineFunctions turn(const Quat& rotation, const LineFunctions& functions) {
     const Mat3 R = rotation.toRotationMatrix();
     LineFunctions turned;
     const auto all = std::make_shared<const LineFunctions>(functions);
+    const auto switches = join_switches(functions);
+    const LineForm form = join_forms(functions);
     for (int i = 0; i < 3; ++i) {
         const Vec3 row = R.row(i);
-        turned[static_cast<std::size_t>(i)] = LineFunction([all, row](double time, double s) {
-            return row.dot(Vec3((*all)[0](time, s), (*all)[1](time, s), (*all)[2](time, s)));
-        });
+        turned[static_cast<std::size_t>(i)] = LineFunction(
+            [all, row](double time, double s) {
+                return row.dot(Vec3((*all)[0](time, s), (*all)[1](time, s), (*all)[2](time, s)));
+            },
+            switches,
+            form);
     }
     return turned;
 }
 
 TimeVector turn(const Quat& rotation, const TimeVector& vector) {
     if (vector.is_constant()) return TimeVector(rotation * vector(0.0));
-    Functions components;
-    for (int i = 0; i < 3; ++i) {
-        components[static_cast<std::size_t>(i)] =
-            TimeFunction([vector, i](double time) { return vector(time)[i]; });
-    }
-    return TimeVector(turn(rotation, components));
+    return TimeVector(turn(rotation, vector.components()));
 }
 
 }  // namespace

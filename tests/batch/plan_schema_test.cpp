@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "batch/csv_reading.hpp"
+#include "deck/csv_reading.hpp"
 #include "batch/plans.hpp"
 #include "deck/text_file.hpp"
 

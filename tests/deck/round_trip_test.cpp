@@ -55,6 +55,19 @@ std::vector<RoundTrip> top_level_trips() {
          body_deck +
              "[function.f]\ntable = [[0, 0], [2, 6]]\n[[load]]\nat = \"top\"\nforce = [\"f(t)\", 0, 0]\n",
          [](const Problem& p) { return p.model.loads[0].force[0](1.0) == 3.0; }},
+        {"function.NAME.file",
+         body_deck + "[function.f]\nfile = \"" GXROD_SOURCE_DIR
+                     "/tests/deck/motion.csv\"\n[[load]]\nat = \"top\"\nforce = [\"f(t)\", 0, 0]\n",
+         [](const Problem& p) { return p.model.loads[0].force[0](1.5) == 5.0; }},
+        {"function.NAME.columns",
+         body_deck + "[function.f]\nfile = \"" GXROD_SOURCE_DIR
+                     "/tests/deck/motion.csv\"\ncolumns = [\"t\", 3]\n[[load]]\nat = \"top\"\n"
+                     "force = [\"f(t)\", 0, 0]\n",
+         [](const Problem& p) { return p.model.loads[0].force[0](1.5) == 2.5; }},
+        {"function.NAME.interpolation",
+         body_deck + "[function.f]\ntable = [[0, 0], [1, 1], [3, 9]]\ninterpolation = \"cubic\"\n"
+                     "[[load]]\nat = \"top\"\nforce = [\"f(t)\", 0, 0]\n",
+         [](const Problem& p) { return std::abs(p.model.loads[0].force[0](2.0) - 4.0) < 1e-14; }},
         {"function.NAME.expression",
          body_deck + "[function.f]\nexpression = \"t^2\"\n[[load]]\nat = \"top\"\nforce = [\"f(t)\", 0, 0]\n",
          [](const Problem& p) { return p.model.loads[0].force[0](3.0) == 9.0; }}};

@@ -93,17 +93,20 @@ std::vector<NodeMotion> make_motions(std::size_t count) {
 
 LoadedElement make_element(const DistributedLoad& load, int nodes) {
     RandomValues random(103);
-    LoadedElement element{.load = &load, .nodes = {}, .triads = {}, .points = {}};
+    LoadedElement element;
+    element.load = &load;
     for (int i = 0; i < nodes; ++i) {
         element.nodes.push_back(nodes - 1 - i);
         element.triads.push_back(random.rotation());
     }
-    for (int p = 0; p < nodes; ++p) {
-        LoadedElement::Point point{0.3 * p, random.number(0.1, 0.5), {}};
-        for (int i = 0; i < nodes; ++i) point.shape[i] = random.number(-0.3, 1.0);
-        element.points.push_back(point);
-    }
     return element;
+}
+
+LoadMoments make_moments(const LoadedElement& element) {
+    RandomValues random(106);
+    LoadMoments moments(moment_count(*element.load, element.nodes.size()));
+    for (Vec6& moment : moments) moment = random.matrix<6, 1>();
+    return moments;
 }
 
 }  // namespace
@@ -219,10 +222,11 @@ TEST_CASE("tangents of distributed loads are derivatives of their forces", "[loa
         for (int nodes = 2; nodes <= 5; ++nodes) {
             INFO(name << ", " << nodes << " nodes");
             const LoadedElement element = make_element(load, nodes);
+            const LoadMoments moments = make_moments(element);
             const auto motions = make_motions(element.nodes.size());
             const auto force_of = [&](const std::vector<NodeMotion>& moved) {
                 std::vector<Vec6> nodal(moved.size(), Vec6::Zero());
-                add_distributed_load(element, moved, 0.4, nodal);
+                add_distributed_load(element, moments, moved, nodal);
                 Eigen::VectorXd stacked(6 * nodes);
                 for (int i = 0; i < nodes; ++i) stacked.segment<6>(6 * i) = nodal[element.nodes[i]];
                 return stacked;
@@ -230,7 +234,7 @@ TEST_CASE("tangents of distributed loads are derivatives of their forces", "[loa
             std::vector<NodeLinearization> linearizations(motions.size());
             for (NodeLinearization& linearization : linearizations) linearization.placement = 1.0;
             const LoadMatrix tangent =
-                compute_distributed_load_tangent(element, motions, 0.4, linearizations);
+                compute_distributed_load_tangent(element, moments, motions, linearizations);
             for (int unknown = 0; unknown < 6 * nodes; ++unknown) {
                 const Eigen::VectorXd expected = differentiate([&](double amount) {
                     std::vector<NodeMotion> moved = motions;
@@ -244,7 +248,7 @@ TEST_CASE("tangents of distributed loads are derivatives of their forces", "[loa
             }
             // Rates and accelerations push nothing.
             for (NodeLinearization& linearization : linearizations) linearization = {0.0, 1.0, 1.0};
-            CHECK(compute_distributed_load_tangent(element, motions, 0.4, linearizations).isZero(0.0));
+            CHECK(compute_distributed_load_tangent(element, moments, motions, linearizations).isZero(0.0));
         }
     }
 }

@@ -1,4 +1,4 @@
-#include "batch/csv_reading.hpp"
+#include "deck/csv_reading.hpp"
 
 #include <catch2/catch.hpp>
 

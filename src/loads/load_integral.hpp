@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "loads/loaded_element.hpp"
+#include "rotation/types.hpp"
+
+// Integrals of loads along elements. N_I are the shape functions of an element, q the load per length: force
+// and moment, stacked, in the axes that the load is given in.
+namespace gxrod {
+
+// Of a dead load ∫ N_I q ds, node by node. A load of a frame that turns is turned by the nodes and
+// interpolated, Σ N_J Λ_J q, like every other field: of that one ∫ N_I N_J q ds, J ≤ I, at moment_index(I,
+// J).
+using LoadMoments = std::vector<Vec6>;
+
+constexpr std::size_t moment_index(std::size_t i, std::size_t j) {
+    return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i;
+}
+std::size_t moment_count(const DistributedLoad& load, std::size_t nodes);
+
+// Force and moment per length. Throws EvaluationError.
+Vec6 compute_load_per_length(const DistributedLoad& load, double time, double arc_length);
+
+// How a load is integrated along one element.
+struct IntegralPlan {
+    double time = 0.0;
+    std::span<const double> breaks;  // of arc length, sorted; of the whole rod
+    int pieces = 1;                  // into which the element is cut at least
+};
+
+// The moments; their error is at most about 1e-8 of the integral of the load's size over the element. Throws
+// EvaluationError where that is out of reach.
+void integrate_load(const LoadedElement& element, const IntegralPlan& plan, std::span<Vec6> moments);
+
+// The same of a load that is q all along: by Gauss' rule of as many points as nodes, by which the mass of the
+// element is integrated too.
+void integrate_even_load(const LoadedElement& element, const Vec6& q, std::span<Vec6> moments);
+
+}  // namespace gxrod
