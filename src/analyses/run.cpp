@@ -179,7 +179,7 @@ class Run {
         const CutTally& tally = analysis_->cuts();
         const StepCuts cuts = tally.count(analysis_->steps().steps_done() - first_step_);
         if (!are_worth_telling(cuts)) return;
-        summary_.cuts = count_cuts(cuts) + ": " + tally.describe_reasons(request_.model) + "." +
+        summary_.cuts = count_cuts(cuts) + ": " + tally.describe_reasons(request_.model) +
                         advise_on_cuts(request_.model, request_.analysis);
     }
 

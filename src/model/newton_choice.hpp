@@ -21,11 +21,11 @@ struct TangentChoice {
 };
 TangentChoice choose_tangent(const Model& model, const AnalysisSettings& analysis);
 
-// Newton's tolerance over the error that a step may have: where it is larger than a tenth, what Newton's
-// method leaves was seen to be the larger error of the heavy top, in a rod later. A hundredth costs hardly
-// more iterations (docs/guide/solving.md).
+// Newton's tolerance over the error that a step may have. Where both are alike, what Newton's method leaves
+// was seen to be the larger error of the heavy top; at a tenth it is lost in the scheme's
+// (docs/guide/solving.md).
 inline constexpr double newton_part = 0.01;
-inline constexpr double tolerable_newton_part = 0.1;
+inline constexpr double tolerable_newton_part = 0.3;
 
 // The tolerance that keeps what Newton's method leaves small beside the errors that the steps may have.
 double derive_newton_tolerance(const AnalysisSettings& analysis);

@@ -14,15 +14,15 @@ constexpr double notable_ratio = 30.0;
 std::string describe_ratio(const Model& model) {
     const std::optional<StiffnessRatio> ratio = find_stiffness_ratio(model);
     if (!ratio || ratio->ratio < notable_ratio) return "";
-    return " " + describe(*ratio, model) + ".";
+    return "; " + describe(*ratio, model);
 }
 
 std::string advise_on_motion(const Model& model, const DynamicSettings& settings) {
     const std::string steps = settings.adaptive ? "a smaller max_step" : "a smaller time_step";
-    if (settings.scheme == Scheme::runge_kutta_4) return " Try " + steps + ".";
-    std::string remedy = " Try " + steps;
+    if (settings.scheme == Scheme::runge_kutta_4) return ". Try " + steps + ".";
+    std::string remedy = ". Try " + steps;
     if (choose_tangent(model, settings).tangent != TangentKind::mixed && !model.rods.empty()) {
-        remedy = " Try newton.tangent = \"mixed\", which bears longer steps, or" + steps.substr(1);
+        remedy = ". Try newton.tangent = \"mixed\", which bears longer steps, or " + steps;
     }
     const bool is_newmark =
         settings.scheme == Scheme::newmark_simplified || settings.scheme == Scheme::newmark_ibrahimbegovic;
@@ -47,7 +47,7 @@ std::string advise_on_cuts(const Model& model, const AnalysisSettings& analysis)
     if (const auto* dynamic = std::get_if<DynamicSettings>(&analysis))
         return advise_on_motion(model, *dynamic);
     const bool is_consistent = choose_tangent(model, analysis).tangent == TangentKind::consistent;
-    return std::string(" Try more steps") +
+    return std::string(". Try more steps") +
            (is_consistent ? ", or newton.tangent = \"mixed\", which bears larger ones." : ".");
 }
 

@@ -63,17 +63,23 @@ const std::string consistent = "newton.tangent = \"consistent\"\n";
 TEST_CASE("A tape falls in as many steps however stiff it is in its plane", "[issues]") {
     const Fall soft = run(make_tape(strip_section("0.04")));
     CHECK(soft.cuts == 0);
-    Fall stiff;
     for (const char* EIz : {"40.0", "4e3", "4e4"}) {
         INFO(EIz);
-        stiff = run(make_tape(strip_section(EIz)));
-        CHECK(stiff.cuts == 0);
+        CHECK(run(make_tape(strip_section(EIz))).cuts == 0);
     }
-    // Where the consistent tangent arrives with a tenth of the step.
-    const Fall fine =
-        run(replaced(make_tape(strip_section("4e4")), "time_step = 2e-3", "time_step = 2e-4") + consistent);
-    CHECK((stiff.end - fine.end).norm() < 2e-3);
-    CHECK((stiff.end - soft.end).norm() > 0.02);
+}
+
+TEST_CASE("A nearly rigid tape falls as with the consistent tangent and short steps", "[issues]") {
+    const std::string deck = replaced(make_tape(strip_section("4e4")), "end_time = 1.0", "end_time = 0.4");
+    const Fall stiff = run(deck);
+    CHECK(stiff.cuts == 0);
+    CHECK(run(deck + consistent).cuts > 50);
+    // The step's own error is 1e-4 there.
+    const std::string fine = replaced(deck, "time_step = 2e-3", "time_step = 2e-4");
+    const Fall expected = run(fine + consistent);
+    CHECK(expected.cuts == 0);
+    CHECK((stiff.end - expected.end).norm() < 2e-4);
+    CHECK((run(fine).end - expected.end).norm() < 1e-7);
 }
 
 TEST_CASE("What the consistent tangent did to the tape", "[issues]") {
@@ -81,18 +87,20 @@ TEST_CASE("What the consistent tangent did to the tape", "[issues]") {
 }
 
 TEST_CASE("A tape whose full matrix hides its stiff direction falls in as many steps", "[issues]") {
-    // The tape's section in axes half-way between its own, EA e² = 12 added by an offset of 0.2 along y.
+    // The tape, its section in axes half-way between its own.
     const std::string section = R"(stiffness_matrix = [
-  [300, 0, 0, 0, 0, -60], [0, 100, 0, 0, 0, 0], [0, 0, 100, 20, 0, 0],
-  [0, 0, 20, 4.008, 0, 0], [0, 0, 0, 0, 20.002, 19.998], [-60, 0, 0, 0, 19.998, 32.002]])";
-    CHECK(run(make_tape(section)).cuts == 0);
-    CHECK(run(make_tape(section) + consistent).cuts > 50);
+  [300, 0, 0, 0, 0, 0], [0, 100, 0, 0, 0, 0], [0, 0, 100, 0, 0, 0],
+  [0, 0, 0, 0.008, 0, 0], [0, 0, 0, 0, 20.002, 19.998], [0, 0, 0, 0, 19.998, 20.002]])";
+    const std::string deck = replaced(make_tape(section), "y_axis = [0, 1, 0]", "y_axis = [0, 1, 1]");
+    CHECK(run(deck).cuts == 0);
+    CHECK(run(deck + consistent).cuts > 50);
 }
 
 TEST_CASE("A flat blade spins up in as many steps with any scheme", "[issues]") {
     for (const char* integrator : {"newmark-simplified", "newmark-ibrahimbegovic", "sdirk-4"}) {
         INFO(integrator);
-        const std::string deck = R"([section.s]
+        const std::string deck = R"(gravity = [0, 0, -9.81]
+[section.s]
 stiffness = { EA = 4e5, GAy = 1.3e5, GAz = 1.3e5, GJ = 2.0, EIy = 1.0, EIz = 1e6 }
 inertia = { rhoA = 0.2, rhoIy = 1e-6, rhoIz = 2e-4 }
 [rod.b]
@@ -107,15 +115,16 @@ fix = ["x", "y", "z", "rx", "ry"]
 move = { rz = "4*t*t" }
 [[load]]
 on = "b"
-force_per_length = [0, 0, "3*sin(20*t)"]
+force_per_length = [0, 0, "sin(20*t)*3"]
 [analysis]
 kind = "dynamic"
-end_time = 0.5
+end_time = 0.7
 time_step = 2e-3
 integrator = ")" + std::string(integrator) +
                                  "\"\n";
         CHECK(run(deck).cuts == 0);
-        CHECK(run(deck + consistent).cuts > 5);
+        // With sdirk-4, the fraction of whose step is a quarter, none either, but more iterations.
+        if (integrator != std::string("sdirk-4")) CHECK(run(deck + consistent).cuts > 50);
     }
 }
 
