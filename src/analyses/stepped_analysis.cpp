@@ -108,7 +108,7 @@ bool SteppedAnalysis::take_step(EquilibriumReport& report) {
         undo();
         throw;
     }
-    if (report.converged() && steps_->needs_error()) check_error(report);
+    if (report.converged() && integrator_->error_order() > 0) check_error(report);
     if (report.converged()) judge_equilibrium(report);
     if (!report.converged()) undo();
     return report.converged();
@@ -117,7 +117,8 @@ bool SteppedAnalysis::take_step(EquilibriumReport& report) {
 void SteppedAnalysis::check_error(EquilibriumReport& report) {
     const StepError error = integrator_->estimate_error(
         state_, steps_->time_step(), [&](int node) { return system_.length_scale_at(node); });
-    if (steps_->admits(error.size)) return;
+    largest_error_ = std::max(largest_error_, error.size);
+    if (!steps_->needs_error() || steps_->admits(error.size)) return;
     report.outcome = Outcome::error_too_large;
     report.step_error = error.size;
     report.worst_node = error.node;
@@ -139,6 +140,7 @@ EquilibriumReport SteppedAnalysis::advance() {
     section_values_ = std::vector<SectionValues>();  // large beside what a step needs
     while (!take_step(report)) {
         ++solver_row_.rejected_steps;
+        cuts_.add(report, steps_->steps_done());
         if (!shorten_step()) return report;
     }
     const PhaseTimer timer(workspace_.seconds.update);

@@ -106,6 +106,8 @@ class CaseRun {
         row_.rejected_steps = summary.totals.rejected_steps;
         row_.time = summary.time;
         for (const std::string& warning : summary.warnings) add_warning(row_, warning);
+        add_warning(row_, summary.cuts);
+        add_warning(row_, summary.newton_limit);
         add_warning(
             row_,
             describe_imbalance(
