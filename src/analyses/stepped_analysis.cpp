@@ -140,7 +140,7 @@ EquilibriumReport SteppedAnalysis::advance() {
     section_values_ = std::vector<SectionValues>();  // large beside what a step needs
     while (!take_step(report)) {
         ++solver_row_.rejected_steps;
-        cuts_.add(report, steps_->steps_done());
+        if (report.outcome != Outcome::lost_stability) cuts_.add(report, steps_->steps_done());
         if (!shorten_step()) return report;
     }
     const PhaseTimer timer(workspace_.seconds.update);
