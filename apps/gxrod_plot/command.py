@@ -4,6 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from .compare import draw_runs, read_run, short_names
 from .errors import FileFault, PlotError, UsageError
 from .page import draw_page
 from .results import read_results
@@ -15,6 +16,8 @@ examples:
   gxrod-plot flyer.vtkhdf                          shapes, ledger and histories in flyer.png
   gxrod-plot flyer.vtkhdf --what shapes --times 0 2.5 5 -o shapes.svg
   gxrod-plot flyer.vtkhdf --what histories --history tip root/moment
+  gxrod-plot coarse.vtkhdf fine.vtkhdf --history tip/displacement
+  gxrod-plot column.vtkhdf --x top/displacement/y --y load-factor --size 6 4 --no-title
   gxrod-plot --figures figures                     Figs. 2-4 from `gxrod verify rubin2007 --figures figures`
 
 exit codes: 0 done, 2 usage, 4 a file could not be read or written"""
@@ -26,9 +29,7 @@ def main(arguments):
         if request.figures:
             written = draw_figures(Path(request.figures), request.format, save)
         else:
-            output = output_path(request)
-            read_results(request.results, lambda results: save(draw_page(results, request), output))
-            written = [output]
+            written = [draw(request)]
     except PlotError as error:
         print(f"gxrod-plot: {error}", file=sys.stderr)
         return error.exit_code
@@ -37,12 +38,32 @@ def main(arguments):
     return 0
 
 
+def draw(request):
+    """Draws the results that are asked for; gives the picture's path."""
+    output = output_path(request)
+    if is_comparison(request):
+        if request.what == "shapes" or request.times or request.frames or request.view:
+            raise UsageError("shapes are drawn of one file, without --x and --y")
+        names = short_names(request.results)
+        runs = [read_results(path, lambda results, name=name: read_run(results, request, name))
+                for path, name in zip(request.results, names)]
+        save(draw_runs(runs, request), output)
+    else:
+        read_results(request.results[0], lambda results: save(draw_page(results, request), output))
+    return output
+
+
+def is_comparison(request):
+    return len(request.results) > 1 or bool(request.x or request.y)
+
+
 def parse(arguments):
     parser = argparse.ArgumentParser(
         prog="gxrod-plot", description="Draws the results of gxrod.", epilog=EPILOG, allow_abbrev=False,
         formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("results", nargs="?", metavar="RESULTS.vtkhdf",
-                        help="results file, also of a job that runs or was killed")
+    parser.add_argument("results", nargs="*", metavar="RESULTS.vtkhdf",
+                        help="results file, also of a job that runs or was killed; of several, histories or energies "
+                             "are drawn in one figure, a colour for each file")
     parser.add_argument("-o", "--output", metavar="FILE", help="picture, .png, .svg or .pdf (RESULTS.png)")
     parser.add_argument("--what", choices=("shapes", "histories", "ledger", "all"), default="all")
     parser.add_argument("--history", nargs="+", action="extend", metavar="NAME", default=[],
@@ -52,6 +73,15 @@ def parse(arguments):
     which.add_argument("--frames", type=positive_integer, metavar="N", help="how many shapes to draw (12)")
     parser.add_argument("--view", choices=("xy", "xz", "yz", "3d"),
                         help="plane or space (space, unless all lies in a plane)")
+    parser.add_argument("--x", metavar="NAME", help="what to draw over instead of time: time, ledger/ENERGY, or "
+                                                    "NAME/QUANTITY/COMPONENT of a history; COMPONENT is w, x, y, z or magnitude")
+    parser.add_argument("--y", nargs="+", action="extend", metavar="NAME", default=[],
+                        help="what to draw, named as for --x; without a component, all of them")
+    parser.add_argument("--size", nargs=2, type=positive_number, metavar=("WIDTH", "HEIGHT"),
+                        help="of the picture, in inches (as large as its contents ask)")
+    titles = parser.add_mutually_exclusive_group()
+    titles.add_argument("--title", metavar="TEXT", help="heading (the deck's title; of several files none)")
+    titles.add_argument("--no-title", action="store_true", help="no heading")
     parser.add_argument("--figures", metavar="DIR",
                         help="draw the figures of the rubin2007 study from DIR/fig*.csv")
     parser.add_argument("--format", choices=("png", "svg", "pdf"), default="png", help="of --figures (png)")
@@ -59,6 +89,13 @@ def parse(arguments):
     if bool(request.results) == bool(request.figures):
         parser.error("give a results file, or --figures DIR")
     return request
+
+
+def positive_number(text):
+    number = float(text)
+    if not 0.5 <= number <= 100.0:
+        raise argparse.ArgumentTypeError("must be from 0.5 to 100 inches")
+    return number
 
 
 def positive_integer(text):
@@ -69,7 +106,7 @@ def positive_integer(text):
 
 
 def output_path(request):
-    path = Path(request.output) if request.output else Path(Path(request.results).stem + ".png")
+    path = Path(request.output) if request.output else Path(Path(request.results[0]).stem + ".png")
     if path.suffix.lower() not in FORMATS:
         raise UsageError(f"{path}: pictures end in {', '.join(FORMATS)}")
     return path

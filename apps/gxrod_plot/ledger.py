@@ -9,10 +9,11 @@ def panel_count(results):
     return 2 if results.is_static else 2 + len(MOMENTA)
 
 
-def draw_ledger(figure, results):
+def draw_ledger(figure, results, columns=1):
     """Fills a figure or subfigure with panels, one below the other: no momenta in statics."""
     ledger = results.ledger()
-    panels = figure.subplots(panel_count(results), 1, sharex=True)
+    grid = figure.subplots(panel_count(results) // columns, columns, sharex=True, squeeze=False)
+    panels = list(grid.flat)
     draw_energies(panels[0], results, ledger)
     error = {"energy error": (ledger["energy_error"].values, BLACK)}
     draw_curves(panels[1], results.times, error, "Energy error", ledger["energy_error"].dimension)
@@ -20,7 +21,8 @@ def draw_ledger(figure, results):
         series = ledger[name]
         curves = {letter: (series.values[:, i], AXIS_COLOURS[letter]) for i, letter in enumerate("xyz")}
         draw_curves(axes, results.times, curves, name.replace("_", " ").capitalize(), series.dimension)
-    panels[-1].set_xlabel(results.time_label)
+    for axes in grid[-1]:
+        axes.set_xlabel(results.time_label)
 
 
 def draw_energies(axes, results, ledger):

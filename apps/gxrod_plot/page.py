@@ -1,70 +1,117 @@
 """Puts shapes, histories and the ledger together into one figure."""
 
 import textwrap
+from dataclasses import dataclass
 
 from .errors import FileFault
 from .histories import draw_histories, history_panels, row_count
 from .ledger import draw_ledger, panel_count
 from .results import choose_histories
-from .shapes import choose_frames, draw_shapes
+from .shapes import choose_frames, draw_shapes, fitting_size, prepare_shapes
 from .style import BLACK, new_figure
 
 WIDTH = 12.5
 NARROW_WIDTH = 8.4  # of a figure of shapes or the ledger only
 SHAPES_HEIGHT = 7.6
 PANEL_HEIGHT = 2.3
-HEADING_HEIGHT = 0.62
+TITLE_HEIGHT, FACTS_HEIGHT, HEADING_MARGIN = 0.27, 0.19, 0.14  # of a line each
+TITLE_LETTER, FACTS_LETTER = 0.125, 0.073  # width, inches
+FLAT = 0.5  # a scene that needs less than this part of the height of an overview has a section of its own
 LONGEST_REASON = 90  # characters; the whole one is in the file
 
 
 def draw_page(results, request):
     """The figure that the command line asks for."""
+    file = request.results[0]
     if len(results.times) == 0:
-        raise FileFault(f"{request.results}: holds no complete step yet")
+        raise FileFault(f"{file}: holds no complete step yet")
     panels = history_panels(choose_histories(results, request.history))
     if request.what == "histories":
         if not panels:
-            raise FileFault(f"{request.results}: has no histories")
-        return draw_sections(results, [(row_count(panels) * PANEL_HEIGHT, histories_drawer(results, panels))])
+            raise FileFault(f"{file}: has no histories")
+        return draw_sections(results, request, [histories_section(results, panels)])
     if request.what == "ledger":
         section = (panel_count(results) * PANEL_HEIGHT, lambda figure: draw_ledger(figure, results))
-        return draw_sections(results, [section], NARROW_WIDTH)
+        return draw_sections(results, request, [section], NARROW_WIDTH)
     if len(results.frame_times) == 0:
-        raise FileFault(f"{request.results}: holds no complete frame yet")
-    frames = choose_frames(results, request.times, request.frames)
+        raise FileFault(f"{file}: holds no complete frame yet")
+    shapes = prepare_shapes(results, choose_frames(results, request.times, request.frames), request.view)
     if request.what == "shapes":
-        section = (SHAPES_HEIGHT, lambda figure: draw_shapes(figure, results, frames, request.view))
-        return draw_sections(results, [section], NARROW_WIDTH)
-    sections = [(SHAPES_HEIGHT, lambda figure: draw_overview(figure, results, frames, request.view))]
+        width, height = fitting_size(shapes, NARROW_WIDTH, SHAPES_HEIGHT)
+        return draw_sections(results, request, [(height, lambda figure: draw_shapes(figure, results, shapes))], width)
+    sections = overview_sections(results, shapes)
     if panels:
-        sections.append((row_count(panels) * PANEL_HEIGHT, histories_drawer(results, panels)))
-    return draw_sections(results, sections)
+        sections.append(histories_section(results, panels))
+    return draw_sections(results, request, sections)
 
 
-def histories_drawer(results, panels):
-    return lambda figure: draw_histories(figure, results, panels)
+def histories_section(results, panels):
+    return row_count(panels) * PANEL_HEIGHT, lambda figure: draw_histories(figure, results, panels)
 
 
-def draw_overview(figure, results, frames, view):
-    left, right = figure.subfigures(1, 2, width_ratios=(1.65, 1.0))
-    draw_shapes(left, results, frames, view)
-    draw_ledger(right, results)
+def overview_sections(results, shapes):
+    """Shapes and ledger: side by side, or below each other where the shapes are flat."""
+    width, height = fitting_size(shapes, 0.62 * WIDTH, SHAPES_HEIGHT)
+    if height < FLAT * SHAPES_HEIGHT:
+        _, height = fitting_size(shapes, WIDTH, SHAPES_HEIGHT)
+        rows = -(-panel_count(results) // 2)
+        return [(height, lambda figure: draw_shapes(figure, results, shapes)),
+                (rows * PANEL_HEIGHT, lambda figure: draw_ledger(figure, results, columns=2))]
+
+    def draw(figure):
+        left, right = figure.subfigures(1, 2, width_ratios=(width, WIDTH - width))
+        draw_shapes(left, results, shapes)
+        draw_ledger(right, results)
+    return [(SHAPES_HEIGHT, draw)]
 
 
-def draw_sections(results, sections, width=WIDTH):
+def draw_sections(results, request, sections, width=WIDTH):
     """One section (height, drawer) below the other, under a heading."""
     heights = [height for height, _ in sections]
-    figure = new_figure(width, HEADING_HEIGHT + sum(heights))
-    parts = figure.subfigures(1 + len(sections), 1, height_ratios=[HEADING_HEIGHT, *heights])
-    draw_heading(parts[0], results)
-    for part, (_, draw) in zip(parts[1:], sections):
+    if request.size:
+        width = request.size[0]
+    heading = [] if request.no_title else heading_lines(results, request, width)
+    heading_height = HEADING_MARGIN + sum(line.height for line in heading) if heading else 0.0
+    figure = new_figure(*(request.size or (width, heading_height + sum(heights))))
+    if request.size:
+        # Of the height that is asked for, sections get what the heading leaves.
+        left = max(request.size[1] - heading_height, 0.3 * request.size[1])
+        heights = [height * left / sum(heights) for height in heights]
+    if heading:
+        heights = [heading_height, *heights]
+    parts = list(figure.subfigures(len(heights), 1, height_ratios=heights, squeeze=False).flat)
+    if heading:
+        draw_heading(parts.pop(0), heading, heading_height)
+    for part, (_, draw) in zip(parts, sections):
         draw(part)
     return figure
 
 
-def draw_heading(figure, results):
-    figure.text(0.012, 0.72, results.title, fontsize=14, fontweight="bold", color=BLACK, va="center")
-    figure.text(0.012, 0.2, " · ".join(facts(results)), fontsize=9, color="#5b616b", va="center")
+@dataclass
+class Line:
+    """One line of the heading."""
+
+    text: str
+    height: float
+    style: dict
+
+
+def heading_lines(results, request, width):
+    """The title and facts of the run, or a title of one's own, in as many lines as they need."""
+    title = {"fontsize": 14, "fontweight": "bold", "color": BLACK}
+    lines = [Line(text, TITLE_HEIGHT, title)
+             for text in textwrap.wrap(request.title or results.title, max(int(width / TITLE_LETTER), 10))]
+    if not request.title:
+        lines += [Line(text, FACTS_HEIGHT, {"fontsize": 9, "color": "#5b616b"})
+                  for text in textwrap.wrap(" · ".join(facts(results)), max(int(width / FACTS_LETTER), 20))]
+    return lines
+
+
+def draw_heading(figure, lines, height):
+    top = height - 0.5 * HEADING_MARGIN
+    for line in lines:
+        figure.text(0.012, (top - 0.5 * line.height) / height, line.text, va="center", **line.style)
+        top -= line.height
 
 
 def facts(results):

@@ -16,6 +16,10 @@ DEFAULT_FRAMES = 12
 MOST_TRACED = 2000  # frames of a trace
 PLANES = {"xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
 AXES = "xyz"
+ELEVATION, AZIMUTH = 22, -58  # degrees, of views in space
+BESIDE, BELOW = 1.7, 1.0  # inches that ticks, labels, title and colour bar take
+LEAST_WIDTH, LEAST_HEIGHT = 3.2, 2.2
+FLATTEST = 0.7  # height of a view in space beside its width
 
 
 @dataclass
@@ -101,14 +105,43 @@ def best_view(scene):
     return "3d"
 
 
-def draw_shapes(figure, results, frames, view=None):
-    """Fills a figure or subfigure with one picture and its colour bar."""
+def prepare_shapes(results, frames, view=None):
+    """A scene, and the view that shows it: the one asked for, or the best."""
     scene = make_scene(results, frames)
-    view = view or best_view(scene)
+    return scene, view or best_view(scene)
+
+
+def fitting_size(shapes, most_width, most_height):
+    """Width and height of a figure that the scene fills, with room for ticks and the colour bar."""
+    width_of, height_of = picture_sides(*shapes)
+    aspect = height_of / width_of
+    height = min(most_height, aspect * (most_width - BESIDE) + BELOW)
+    width = min(most_width, (height - BELOW) / aspect + BESIDE)
+    return max(width, LEAST_WIDTH), max(height, LEAST_HEIGHT)
+
+
+def picture_sides(scene, view):
+    """How wide and how high what is drawn is, in the scene's own units."""
+    low, high = limits(scene)
+    extent = high - low
+    if view != "3d":
+        across, up = PLANES[view]
+        return extent[across], extent[up]
+    # A box seen from the side and above, with its labels around it.
+    turn, lift = np.radians(AZIMUTH), np.radians(ELEVATION)
+    across = abs(np.sin(turn)) * extent[0] + abs(np.cos(turn)) * extent[1]
+    deep = abs(np.cos(turn)) * extent[0] + abs(np.sin(turn)) * extent[1]
+    width, height = 1.25 * across + 0.1 * extent.max(), 1.1 * (np.cos(lift) * extent[2] + np.sin(lift) * deep)
+    return width, max(height, FLATTEST * width)
+
+
+def draw_shapes(figure, results, shapes):
+    """Fills a figure or subfigure with one picture and its colour bar."""
+    scene, view = shapes
     norm = Normalize(results.frame_times[0], max(results.frame_times[-1], results.frame_times[0] + 1e-300))
     if view == "3d":
         axes = figure.add_subplot(projection="3d", proj_type="ortho")
-        draw_in_space(axes, scene, norm)
+        draw_in_space(axes, scene, norm, zoom_for(figure))
     else:
         axes = figure.add_subplot()
         draw_in_plane(axes, scene, norm, PLANES[view], view)
@@ -148,7 +181,14 @@ def draw_in_plane(axes, scene, norm, plane, view):
     axes.set_ylabel(view[1])
 
 
-def draw_in_space(axes, scene, norm):
+def zoom_for(figure):
+    """Matplotlib fits a scene into a square; this lets a tall one, as a column's, reach beyond it above and below."""
+    box = figure.bbox.transformed(figure.dpi_scale_trans.inverted())
+    width, height = max(box.width - BESIDE, 0.5), max(box.height - BELOW, 0.5)
+    return 1.05 * max(1.0, 0.76 * height / width)
+
+
+def draw_in_space(axes, scene, norm, zoom):
     segments, colours, widths = coloured_lines(scene, norm, lambda points: points)
     axes.add_collection3d(Line3DCollection(segments, colors=colours, linewidths=widths, capstyle="round"))
     for origin, tips in scene.triads:
@@ -158,8 +198,8 @@ def draw_in_space(axes, scene, norm):
     low, high = limits(scene)
     for set_limits, a, b in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), low, high):
         set_limits(a, b)
-    axes.set_box_aspect(high - low, zoom=1.05)
-    axes.view_init(elev=22, azim=-58)
+    axes.set_box_aspect(high - low, zoom=zoom)
+    axes.view_init(elev=ELEVATION, azim=AZIMUTH)
     for name in AXES:
         axis = getattr(axes, f"{name}axis")
         axis.set_pane_color((1.0, 1.0, 1.0, 0.0))
@@ -168,6 +208,9 @@ def draw_in_space(axes, scene, norm):
         axis.set_label_text(name)
         axis.labelpad = 2.0
         axis.set_major_locator(few_ticks(high - low, AXES.index(name)))
+    for artist in [*axes.collections, *axes.lines]:
+        artist.set_in_layout(False)
+        artist.set_clip_on(False)
 
 
 def few_ticks(extent, direction):

@@ -69,6 +69,26 @@ def draw_curves(axes, times, curves, title, label):
         legend_above(axes, len(curves))
 
 
+def draw_panel(axes, curves, title, across, label, has_legend):
+    """Draws curves (x, y, colour, name); x need not grow, so that all points are drawn."""
+    for x, y, colour, name in curves:
+        count = min(len(x), len(y))
+        axes.plot(x[:count], y[:count], color=colour, label=name)
+    axes.set_title(title)
+    axes.set_xlabel(across)
+    axes.set_ylabel(label)
+    axes.margins(x=0.02)
+    axes.ticklabel_format(scilimits=(-3, 4))
+    if has_legend:
+        axes.legend(loc="best")
+
+
+def colour_keys(figure, colours):
+    """Fills a figure or subfigure with names and their colours."""
+    handles = [plt.Line2D([], [], color=colour, linewidth=2.0, label=name) for name, colour in colours.items()]
+    figure.legend(handles=handles, loc="center right", ncol=len(handles), borderaxespad=0.4)
+
+
 def thin(times, values):
     """Leaves out what cannot be seen: of many points, the least and the greatest of each stretch."""
     stretch = -(-len(values) // (MOST_POINTS // 2))

@@ -21,7 +21,7 @@ TESTS = os.environ["GXROD_TESTS"]
 sys.path.insert(0, str(Path(os.environ["GXROD_SOURCE"]) / "apps"))
 sys.dont_write_bytecode = True
 
-from gxrod_plot import histories, results, shapes, style  # noqa: E402
+from gxrod_plot import compare, histories, results, shapes, style  # noqa: E402
 from gxrod_plot.errors import UsageError  # noqa: E402
 
 
@@ -88,7 +88,7 @@ class Pictures(PlotTest):
                 self.draw(f"{what}.png", "--what", what)
 
     def test_shapes_have_the_colours_of_all_times(self):
-        picture = self.draw("colours.png", "--what", "shapes", "--view", "3d")
+        picture = self.draw("colours.png", "--what", "shapes", "--view", "3d", "--size", "8.4", "8.2")
         shapes_only = picture[:, : int(0.8 * picture.shape[1])]  # the colour bar is to the right
         for time in (0.0, 0.5, 1.0):
             colour = np.array(style.TIME_COLOURS(time)[:3])
@@ -132,7 +132,139 @@ class Pictures(PlotTest):
         self.assertEqual(found, ("running", 150, 3.7))
 
 
+    def run_column(self, name, end, force):
+        """A clamped rod from the origin to `end` with a force at its end: statics of ten steps."""
+        deck = self.folder / f"{name}.toml"
+        deck.write_text(COLUMN.replace("END", end).replace("FORCE", force))
+        subprocess.run([os.environ["GXROD"], "run", deck, "--quiet", "--force"], cwd=self.folder, check=True, capture_output=True)
+        return self.folder / f"{name}.vtkhdf"
+
+    def drawn_box(self, picture):
+        """The part of a picture's width and height that the lines of shapes take, without the colour bar."""
+        near = np.zeros(picture.shape[:2], dtype=bool)
+        for time in np.linspace(0.0, 1.0, 40):
+            near |= np.abs(picture - np.array(style.TIME_COLOURS(time)[:3])).max(axis=-1) < 0.02
+        columns = np.flatnonzero(near.any(axis=0))
+        gaps = np.flatnonzero(np.diff(columns) > 8)
+        near[:, columns[gaps[-1] + 1]:] = False  # the colour bar is the last to the right
+        rows, columns = np.nonzero(near)
+        return np.ptp(columns) / picture.shape[1], np.ptp(rows) / picture.shape[0]
+
+    def test_slender_columns_fill_their_pictures(self):
+        for name, end, force in (("tall", "[0, 0, 10]", "[0.05, 0, -1]"), ("long", "[10, 0, 0]", "[-1, 0.05, 0]"),
+                                 ("tall_in_space", "[0, 0, 10]", "[0.05, 0.02, -1]")):
+            with self.subTest(name):
+                path = self.run_column(name, end, force)
+                self.assertEqual(self.run_plot(path, "--what", "shapes", "-o", f"{name}.png").returncode, 0)
+                picture = self.read_picture(self.folder / f"{name}.png")
+                wide, high = self.drawn_box(picture)
+                self.assertGreater(max(wide, high), 0.6)
+                # Inches of picture beside what is drawn.
+                other = picture.shape[1] * (1 - wide) if high > wide else picture.shape[0] * (1 - high)
+                self.assertLess(other / 160, 4.0, "the picture is half blank")
+                ended = self.run_plot(path, "-o", f"{name}_all.png")
+                self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+
+    def test_size_and_title(self):
+        for what in ("shapes", "histories", "ledger", "all"):
+            picture = self.draw("sized.png", "--what", what, "--size", "9", "7")
+            self.assertEqual(picture.shape[:2], (7 * 160, 9 * 160), what)
+        titled = self.draw("titled.png", "--what", "ledger", "--title", "Energies of a spring and a top")
+        bare = self.draw("bare.png", "--what", "ledger", "--no-title")
+        plain = self.draw("plain.png", "--what", "ledger")
+        self.assertLess(bare.shape[0], titled.shape[0])
+        self.assertLess(titled.shape[0], plain.shape[0])  # without the facts of the run
+
+    def test_several_files_in_one_figure(self):
+        soft, hard = self.run_column("soft", "[0, 0, 10]", "[0.05, 0, -1]"), self.run_column("hard", "[0, 0, 10]", "[0.1, 0, -1]")
+        for arguments in ((), ("--history", "top/displacement"), ("--what", "ledger"), ("--y", "top/displacement/x")):
+            ended = self.run_plot(soft, hard, *arguments, "-o", "both.svg")
+            self.assertEqual((ended.returncode, ended.stdout, ended.stderr), (0, "both.svg\n", ""))
+            svg = (self.folder / "both.svg").read_text().lower()
+            for colour in (style.BLUE, style.ORANGE):
+                self.assertIn(colour, svg)
+
+    def test_several_files_have_their_own_curves(self):
+        soft, hard = self.run_column("soft", "[0, 0, 10]", "[0.05, 0, -1]"), self.run_column("hard", "[0, 0, 10]", "[0.1, 0, -1]")
+        request = types.SimpleNamespace(x="top/displacement/x", y=["load-factor", "ledger/strain_energy"], what="all", history=[],
+                                        title=None, size=None)
+        runs = [results.read_results(path, lambda file, path=path: compare.read_run(file, request, path.stem)) for path in (soft, hard)]
+        figure = compare.draw_runs(runs, request)
+        panels = figure.axes
+        self.assertEqual([axes.get_title("left") for axes in panels], ["load factor", "strain energy"])
+        self.assertEqual(panels[0].get_xlabel(), "top: displacement x (length)")
+        for axes, name in zip(panels, ("histories/time", "ledger/strain_energy")):
+            for path, line in zip((soft, hard), axes.get_lines()):
+                with h5py.File(path) as file:
+                    np.testing.assert_array_equal(line.get_xdata(), file["histories/top/displacement"][:, 0])
+                    np.testing.assert_array_equal(line.get_ydata(), file[name][()])
+
+    def test_one_quantity_against_another(self):
+        path = self.run_column("soft", "[0, 0, 10]", "[0.05, 0, -1]")
+        ended = self.run_plot(path, "--x", "top/displacement/magnitude", "-o", "curve.png")
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+        self.read_picture(self.folder / "curve.png")
+        ended = self.run_plot(path, "--y", "top/displacement", "ledger/external_work", "-o", "curves.png")
+        self.assertEqual((ended.returncode, ended.stderr), (0, ""))
+
+
+COLUMN = """[section.s]
+stiffness = { EA = 1e6, GAy = 5e5, GAz = 5e5, GJ = 100, EIy = 100, EIz = 100 }
+[rod.c]
+section = "s"
+line = { from = [0, 0, 0], to = END }
+elements = 10
+[[support]]
+at = "c.start"
+fix = "all"
+[[load]]
+at = "c.end"
+force = FORCE
+[analysis]
+kind = "static"
+steps = 10
+[[history]]
+name = "top"
+at = "c.end"
+quantities = ["displacement"]
+"""
+
+
+class Modules(PlotTest):
+    def test_what_is_missing_is_told_in_plain_words(self):
+        for module in ("h5py", "numpy", "matplotlib"):
+            (self.folder / "without").mkdir(exist_ok=True)
+            fake = self.folder / "without" / f"{module}.py"
+            fake.write_text(f"raise ModuleNotFoundError('none', name='{module}')\n")
+            environment = dict(os.environ, PYTHONDONTWRITEBYTECODE="1", PYTHONPATH=str(fake.parent),
+                               GXROD_PLOT_PYTHON="/opt/python")
+            ended = subprocess.run([sys.executable, PLOT, self.sample], cwd=self.folder, env=environment,
+                                   capture_output=True, text=True, check=False)
+            fake.unlink()
+            self.assertEqual((ended.returncode, ended.stdout), (1, ""))
+            self.assertTrue(ended.stderr.startswith(
+                f"gxrod-plot needs the Python module {module}; it is not there for /opt/python and {sys.executable}.\n"))
+            self.assertIn("python3 -m pip install h5py numpy matplotlib", ended.stderr)
+
+    def test_the_python_of_the_path_runs_it(self):
+        with open(PLOT, encoding="utf-8") as program:
+            self.assertEqual(program.readline(), "#!/usr/bin/env python3\n")
+
+
 class Errors(PlotTest):
+    def test_columns_that_are_not_there(self):
+        for arguments, said in ((("--x", "tip"), "'tip': expected time, ledger/ENERGY or NAME/QUANTITY/COMPONENT"),
+                                (("--x", "tip/moment"), "--x tip/moment: give one component, as tip/moment/x"),
+                                (("--x", "tip/moment/q"), "'moment' has no component 'q'; it has x, y, z, magnitude"),
+                                (("--y", "tap/moment/x"), "there is no history 'tap'"),
+                                (("--y", "ledger/heat"), "the ledger has no 'heat'"),
+                                (("--y", "ledger/kinetic_energy/x"), "is one number, without a component 'x'"),
+                                (("--x", "tip/moment/x", "--what", "shapes"), "shapes are drawn of one file"),
+                                (("--size", "0", "4"), "from 0.5 to 100 inches"),
+                                (("--title", "a", "--no-title"), "not allowed with")):
+            self.assert_fails(2, self.sample, *arguments, says=[said])
+        self.assert_fails(2, self.sample, self.sample, "--times", "1", says=["shapes are drawn of one file"])
+
     def test_results_that_are_not_there(self):
         self.assert_fails(4, "none.vtkhdf", says=["none.vtkhdf", "no such file"])
         self.assert_fails(4, self.folder, says=["is a folder"])

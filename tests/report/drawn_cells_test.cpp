@@ -9,11 +9,20 @@ using namespace gxrod;
 
 namespace {
 
+DrawnCell make_cell(int start, int end, int source) {
+    DrawnCell cell;
+    cell.nodes = {start, end};
+    cell.axes = {Quat::Identity(), Quat::Identity()};
+    cell.radius_y = cell.radius_z = 0.1;
+    cell.source = source;
+    return cell;
+}
+
 // A line of straight elements, node i to i + 1.
 std::vector<DrawnCell> make_line(int elements) {
     std::vector<DrawnCell> cells;
     for (int i = 0; i < elements; ++i) {
-        cells.push_back({{i, i + 1}, {Quat::Identity(), Quat::Identity()}, 0.1, 0.1, i});
+        cells.push_back(make_cell(i, i + 1, i));
     }
     return cells;
 }
@@ -57,7 +66,7 @@ TEST_CASE("Nodes to keep, corners, other radii and branches end a piece", "[repo
     kept[2] = true;
     cells[3].axes[1] = Quat(Eigen::AngleAxisd(0.5, Vec3::UnitZ()));  // at node 4
     cells[6].radius_y = cells[7].radius_y = 0.2;                     // from node 6 to 8
-    cells.push_back({{9, 11}, {Quat::Identity(), Quat::Identity()}, 0.1, 0.1, 10});
+    cells.push_back(make_cell(9, 11, 10));
     CHECK(ends_of(join_cells(cells, 100, kept)) ==
           Ends{{0, 2}, {2, 4}, {4, 6}, {6, 8}, {8, 9}, {9, 10}, {9, 11}});
 }

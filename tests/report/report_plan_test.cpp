@@ -7,12 +7,21 @@ using namespace gxrod;
 
 namespace {
 
+DrawnCell make_cell(int start, int end, int source) {
+    DrawnCell cell;
+    cell.nodes = {start, end};
+    cell.axes = {Quat::Identity(), Quat::Identity()};
+    cell.radius_y = cell.radius_z = 0.1;
+    cell.source = source;
+    return cell;
+}
+
 FrameTopology make_line(int elements) {
     FrameTopology topology;
     topology.nodes = elements + 1;
     topology.cells = elements;
     for (int i = 0; i < elements; ++i) {
-        topology.rod_cells.push_back({{i, i + 1}, {Quat::Identity(), Quat::Identity()}, 0.1, 0.1, i});
+        topology.rod_cells.push_back(make_cell(i, i + 1, i));
     }
     return topology;
 }
@@ -23,7 +32,7 @@ FrameTopology make_heap(int elements) {
     topology.nodes = 2 * elements;
     topology.cells = elements;
     for (int i = 0; i < elements; ++i) {
-        topology.rod_cells.push_back({{2 * i, 2 * i + 1}, {Quat::Identity(), Quat::Identity()}, 0.1, 0.1, i});
+        topology.rod_cells.push_back(make_cell(2 * i, 2 * i + 1, i));
     }
     return topology;
 }
