@@ -9,6 +9,8 @@ namespace gxrod {
 namespace {
 
 constexpr double most_lost = 0.3;
+// Of ∫ |f| dt: what is less may be round-off.
+constexpr double smallest_loss = 1e-6;
 constexpr double steps_around = 5.0;
 constexpr std::size_t most_windows = 100;
 constexpr double steps_of_block = 8.0;
@@ -27,6 +29,7 @@ struct Sums {
     double exact = 0.0;
     double wrong = 0.0;  // the sum of the steps' errors' sizes
     double above = 0.0;  // ∫ |f − the straight line from end to end| dt
+    double size = 0.0;   // ∫ |f| dt
 };
 
 class StepSums {
@@ -45,11 +48,12 @@ class StepSums {
         const double slope = (load_.value(to) - start) / (to - from);
         for (double step = window.first; step < window.last; ++step) {
             const double given = give(step);
-            const auto [exact, above] = integrate(step, [&](double t) { return start + slope * (t - from); });
+            const Sums own = integrate(step, [&](double t) { return start + slope * (t - from); });
             sums.given += given;
-            sums.exact += exact;
-            sums.wrong += std::abs(given - exact);
-            sums.above += above;
+            sums.exact += own.exact;
+            sums.wrong += std::abs(given - own.exact);
+            sums.above += own.above;
+            sums.size += own.size;
         }
         return sums;
     }
@@ -70,13 +74,12 @@ class StepSums {
         return size * sum;
     }
 
-    // ∫ f dt and ∫ |f − line| dt over a step, by Gauss' rule of three points between breaks.
+    // The integrals over a step, by Gauss' rule of three points between breaks.
     template <class Line>
-    std::pair<double, double> integrate(double step, const Line& line) const {
+    Sums integrate(double step, const Line& line) const {
         const double end = time_of(step + 1.0);
         double from = time_of(step);
-        double exact = 0.0;
-        double above = 0.0;
+        Sums sums;
         auto next = std::upper_bound(load_.breaks.begin(), load_.breaks.end(), from);
         while (from < end) {
             const double to = next == load_.breaks.end() ? end : std::min(*next++, end);
@@ -85,12 +88,13 @@ class StepSums {
             for (const auto& [xi, weight] : rule) {
                 const double at = 0.5 * (from + to) + 0.5 * (to - from) * xi;
                 const double value = load_.value(at);
-                exact += weight * (to - from) * value;
-                above += weight * (to - from) * std::abs(value - line(at));
+                sums.exact += weight * (to - from) * value;
+                sums.above += weight * (to - from) * std::abs(value - line(at));
+                sums.size += weight * (to - from) * std::abs(value);
             }
             from = to;
         }
-        return {exact, above};
+        return sums;
     }
 
     const TimedLoad& load_;
@@ -130,7 +134,9 @@ class ImpulseSearch {
     }
 
   private:
-    static bool is_lost(double lost, const Sums& sums) { return lost > most_lost * sums.above; }
+    static bool is_lost(double lost, const Sums& sums) {
+        return lost > most_lost * sums.above && lost > smallest_loss * sums.size;
+    }
 
     void look(const Window& window, double (*lost_of)(const Sums&)) {
         const Sums sums = steps_.add_up(window);

@@ -212,7 +212,7 @@ void keep(const std::string& file, const std::string& bytes, std::vector<MeshRec
 }  // namespace
 
 std::string TableFiles::read(const std::string& file) const {
-    if (kept_ == nullptr) return read_text_file(folder_ / file, "a table");
+    if (kept_ == nullptr) return read_text_file(folder_ / file, "a table", most_deck_bytes);
     const auto found = std::find_if(
         kept_->begin(), kept_->end(), [&](const MeshRecord& record) { return record.file == file; });
     if (found == kept_->end()) throw FileError(file, "is not kept in the results file");

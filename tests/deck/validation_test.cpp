@@ -69,7 +69,7 @@ force = [0, 0, 1])") == "x.toml:8:1: load[0]: missing; expected at or on");
     CHECK(faults_of(rod_deck + R"([[load]]
 on = "r")") == "x.toml:13:1: load[0]: missing; expected force_per_length or moment_per_length");
     CHECK(faults_of(body_deck + "[function.f]") ==
-          "x.toml:8:1: function.f: missing; expected table or expression");
+          "x.toml:8:1: function.f: missing; expected table or file or expression");
     CHECK(faults_of(body_deck + "[[history]]") ==
           R"(x.toml:8:1: history[0].name: missing; expected text
 x.toml:8:1: history[0].at: missing; expected a point, such as "rod.end", "rod@0.25" or "body"

@@ -163,6 +163,9 @@ TEST_CASE("Loads that steps resolve, and loads that are switched on or off, are 
                               "t < 0.1 ? 200*sin(pi*t/0.1)^2 : 0",
                               "t < 0.1 ? 200*sin(pi*t/0.1) : 0",
                               "t*t",
+                              "t",
+                              "(7 - 3*t)/9",
+                              "t < 0.123 ? t : 0.123",
                               "exp(-((t - 1)/0.05)^2)",
                               "sign(sin(2*pi*t/0.3))",
                               "min(t, 0.3)"}) {
