@@ -9,10 +9,11 @@ const height = 168;
 
 // One chart with its values at the clock's time; pressing or dragging in it moves the clock.
 export class Chart {
-  constructor(chart, times, clock, { timeName, units, leastHeight }) {
+  constructor(chart, times, clock, { timeName, units, leastHeight, unstable }) {
     this.chart = chart;
     this.units = units;
     this.leastHeight = leastHeight;
+    this.unstable = unstable;
     this.times = times;
     this.clock = clock;
     this.timeName = timeName;
@@ -97,8 +98,19 @@ export class Chart {
           points: { show: this.times.length < 40, size: 5 },
         })),
       ],
-      hooks: { draw: [() => this.moveLine()] },
+      hooks: { drawClear: [(plot) => this.shadeUnstable(plot)], draw: [() => this.moveLine()] },
     };
+  }
+
+  shadeUnstable(plot) {
+    const { ctx, bbox } = plot;
+    ctx.save();
+    ctx.fillStyle = "rgba(230, 140, 0, 0.16)";
+    for (const [from, until] of this.unstable) {
+      const left = plot.valToPos(from, "x", true);
+      ctx.fillRect(left, bbox.top, Math.max(plot.valToPos(until, "x", true) - left, 1), bbox.height);
+    }
+    ctx.restore();
   }
 
   bindPointer() {
@@ -163,19 +175,35 @@ function nearest(times, time) {
   return time - times[low] <= times[high] - time ? low : high;
 }
 
+// Parts of a run whose equilibria are unstable: from the step before the first to the last.
+function listUnstableParts({ info, stepTimes }) {
+  const pivots = info.charts.find(({ labels }) => labels[0] === "negative pivots")?.columns[0] ?? [];
+  const parts = [];
+  for (let i = 0; i < pivots.length; ++i) {
+    if (pivots[i] <= 0) continue;
+    if (i > 0 && pivots[i - 1] > 0) parts.at(-1)[1] = stepTimes[i];
+    else parts.push([stepTimes[Math.max(i - 1, 0)], stepTimes[i]]);
+  }
+  return parts;
+}
+
 const headings = { energy: "Energy", history: "Histories", momentum: "Momentum", solver: "Solver" };
 
 // All charts under headings; each is drawn when it comes into sight.
 export function showCharts(data, clock, { timeName, units, along }) {
   const heights = listLeastHeights(data.info.charts);
+  const unstable = listUnstableParts(data);
   const charts = data.info.charts.map(
-    (chart, i) => new Chart(chart, data.stepTimes, clock, { timeName, units, leastHeight: heights[i] }),
+    (chart, i) => new Chart(chart, data.stepTimes, clock, { timeName, units, leastHeight: heights[i], unstable }),
   );
   const panel = find("charts");
   if (along) panel.append(along.element);
   if (data.stepTimes.length === 0) {
     panel.append(make("p", { className: "note" }, "The run has no step, so there is nothing to draw over time."));
     return charts;
+  }
+  if (unstable.length > 0) {
+    panel.append(make("p", { className: "note" }, "Where charts are shaded, the structure would not stay at these equilibria."));
   }
   const byElement = new Map(charts.map((chart) => [chart.element, chart]));
   const observer = new IntersectionObserver((entries) => {
