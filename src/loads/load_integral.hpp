@@ -30,8 +30,8 @@ struct IntegralPlan {
     int pieces = 1;                  // into which the element is cut at least
 };
 
-// The moments; their error is at most about 1e-8 of the integral of the load's size over the element. Throws
-// EvaluationError where that is out of reach.
+// The moments; their error is at most about 1e-8 of the integral of the load's size over the element, 1e-6
+// where the load varies in time. Throws EvaluationError where that is out of reach.
 void integrate_load(const LoadedElement& element, const IntegralPlan& plan, std::span<Vec6> moments);
 
 // The same of a load that is q all along: by Gauss' rule of as many points as nodes, by which the mass of the
