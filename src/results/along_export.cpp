@@ -26,7 +26,7 @@ struct Field {
 std::vector<Field> list_vectors(const Hdf5Reader& file, const std::string& group) {
     std::vector<Field> fields;
     for (const std::string& name : file.members(group)) {
-        const std::string path = group + "/" + name;
+        const std::string path = fmt::format("{}/{}", group, name);
         if (file.width(path) == vector_width) fields.push_back({name, path});
     }
     return fields;

@@ -1,5 +1,7 @@
 #include "results/frame_copy.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -54,7 +56,7 @@ DatasetCopy copy_rows(const Hdf5Reader& file, const std::string& path, hsize_t f
 void copy_data(
     const Hdf5Reader& file, const std::string& group, hsize_t frame, hsize_t rows, FrameCopy& copy) {
     for (const std::string& name : file.members(group)) {
-        const std::string path = group + "/" + name;
+        const std::string path = fmt::format("{}/{}", group, name);
         const bool is_of_all = !grows(open_dataset(file.id(), path).id());
         copy.push_back(copy_rows(file, path, is_of_all ? 0 : frame * rows, rows));
     }

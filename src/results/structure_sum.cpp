@@ -115,7 +115,7 @@ class StructureSum {
         if (kind == H5T_STRING && H5Tis_variable_str(type.id()) > 0 && !extent_of(dataset).empty()) {
             for (const std::string& text : read_texts(dataset, "a list of texts")) {
                 add(text);
-                add(std::string_view("", 1));  // where one ends
+                add(std::string_view("\0", 1));  // where one ends
             }
             return;
         }

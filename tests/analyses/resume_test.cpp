@@ -52,11 +52,12 @@ std::string loaded() {
         "move = { x = \"0.1*t\", ry = \"t\" }");
 }
 
-// Of all datasets but those that say where a run came from and how it would go on.
+// Of all datasets of numbers but those that say where a run came from and how it would go on.
 std::vector<std::string> names_of(const Hdf5Reader& file) {
     std::vector<std::string> names = file.datasets();
     std::erase_if(names, [](const std::string& name) {
-        return name.starts_with("/restart") || name.starts_with("/deck");
+        return name.starts_with("/restart") || name.starts_with("/deck") || name == "/rods/name" ||
+               name == "/rods/section";
     });
     return names;
 }

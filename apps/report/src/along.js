@@ -46,6 +46,11 @@ export class Along {
     this.component.addEventListener("change", () => this.choose());
     clock.listen(() => this.follow());
     new ResizeObserver(() => this.resize()).observe(this.body);
+    // Out of sight it need not follow.
+    new IntersectionObserver(([entry]) => {
+      this.isSeen = entry.isIntersecting;
+      this.follow();
+    }).observe(this.element);
     this.chooseQuantity();
   }
 
@@ -162,7 +167,7 @@ export class Along {
   follow() {
     const symbol = this.data.info.is_static ? "λ" : "t";
     this.now.textContent = `${symbol} = ${formatNumber(this.clock.time, 4)}`;
-    this.plot?.setData([this.plot.data[0], this.largest, this.least, this.present()]);
+    if (this.isSeen) this.plot?.setData([this.plot.data[0], this.largest, this.least, this.present()]);
   }
 
   resize() {
