@@ -204,10 +204,16 @@ void System::compute_tangent(const State& state,
 
 void System::start_resultants(State& state) const {
     state.resultants.resize(point_count_);
-    advance_resultants(std::vector<Vec6>(state.trial.size(), Vec6::Zero()), state);
+    set_resultants(state.previous, std::vector<Vec6>(state.previous.size(), Vec6::Zero()), state);
 }
 
 void System::advance_resultants(const std::vector<Vec6>& increments, State& state) const {
+    set_resultants(state.trial, increments, state);
+}
+
+void System::set_resultants(const std::vector<NodeMotion>& motions,
+                            const std::vector<Vec6>& increments,
+                            State& state) const {
     for_each_block(blocks_, [&](const auto& block) {
         using Block = std::remove_cvref_t<decltype(block)>;
         if constexpr (Block::point_count > 0) {
@@ -218,7 +224,7 @@ void System::advance_resultants(const std::vector<Vec6>& increments, State& stat
                     for (int i = 0; i < Block::node_count; ++i) {
                         increment.template segment<6>(6 * i) = increments[element.nodes[i]];
                     }
-                    element.advance_resultants(block.motions(state.trial, e),
+                    element.advance_resultants(block.motions(motions, e),
                                                block.histories(std::as_const(state), e),
                                                increment,
                                                block.resultants(state, e));

@@ -83,8 +83,9 @@ class System {
                          const std::vector<NodeLinearization>& linearizations,
                          std::vector<double>& values) const;
 
-    // Sets the state's resultants, of the mixed tangent, to those of the strains of the trial motions, or to
-    // what these become by increments (δr, δφ) of the nodes, to first order.
+    // Sets the state's resultants, of the mixed tangent, to those of the strains of the last accepted
+    // motions, or to what those of the trial motions become by increments (δr, δφ) of the nodes, to first
+    // order.
     void start_resultants(State& state) const;
     void advance_resultants(const std::vector<Vec6>& increments, State& state) const;
 
@@ -118,6 +119,10 @@ class System {
     void build_pattern();
     void build_batches();
     void measure();
+    // To those of the strains of these motions after the increments, to first order.
+    void set_resultants(const std::vector<NodeMotion>& motions,
+                        const std::vector<Vec6>& increments,
+                        State& state) const;
     template <class E>
     const RodBatches<E::node_count>& batches_of(const ElementBlock<E>&) const {
         return std::get<RodBatches<E::node_count>>(rod_batches_);
