@@ -1,12 +1,14 @@
 #include "analyses/dynamic.hpp"
 
+#include "model/newton_choice.hpp"
+
 namespace gxrod {
 
 DynamicAnalysis::DynamicAnalysis(const Model& model, const DynamicSettings& settings, int threads)
     : SteppedAnalysis(model,
                       threads,
                       make_integrator(settings),
-                      settings.newton,
+                      choose_newton(model, settings),
                       settings.linear_solver,
                       make_step_sequence(settings)) {}
 

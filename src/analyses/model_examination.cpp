@@ -7,6 +7,7 @@
 #include "analyses/stiffness_contrast.hpp"
 #include "analyses/unconnected_points.hpp"
 #include "analyses/unsupported_motions.hpp"
+#include "model/newton_choice.hpp"
 #include "model/parts.hpp"
 
 namespace gxrod {
@@ -53,6 +54,28 @@ void warn_of_contrasts(const Model& model,
     for (const StiffnessContrast& contrast : find_stiffness_contrasts(model, parts)) {
         findings.push_back({Severity::warning, describe(contrast, model) + "; expected " + advise(contrast)});
     }
+}
+
+// Says which tangent motions take, where the model decides it.
+void note_tangent(const Model& model, const AnalysisSettings& analysis, std::vector<Finding>& findings) {
+    const TangentChoice choice = choose_tangent(model, analysis);
+    if (!choice.reason) return;
+    findings.push_back({Severity::note,
+                        describe(*choice.reason, model) +
+                            "; newton.tangent is \"mixed\", so that steps need not be cut for that"});
+}
+
+void warn_of_newton_tolerance(const AnalysisSettings& analysis, std::vector<Finding>& findings) {
+    const std::optional<double> given = newton_of(analysis).tolerance;
+    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
+    if (!given || dynamic == nullptr || !dynamic->adaptive) return;
+    if (*given <= tolerable_newton_part * dynamic->adaptive->tolerance) return;
+    findings.push_back({Severity::warning,
+                        fmt::format("newton.tolerance, {:.3g}, limits the accuracy that adaptive.tolerance, "
+                                    "{:.3g}, asks for; expected at most {:.2g}, or none: then it follows",
+                                    *given,
+                                    dynamic->adaptive->tolerance,
+                                    derive_newton_tolerance(analysis))});
 }
 
 void describe_parts(const Model& model, const std::vector<ModelPart>& parts, std::vector<Finding>& findings) {
@@ -125,7 +148,11 @@ std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& a
     if (std::holds_alternative<StaticSettings>(analysis)) {
         find_drifting_parts(model, parts, findings);
     }
-    if (solves_equilibria(analysis)) warn_of_contrasts(model, parts, findings);
+    if (solves_equilibria(analysis)) {
+        warn_of_contrasts(model, parts, findings);
+        note_tangent(model, analysis, findings);
+        warn_of_newton_tolerance(analysis, findings);
+    }
     for (const std::string& sentence : find_unconnected_points(model)) {
         findings.push_back({Severity::warning, sentence});
     }

@@ -2,6 +2,7 @@
 
 #include "analyses/dynamic.hpp"
 #include "integrators/load_stepping.hpp"
+#include "model/newton_choice.hpp"
 #include "solvers/step_control.hpp"
 
 namespace gxrod {
@@ -18,7 +19,7 @@ StaticAnalysis::StaticAnalysis(const Model& model, const StaticSettings& setting
     : SteppedAnalysis(model,
                       threads,
                       std::make_unique<LoadStepping>(),
-                      settings.newton,
+                      choose_newton(model, settings),
                       settings.linear_solver,
                       std::make_unique<StepControl>(1.0, settings.steps, halvings)) {}
 

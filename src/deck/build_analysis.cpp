@@ -96,7 +96,7 @@ void read_newton(const CheckedTable& analysis,
                  NewtonSettings& newton) {
     if (!analysis.gives("newton")) return;
     const CheckedTable& table = analysis.tables("newton").front();
-    newton.tolerance = table.get<double>("tolerance");
+    if (table.gives("tolerance")) newton.tolerance = table.get<double>("tolerance");
     newton.max_iterations = static_cast<int>(table.get<long>("max_iterations"));
     if (!table.gives("tangent")) return;
     newton.tangent = value_of(tangent_choices, table.get<std::string>("tangent"));

@@ -31,8 +31,9 @@ inline constexpr std::array<Choice<Scheme>, 5> scheme_choices{
      {"sdirk-4", Scheme::sdirk_4},
      {"runge-kutta-4", Scheme::runge_kutta_4}}};
 
-inline constexpr std::array<Choice<TangentKind>, 4> tangent_choices{
-    {{"mixed", TangentKind::mixed},
+inline constexpr std::array<Choice<TangentKind>, 5> tangent_choices{
+    {{"automatic", TangentKind::automatic},
+     {"mixed", TangentKind::mixed},
      {"consistent", TangentKind::consistent},
      {"paper", TangentKind::paper},
      {"difference", TangentKind::difference}}};

@@ -29,29 +29,30 @@ const TableSpec& newton_table() {
         .path = "analysis.newton",
         .heading = "newton = { … }",
         .sentence = "",
-        .keys = {{.name = "tolerance",
-                  .type = ValueType::number,
-                  .dimension = "1",
-                  .range = positive,
-                  .default_value = NewtonSettings{}.tolerance,
-                  .sentence = "Of the residual, relative to the largest force and moment at any node."},
-                 {.name = "max_iterations",
-                  .type = ValueType::integer,
-                  .range = {.lower = 1, .upper = 1'000'000},
-                  .default_value = static_cast<long>(NewtonSettings{}.max_iterations),
-                  .sentence = "Of one equilibrium, before the step is cut. Ten times as many where gxrod "
-                              "warns of a rod too stiff beside what bends."},
-                 {.name = "tangent",
-                  .type = ValueType::choice,
-                  .default_text = fmt::format("`\"{}\"` if static, else `\"{}\"`",
-                                              word_of(tangent_choices, StaticSettings{}.newton.tangent),
-                                              word_of(tangent_choices, DynamicSettings{}.newton.tangent)),
-                  .sentence = "mixed: the resultants in its geometric part are iterated along with the "
-                              "motion, which bears much larger steps. "
-                              "consistent: the exact derivative. paper: Rubin (2007), (5.6), for decks of "
-                              "bodies alone with newmark-simplified. "
-                              "difference: central differences of the residual.",
-                  .choices = words_of(tangent_choices)}}};
+        .keys = {
+            {.name = "tolerance",
+             .type = ValueType::number,
+             .dimension = "1",
+             .range = positive,
+             .default_text = "`1e-8`, or less by `adaptive.tolerance`",
+             .sentence = "Of the residual, relative to the largest force and moment at any node."},
+            {.name = "max_iterations",
+             .type = ValueType::integer,
+             .range = {.lower = 1, .upper = 1'000'000},
+             .default_value = static_cast<long>(NewtonSettings{}.max_iterations),
+             .sentence = "Of one equilibrium, before the step is cut. Ten times as many where gxrod "
+                         "warns of a rod too stiff beside what bends."},
+            {.name = "tangent",
+             .type = ValueType::choice,
+             .default_value = word_of(tangent_choices, NewtonSettings{}.tangent),
+             .sentence = "automatic: mixed in statics, and in dynamics where a rod is 300 times as stiff "
+                         "in bending or twist about one axis as about another, else consistent. "
+                         "mixed: the resultants in its geometric part are iterated along with the "
+                         "motion, which bears much larger steps. "
+                         "consistent: the exact derivative. paper: Rubin (2007), (5.6), for decks of "
+                         "bodies alone with newmark-simplified. "
+                         "difference: central differences of the residual.",
+             .choices = words_of(tangent_choices)}}};
     return table;
 }
 

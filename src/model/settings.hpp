@@ -15,6 +15,7 @@ namespace gxrod {
 enum class Scheme { newmark_simplified, newmark_ibrahimbegovic, generalized_alpha, sdirk_4, runge_kutta_4 };
 
 enum class TangentKind {
+    automatic,   // mixed or consistent, by the model
     consistent,  // the exact derivative
     mixed,       // its geometric part by resultants that are unknowns of their own (Magisano et al. 2017)
     paper,       // Rubin (2007), (5.6), with its additive update; rigid bodies under newmark_simplified
@@ -29,10 +30,14 @@ enum class LinearSolverKind {
     cholmod  // static analyses whose tangent is symmetric in equilibrium
 };
 
+// Newton's tolerance where nothing asks for a smaller one.
+inline constexpr double usual_newton_tolerance = 1e-8;
+
 struct NewtonSettings {
-    double tolerance = 1e-8;  // of the residual, relative to the largest force and moment at any node
+    // Of the residual, relative to the largest force and moment at any node. None: as the steps need it.
+    std::optional<double> tolerance;
     int max_iterations = 20;
-    TangentKind tangent = TangentKind::consistent;
+    TangentKind tangent = TangentKind::automatic;
     // If positive, the largest residual component must fall below this instead, in the deck's units.
     double absolute_residual = 0.0;
 };
@@ -60,7 +65,7 @@ struct DynamicSettings {
 // Equilibria while the load factor t runs from 0 to 1.
 struct StaticSettings {
     long steps = 10;  // equal ones, cut where Newton's method fails
-    NewtonSettings newton{.tangent = TangentKind::mixed};
+    NewtonSettings newton;
     LinearSolverKind linear_solver = LinearSolverKind::automatic;
 };
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "deck/choices.hpp"
+#include "model/newton_choice.hpp"
 #include "report/model_json.hpp"
 
 namespace gxrod {
@@ -107,7 +108,7 @@ Json describe_support_table(const Model& model) {
 Json describe_analysis(const AnalysisSettings& analysis) {
     Json rows = Json::array();
     const auto add_newton = [&](const NewtonSettings& newton) {
-        rows.push_back({"Newton's tolerance", newton.tolerance});
+        rows.push_back({"Newton's tolerance", choose_newton_tolerance(analysis)});
         rows.push_back({"most iterations", newton.max_iterations});
     };
     if (const auto* dynamic = std::get_if<DynamicSettings>(&analysis)) {

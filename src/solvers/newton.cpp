@@ -28,6 +28,7 @@ class Newton {
           team_(system.team()),
           integrator_(integrator),
           settings_(settings),
+          tolerance_(settings.tolerance.value_or(usual_newton_tolerance)),
           stage_(stage),
           time_(integrator.stage_time(stage)),
           moves_supports_(integrator.is_static() && system.supports().move()),
@@ -82,7 +83,7 @@ class Newton {
         const bool small =
             settings_.absolute_residual > 0.0
                 ? largest_component(system_, workspace_.residual) <= settings_.absolute_residual
-                : report_.residual <= settings_.tolerance;
+                : report_.residual <= tolerance_;
         const bool supports_wait = moves_supports_ && report_.iterations == 0;
         if (!supports_wait && (small || has_reached_round_off())) return true;
         if (report_.iterations < settings_.max_iterations) return false;
@@ -96,7 +97,7 @@ class Newton {
     // and two increments do not tell of a third.
     bool has_reached_round_off() const {
         constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
-        const double nothing = std::max(1e-4 * settings_.tolerance, rounding);
+        const double nothing = std::max(1e-4 * tolerance_, rounding);
         if (last_increment_ <= nothing) return true;
         if (last_increment_ <= 1e-10 && last_increment_ >= 0.5 * increment_before_) return true;
         if (report_.iterations < 2) return false;
@@ -109,6 +110,7 @@ class Newton {
         const PhaseTimer timer(workspace_.seconds.assembly);
         switch (settings_.tangent) {
             case TangentKind::mixed:  // the state holds resultants
+            case TangentKind::automatic:
             case TangentKind::consistent:
                 integrator_.linearize(state_, stage_, workspace_.linearizations, team_);
                 system_.compute_tangent(state_, time_, workspace_.linearizations, workspace_.values);
@@ -253,6 +255,7 @@ class Newton {
     const ThreadTeam& team_;
     const Integrator& integrator_;
     const NewtonSettings& settings_;
+    double tolerance_;
     const Stage& stage_;
     double time_;
     bool moves_supports_;  // within the first iteration

@@ -36,9 +36,10 @@ TEST_CASE("A static analysis has steps of the load factor", "[deck]") {
         return std::get<StaticSettings>(read(static_rod_deck + lines).analysis);
     };
     CHECK(settings("").steps == 10);
-    CHECK(settings("").newton.tolerance == NewtonSettings{}.tolerance);
-    CHECK(settings("").newton.tangent == TangentKind::mixed);
-    CHECK(settings("newton = { tolerance = 1e-5 }\n").newton.tangent == TangentKind::mixed);
+    CHECK_FALSE(settings("").newton.tolerance);
+    CHECK(settings("").newton.tangent == TangentKind::automatic);
+    CHECK(settings("newton = { tolerance = 1e-5 }\n").newton.tangent == TangentKind::automatic);
+    CHECK_FALSE(settings("newton = { max_iterations = 5 }\n").newton.tolerance);
     CHECK(settings("newton = { tangent = \"consistent\" }\n").newton.tangent == TangentKind::consistent);
     const StaticSettings given = settings(
         "steps = 7\nnewton = { tolerance = 1e-5, max_iterations = 8, tangent = \"difference\" }\n"
@@ -77,7 +78,8 @@ TEST_CASE("Every integrator, tangent and solver has its word", "[deck]") {
     CHECK(analysis("integrator = \"generalized-alpha\"").scheme == Scheme::generalized_alpha);
     CHECK(analysis("integrator = \"sdirk-4\"").scheme == Scheme::sdirk_4);
     CHECK(analysis("integrator = \"runge-kutta-4\"").scheme == Scheme::runge_kutta_4);
-    CHECK(analysis("").newton.tangent == TangentKind::consistent);
+    CHECK(analysis("").newton.tangent == TangentKind::automatic);
+    CHECK(analysis("newton.tangent = \"automatic\"").newton.tangent == TangentKind::automatic);
     CHECK(analysis("newton.tangent = \"mixed\"").newton.tangent == TangentKind::mixed);
     CHECK(analysis("newton.tangent = \"consistent\"").newton.tangent == TangentKind::consistent);
     CHECK(analysis("newton.tangent = \"difference\"").newton.tangent == TangentKind::difference);

@@ -23,7 +23,7 @@ TEST_CASE("Words are among the choices", "[deck]") {
               R"(, found the text "euler")");
     CHECK(
         faults_of(body_deck + R"(newton = { tangent = "exact" })") ==
-        R"(x.toml:8:22: analysis.newton.tangent: expected one of "mixed", "consistent", "paper", "difference", found the text "exact")");
+        R"(x.toml:8:22: analysis.newton.tangent: expected one of "automatic", "mixed", "consistent", "paper", "difference", found the text "exact")");
     CHECK(
         faults_of(body_deck + R"(linear_solver = "mumps")") ==
         R"(x.toml:8:17: analysis.linear_solver: expected one of "auto", "chains", "klu", "umfpack", "cholmod", found the text "mumps")");
