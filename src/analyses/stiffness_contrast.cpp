@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
+
+#include "model/stiffness_ratio.hpp"
 
 namespace gxrod {
 namespace {
@@ -25,10 +28,31 @@ double find_shortest_element(const Rod& rod) {
     return shortest;
 }
 
-// What round-off of positions of this size makes of no strain in the shortest element.
-double compute_round_off(const Model& model, const Rod& rod, double size) {
-    const double strain = std::numeric_limits<double>::epsilon() * size / find_shortest_element(rod);
-    return stiffness_of(model, rod).diagonal().head<3>().maxCoeff() * strain;
+// The largest and the smallest principal stiffness.
+template <int Size>
+std::pair<double, double> find_extremes(const Eigen::Matrix<double, Size, Size>& stiffness) {
+    if (stiffness.isDiagonal(0.0)) return {stiffness.diagonal().maxCoeff(), stiffness.diagonal().minCoeff()};
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Size, Size>> principal(stiffness,
+                                                                                     Eigen::EigenvaluesOnly);
+    return {principal.eigenvalues()[Size - 1], principal.eigenvalues()[0]};
+}
+
+// Of a rod whose sizes these are: what round-off makes of no strain in the shortest element, and what bends
+// it by about a radian.
+struct RodForces {
+    double force_round_off, bending_force;
+    double moment_round_off, bending_moment;  // or twists
+};
+
+RodForces compute_forces(const Model& model, const Rod& rod, double size) {
+    const Mat6& stiffness = stiffness_of(model, rod);
+    const Mat3 turning = compute_turning_stiffness(stiffness).value_or(stiffness.bottomRightCorner<3, 3>());
+    const double rounding = std::numeric_limits<double>::epsilon() / find_shortest_element(rod);
+    const auto [stiffest, softest] = find_extremes<3>(turning);
+    return {find_extremes<3>(stiffness.topLeftCorner<3, 3>()).first * (rounding * size),
+            find_extremes<2>(turning.bottomRightCorner<2, 2>()).second / (rod.length * rod.length),
+            stiffest * rounding,
+            softest / rod.length};
 }
 
 bool lacks_stiffness(const Model& model, const ModelPart& part) {
@@ -43,17 +67,27 @@ bool has_any(const ModelPart& part, std::span<const std::int64_t> nodes) {
            });
 }
 
-// A force at the end of a rod that bends it by about a radian.
-double compute_bending_force(const Model& model, const Rod& rod) {
-    return stiffness_of(model, rod).diagonal().tail<2>().minCoeff() / (rod.length * rod.length);
-}
-
 double measure(const Model& model, const ModelPart& part) {
     double size = 0.0;
     for (const int node : part.nodes) {
         size = std::max(size, model.nodes[static_cast<std::size_t>(node)].position.lpNorm<Eigen::Infinity>());
     }
     return size;
+}
+
+void add_rod(int rod, double round_off, double bending, StiffnessContrast& contrast) {
+    if (round_off > contrast.round_off) {
+        contrast.stiff_rod = rod;
+        contrast.round_off = round_off;
+    }
+    if (bending > 0.0 && (contrast.soft_rod < 0 || bending < contrast.bending)) {
+        contrast.soft_rod = rod;
+        contrast.bending = bending;
+    }
+}
+
+bool is_intolerable(const StiffnessContrast& contrast) {
+    return contrast.soft_rod >= 0 && contrast.round_off > tolerable * contrast.bending;
 }
 
 }  // namespace
@@ -63,22 +97,18 @@ std::vector<StiffnessContrast> find_stiffness_contrasts(const Model& model,
     std::vector<StiffnessContrast> contrasts;
     for (const ModelPart& part : parts) {
         const double size = measure(model, part);
-        StiffnessContrast contrast;
+        StiffnessContrast of_forces;
+        StiffnessContrast of_moments{.is_of_moments = true};
         for (const int index : part.rods) {
-            const Rod& rod = model.rods[static_cast<std::size_t>(index)];
-            const double round_off = compute_round_off(model, rod, size);
-            const double bending = compute_bending_force(model, rod);
-            if (round_off > contrast.round_off) {
-                contrast.stiff_rod = index;
-                contrast.round_off = round_off;
-            }
-            if (bending > 0.0 && (contrast.soft_rod < 0 || bending < contrast.bending_force)) {
-                contrast.soft_rod = index;
-                contrast.bending_force = bending;
-            }
+            const RodForces forces = compute_forces(model, model.rods[static_cast<std::size_t>(index)], size);
+            add_rod(index, forces.force_round_off, forces.bending_force, of_forces);
+            add_rod(index, forces.moment_round_off, forces.bending_moment, of_moments);
         }
-        if (contrast.soft_rod >= 0 && contrast.round_off > tolerable * contrast.bending_force) {
-            contrasts.push_back(contrast);
+        // One for each part: where forces are lost, moments do not matter.
+        if (is_intolerable(of_forces)) {
+            contrasts.push_back(of_forces);
+        } else if (is_intolerable(of_moments)) {
+            contrasts.push_back(of_moments);
         }
     }
     return contrasts;
@@ -97,19 +127,24 @@ std::string describe(const StiffnessContrast& contrast, const Model& model) {
     const auto name = [&](int rod) { return model.rods[static_cast<std::size_t>(rod)].name; };
     const std::string soft =
         contrast.stiff_rod == contrast.soft_rod ? "it" : "rod " + name(contrast.soft_rod);
+    const char* quantity = contrast.is_of_moments ? "moment" : "force";
     return fmt::format(
-        "rod {} is too stiff beside what bends {} for numbers of 16 digits: round-off of its forces is "
-        "about {:.2g}, a force that bends {} about {:.2g}",
+        "rod {} is too stiff beside what bends {} for numbers of 16 digits: round-off of its {}s is "
+        "about {:.2g}, a {} that bends {} about {:.2g}",
         name(contrast.stiff_rod),
         soft,
+        quantity,
         contrast.round_off,
+        quantity,
         soft,
-        contrast.bending_force);
+        contrast.bending);
 }
 
 std::string advise(const StiffnessContrast& contrast) {
-    return fmt::format("EA, GAy and GAz up to {:.1g} of what they are, or longer elements",
-                       tolerable * contrast.bending_force / contrast.round_off);
+    return fmt::format("{} up to {:.1g} of what {}, or longer elements",
+                       contrast.is_of_moments ? "the largest of GJ, EIy and EIz" : "EA, GAy and GAz",
+                       tolerable * contrast.bending / contrast.round_off,
+                       contrast.is_of_moments ? "it is" : "they are");
 }
 
 }  // namespace gxrod

@@ -12,12 +12,14 @@
 namespace gxrod {
 
 // A part in which round-off of the forces in one rod comes near the forces that bend another, or the rod
-// itself. Equilibrium, or a long time step, then takes Newton's method many iterations, or is not found.
+// itself, or round-off of moments near the moments that do. Equilibrium, or a long time step, then takes
+// Newton's method many iterations, or is not found.
 struct StiffnessContrast {
-    int stiff_rod = -1;          // of Model::rods
-    int soft_rod = -1;           // likewise; may be the same
-    double round_off = 0.0;      // of the forces in the stiff one
-    double bending_force = 0.0;  // a force that bends the soft one
+    int stiff_rod = -1;      // of Model::rods
+    int soft_rod = -1;       // likewise; may be the same
+    double round_off = 0.0;  // of the forces, or moments, in the stiff one
+    double bending = 0.0;    // a force, or moment, that bends the soft one
+    bool is_of_moments = false;
 };
 
 // Of each part that has one. Rods that nothing bends back, as chains of no bending stiffness, do not count as

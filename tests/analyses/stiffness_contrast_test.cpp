@@ -88,3 +88,47 @@ TEST_CASE("A contrast is found at the nodes of its part", "[analyses]") {
     for (Section& section : loose.sections) section.stiffness(3, 3) = 0.0;
     CHECK_FALSE(find_contrast_at(loose, {}).has_value());
 }
+
+namespace {
+
+std::string make_strip(const std::string& stiffness) {
+    return "[section.s]\n" + stiffness + R"(
+[rod.strip]
+section = "s"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 10
+[analysis]
+kind = "static"
+)";
+}
+
+}  // namespace
+
+TEST_CASE("A bending or twisting stiffness of which round-off bends the rod is told of", "[analyses]") {
+    const auto strip = [](const std::string& GJ, const std::string& EIz) {
+        return find(make_strip("stiffness = { EA = 1e4, GAy = 1e4, GAz = 1e4, GJ = " + GJ +
+                               ", EIy = 1, EIz = " + EIz + " }"));
+    };
+    // 2.2e-16 along 0.1 times EIz, beside EIy/L: some thousandths at 1e12, and Newton's method has 24
+    // iterations for 18; at 1e14 it has 42, and 110 for a twist.
+    CHECK(strip("1", "1e12").empty());
+    REQUIRE(strip("1", "1e14").size() == 1);
+    CHECK(strip("1", "1e14")[0] ==
+          "rod strip is too stiff beside what bends it for numbers of 16 digits: round-off of its moments is "
+          "about 0.22, a moment that bends it about 1; expected the largest of GJ, EIy and EIz up to 0.01 of "
+          "what it is, or longer elements");
+    CHECK(strip("1e12", "1").empty());
+    CHECK(strip("1e14", "1").size() == 1);
+}
+
+TEST_CASE("A stiffness that only a full matrix shows is told of", "[analyses]") {
+    Model model =
+        test::read(make_strip("stiffness = { EA = 1e4, GAy = 1e4, GAz = 1e4, GJ = 1e3, EIy = 1, EIz = 1 }"))
+            .model;
+    CHECK(find_stiffness_contrasts(model, find_parts(model)).empty());
+    // Bending stiffnesses of 2e14 and 2 about axes half-way between y and z, so that no entry is small.
+    model.sections[0].stiffness.bottomRightCorner<2, 2>() << 1e14 + 1.0, 1e14 - 1.0, 1e14 - 1.0, 1e14 + 1.0;
+    const auto found = find_stiffness_contrasts(model, find_parts(model));
+    REQUIRE(found.size() == 1);
+    CHECK_THAT(describe(found[0], model), Catch::Contains("a moment that bends it about 2"));
+}
