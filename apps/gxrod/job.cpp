@@ -127,6 +127,9 @@ int run_and_tell(const RunRequest& request, const JobOptions& options, ProgressL
     const RunSummary summary = run_analysis(request);
     line.finish();
     tell(options, summary, request.resumed != nullptr);
+    for (const std::string& sentence : {summary.cuts, summary.newton_limit}) {
+        if (!sentence.empty() && !options.quiet) say(stderr, "warning: {}\n", sentence);
+    }
     warn_of_energy(summary, request.model);
     if (!options.summary.empty()) write_summary(options.summary, summary, options.deck, options.results);
     return exit_code_of(summary, summary.deck_fault);

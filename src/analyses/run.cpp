@@ -8,6 +8,7 @@
 
 #include "model/evaluation_error.hpp"
 #include "model/file_error.hpp"
+#include "model/newton_choice.hpp"
 #include "results/history_point.hpp"
 
 namespace gxrod {
@@ -87,6 +88,7 @@ class Run {
             throw FileError(path, std::string("cannot be resumed: ") + error.what());
         }
         if (!has_step) explain_no_step(path, record.steps.time);
+        first_step_ = analysis_->steps().steps_done();
         summary_.totals = record.totals;
         has_started_ = true;
         last_framed_ = record.is_framed;
@@ -172,6 +174,32 @@ class Run {
         summary_.reason = reason;
     }
 
+    // Of this part of a run that was resumed.
+    void sum_up_cuts() {
+        const CutTally& tally = analysis_->cuts();
+        const StepCuts cuts = tally.count(analysis_->steps().steps_done() - first_step_);
+        if (!are_worth_telling(cuts)) return;
+        summary_.cuts = count_cuts(cuts) + ": " + tally.describe_reasons(request_.model) +
+                        advise_on_cuts(request_.model, request_.analysis);
+    }
+
+    // Equal steps that are so short that the scheme's error is below what Newton's method leaves.
+    void compare_errors() {
+        const auto* dynamic = std::get_if<DynamicSettings>(&request_.analysis);
+        const double error = analysis_->largest_error();
+        const double tolerance = analysis_->newton().tolerance.value_or(usual_newton_tolerance);
+        if (dynamic == nullptr || dynamic->adaptive || error <= 0.0 ||
+            tolerance <= tolerable_newton_part * error)
+            return;
+        summary_.newton_limit = fmt::format(
+            "the estimated errors of the steps, at most {:.2g}, are near what newton.tolerance, {:.2g}, "
+            "leaves: "
+            "shorter steps may gain nothing. newton.tolerance = {:.0e} would do",
+            error,
+            tolerance,
+            newton_part * error);
+    }
+
     void fail(const Failure& failure) {
         fail(describe_failure(failure));
         summary_.reason_nodes = failure.nodes;
@@ -184,6 +212,8 @@ class Run {
             write_end();
             file_->close(summary_.status, summary_.reason, summary_.reason_nodes);
         }
+        sum_up_cuts();
+        compare_errors();
         summary_.time = recorded_time_;
         summary_.phases = analysis_->seconds();
         summary_.phases.setup = setup_seconds_;
@@ -204,6 +234,7 @@ class Run {
     double output_seconds_ = 0.0;
     std::unique_ptr<SteppedAnalysis> analysis_;
     std::unique_ptr<ResultsFile> file_;
+    long first_step_ = 0;        // steps done when it was resumed
     RunTotals accepted_totals_;  // without what a step that failed has cost
     bool has_started_ = false;   // has recorded an accepted state
     bool last_framed_ = false;

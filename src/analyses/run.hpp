@@ -42,6 +42,8 @@ struct RunSummary {
     RunStatus status = RunStatus::running;
     std::string reason;                      // of a failure
     std::vector<std::int64_t> reason_nodes;  // that it names
+    std::string cuts;                        // if steps were cut more than a few times: how often and why
+    std::string newton_limit;                // that Newton's tolerance bounds the accuracy, or ""
     bool deck_fault = false;                 // whether the deck is to blame: a load without a finite value
     bool out_of_memory = false;
     long nodes = 0;

@@ -105,14 +105,15 @@ bool SteppedAnalysis::take_step(EquilibriumReport& report) {
         undo();
         throw;
     }
-    if (report.converged() && steps_->needs_error()) check_error(report);
+    if (report.converged() && integrator_->error_order() > 0) check_error(report);
     if (!report.converged()) undo();
     return report.converged();
 }
 
 void SteppedAnalysis::check_error(EquilibriumReport& report) {
     const StepError error = integrator_->estimate_error(state_, steps_->time_step(), system_.length_scale());
-    if (steps_->admits(error.size)) return;
+    largest_error_ = std::max(largest_error_, error.size);
+    if (!steps_->needs_error() || steps_->admits(error.size)) return;
     report.outcome = Outcome::error_too_large;
     report.step_error = error.size;
     report.worst_node = error.node;
@@ -134,6 +135,7 @@ EquilibriumReport SteppedAnalysis::advance() {
     section_values_ = std::vector<SectionValues>();  // large beside what a step needs
     while (!take_step(report)) {
         ++solver_row_.rejected_steps;
+        cuts_.add(report, steps_->steps_done());
         if (!shorten_step()) return report;
     }
     const PhaseTimer timer(workspace_.seconds.update);

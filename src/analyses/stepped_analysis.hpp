@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "analyses/cut_tally.hpp"
 #include "analyses/ledger.hpp"
 #include "assembly/system.hpp"
 #include "integrators/integrator.hpp"
@@ -40,6 +41,12 @@ class SteppedAnalysis {
 
     LedgerRow ledger_row() const { return ledger_->row(state_); }
     const SolverRow& solver_row() const { return solver_row_; }
+    // Of the steps since the start, or since it was resumed.
+    const CutTally& cuts() const { return cuts_; }
+    // Likewise, of the trials: the largest estimated error, 0 if the scheme estimates none; and what Newton's
+    // method was asked for.
+    double largest_error() const { return largest_error_; }
+    const NewtonSettings& newton() const { return newton_; }
     // Points of rods that snapshots tell of; before the start.
     void watch(std::vector<RodPlace> places) { watched_ = std::move(places); }
     // Of the last accepted state; valid until the next step. With the sections of all elements only if asked
@@ -82,13 +89,15 @@ class SteppedAnalysis {
     std::string find_weakness();
     // Sets what a failure comes from, of what is not known from its report.
     void find_reason(Failure& failure);
-    // Fails the report if the step's estimated error is too large.
+    // Fails the report if the step's estimated error is too large for steps that are chosen by it.
     void check_error(EquilibriumReport& report);
 
     std::unique_ptr<Ledger> ledger_;  // none before the start
     long rejecting_step_ = -1;        // of the nominal steps
     int rejections_ = 0;              // within it; of a model with a contrast, in statics
     SolverRow solver_row_;
+    CutTally cuts_;
+    double largest_error_ = 0.0;
     std::vector<RodPlace> watched_;
     std::vector<PointValues> point_values_;
     std::vector<SectionValues> section_values_;

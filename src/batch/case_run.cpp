@@ -105,6 +105,8 @@ class CaseRun {
         row_.newton_iterations = summary.totals.newton_iterations;
         row_.rejected_steps = summary.totals.rejected_steps;
         row_.time = summary.time;
+        add_warning(row_, summary.cuts);
+        add_warning(row_, summary.newton_limit);
         add_warning(
             row_,
             describe_imbalance(

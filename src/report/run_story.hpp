@@ -30,7 +30,7 @@ struct RunStory {
 RunStory read_run_story(const Hdf5Reader& file);
 
 // What is to be known before trusting the results: that the run is not complete, that the energy does not
-// balance over the first `steps` steps. Throws Hdf5Error.
+// balance over the first `steps` steps, that many of them were cut. Throws Hdf5Error.
 std::vector<std::string> list_warnings(const Hdf5Reader& file, const RunStory& story, std::size_t steps);
 
 // All of it for the page. Throws Hdf5Error.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "report/step_thinning.hpp"
+#include "results/cut_warning.hpp"
 #include "results/hdf5_reader.hpp"
 
 namespace gxrod {
@@ -46,5 +47,9 @@ struct EnergyBalance {
     double error = 0.0;
 };
 EnergyBalance survey_energy(const Hdf5Reader& file, std::size_t steps);
+
+// How often steps were cut in the first `steps` rows: equal steps of this length, or each row's own if it is
+// 0 because they were chosen by their error. Throws Hdf5Error.
+StepCuts survey_cuts(const Hdf5Reader& file, std::size_t steps, double equal_step);
 
 }  // namespace gxrod

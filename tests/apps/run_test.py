@@ -14,6 +14,29 @@ import numpy as np
 from program import GXROD, SPINNING_BODY, ProgramTest, limit_file_size
 
 
+FALLING_TAPE = """gravity = [0, 0, -9.81]
+[section.s]
+stiffness = { EA = 300.0, GAy = 100.0, GAz = 100.0, GJ = 8e-3, EIy = 4e-3, EIz = 4e4 }
+inertia = { rhoA = 0.08, rhoIy = 5e-7, rhoIz = 5e-7 }
+[rod.tape]
+section = "s"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+y_axis = [0, 1, 0]
+elements = 10
+order = 2
+[[support]]
+at = "tape.start"
+fix = "all"
+[[load]]
+at = "tape.end"
+force = [0, 0.02, 0]
+[analysis]
+kind = "dynamic"
+end_time = 0.6
+time_step = 4e-3
+integrator = "generalized-alpha"
+"""
+
 LONG_ROD = """gravity = [0, 0, -9.81]
 [section.s]
 shape = { circle = { radius = 0.02 } }
@@ -98,14 +121,39 @@ class Run(ProgramTest):
         summary = json.loads(done.stdout)
         self.assertEqual(
             sorted(summary),
-            sorted("status reason deck results nodes elements unknowns steps rejected_steps newton_iterations time "
-                   "wall_seconds threads version".split()))
+            sorted("status reason deck results nodes elements unknowns steps rejected_steps cuts newton_limit "
+                   "newton_iterations time wall_seconds threads version".split()))
         self.assertEqual(sorted(summary["wall_seconds"]),
                          sorted("total setup assembly solve update output".split()))
         self.assertEqual((summary["status"], summary["steps"], summary["time"]), ("complete", 100, 1.0))
         self.assertEqual((summary["nodes"], summary["elements"], summary["unknowns"]), (1, 1, 6))
         self.gxrod("run", "body.toml", "--force", "--summary", "summary.json", "--quiet")
         self.assertEqual(json.loads((self.folder / "summary.json").read_text())["status"], "complete")
+
+    def test_cut_steps_are_summed_up_at_the_end(self):
+        self.write("tape.toml", FALLING_TAPE)
+        consistent = ("--set", "analysis.newton.tangent=\"consistent\"", "--force", "--summary", "summary.json")
+        done = self.gxrod("run", "tape.toml", *consistent)
+        cuts = json.loads((self.folder / "summary.json").read_text())["cuts"]
+        self.assertRegex(cuts, "^[0-9]+ of 150 steps were cut, [0-9]+ times in all: one element's nodes turned against "
+                               "each other by half a turn \\([0-9]+ times, mostly at tape")
+        self.assertIn("; rod tape is 1e+07 times as stiff in bending about z as in bending about y. Try newton.tangent "
+                      '= "mixed", which bears longer steps, or a smaller time_step.', cuts)
+        self.assertIn(f"warning: {cuts}\n", done.stderr)
+        with h5py.File(self.folder / "tape.vtkhdf") as file:
+            self.assertIn(f", {file['solver/rejected_steps'][:].sum()} times in all:", cuts)
+        self.assertEqual(self.gxrod("run", "tape.toml", *consistent, "--quiet").stderr, "")
+        page = self.report_text("tape.vtkhdf")
+        self.assertIn(cuts[:cuts.index(": one element's")], page)
+        done = self.gxrod("run", "tape.toml", "--force", "--summary", "summary.json")
+        self.assertEqual(json.loads((self.folder / "summary.json").read_text())["cuts"], "")
+        self.assertNotIn("cut", done.stderr)
+        self.assertIn("note: rod tape is 1e+07 times as stiff in bending about z as in bending about y; newton.tangent "
+                      'is "mixed"', self.gxrod("check", "tape.toml").stdout)
+
+    def report_text(self, results):
+        self.gxrod("report", results, "-o", "page.html")
+        return (self.folder / "page.html").read_text()
 
     def test_an_unwritable_summary_is_a_file_error(self):
         self.gxrod("run", "body.toml", "--summary", "missing/summary.json", code=4)
