@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "deck/override_key.hpp"
+#include "model/newton_choice.hpp"
 #include "verification/method_traits.hpp"
 
 namespace gxrod {
@@ -30,16 +31,17 @@ std::vector<const Rod*> list_rods(const Problem& problem, bool of_meshes) {
     return rods;
 }
 
-// The tolerance that halves the steps `level` times, and bounds of theirs that let it.
-std::vector<std::string> refine(const AdaptiveSettings& adaptive, int level) {
+// The tolerance that halves the steps `level` times, and bounds of theirs and of Newton's method that let it.
+std::vector<std::string> refine(const AdaptiveSettings& adaptive, const NewtonSettings& newton, int level) {
     std::vector<std::string> overrides;
     const auto divide = [&](const char* key, double value, double divisor) {
         for (int i = 0; i < level; ++i) value /= divisor;
-        overrides.push_back(fmt::format("analysis.adaptive.{}={:.17g}", key, value));
+        overrides.push_back(fmt::format("analysis.{}={:.17g}", key, value));
     };
-    divide("tolerance", adaptive.tolerance, error_fall);
-    if (adaptive.min_step > 0.0) divide("min_step", adaptive.min_step, 2.0);
-    if (std::isfinite(adaptive.max_step)) divide("max_step", adaptive.max_step, 2.0);
+    divide("adaptive.tolerance", adaptive.tolerance, error_fall);
+    if (adaptive.min_step > 0.0) divide("adaptive.min_step", adaptive.min_step, 2.0);
+    if (std::isfinite(adaptive.max_step)) divide("adaptive.max_step", adaptive.max_step, 2.0);
+    if (newton.tolerance) divide("newton.tolerance", *newton.tolerance, error_fall);
     return overrides;
 }
 
@@ -50,7 +52,7 @@ DeckVariant make_finer_steps(const Problem& problem, int level) {
     variant.cost = factor;
     if (const AdaptiveSettings* adaptive = adaptive_of(problem.analysis)) {
         variant.title = fmt::format("{} of the tolerance", level == 1 ? "1/16" : "1/256");
-        variant.overrides = refine(*adaptive, level);
+        variant.overrides = refine(*adaptive, newton_of(problem.analysis), level);
     }
     const auto* dynamic = std::get_if<DynamicSettings>(&problem.analysis);
     const long steps = dynamic != nullptr ? dynamic->steps : std::get<StaticSettings>(problem.analysis).steps;

@@ -5,6 +5,7 @@
 #include "analyses/run.hpp"
 #include "deck/decks.hpp"
 #include "tools/tops.hpp"
+#include "verification/deck_variants.hpp"
 
 // Newton's tolerance was 1e-8 however small an error the steps were to have.
 
@@ -111,6 +112,28 @@ TEST_CASE("A tolerance of Newton's method that the deck gives and that is the li
     CHECK(warnings("adaptive = { tolerance = 1e-9 }\nnewton.tolerance = 1e-10\n").empty());
     CHECK(warnings("adaptive = { tolerance = 1e-9 }\n").empty());
     CHECK(warnings("newton.tolerance = 1e-2\n").empty());
+}
+
+TEST_CASE("Newton's tolerance bounds no finer run of a verification", "[issues]") {
+    const auto overrides = [](const std::string& lines) {
+        const auto variants = list_variants(read(top_deck + lines), 2);
+        std::vector<std::string> all;
+        for (const DeckVariant& variant : variants) {
+            if (variant.kind != VariantKind::finer_steps) continue;
+            for (const std::string& text : variant.overrides) {
+                if (text.find("tolerance") != std::string::npos) all.push_back(text);
+            }
+        }
+        return all;
+    };
+    const std::string adaptive = "adaptive = { tolerance = 0.0625 }\n";
+    CHECK(overrides(adaptive) == std::vector<std::string>{"analysis.adaptive.tolerance=0.00390625",
+                                                          "analysis.adaptive.tolerance=0.000244140625"});
+    CHECK(overrides(adaptive + "newton.tolerance = 0.25\n") ==
+          std::vector<std::string>{"analysis.adaptive.tolerance=0.00390625",
+                                   "analysis.newton.tolerance=0.015625",
+                                   "analysis.adaptive.tolerance=0.000244140625",
+                                   "analysis.newton.tolerance=0.0009765625"});
 }
 
 TEST_CASE("Equal steps too short for Newton's tolerance are told of at the end", "[issues]") {
