@@ -134,6 +134,7 @@ int batch(const BatchArguments& arguments) {
         telling.show_plan(prepared, request);
         return exit_done;
     }
+    telling.show_size(prepared, request);
     listen_to_signals();
     request.interruption = read_interruption;
     request.report_progress = [&](const BatchProgress& progress) {

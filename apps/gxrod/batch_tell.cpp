@@ -99,6 +99,42 @@ bool BatchTelling::was_told(long number) const {
     return std::any_of(told_.begin(), told_.end(), [&](const CaseRow& row) { return row.number == number; });
 }
 
+namespace {
+
+std::string describe_room(const std::filesystem::path& folder, double bytes) {
+    std::error_code error;
+    const std::filesystem::path parent = folder.parent_path();
+    const auto room = std::filesystem::space(parent.empty() ? "." : parent, error);
+    if (error || bytes <= static_cast<double>(room.available)) return "";
+    return fmt::format(
+        ", more than the {:.3g} GB that are free: a larger output.every makes fewer frames, and [keep] "
+        "results = \"failed\" or \"none\" keeps fewer files",
+        static_cast<double>(room.available) / 1e9);
+}
+
+// "" where no results are kept of cases that are done.
+std::string describe_kept(const PreparedBatch& batch, const BatchRequest& request) {
+    constexpr double gigabyte = 1e9;
+    if (batch.plan().keeping != Keeping::all) return "";
+    const KeptResults& kept = batch.kept_results();
+    std::string text = "results to keep: ";
+    const bool is_large = kept.bytes >= 0.1 * gigabyte;
+    if (kept.bytes > 0.0) {
+        text += fmt::format("at least {:.3g} {}, {:.6g} frames",
+                            kept.bytes / (is_large ? gigabyte : 1e6),
+                            is_large ? "GB" : "MB",
+                            kept.frames);
+    }
+    if (kept.unknown > 0) {
+        text += fmt::format("{}{} of adaptive steps, of unknown size",
+                            kept.bytes > 0.0 ? ", and those of " : "those of ",
+                            count_cases(static_cast<std::size_t>(kept.unknown)));
+    }
+    return text + describe_room(request.folder, kept.bytes) + "\n";
+}
+
+}  // namespace
+
 void BatchTelling::show_plan(const PreparedBatch& batch, const BatchRequest& request) const {
     constexpr long most_lines = 20;
     const CaseRange range = request.only.value_or(batch.all());
@@ -122,6 +158,11 @@ void BatchTelling::show_plan(const PreparedBatch& batch, const BatchRequest& req
         wanted.size(),
         request.folder.string(),
         request.workers);
+    say(stdout, "{}", describe_kept(batch, request));
+}
+
+void BatchTelling::show_size(const PreparedBatch& batch, const BatchRequest& request) const {
+    if (!is_quiet_ && tells_) say(stdout, "{}", describe_kept(batch, request));
 }
 
 void BatchTelling::show_summary(const BatchSummary& summary, const BatchRequest& request) const {

@@ -25,6 +25,8 @@ class BatchTelling {
     void show_failure(const CaseRow& row, const CaseList& cases);
     void finish_line() { line_.finish(); }
 
+    // How large the results will be that are kept.
+    void show_size(const PreparedBatch& batch, const BatchRequest& request) const;
     // The cases that would be run.
     void show_plan(const PreparedBatch& batch, const BatchRequest& request) const;
     void show_summary(const BatchSummary& summary, const BatchRequest& request) const;

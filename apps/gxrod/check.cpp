@@ -7,6 +7,7 @@
 #include "analyses/model_examination.hpp"
 #include "analyses/model_summary.hpp"
 #include "analyses/rod_lines.hpp"
+#include "analyses/static_scale.hpp"
 #include "deck/problem.hpp"
 #include "exit_code.hpp"
 #include "job.hpp"
@@ -52,8 +53,9 @@ CheckText describe_problem(const Problem& problem) {
     for (const Finding& finding : examine_model(problem.model, problem.analysis)) {
         (finding.severity == Severity::error ? text.errors : text.warnings).push_back(describe(finding));
     }
-    for (const std::string& sentence :
-         {describe_thick_rods(problem.model), describe_coarse_rods(problem.model)}) {
+    for (const std::string& sentence : {describe_thick_rods(problem.model),
+                                        describe_coarse_rods(problem.model),
+                                        describe_static_scale(problem.model, problem.analysis)}) {
         if (!sentence.empty()) text.warnings.push_back("warning: " + sentence);
     }
     return text;

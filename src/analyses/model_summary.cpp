@@ -9,6 +9,7 @@
 #include "analyses/condition_summary.hpp"
 #include "analyses/rod_summary.hpp"
 #include "assembly/system.hpp"
+#include "model/frame_interval.hpp"
 
 namespace gxrod {
 
@@ -119,6 +120,22 @@ std::string describe_dynamic(const DynamicSettings& settings) {
 
 }  // namespace
 
+namespace {
+
+std::string describe_frames(const AnalysisSettings& settings, long every) {
+    if (every == 0) {
+        return fmt::format(
+            "{} frames at most, one in each {}th part of the time", default_frames + 1, default_frames);
+    }
+    const auto* dynamic = std::get_if<DynamicSettings>(&settings);
+    const std::string interval = every == 1 ? "one every step" : fmt::format("one every {} steps", every);
+    if (dynamic != nullptr && dynamic->adaptive) return "frames, " + interval;
+    const long steps = std::visit([](const auto& analysis) { return analysis.steps; }, settings);
+    return fmt::format("{} frames, {}", 1 + steps / every + (steps % every == 0 ? 0 : 1), interval);
+}
+
+}  // namespace
+
 std::string describe_analysis(const AnalysisSettings& settings) {
     if (const auto* dynamic = std::get_if<DynamicSettings>(&settings)) return describe_dynamic(*dynamic);
     return fmt::format("static analysis: {} steps of the load factor t from 0 to 1\n",
@@ -126,12 +143,7 @@ std::string describe_analysis(const AnalysisSettings& settings) {
 }
 
 std::string describe_output(const AnalysisSettings& settings, const OutputSettings& output) {
-    const long steps = std::visit([](const auto& analysis) { return analysis.steps; }, settings);
-    const long frames = 1 + steps / output.every + (steps % output.every == 0 ? 0 : 1);
-    const auto* dynamic = std::get_if<DynamicSettings>(&settings);
-    std::string text = dynamic != nullptr && dynamic->adaptive
-                           ? fmt::format("output: a frame every {} steps", output.every)
-                           : fmt::format("output: {} frames", frames);
+    std::string text = "output: " + describe_frames(settings, output.every);
     for (const HistoryRequest& history : output.histories) {
         text += fmt::format(", history {} at {}", history.name, history.at);
     }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <numeric>
 
 #include "analyses/rod_summary.hpp"
@@ -107,18 +106,12 @@ std::string describe_thick_rods(const Model& model) {
     const std::vector<double> lengths = measure_lines(model);
     std::vector<int> thick;
     for (const ModelPart& part : find_parts(model)) {
-        // A slender line of the same section beside it shows that the units agree: the rest are stubs.
-        std::map<int, double> most;
-        const auto slenderness_of = [&](int rod) {
-            return compute_slenderness(model.sections[model.rods[rod].section], lengths[rod]);
-        };
-        for (const int rod : part.rods) {
-            double& largest = most[model.rods[rod].section];
-            largest = std::max(largest, slenderness_of(rod));
-        }
-        for (const int rod : part.rods) {
-            if (most[model.rods[rod].section] < least_slenderness) thick.push_back(rod);
-        }
+        const bool is_thick = std::all_of(part.rods.begin(), part.rods.end(), [&](int rod) {
+            return compute_slenderness(model.sections[model.rods[rod].section], lengths[rod]) <
+                   least_slenderness;
+        });
+        // With a slender line in the part its units agree: the rest are stubs and stiff links.
+        if (is_thick) thick.insert(thick.end(), part.rods.begin(), part.rods.end());
     }
     if (thick.empty()) return "";
     std::sort(thick.begin(), thick.end());

@@ -16,7 +16,7 @@ double compute_slenderness(const Section& section, double length);
 std::vector<double> measure_lines(const Model& model);
 
 // A sentence on the rods whose lines are thicker than long, all of them together; "" if there is none. Not of
-// stubs: where a connected part has a slender line of the same section, too.
+// stubs and stiff links: where a connected part has a slender line, too.
 std::string describe_thick_rods(const Model& model);
 
 // The same of rods of which an element turns by more than 45 degrees.

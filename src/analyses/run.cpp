@@ -8,6 +8,7 @@
 
 #include "model/evaluation_error.hpp"
 #include "model/file_error.hpp"
+#include "model/frame_interval.hpp"
 #include "model/newton_choice.hpp"
 #include "results/history_point.hpp"
 
@@ -133,7 +134,7 @@ class Run {
 
     void record() {
         const PhaseTimer timer(output_seconds_);
-        last_framed_ = file_ && analysis_->steps().is_frame_due(request_.output.every);
+        last_framed_ = file_ && is_frame_due();
         const Snapshot snapshot = analysis_->snapshot(last_framed_);
         const LedgerRow ledger = analysis_->ledger_row();
         watch_energy(ledger);
@@ -146,6 +147,14 @@ class Run {
             file_->set_restart(restart_record());
             file_->flush();
         }
+    }
+
+    // At the accepted time; the one before it is recorded.
+    bool is_frame_due() const {
+        if (request_.output.every > 0) return analysis_->steps().is_frame_due(request_.output.every);
+        const double time = analysis_->state().time;
+        return !has_started_ ||
+               is_frame_time(recorded_time_, time, std::get<DynamicSettings>(request_.analysis).end_time);
     }
 
     RestartRecord restart_record() const {

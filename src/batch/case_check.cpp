@@ -9,6 +9,7 @@
 #include "batch/collector.hpp"
 #include "deck/override_key.hpp"
 #include "deck/suggestion.hpp"
+#include "results/results_size.hpp"
 
 namespace gxrod {
 namespace {
@@ -51,8 +52,7 @@ class CaseFaults {
     bool is_enough() const { return found_.size() >= most_faults || faulty_cases_ >= most_faulty_cases; }
 
     // `built` are the cases whose decks were right, of those that were examined.
-    void throw_if_any(long examined, long built) const {
-        if (found_.empty()) return;
+    std::vector<DeckFault> list(long examined, long built) const {
         std::vector<DeckFault> faults;
         for (const Found& found : found_) {
             faults.push_back(found.fault);
@@ -60,7 +60,7 @@ class CaseFaults {
             if (found.cases < (found.stage == Stage::reading ? examined : built))
                 faults.back().message += describe(found);
         }
-        throw DeckError(std::move(faults));
+        return faults;
     }
 
   private:
@@ -145,6 +145,23 @@ void examine(const CaseContext& context, const Problem& problem, long number) {
     missing.throw_if_any();
 }
 
+void add_size(const Problem& problem, KeptResults& kept) {
+    const ResultsSize size = estimate_results_size(problem.model, problem.analysis, problem.output);
+    kept.bytes += size.bytes;
+    kept.frames += size.frames;
+    if (size.steps == 0.0) ++kept.unknown;
+}
+
+// What is collected, of the deck as it is: where no case could be built, so that it is not told a round
+// later.
+void check_deck_itself(const CaseContext& context, FaultList& faults) {
+    try {
+        check_collections(context.plan.collections, context.decks.front().build({}), faults);
+    } catch (const DeckError&) {
+        // Cases have these faults, too.
+    }
+}
+
 }  // namespace
 
 CheckedCases check_cases(const CaseContext& context,
@@ -152,7 +169,6 @@ CheckedCases check_cases(const CaseContext& context,
                          const std::function<void(long)>& report) {
     FaultList faults(context.plan.file, {});
     if (context.plan.combination != Combination::decks) check_parameters(context, faults);
-    faults.throw_if_any();
     CaseFaults case_faults(context);
     CheckedCases checked;
     checked.meshes.resize(context.decks.size());
@@ -167,6 +183,7 @@ CheckedCases check_cases(const CaseContext& context,
             if (number == 1) checked.title = problem.record.title;
             checked.meshes[context.cases.deck(number)].merge(digest_meshes(problem.record.meshes));
             examine(context, problem, number);
+            if (range.contains(number)) add_size(problem, checked.kept);
         } catch (const DeckError& error) {
             case_faults.add(error, stage, number);
         }
@@ -177,7 +194,11 @@ CheckedCases check_cases(const CaseContext& context,
         check(number);
         report(number - range.first + 1);
     }
-    case_faults.throw_if_any(examined, built);
+    if (built == 0 && context.plan.combination != Combination::decks) check_deck_itself(context, faults);
+    std::vector<DeckFault> all = faults.list();
+    const std::vector<DeckFault> of_cases = case_faults.list(examined, built);
+    all.insert(all.end(), of_cases.begin(), of_cases.end());
+    if (!all.empty()) throw DeckError(std::move(all));
     return checked;
 }
 

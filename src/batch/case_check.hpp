@@ -7,9 +7,17 @@
 
 namespace gxrod {
 
+// Results files that the cases of a range leave, as far as is known beforehand (results/results_size.hpp).
+struct KeptResults {
+    double bytes = 0.0;
+    double frames = 0.0;
+    long unknown = 0;  // cases with adaptive steps, which add more
+};
+
 struct CheckedCases {
     std::string title;                // of the first
     std::vector<MeshDigests> meshes;  // of each deck
+    KeptResults kept;
 };
 
 // Reads, builds and examines cases, as `gxrod check` does, so that what is wrong with one shows before any is

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "deck/csv_reading.hpp"
+#include "batch/faulty_plan.hpp"
 #include "batch/plan_schema.hpp"
 #include "batch/read_variations.hpp"
+#include "deck/csv_reading.hpp"
 #include "deck/text_file.hpp"
 #include "deck/validation.hpp"
 
@@ -29,7 +30,15 @@ constexpr std::array reserved_names{"case",
                                     "results",
                                     "warning"};
 
-Collection read_collection(const CheckedTable& table, FaultList& faults) {
+// The value of a key that is given, or has a default, and is no fault; nullptr otherwise.
+template <class Value>
+const Value* find_value(const CheckedTable& table, std::string_view key) {
+    const CheckedValue* found = table.find(key);
+    return found == nullptr ? nullptr : std::get_if<Value>(&found->value);
+}
+
+// nullopt where a value is at fault.
+std::optional<Collection> read_collection(const CheckedTable& table, FaultList& faults) {
     Collection collection;
     collection.name = table.name;
     collection.place = table.place;
@@ -37,18 +46,28 @@ Collection read_collection(const CheckedTable& table, FaultList& faults) {
         faults.add(
             table.place, table.path, "every table has a column of this name already; take another one");
     }
+    bool is_right =
+        table.gives("history") != table.gives("ledger") && table.gives("take") != table.gives("at");
+    const auto take_word = [&](const char* key, const auto& take) {
+        if (!table.gives(key)) return;
+        const auto* word = find_value<std::string>(table, key);
+        is_right = is_right && word != nullptr;
+        if (word != nullptr) take(*word);
+    };
+    take_word("history", [&](const std::string& word) { collection.history = word; });
     if (table.gives("history")) {
-        collection.history = table.get<std::string>("history");
-        if (table.gives("quantity"))
-            collection.quantity = value_of(quantity_choices, table.get<std::string>("quantity"));
+        is_right = is_right && table.gives("quantity");
+        take_word("quantity",
+                  [&](const std::string& word) { collection.quantity = value_of(quantity_choices, word); });
     }
-    if (table.gives("ledger")) collection.ledger = value_of(ledger_choices, table.get<std::string>("ledger"));
-    if (table.gives("component"))
-        collection.component = value_of(component_choices, table.get<std::string>("component"));
-    if (table.gives("take")) collection.take = value_of(take_choices, table.get<std::string>("take"));
-    if (table.gives("at")) collection.at = table.get<double>("at");
-    if (table.gives("reference")) collection.reference = table.get<double>("reference");
-    return collection;
+    take_word("ledger", [&](const std::string& word) { collection.ledger = value_of(ledger_choices, word); });
+    take_word("component",
+              [&](const std::string& word) { collection.component = value_of(component_choices, word); });
+    take_word("take", [&](const std::string& word) { collection.take = value_of(take_choices, word); });
+    if (const auto* at = find_value<double>(table, "at")) collection.at = *at;
+    if (const auto* reference = find_value<double>(table, "reference")) collection.reference = *reference;
+    is_right = is_right && (!table.gives("at") || collection.at.has_value());
+    return is_right ? std::optional(collection) : std::nullopt;
 }
 
 // Values that are taken together must be equally many.
@@ -89,17 +108,19 @@ void check_count(const Plan& plan, FaultList& faults) {
 }
 
 void take_settings(const CheckedTable& checked, Plan& plan) {
-    plan.combination = value_of(combination_choices, checked.get<std::string>("combine"));
+    if (const auto* word = find_value<std::string>(checked, "combine"))
+        plan.combination = value_of(combination_choices, *word);
     if (plan.combination == Combination::latin_hypercube) {
-        plan.count = checked.get<long>("count");
-        plan.seed = static_cast<std::uint64_t>(checked.get<long>("seed"));
+        if (const auto* count = find_value<long>(checked, "count")) plan.count = *count;
+        if (const auto* seed = find_value<long>(checked, "seed"))
+            plan.seed = static_cast<std::uint64_t>(*seed);
     }
-    if (checked.gives("time_limit")) plan.time_limit = checked.get<double>("time_limit");
-    if (checked.gives("memory_limit"))
-        plan.memory_limit = checked.get<double>("memory_limit") * bytes_in_gigabyte;
-    if (!checked.tables("keep").empty()) {
-        plan.keeping = value_of(keeping_choices, checked.tables("keep").front().get<std::string>("results"));
-    }
+    if (const auto* limit = find_value<double>(checked, "time_limit")) plan.time_limit = *limit;
+    if (const auto* limit = find_value<double>(checked, "memory_limit"))
+        plan.memory_limit = *limit * bytes_in_gigabyte;
+    if (checked.tables("keep").empty()) return;
+    if (const auto* word = find_value<std::string>(checked.tables("keep").front(), "results"))
+        plan.keeping = value_of(keeping_choices, *word);
 }
 
 // Whether there is the file that a key names.
@@ -123,6 +144,29 @@ std::string read_plan_file(const std::filesystem::path& file) {
 
 Plan read_plan(const std::filesystem::path& file) { return read_plan_text(read_plan_file(file), file); }
 
+namespace {
+
+void read_cases(const CheckedTable& checked, Plan& plan, FaultList& faults) {
+    const DeckEntry* vary = plan.tree.find("vary");
+    if (vary != nullptr && vary->node.table() != nullptr)
+        plan.variations = read_variations(vary->node, plan.combination, faults);
+    if (plan.combination == Combination::table) {
+        if (const auto* table = find_value<std::string>(checked, "table")) {
+            plan.table = std::filesystem::path(plan.file).parent_path() / *table;
+            if (check_file(plan.table, "table", checked, faults))
+                read_table_columns(plan.table, checked.place_of("table"), plan.variations, faults);
+        }
+    } else if (plan.variations.empty() && (vary == nullptr || vary->node.table() != nullptr)) {
+        faults.add(
+            checked.place_of("vary"), "vary", "missing or empty; expected what differs from case to case");
+    }
+    if (plan.combination == Combination::zip) check_zip(plan, faults);
+    check_count(plan, faults);
+    check_conflicts(plan.variations, faults);
+}
+
+}  // namespace
+
 Plan read_plan_text(std::string text, const std::filesystem::path& file) {
     Plan plan;
     plan.file = file.string();
@@ -130,30 +174,27 @@ Plan read_plan_text(std::string text, const std::filesystem::path& file) {
     plan.tree = read_toml(plan.text, plan.file);
     FaultList faults(plan.file, {});
     const CheckedTable checked = check_text(plan.tree, plan_schema(), faults);
-    faults.throw_if_any();
     take_settings(checked, plan);
-    const std::filesystem::path folder = file.parent_path();
-    plan.decks = {folder / checked.get<std::string>("deck")};
-    check_file(plan.decks[0], "deck", checked, faults);
-    if (const DeckEntry* vary = plan.tree.find("vary"))
-        plan.variations = read_variations(vary->node, plan.combination, faults);
-    if (plan.combination == Combination::table) {
-        plan.table = folder / checked.get<std::string>("table");
-        if (check_file(plan.table, "table", checked, faults))
-            read_table_columns(plan.table, checked.place_of("table"), plan.variations, faults);
-    } else if (plan.variations.empty()) {
-        faults.add(
-            checked.place_of("vary"), "vary", "missing or empty; expected what differs from case to case");
+    bool has_deck = false;
+    if (const auto* deck = find_value<std::string>(checked, "deck")) {
+        plan.decks = {file.parent_path() / *deck};
+        has_deck = check_file(plan.decks[0], "deck", checked, faults);
     }
-    if (plan.combination == Combination::zip) check_zip(plan, faults);
-    check_count(plan, faults);
-    check_conflicts(plan.variations, faults);
+    read_cases(checked, plan, faults);
     for (const CheckedTable& table : checked.tables("collect")) {
-        plan.collections.push_back(read_collection(table, faults));
+        const std::optional<Collection> collection = read_collection(table, faults);
+        if (!collection) continue;
+        plan.collections.push_back(*collection);
         check_column_name(plan.collections.back(), plan.variations, faults);
     }
-    faults.throw_if_any();
-    return plan;
+    if (faults.empty()) return plan;
+    // What is wrong with the rest, so that a user sees all of it at once.
+    std::vector<DeckFault> all = faults.list();
+    if (has_deck) {
+        const std::vector<DeckFault> others = find_faults_of_cases(plan);
+        all.insert(all.end(), others.begin(), others.end());
+    }
+    throw DeckError(std::move(all));
 }
 
 Plan plan_of_decks(std::vector<std::filesystem::path> decks) {

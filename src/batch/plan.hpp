@@ -39,6 +39,7 @@ struct Variation {
     std::vector<std::string> values;
     std::optional<Spread> spread;
     std::optional<Column> column;  // of the table, with Combination::table
+    bool is_faulty = false;        // reported as such
 };
 
 // A number that is taken from each case.

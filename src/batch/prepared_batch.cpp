@@ -25,6 +25,7 @@ PreparedBatch::PreparedBatch(Plan plan,
         if (report) report(examined, range.count());
     });
     meshes_ = std::move(checked.meshes);
+    kept_ = checked.kept;
     record_ = make_batch_record(plan_, cases_, decks_, checked.title, meshes_);
 }
 

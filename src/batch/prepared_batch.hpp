@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "batch/case_check.hpp"
 #include "batch/case_row.hpp"
 #include "batch/case_run.hpp"
 #include "batch/case_table.hpp"
@@ -27,6 +28,8 @@ class PreparedBatch {
     const Plan& plan() const { return plan_; }
     const CaseList& cases() const { return cases_; }
     const BatchRecord& record() const { return record_; }
+    // What the cases that were examined will leave, if all of their results are kept.
+    const KeptResults& kept_results() const { return kept_; }
     CaseRange all() const { return {1, cases_.count()}; }
     CaseContext context(const std::filesystem::path& folder) const {
         return {plan_, cases_, decks_, meshes_, folder};
@@ -44,6 +47,7 @@ class PreparedBatch {
     CaseList cases_;
     std::deque<DeckTemplate> decks_;
     std::vector<MeshDigests> meshes_;  // of each deck
+    KeptResults kept_;
     BatchRecord record_;
 };
 

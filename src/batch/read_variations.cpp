@@ -58,7 +58,9 @@ class VariationReader {
     Variation read(const DeckEntry& entry) {
         Variation variation{entry.key, entry.place, {}, {}, {}};
         path_ = path_of(entry.key);
-        if (!split_key(entry.key)) {
+        if (is_top_level_value(plan_schema(), entry.key)) {
+            add(entry.place, explain_misplaced_key(entry.key, "[vary]"));
+        } else if (!split_key(entry.key)) {
             add(entry.place, "not a key; expected one such as \"analysis.time_step\" or \"load[0].force\"");
         } else if (entry.node.array() != nullptr) {
             variation.values = read_list(entry.node);
@@ -199,7 +201,11 @@ void check_rows(const std::filesystem::path& file, const std::vector<CsvRow>& ro
 std::vector<Variation> read_variations(const DeckNode& vary, Combination combination, FaultList& faults) {
     std::vector<Variation> variations;
     VariationReader reader(combination, faults);
-    for (const DeckEntry& entry : *vary.table()) variations.push_back(reader.read(entry));
+    for (const DeckEntry& entry : *vary.table()) {
+        const std::size_t before = faults.count();
+        variations.push_back(reader.read(entry));
+        variations.back().is_faulty = faults.count() > before;
+    }
     return variations;
 }
 
@@ -236,7 +242,7 @@ void read_table_columns(const std::filesystem::path& table,
                            fmt::format("column \"{}\" is no key of a deck; [vary] can say which key takes it",
                                        name));
             }
-            variations.push_back({name, place, {name}, {}, {}});
+            variations.push_back({name, place, {name}, {}, {}, !split_key(name)});
         }
     }
     for (Variation& variation : variations) {

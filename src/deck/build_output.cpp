@@ -9,6 +9,7 @@
 
 #include "deck/choices.hpp"
 #include "deck/rod_mesh.hpp"
+#include "model/frame_interval.hpp"
 
 namespace gxrod {
 namespace {
@@ -187,10 +188,11 @@ HistoryRequest build_history(const CheckedTable& table,
 
 OutputSettings build_output(const BuildContext& context) {
     OutputSettings output;
+    output.every = choose_frame_interval(context.analysis);
     const std::vector<CheckedTable>& tables = context.deck.tables("output");
     if (!tables.empty()) {
         const CheckedTable& table = tables.front();
-        output.every = table.get<long>("every");
+        if (table.gives("every")) output.every = table.get<long>("every");
         output.compression = value_of(compression_choices, table.get<std::string>("compression"));
     }
     std::set<std::string> taken;

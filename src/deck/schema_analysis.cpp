@@ -200,9 +200,11 @@ const TableSpec& output_table() {
         .keys = {{.name = "every",
                   .type = ValueType::integer,
                   .range = {.lower = 1, .upper = static_cast<double>(largest_step_count)},
-                  .default_value = OutputSettings{}.every,
-                  .sentence = "Steps between frames; the first and the last are always "
-                              "written."},
+                  .default_text = "what makes about 500 frames at most",
+                  .sentence =
+                      "Steps between frames; the first and the last are always written. Left out: 1 up to "
+                      "500 steps; beyond that the least of 2, 5, 10, 20, 50 … that makes about 500 frames at "
+                      "most; with adaptive steps one frame in each 500th part of the time."},
                  {.name = "compression",
                   .type = ValueType::choice,
                   .default_value = word_of(compression_choices, OutputSettings{}.compression),

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <string_view>
 #include <system_error>
 
 #include "model/file_error.hpp"
@@ -57,6 +58,13 @@ class ReadFile {
     int descriptor_;
 };
 
+// Whether a text has two or four bytes a letter, by its mark at the beginning or by the zero beside its first
+// letter.
+bool is_wide(std::string_view text) {
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
+    return text.size() > 1 && (text[0] == '\0') != (text[1] == '\0');
+}
+
 }  // namespace
 
 std::string read_text_file(const std::filesystem::path& path,
@@ -72,6 +80,12 @@ std::string read_text_file(const std::filesystem::path& path,
     while (file.read_into(text)) {
         if (text.size() <= most_bytes) continue;
         throw FileError(path, fmt::format("has more than {} MB, expected {}", most_bytes / megabyte, what));
+    }
+    if (is_wide(text)) {
+        throw FileError(
+            path,
+            fmt::format("is in UTF-16 or UTF-32, expected {} in UTF-8", what),
+            "save it with the encoding UTF-8, or convert it: iconv -f UTF-16 -t UTF-8 FILE > NEW");
     }
     return text;
 }

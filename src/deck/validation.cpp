@@ -9,6 +9,7 @@
 #include "deck/schema_tables.hpp"
 #include "deck/suggestion.hpp"
 #include "deck/symbol_reading.hpp"
+#include "deck/synonyms.hpp"
 #include "deck/value_reading.hpp"
 
 namespace gxrod {
@@ -27,8 +28,12 @@ std::string join_path(const std::string& path, const std::string& key) {
 // Keys of single tables such as [analysis], which a user may look for at the top level.
 std::string find_key_elsewhere(const TableSpec& root, const std::string& key) {
     for (const KeySpec& entry : root.keys) {
-        if (entry.type == ValueType::table && entry.table->find(key) != nullptr)
-            return entry.name + "." + key;
+        if (entry.type != ValueType::table) continue;
+        if (entry.table->find(key) != nullptr) return entry.name + "." + key;
+        const KeySynonyms* synonyms = find_synonym(*entry.table, key);
+        if (synonyms != nullptr && !std::string_view(synonyms->key).empty()) {
+            return entry.name + "." + synonyms->key;
+        }
     }
     return "";
 }
@@ -146,11 +151,13 @@ class Validator {
             return add(entry.place, full, explain_misplaced_key(entry.key, spec.heading));
         }
         const std::vector<std::string> known = spec.key_names();
-        const std::string elsewhere = path.empty() ? find_key_elsewhere(root_, entry.key) : "";
+        std::string hint = explain_synonym(spec, entry.key);
+        const std::string elsewhere =
+            path.empty() && hint.empty() ? find_key_elsewhere(root_, entry.key) : "";
         if (!elsewhere.empty()) {
             return add(entry.place, full, fmt::format("unknown key; did you mean \"{}\"?", elsewhere));
         }
-        const std::string hint = did_you_mean(entry.key, known);
+        if (hint.empty()) hint = did_you_mean(entry.key, known);
         add(entry.place, full, "unknown key" + (hint.empty() ? "; known here: " + plain_list(known) : hint));
     }
 
@@ -185,11 +192,15 @@ class Validator {
         }
     }
 
-    // Whether an unknown key, reported as such, was to be this one.
+    // Whether an unknown key, reported as such, was to be this one. What other programs call otherwise may
+    // have been to be any key.
     static bool has_misspelling(const DeckNode& node, const std::string& key, const TableSpec& spec) {
         const std::vector<std::string> known = spec.key_names();
         return std::any_of(node.table()->begin(), node.table()->end(), [&](const DeckEntry& entry) {
-            return spec.find(entry.key) == nullptr && nearest_spelling(entry.key, known) == key;
+            if (spec.find(entry.key) != nullptr) return false;
+            const KeySynonyms* synonym = find_synonym(spec, entry.key);
+            if (synonym == nullptr) return nearest_spelling(entry.key, known) == key;
+            return std::string_view(synonym->key).empty() || synonym->key == key;
         });
     }
 
@@ -207,7 +218,11 @@ class Validator {
                 const TableSpec* table = spec.find(key)->table;
                 spellings.push_back(table == nullptr ? key : table->heading);
             }
-            if (given.empty() && group.rule != GroupRule::at_most_one) {
+            const bool is_meant =
+                std::any_of(group.keys.begin(), group.keys.end(), [&](const std::string& key) {
+                    return has_misspelling(node, key, spec);
+                });
+            if (given.empty() && !is_meant && group.rule != GroupRule::at_most_one) {
                 add(node.place, path, fmt::format("missing; expected {}", fmt::join(spellings, " or ")));
             }
             if (given.size() > 1 && group.rule != GroupRule::at_least_one) {

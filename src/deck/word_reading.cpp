@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "deck/suggestion.hpp"
+#include "deck/synonyms.hpp"
 
 namespace gxrod {
 namespace {
@@ -15,6 +16,11 @@ void expect(const DeckNode& node,
             const ReadingContext& context) {
     context.faults.add(
         node.place, path, fmt::format("expected {}, found {}", describe_expected(key), describe_found(node)));
+}
+
+std::string explain_word(const std::string& word, const std::vector<std::string>& words) {
+    const std::string meant = find_choice(word, words);
+    return meant.empty() ? did_you_mean(word, words) : fmt::format("; did you mean \"{}\"?", meant);
 }
 
 }  // namespace
@@ -35,7 +41,7 @@ std::optional<std::string> read_word(const DeckNode& node,
     const std::string* text = node.text();
     const std::vector<std::string>& words = key.choices;
     if (text != nullptr && std::find(words.begin(), words.end(), *text) != words.end()) return *text;
-    const std::string hint = text == nullptr ? "" : did_you_mean(*text, words);
+    const std::string hint = text == nullptr ? "" : explain_word(*text, words);
     const std::string remark = key.remark.empty() ? "" : (hint.empty() ? "; " : " ") + key.remark;
     context.faults.add(node.place,
                        path,

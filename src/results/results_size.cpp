@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "model/frame_interval.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -37,7 +39,8 @@ ResultsSize estimate_results_size(const Model& model,
     ResultsSize size;
     size.steps =
         static_cast<double>(dynamic != nullptr ? dynamic->steps : std::get<StaticSettings>(analysis).steps);
-    size.frames = 1.0 + std::ceil(size.steps / static_cast<double>(output.every));
+    const long every = output.every > 0 ? output.every : choose_frame_interval(analysis);
+    size.frames = 1.0 + std::ceil(size.steps / static_cast<double>(every));
     double numbers = (size.steps + 1.0) * count_step_numbers(output);
     if (output.compression == Compression::none) numbers += size.frames * count_frame_numbers(model);
     size.bytes = numbers * sizeof(double);

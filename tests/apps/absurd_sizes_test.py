@@ -48,7 +48,7 @@ class AbsurdSizes(ProgramTest):
         self.assertRegex(told, r"body.vtkhdf: would take more than 1.76e\+05 GB, for 1e\+12 steps and 1001 frames, where "
                                r"[0-9.e+]+ GB are free \(a larger output.every makes fewer frames; each step is recorded\)")
         self.write("rod.toml", ROD)
-        told = self.refuse("run", "rod.toml", "--set", "analysis.steps=1000000000", code=4)
+        told = self.refuse("run", "rod.toml", "--set", "analysis.steps=1000000000", "--set", "output.every=1", code=4)
         self.assertIn("for 1e+09 steps and 1e+09 frames", told)
         self.assertFalse((self.folder / "body.vtkhdf").exists() or (self.folder / "rod.vtkhdf").exists())
         self.assertIn("results: at least 3.35 MB\n", self.gxrod("check", "rod.toml").stdout)

@@ -97,14 +97,15 @@ TEST_CASE("What is wrong with a plan's keys is said at its place", "[batch]") {
     CHECK(PlanFiles(head).faults() ==
           "plan.toml:1:1: vary: missing or empty; expected what differs from case to case");
     CHECK(PlanFiles(head + "combin = \"zip\"\n").faults() ==
+          "plan.toml:1:1: vary: missing or empty; expected what differs from case to case\n"
           R"(plan.toml:2:1: combin: unknown key; did you mean "combine"?)");
-    CHECK(
-        PlanFiles(head + "[vary]\ntime_limit = 5\n").faults() ==
-        "plan.toml:3:14: vary.\"time_limit\": expected a list of values, as in [1, 2, 3], or a table such as "
-        "{ from = 0, to = 1, count = 5 }");
-    CHECK(PlanFiles(head + "count = 5\n[vary]\na = [1]\n").faults() ==
+    CHECK(PlanFiles(head + "[vary]\ntime_limit = 5\n").faults() ==
+          "plan.toml:3:1: vary.\"time_limit\": time_limit is a key of the top level, which stands before the "
+          "first "
+          "[table]; here it belongs to [vary]");
+    CHECK(PlanFiles(head + "count = 5\n[vary]\ntitle = [\"a\"]\n").faults() ==
           R"(plan.toml:2:1: count: combine "grid" does not use this key; it is for latin-hypercube)");
-    CHECK(PlanFiles(head + "time_limit = 0\n[vary]\na = [1]\n").faults() ==
+    CHECK(PlanFiles(head + "time_limit = 0\n[vary]\ntitle = [\"a\"]\n").faults() ==
           "plan.toml:2:14: time_limit: expected a number greater than 0, found 0");
     CHECK(PlanFiles("deck = \"none.toml\"\n[vary]\n\"a.b\" = [1]\n").faults() ==
           "plan.toml:1:8: deck: there is no file none.toml; it is looked for from the plan's folder");

@@ -228,7 +228,7 @@ TEST_CASE("The heavy top becomes a body with a pivot", "[deck]") {
     CHECK(dynamic_of(problem).steps == 20000);
     CHECK(dynamic_of(problem).newton.tolerance == NewtonSettings{}.tolerance);
     CHECK(dynamic_of(problem).newton.max_iterations == NewtonSettings{}.max_iterations);
-    CHECK(problem.output.every == OutputSettings{}.every);
+    CHECK(problem.output.every == 50);  // of so many steps
 }
 
 TEST_CASE("The order of a model is the order of its deck", "[deck]") {

@@ -22,8 +22,8 @@ TEST_CASE("Words are among the choices", "[deck]") {
           "x.toml:8:14: analysis.integrator: expected one of " + quoted_list(words_of(scheme_choices)) +
               R"(, found the text "euler")");
     CHECK(
-        faults_of(body_deck + R"(newton = { tangent = "exact" })") ==
-        R"(x.toml:8:22: analysis.newton.tangent: expected one of "automatic", "mixed", "consistent", "paper", "difference", found the text "exact")");
+        faults_of(body_deck + R"(newton = { tangent = "precise" })") ==
+        R"(x.toml:8:22: analysis.newton.tangent: expected one of "automatic", "mixed", "consistent", "paper", "difference", found the text "precise")");
     CHECK(
         faults_of(body_deck + R"(linear_solver = "mumps")") ==
         R"(x.toml:8:17: analysis.linear_solver: expected one of "auto", "chains", "klu", "umfpack", "cholmod", found the text "mumps")");
@@ -54,12 +54,12 @@ fix = ["x", 2])") ==
     CHECK(faults_of(body_deck + R"([[history]]
 name = "h"
 at = "top"
-quantities = ["positon", "speed"])") == "x.toml:11:15: history[0].quantities[0]: expected one of " +
+quantities = ["positon", "swiftness"])") == "x.toml:11:15: history[0].quantities[0]: expected one of " +
                                             quoted_list(words_of(quantity_choices)) +
                                             R"(, found the text "positon"; did you mean "position"?
 x.toml:11:26: history[0].quantities[1]: expected one of )" +
                                             quoted_list(words_of(quantity_choices)) +
-                                            R"(, found the text "speed")");
+                                            R"(, found the text "swiftness")");
 }
 
 TEST_CASE("Text is text", "[deck]") {

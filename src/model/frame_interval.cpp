@@ -1,0 +1,25 @@
+#include "model/frame_interval.hpp"
+
+#include <cmath>
+
+namespace gxrod {
+
+long choose_frame_interval(const AnalysisSettings& analysis) {
+    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
+    if (dynamic != nullptr && dynamic->adaptive) return 0;
+    const long steps = dynamic != nullptr ? dynamic->steps : std::get<StaticSettings>(analysis).steps;
+    for (long decade = 1;; decade *= 10) {
+        for (const long every : {decade, 2 * decade, 5 * decade}) {
+            if (steps / every <= default_frames) return every;
+        }
+    }
+}
+
+bool is_frame_time(double before, double after, double end_time) {
+    const auto part = [end_time](double time) {
+        return std::floor(static_cast<double>(default_frames) * (time / end_time));
+    };
+    return part(after) > part(before);
+}
+
+}  // namespace gxrod
