@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 
 #include "analyses/dynamic.hpp"
@@ -8,6 +9,7 @@
 #include "deck/problem.hpp"
 #include "exit_code.hpp"
 #include "job.hpp"
+#include "model/evaluation_error.hpp"
 #include "results/results_size.hpp"
 #include "say.hpp"
 #include "verbs.hpp"
@@ -30,6 +32,37 @@ std::string describe_size(const Problem& problem) {
            fmt::format("memory: about {:.0f} MB\n", estimate_memory(problem.model, size.bytes) / megabyte);
 }
 
+// Whether a load changes along its rod, so that it is integrated.
+bool has_uneven_loads(const Model& model) {
+    const auto is_uneven = [](const LineFunction& component) { return !component.form().is_even; };
+    return std::any_of(
+        model.distributed_loads.begin(), model.distributed_loads.end(), [&](const DistributedLoad& load) {
+            return std::any_of(load.force.begin(), load.force.end(), is_uneven) ||
+                   std::any_of(load.moment.begin(), load.moment.end(), is_uneven);
+        });
+}
+
+// The first thing that a run would do: a model without inertia somewhere is found here, and a load without an
+// integral. Throws EvaluationError.
+int start_analysis(const Problem& problem) {
+    const auto* dynamic = std::get_if<DynamicSettings>(&problem.analysis);
+    if (dynamic == nullptr) {
+        if (has_uneven_loads(problem.model)) make_analysis(problem.model, problem.analysis)->start();
+        return exit_done;
+    }
+    DynamicAnalysis analysis(problem.model, *dynamic);
+    const EquilibriumReport start = analysis.start();
+    if (!start.converged()) {
+        say(stderr, "gxrod: {}\n", describe_failure(analysis.explain(start)));
+        return exit_not_converged;
+    }
+    say(stdout,
+        "initial accelerations solved; energy at the start {:.6g}\n",
+        analysis.ledger_row().kinetic_energy + analysis.ledger_row().strain_energy);
+    say(stdout, "{}", describe_frequencies(problem.model, *dynamic));
+    return exit_done;
+}
+
 int check(const CheckArguments& arguments) {
     const Problem problem = read_job_problem(arguments.deck, arguments.overrides);
     if (!problem.record.title.empty()) say(stdout, "{}\n", problem.record.title);
@@ -45,20 +78,12 @@ int check(const CheckArguments& arguments) {
         say(finding.severity == Severity::error ? stderr : stdout, "{}\n", describe(finding));
     }
     if (has_error(findings)) return exit_bad_input;
-    const auto* dynamic = std::get_if<DynamicSettings>(&problem.analysis);
-    if (dynamic == nullptr) return exit_done;
-    // The first thing that a run would do: a model without inertia somewhere is found here.
-    DynamicAnalysis analysis(problem.model, *dynamic);
-    const EquilibriumReport start = analysis.start();
-    if (!start.converged()) {
-        say(stderr, "gxrod: {}\n", describe_failure(analysis.explain(start)));
-        return exit_not_converged;
+    try {
+        return start_analysis(problem);
+    } catch (const EvaluationError& error) {
+        say(stderr, "gxrod: {}\n", error.what());
+        return exit_bad_input;
     }
-    say(stdout,
-        "initial accelerations solved; energy at the start {:.6g}\n",
-        analysis.ledger_row().kinetic_energy + analysis.ledger_row().strain_energy);
-    say(stdout, "{}", describe_frequencies(problem.model, *dynamic));
-    return exit_done;
 }
 
 }  // namespace
