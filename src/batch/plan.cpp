@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "deck/csv_reading.hpp"
 #include "batch/plan_schema.hpp"
 #include "batch/read_variations.hpp"
+#include "deck/csv_reading.hpp"
 #include "deck/text_file.hpp"
 #include "deck/validation.hpp"
 
