@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iterator>
 #include <memory>
 
@@ -11,6 +12,7 @@
 #include "deck/problem.hpp"
 #include "exit_code.hpp"
 #include "job.hpp"
+#include "model/evaluation_error.hpp"
 #include "results/results_size.hpp"
 #include "say.hpp"
 #include "verbs.hpp"
@@ -84,15 +86,24 @@ void say_problem(const CheckText& text, bool all) {
         say(stdout, "what repeats is summed up; gxrod check --all lists everything\n");
 }
 
-int check(const CheckArguments& arguments) {
-    const Problem problem = read_job_problem(arguments.deck, arguments.overrides);
-    if (!problem.record.title.empty()) say(stdout, "{}\n", problem.record.title);
-    const CheckText text = describe_problem(problem);
-    say_problem(text, arguments.all);
-    if (!text.errors.empty()) return exit_bad_input;
+// Whether a load changes along its rod, so that it is integrated.
+bool has_uneven_loads(const Model& model) {
+    const auto is_uneven = [](const LineFunction& component) { return !component.form().is_even; };
+    return std::any_of(
+        model.distributed_loads.begin(), model.distributed_loads.end(), [&](const DistributedLoad& load) {
+            return std::any_of(load.force.begin(), load.force.end(), is_uneven) ||
+                   std::any_of(load.moment.begin(), load.moment.end(), is_uneven);
+        });
+}
+
+// The first thing that a run would do: a model without inertia somewhere is found here, and a load without an
+// integral. Throws EvaluationError.
+int start_analysis(const Problem& problem) {
     const auto* dynamic = std::get_if<DynamicSettings>(&problem.analysis);
-    if (dynamic == nullptr) return exit_done;
-    // The first thing that a run would do: a model without inertia somewhere is found here.
+    if (dynamic == nullptr) {
+        if (has_uneven_loads(problem.model)) make_analysis(problem.model, problem.analysis)->start();
+        return exit_done;
+    }
     DynamicAnalysis analysis(problem.model, *dynamic);
     const EquilibriumReport start = analysis.start();
     if (!start.converged()) {
@@ -104,6 +115,20 @@ int check(const CheckArguments& arguments) {
         analysis.ledger_row().kinetic_energy + analysis.ledger_row().strain_energy);
     say(stdout, "{}", describe_frequencies(problem.model, *dynamic));
     return exit_done;
+}
+
+int check(const CheckArguments& arguments) {
+    const Problem problem = read_job_problem(arguments.deck, arguments.overrides);
+    if (!problem.record.title.empty()) say(stdout, "{}\n", problem.record.title);
+    const CheckText text = describe_problem(problem);
+    say_problem(text, arguments.all);
+    if (!text.errors.empty()) return exit_bad_input;
+    try {
+        return start_analysis(problem);
+    } catch (const EvaluationError& error) {
+        say(stderr, "gxrod: {}\n", error.what());
+        return exit_bad_input;
+    }
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ class FunctionExamination {
         return fmt::format(
             "{}: between t = {:.6g} and {:.6g} steps of {:.6g} give it the integral {:.4g} over time instead "
             "of "
-            "{:.4g}; expected steps of {:.2g} or less (analysis.time_step)",
+            "{:.4g}; expected steps of {:.3g} or less (analysis.time_step)",
             key,
             lost.from,
             lost.to,

@@ -48,8 +48,8 @@ struct RelativeRotation {
     int node = -1;
 };
 
-// The model as one system of equations: what the parts become together. Holds no state; of the loads it remembers
-// what they are at the time last asked for, which changes no result.
+// The model as one system of equations: what the parts become together. Holds no state; of the loads it
+// remembers what they are at the time last asked for, which changes no result.
 class System {
   public:
     // The model must outlive the system, and so must the threads that share its work; their number

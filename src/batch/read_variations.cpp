@@ -6,10 +6,10 @@
 #include <cmath>
 #include <utility>
 
-#include "deck/csv_reading.hpp"
 #include "batch/latin_hypercube.hpp"
 #include "batch/plan_schema.hpp"
 #include "batch/value_range.hpp"
+#include "deck/csv_reading.hpp"
 #include "deck/override_key.hpp"
 #include "deck/suggestion.hpp"
 #include "deck/text_file.hpp"

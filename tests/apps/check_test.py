@@ -75,6 +75,36 @@ class Check(ProgramTest):
             # The load has no t: it grows with the load factor.
             np.testing.assert_allclose(force, [[0, 0, 0], [0, 0, -1.5], [0, 0, -3]], atol=1e-6)
 
+    def test_a_load_without_an_integral_is_an_error_of_check_and_run(self):
+        along = '[[load]]\non = "beam"\nforce_per_length = [0, 0, "sin(1e7*s)"]\n'
+        for analysis in ("static", "dynamic"):
+            deck = (BEAM + 'fix = "all"\n' + along).replace(
+                'kind  = "static"', f'kind  = "{analysis}"' + ("\nend_time = 1.0" if analysis == "dynamic" else ""))
+            self.write("beam.toml", deck)
+            for verb in ("check", "run"):
+                done = self.gxrod(verb, "beam.toml", *(("--force",) if verb == "run" else ()), code=2)
+                self.assertIn("load[1]: the load per length has no integral that can be found from s = 0 to s = 1 at t = ",
+                              done.stderr + done.stdout, (analysis, verb))
+
+    def test_a_motion_from_a_file_is_kept_and_resumed(self):
+        rows = "".join(f"{0.1 * i},{0.01 * i * i}\n" for i in range(11))
+        self.write("motion.csv", "t,z\n" + rows)
+        deck = BEAM.replace('kind  = "static"\nsteps = 2', 'kind = "dynamic"\nend_time = 0.5\nsteps = 50')
+        self.write("beam.toml", deck + 'fix = ["x", "y", "rotation"]\nmove = { z = "lift(t)" }\n'
+                   '[function.lift]\nfile = "motion.csv"\ncolumns = ["t", "z"]\n')
+        warning = "warning: the [[support]] at beam.start moves z with a velocity that jumps from "
+        self.assertIn(warning, self.gxrod("check", "beam.toml").stdout)
+        cubic = ("--set", 'function.lift.interpolation="cubic"')
+        self.assertNotIn(warning, self.gxrod("check", "beam.toml", *cubic).stdout)
+        self.gxrod("run", "beam.toml", *cubic)
+        with h5py.File(self.folder / "beam.vtkhdf") as file:
+            kept = list(file["deck/meshes"].values())
+            self.assertEqual([mesh.attrs["file"] for mesh in kept], ["motion.csv"])
+        (self.folder / "motion.csv").unlink()
+        self.gxrod("resume", "beam.vtkhdf", "--set", "analysis.end_time=1.0", "--set", "analysis.steps=100")
+        with h5py.File(self.folder / "beam.vtkhdf") as file:
+            self.assertEqual(file["histories/time"][-1], 1.0)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "deck/csv_reading.hpp"
 #include "batch/plans.hpp"
+#include "deck/csv_reading.hpp"
 #include "deck/text_file.hpp"
 
 namespace gxrod::test {
