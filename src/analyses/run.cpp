@@ -17,6 +17,7 @@ namespace {
 class Run {
   public:
     explicit Run(const RunRequest& request) : request_(request), analysis_(build(request, setup_seconds_)) {
+        summary_.is_static = std::holds_alternative<StaticSettings>(request.analysis);
         analysis_->watch(list_rod_places(request.output.histories));
         if (request.resumed) {
             resume();
@@ -88,6 +89,7 @@ class Run {
         }
         if (!has_step) explain_no_step(path, record.steps.time);
         summary_.totals = record.totals;
+        last_point_ = point_of(analysis_->ledger_row());
         has_started_ = true;
         last_framed_ = record.is_framed;
         accepted_totals_ = record.totals;
@@ -158,6 +160,17 @@ class Run {
         RunTotals& totals = summary_.totals;
         totals.largest_energy = std::max({totals.largest_energy, energy, std::abs(ledger.external_work)});
         totals.largest_energy_error = std::max(totals.largest_energy_error, std::abs(ledger.energy_error));
+        if (!summary_.is_static) return;
+        const EnergyPoint point = point_of(ledger);
+        if (has_started_) {
+            const std::optional<EnergyJump> jump = find_jump(last_point_, point, totals.largest_energy);
+            if (jump) add_jump(*jump, totals.jumps);
+        }
+        last_point_ = point;
+    }
+
+    EnergyPoint point_of(const LedgerRow& ledger) const {
+        return {analysis_->state().time, ledger.strain_energy, ledger.external_work, ledger.work_uncertainty};
     }
 
     bool interrupted() {
@@ -204,6 +217,7 @@ class Run {
     double output_seconds_ = 0.0;
     std::unique_ptr<SteppedAnalysis> analysis_;
     std::unique_ptr<ResultsFile> file_;
+    EnergyPoint last_point_;     // in statics, of the last step
     RunTotals accepted_totals_;  // without what a step that failed has cost
     bool has_started_ = false;   // has recorded an accepted state
     bool last_framed_ = false;

@@ -105,10 +105,7 @@ class CaseRun {
         row_.newton_iterations = summary.totals.newton_iterations;
         row_.rejected_steps = summary.totals.rejected_steps;
         row_.time = summary.time;
-        add_warning(
-            row_,
-            describe_imbalance(
-                summary.totals.largest_energy, summary.totals.largest_energy_error, energy_round_off));
+        add_warning(row_, describe_imbalance(summary.energy(), energy_round_off));
         if (summary.status == RunStatus::interrupted) {
             end(CaseStatus::time_limit,
                 fmt::format("the time limit of {} s was over at t = {:.10g}",

@@ -117,9 +117,8 @@ std::vector<std::string> list_warnings(const Hdf5Reader& file, const RunStory& s
         warnings.push_back(
             "The run had not ended when this page was made, or was killed; this is what it got to.");
     }
-    const EnergyBalance energy = survey_energy(file, steps);
     const double round_off = story.problem ? compute_energy_round_off(story.problem->model) : 0.0;
-    const std::string imbalance = describe_imbalance(energy.largest, energy.error, round_off);
+    const std::string imbalance = describe_imbalance(survey_energy(file, story.is_static, steps), round_off);
     if (!imbalance.empty()) warnings.push_back("Mind that " + imbalance + ".");
     return warnings;
 }
