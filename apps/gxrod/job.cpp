@@ -57,8 +57,7 @@ void tell(const JobOptions& options, const RunSummary& summary, bool is_resumed)
 }
 
 void warn_of_energy(const RunSummary& summary, const Model& model) {
-    const std::string imbalance = describe_imbalance(
-        summary.totals.largest_energy, summary.totals.largest_energy_error, compute_energy_round_off(model));
+    const std::string imbalance = describe_imbalance(summary.energy(), compute_energy_round_off(model));
     if (!imbalance.empty()) say(stderr, "warning: {}\n", imbalance);
 }
 

@@ -32,6 +32,8 @@ def draw_energies(axes, results, ledger):
         "work": (ledger["external_work"].values, GREEN),
         "dissipated": (ledger["dissipated_energy"].values, PURPLE),
     }
+    if "numerical_dissipation" in ledger:  # which files of older versions have not
+        curves["dissipated by the scheme"] = (ledger["numerical_dissipation"].values, AXIS_COLOURS["x"])
     always = "strain" if results.is_static else "kinetic"
     shown = {name: curve for name, curve in curves.items() if name == always or curve[0].any()}
     draw_curves(axes, results.times, shown, "Energies", ledger["kinetic_energy"].dimension)

@@ -1,5 +1,10 @@
 #include "analyses/ledger.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "results/energy_jump.hpp"
+
 namespace gxrod {
 
 namespace {
@@ -17,6 +22,22 @@ double compute_mean_work(const std::vector<Vec6>& before,
     return work;
 }
 
+// Where supports move a node, no scheme has found how it moves.
+void clear_moved_rates(const System& system, std::vector<NodeMotion>& rates) {
+    const Supports& supports = system.supports();
+    for (const Support* support : supports.moving()) {
+        const HeldComponents& held = supports.held(support->node);
+        NodeMotion& motion = rates[support->node];
+        const Mat3& Q = supports.axes(support->node);
+        Vec3 own = Q.transpose() * motion.v;
+        for (int i = 0; i < 3; ++i) {
+            if (held[i]) own[i] = 0.0;
+        }
+        motion.v = Q * own;
+        if (held[3] && held[4] && held[5]) motion.omega.setZero();
+    }
+}
+
 }  // namespace
 
 Ledger::Ledger(const System& system,
@@ -24,66 +45,143 @@ Ledger::Ledger(const System& system,
                const State& state,
                const Residual& residual)
     : Ledger(system, integrator) {
-    forces_ = system.compute_working_forces(state, state.time, residual);
-    if (integrator.is_static()) {
+    if (weighs_powers()) {
+        power_ = compute_power(system, state, state.time, residual);
+    } else if (integrator.is_static()) {
         // Free of strain, the model bears no load yet: one that has a value at t = 0 grows to it in the first
         // step, as all others do.
-        for (Vec6& force : forces_.driving) force.setZero();
+        forces_.assign(state.trial.size(), Vec6::Zero());
+    } else {
+        forces_ = compute_forces(state, state.time, residual);
     }
-    power_ = compute_power(forces_, state.trial);
     const Balance balance = system.compute_balance(state, state.time);
     initial_energy_ = balance.kinetic_energy + balance.strain_energy;
     initial_potential_ = balance.gravity_potential;
+    strain_energy_ = balance.strain_energy;
+}
+
+std::vector<Vec6> Ledger::compute_forces(const State& state, double time, const Residual& residual) const {
+    std::vector<Vec6> forces = system_->compute_load_forces(state, time);
+    system_->add_support_forces(residual, forces);
+    return forces;
 }
 
 void Ledger::add_step(const State& state, const Step& step) {
-    WorkingForces forces = system_->compute_working_forces(state, step.time, step.residual);
-    if (power_weights_.empty()) {
-        driving_work_ += compute_mean_work(forces_.driving, forces.driving, state);
-        dissipated_ += compute_mean_work(forces_.damping, forces.damping, state);
+    if (weighs_powers()) {
+        add_powers(step);
     } else {
-        driving_work_ += step.time_step * power_weights_[0] * power_.driving;
-        dissipated_ += step.time_step * power_weights_[0] * power_.damping;
-        for (std::size_t i = 0; i < step.stage_powers.size(); ++i) {
-            driving_work_ += step.time_step * power_weights_[i + 1] * step.stage_powers[i].driving;
-            dissipated_ += step.time_step * power_weights_[i + 1] * step.stage_powers[i].damping;
+        std::vector<Vec6> forces = compute_forces(state, step.time, step.residual);
+        if (integrator_->is_static()) {
+            add_load_step(state, step, forces);
+        } else {
+            work_ += compute_mean_work(forces_, forces, state);
+            if (system_->is_damped()) dissipated_ += system_->compute_damping_action(state) / step.time_step;
         }
-        power_ = step.stage_powers.back();
+        forces_ = std::move(forces);
     }
-    forces_ = std::move(forces);
+    dissipated_by_scheme_ += compute_scheme_dissipation(state, step.time_step);
+}
+
+void Ledger::add_load_step(const State& state, const Step& step, const std::vector<Vec6>& forces) {
+    LoadStep load_step{forces, compute_movement(state), step.time_step};
+    for (std::size_t i = 0; i < forces.size(); ++i) load_step.force_change[i] -= forces_[i];
+    step_work_ = compute_step_work(forces_, load_step, load_step_);
+    work_before_ = work_;
+    work_ += step_work_.work;
+    load_step_ = std::move(load_step);
+    forces_before_ = std::move(forces_);
+    strain_energy_before_ = strain_energy_;
+    balance_ = system_->compute_balance(state, step.time);
+    strain_energy_ = balance_->strain_energy;
+    largest_energy_before_ = largest_energy_;
+    measure_largest_energy();
+}
+
+void Ledger::measure_largest_energy() {
+    largest_energy_ = std::max({largest_energy_before_, strain_energy_, std::abs(work_)});
+}
+
+bool Ledger::is_unclear() const {
+    if (!integrator_->is_static()) return false;
+    const double imbalance = strain_energy_ - strain_energy_before_ - step_work_.work;
+    return std::abs(imbalance) > energy_worth_a_word * largest_energy_;
+}
+
+void Ledger::replace_work(const StepWork& work) {
+    step_work_ = work;
+    work_ = work_before_ + work.work;
+    measure_largest_energy();
+}
+
+void Ledger::add_powers(const Step& step) {
+    double work = power_weights_[0] * power_.driving;
+    double dissipated = power_weights_[0] * power_.damping;
+    for (std::size_t i = 0; i < step.stage_powers.size(); ++i) {
+        work += power_weights_[i + 1] * step.stage_powers[i].driving;
+        dissipated += power_weights_[i + 1] * step.stage_powers[i].damping;
+    }
+    work_ += step.time_step * work;
+    // The power is not negative, but weights are: where steps do not resolve it, their sum may be.
+    dissipated_ += step.time_step * std::max(dissipated, 0.0);
+    power_ = step.stage_powers.back();
+}
+
+double Ledger::compute_scheme_dissipation(const State& state, double time_step) const {
+    const int terms = integrator_->dissipation_terms();
+    if (terms == 0) return 0.0;
+    double energy = 0.0;
+    std::vector<NodeMotion> rates = state.trial;
+    for (int term = 0; term < terms; ++term) {
+        integrator_->set_dissipated_rates(state, time_step, term, rates);
+        clear_moved_rates(*system_, rates);
+        energy += 2.0 * system_->compute_kinetic_energy(rates);
+    }
+    return energy;
 }
 
 LedgerMemory Ledger::memory() const {
     LedgerMemory memory;
     memory.initial_energy = initial_energy_;
     memory.initial_potential = initial_potential_;
-    memory.driving_work = driving_work_;
+    memory.work = work_;
     memory.dissipated = dissipated_;
+    memory.dissipated_by_scheme = dissipated_by_scheme_;
     memory.driving_power = power_.driving;
     memory.damping_power = power_.damping;
-    memory.driving = forces_.driving;
-    memory.damping = forces_.damping;
+    memory.load_step = load_step_.length;
+    memory.forces = forces_;
+    memory.force_change = load_step_.force_change;
+    memory.movement = load_step_.movement;
+    memory.strain_energy = strain_energy_;
+    memory.largest_energy = largest_energy_;
     return memory;
 }
 
 void Ledger::resume(const LedgerMemory& memory) {
     initial_energy_ = memory.initial_energy;
     initial_potential_ = memory.initial_potential;
-    driving_work_ = memory.driving_work;
+    work_ = memory.work;
     dissipated_ = memory.dissipated;
+    dissipated_by_scheme_ = memory.dissipated_by_scheme;
     power_ = {memory.driving_power, memory.damping_power};
-    forces_ = {memory.driving, memory.damping};
+    forces_ = memory.forces;
+    load_step_ = {memory.force_change, memory.movement, memory.load_step};
+    strain_energy_ = memory.strain_energy;
+    largest_energy_ = memory.largest_energy;
 }
 
 LedgerRow Ledger::row(const State& state) const {
-    const Balance balance = system_->compute_balance(state, state.time);
+    const Balance balance = balance_ ? *balance_ : system_->compute_balance(state, state.time);
     LedgerRow row;
     row.kinetic_energy = balance.kinetic_energy;
-    row.strain_energy = balance.strain_energy;
-    row.external_work = driving_work_ - (balance.gravity_potential - initial_potential_);
+    // A resumed series of equilibria goes on from that which it had to the last bit.
+    row.strain_energy = integrator_->is_static() ? strain_energy_ : balance.strain_energy;
+    row.external_work = work_ - (balance.gravity_potential - initial_potential_);
+    row.work_uncertainty = step_work_.uncertainty;
     row.dissipated_energy = dissipated_;
-    row.energy_error =
-        row.kinetic_energy + row.strain_energy - initial_energy_ - row.external_work + dissipated_;
+    row.numerical_dissipation = dissipated_by_scheme_;
+    row.energy_error = row.kinetic_energy + row.strain_energy - initial_energy_ - row.external_work +
+                       dissipated_ + dissipated_by_scheme_;
     row.linear_momentum = balance.momentum.linear;
     row.angular_momentum = balance.momentum.angular;
     return row;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "analyses/static_work.hpp"
 #include "assembly/system.hpp"
 #include "integrators/integrator.hpp"
 #include "results/restart_record.hpp"
@@ -8,12 +11,13 @@
 
 namespace gxrod {
 
-// Keeps the books of a run: energies, work and momenta, and how far they fail to balance.
+// Keeps the books of a run: energies, work and momenta, and how far they fail to balance
+// (docs/theory/energy.md).
 class Ledger {
   public:
     // Empty books, for resume().
     Ledger(const System& system, const Integrator& integrator)
-        : system_(&system), power_weights_(integrator.power_weights()) {}
+        : system_(&system), integrator_(&integrator), power_weights_(integrator.power_weights()) {}
     // `state` is the initial one and `residual` its own.
     Ledger(const System& system, const Integrator& integrator, const State& state, const Residual& residual);
 
@@ -27,20 +31,57 @@ class Ledger {
     };
     void add_step(const State& state, const Step& step);
 
+    // Whether the work of the last load step parts so far from the strain energy, before the step is
+    // committed, that only equilibria in between can tell whether the structure jumped; and the ends of the
+    // step, to look for these, and the work that they make of it.
+    bool is_unclear() const;
+    struct LoadStepEnds {
+        const std::vector<Vec6>& forces_before;
+        const std::vector<Vec6>& forces_after;
+        double energy_before;
+        double energy_after;
+        double largest_energy;
+    };
+    LoadStepEnds load_step_ends() const {
+        return {forces_before_, forces_, strain_energy_before_, strain_energy_, largest_energy_};
+    }
+    void replace_work(const StepWork& work);
+
     LedgerRow row(const State& state) const;
 
     LedgerMemory memory() const;
     void resume(const LedgerMemory& memory);
 
   private:
+    // Schemes of several stages weigh the powers that these record.
+    bool weighs_powers() const { return !power_weights_.empty(); }
+    std::vector<Vec6> compute_forces(const State& state, double time, const Residual& residual) const;
+    void add_load_step(const State& state, const Step& step, const std::vector<Vec6>& forces);
+    void add_powers(const Step& step);
+    // In statics, after a step.
+    void measure_largest_energy();
+    double compute_scheme_dissipation(const State& state, double time_step) const;
+
     const System* system_;
+    const Integrator* integrator_;
     std::vector<double> power_weights_;
     double initial_energy_ = 0.0;
     double initial_potential_ = 0.0;
-    WorkingForces forces_;  // at the last accepted step
+    // At the last accepted step. The forces of one-stage schemes, the powers of others.
+    std::vector<Vec6> forces_;
     Power power_;
-    double driving_work_ = 0.0;
+    LoadStep load_step_;  // in statics, the last one, and what it came from
+    std::vector<Vec6> forces_before_;
+    std::optional<Balance> balance_;  // there; none before the first load step of a run
+    double strain_energy_before_ = 0.0;
+    double strain_energy_ = 0.0;
+    double largest_energy_before_ = 0.0;
+    double largest_energy_ = 0.0;  // in statics: strain energy or work
+    StepWork step_work_;           // of the last load step
+    double work_before_ = 0.0;     // of loads and moving supports, before that step
+    double work_ = 0.0;
     double dissipated_ = 0.0;
+    double dissipated_by_scheme_ = 0.0;
 };
 
 }  // namespace gxrod

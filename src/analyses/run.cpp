@@ -19,6 +19,7 @@ namespace {
 class Run {
   public:
     explicit Run(const RunRequest& request) : request_(request), analysis_(build(request, setup_seconds_)) {
+        summary_.is_static = std::holds_alternative<StaticSettings>(request.analysis);
         analysis_->watch(list_rod_places(request.output.histories));
         if (request.resumed) {
             resume();
@@ -91,6 +92,7 @@ class Run {
         if (!has_step) explain_no_step(path, record.steps.time);
         first_step_ = analysis_->steps().steps_done();
         summary_.totals = record.totals;
+        last_point_ = point_of(analysis_->ledger_row());
         has_started_ = true;
         last_framed_ = record.is_framed;
         accepted_totals_ = record.totals;
@@ -169,6 +171,17 @@ class Run {
         RunTotals& totals = summary_.totals;
         totals.largest_energy = std::max({totals.largest_energy, energy, std::abs(ledger.external_work)});
         totals.largest_energy_error = std::max(totals.largest_energy_error, std::abs(ledger.energy_error));
+        if (!summary_.is_static) return;
+        const EnergyPoint point = point_of(ledger);
+        if (has_started_) {
+            const std::optional<EnergyJump> jump = find_jump(last_point_, point, totals.largest_energy);
+            if (jump) add_jump(*jump, totals.jumps);
+        }
+        last_point_ = point;
+    }
+
+    EnergyPoint point_of(const LedgerRow& ledger) const {
+        return {analysis_->state().time, ledger.strain_energy, ledger.external_work, ledger.work_uncertainty};
     }
 
     bool interrupted() {
@@ -249,6 +262,7 @@ class Run {
     std::unique_ptr<SteppedAnalysis> analysis_;
     std::unique_ptr<ResultsFile> file_;
     long first_step_ = 0;        // steps done when it was resumed
+    EnergyPoint last_point_;     // in statics, of the last step
     RunTotals accepted_totals_;  // without what a step that failed has cost
     bool has_started_ = false;   // has recorded an accepted state
     bool last_framed_ = false;

@@ -9,6 +9,7 @@
 #include "analyses/static.hpp"
 #include "model/deck_record.hpp"
 #include "model/settings.hpp"
+#include "results/energy_warning.hpp"
 #include "results/results_file.hpp"
 
 // A whole run: from a model to a results file.
@@ -51,11 +52,16 @@ struct RunSummary {
     long nodes = 0;
     long elements = 0;
     long unknowns = 0;
+    bool is_static = false;
     RunTotals totals;   // since t = 0, also of a resumed run
     double time = 0.0;  // reached
     int threads = 1;
     double wall_seconds = 0.0;
     PhaseSeconds phases;
+
+    EnergySurvey energy() const {
+        return {is_static, totals.largest_energy, totals.largest_energy_error, totals.jumps};
+    }
 };
 
 // Runs and leaves a closed results file, whatever happens. Not converging, running out of memory, or a load

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "analyses/stiffness_contrast.hpp"
+#include "results/energy_jump.hpp"
 #include "solvers/direction_words.hpp"
 #include "solvers/worst_nodes.hpp"
 
@@ -75,8 +76,11 @@ RestartRecord SteppedAnalysis::restart_record() const {
 
 bool SteppedAnalysis::resume(const RestartRecord& record) {
     const std::size_t nodes = state_.previous.size();
-    const bool has_forces = record.ledger.driving.size() == nodes &&
-                            record.ledger.damping.size() == (system_.is_damped() ? nodes : 0);
+    const LedgerMemory& books = record.ledger;
+    const std::size_t of_load_step = integrator_->is_static() && books.load_step > 0.0 ? nodes : 0;
+    const bool has_forces = books.forces.size() == (integrator_->power_weights().empty() ? nodes : 0) &&
+                            books.force_change.size() == of_load_step &&
+                            books.movement.size() == of_load_step;
     const bool has_algorithmic =
         record.algorithmic.size() == (integrator_->has_algorithmic_accelerations() ? nodes : 0);
     if (record.nodes.size() != nodes || record.sections.size() != state_.sections.size() || !has_forces ||
@@ -150,6 +154,7 @@ EquilibriumReport SteppedAnalysis::advance() {
     point_values_ = system_.compute_point_values(state_, steps_->next_time(), watched_);
     ledger_->add_step(
         state_, {steps_->next_time(), steps_->time_step(), workspace_.residual, workspace_.stage_powers});
+    look_into_load_step();
     solver_row_.time_step = steps_->time_step();
     solver_row_.newton_iterations = report.iterations;
     solver_row_.residual = report.residual;
@@ -158,6 +163,42 @@ EquilibriumReport SteppedAnalysis::advance() {
     system_.commit(state_, steps_->next_time());
     steps_->accept();
     return report;
+}
+
+std::optional<PathPoint> SteppedAnalysis::find_equilibrium(const PathPoint& from, double load_factor) {
+    const double length = load_factor - from.load_factor;
+    PathPoint point{load_factor, 0.0, {}, from.turned, from.state};
+    const Stage stage{0, from.load_factor, length, load_factor};
+    if (!solve_step(system_, *integrator_, newton_, stage, workspace_, point.state).converged())
+        return std::nullopt;
+    for (std::size_t i = 0; i < point.turned.size(); ++i) point.turned[i] += point.state.trial[i].theta;
+    point.forces = system_.compute_load_forces(point.state, load_factor);
+    system_.add_support_forces(workspace_.residual, point.forces);
+    point.strain_energy = system_.compute_balance(point.state, load_factor).strain_energy;
+    system_.commit(point.state, load_factor);
+    return point;
+}
+
+// Where work and strain energy part, equilibria between both ends of a load step say why. They are forgotten
+// afterwards; where none can be found, or memory for them, the books stay as they are.
+void SteppedAnalysis::look_into_load_step() {
+    if (!ledger_->is_unclear()) return;
+    constexpr double tolerable = 0.25 * energy_worth_a_word;
+    constexpr int halvings = 8;
+    try {
+        const Ledger::LoadStepEnds ends = ledger_->load_step_ends();
+        PathPoint from{state_.time, ends.energy_before, ends.forces_before, {}, state_};
+        from.turned.assign(state_.trial.size(), Vec3::Zero());
+        undo_trial(from.state);
+        PathPoint to{steps_->next_time(), ends.energy_after, ends.forces_after, from.turned, state_};
+        for (std::size_t i = 0; i < to.turned.size(); ++i) to.turned[i] = state_.trial[i].theta;
+        const auto find = [&](const PathPoint& point, double load_factor) {
+            return find_equilibrium(point, load_factor);
+        };
+        ledger_->replace_work(integrate_path(from, to, {find, tolerable * ends.largest_energy, halvings}));
+    } catch (const std::exception&) {
+        // A load that is no number in between, or too little memory.
+    }
 }
 
 Failure::Phase SteppedAnalysis::failure_phase() const {

@@ -4,6 +4,7 @@
 
 #include "analyses/cut_tally.hpp"
 #include "analyses/ledger.hpp"
+#include "analyses/path_work.hpp"
 #include "assembly/system.hpp"
 #include "integrators/integrator.hpp"
 #include "results/step_record.hpp"
@@ -101,6 +102,10 @@ class SteppedAnalysis {
     std::string find_weakness();
     // Sets what a failure comes from, of what is not known from its report.
     void find_reason(Failure& failure);
+    // An equilibrium beyond another one, apart from the state. The workspace has its residual afterwards.
+    std::optional<PathPoint> find_equilibrium(const PathPoint& from, double load_factor);
+    // Of the trial motions, which are the end of a load step.
+    void look_into_load_step();
     // Fails the report if the step's estimated error is too large for steps that are chosen by it.
     void check_error(EquilibriumReport& report);
 

@@ -30,12 +30,6 @@ struct Balance {
     Balance& operator+=(const Balance& other);
 };
 
-// Forces and moments per node that do work, of the trial motions.
-struct WorkingForces {
-    std::vector<Vec6> driving;  // loads, what moving supports exert, gravity where it changes with time
-    std::vector<Vec6> damping;  // empty without damping
-};
-
 // The sum of forces, and of their moments about the origin.
 struct Resultant {
     Vec3 force = Vec3::Zero();
@@ -99,8 +93,16 @@ class System {
 
     // With gravity at `time`.
     Balance compute_balance(const State& state, double time) const;
-    // `residual` is that of the state at `time`.
-    WorkingForces compute_working_forces(const State& state, double time, const Residual& residual) const;
+    // Forces and moments per node that do work, of the trial motions: loads, and gravity where it changes
+    // with time; and what moving supports exert, added to `forces`. `residual` is that of the trial.
+    std::vector<Vec6> compute_load_forces(const State& state, double time) const;
+    void add_support_forces(const Residual& residual, std::vector<Vec6>& forces) const;
+    // The power of damping at the trial's rates; and the sum of the elements' damping_action in the step from
+    // the previous motions to the trial ones. Neither is negative.
+    double compute_damping_power(const State& state) const;
+    double compute_damping_action(const State& state) const;
+    // Of these motions, which need only rotations and rates.
+    double compute_kinetic_energy(const std::vector<NodeMotion>& motions) const;
     // The residual of held components, those that supports exert; global axes.
     std::vector<Vec6> compute_reactions(const Residual& residual) const;
     // Of all that acts from outside: loads, gravity, damping and what supports exert; of the trial motions.

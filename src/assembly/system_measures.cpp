@@ -23,6 +23,19 @@ NodalVector<E::node_count> compute_gravity_force(const E& element,
     return -force;
 }
 
+// Adds to `total` what add(e, sum) adds for each element of a block, in an order that no number of threads
+// changes.
+template <class Sum, class Block, class Add>
+void add_up(const ThreadTeam& team, const Block& block, Sum& total, Add&& add) {
+    std::vector<Sum> parts(block.phases.part_count(), Sum{});
+    team.for_each(parts.size(), [&](std::size_t part) {
+        Sum sum{};
+        for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) add(e, sum);
+        parts[part] = sum;
+    });
+    for (const Sum& part : parts) total += part;
+}
+
 }  // namespace
 
 Balance& Balance::operator+=(const Balance& other) {
@@ -35,70 +48,95 @@ Balance& Balance::operator+=(const Balance& other) {
 }
 
 Balance System::compute_balance(const State& state, double time) const {
-    Balance balance;
     const bool has_potential = model_->gravity.is_constant();
     const Vec3 gravity = has_potential ? model_->gravity(time) : Vec3::Zero();
-    std::vector<Balance> parts;
+    Balance balance;
     for_each_block(blocks_, [&](const auto& block) {
-        parts.assign(block.phases.part_count(), {});
-        team_->for_each(parts.size(), [&](std::size_t part) {
-            Balance sum;
-            for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
-                const auto& element = block.elements[e];
-                const auto motions = block.motions(state.trial, e);
-                const Momentum momentum = element.momentum(motions);
-                sum.kinetic_energy += element.kinetic_energy(motions);
-                sum.strain_energy += element.strain_energy(motions, block.histories(state, e));
-                sum.gravity_potential += element.gravity_potential(motions, gravity);
-                sum.momentum.linear += momentum.linear;
-                sum.momentum.angular += momentum.angular;
-            }
-            parts[part] = sum;
+        add_up(*team_, block, balance, [&](std::size_t e, Balance& sum) {
+            const auto& element = block.elements[e];
+            const auto motions = block.motions(state.trial, e);
+            const Momentum momentum = element.momentum(motions);
+            sum.kinetic_energy += element.kinetic_energy(motions);
+            sum.strain_energy += element.strain_energy(motions, block.histories(state, e));
+            sum.gravity_potential += element.gravity_potential(motions, gravity);
+            sum.momentum.linear += momentum.linear;
+            sum.momentum.angular += momentum.angular;
         });
-        for (const Balance& part : parts) balance += part;
     });
     return balance;
 }
 
-WorkingForces System::compute_working_forces(const State& state,
-                                             double time,
-                                             const Residual& residual) const {
+double System::compute_kinetic_energy(const std::vector<NodeMotion>& motions) const {
+    double energy = 0.0;
+    for_each_block(blocks_, [&](const auto& block) {
+        add_up(*team_, block, energy, [&](std::size_t e, double& sum) {
+            sum += block.elements[e].kinetic_energy(block.motions(motions, e));
+        });
+    });
+    return energy;
+}
+
+double System::compute_damping_power(const State& state) const {
+    double power = 0.0;
+    for_each_block(blocks_, [&](const auto& block) {
+        constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
+        if (!block.is_damped) return;
+        add_up(*team_, block, power, [&](std::size_t e, double& sum) {
+            const auto motions = block.motions(state.trial, e);
+            NodalVector<node_count> force = NodalVector<node_count>::Zero();
+            block.elements[e].add_damping_force(motions, block.histories(state, e), force);
+            for (int i = 0; i < node_count; ++i) {
+                sum += force.template segment<3>(6 * i).dot(motions[i]->v) +
+                       force.template segment<3>(6 * i + 3).dot(motions[i]->omega);
+            }
+        });
+    });
+    return std::max(power, 0.0);  // but for round-off it is a sum of squares
+}
+
+double System::compute_damping_action(const State& state) const {
+    double action = 0.0;
+    for_each_block(blocks_, [&](const auto& block) {
+        if (!block.is_damped) return;
+        add_up(*team_, block, action, [&](std::size_t e, double& sum) {
+            sum += block.elements[e].damping_action(
+                block.motions(state.previous, e), block.motions(state.trial, e), block.histories(state, e));
+        });
+    });
+    return action;
+}
+
+std::vector<Vec6> System::compute_load_forces(const State& state, double time) const {
     Residual loads;
     loads.nodal.assign(state.trial.size(), Vec6::Zero());
     add_loads(state, time, loads);
-    WorkingForces forces;
-    forces.driving.resize(state.trial.size());
-    for (std::size_t i = 0; i < forces.driving.size(); ++i) forces.driving[i] = -loads.nodal[i];
+    std::vector<Vec6> forces = std::move(loads.nodal);
+    for (Vec6& force : forces) force = -force;
+    if (model_->gravity.is_constant()) return forces;
+    const Vec3 gravity = model_->gravity(time);
+    for_each_block(blocks_, [&](const auto& block) {
+        constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
+        block.phases.run(*team_, [&](std::size_t part) {
+            for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
+                const auto& element = block.elements[e];
+                add_to_nodes<node_count>(
+                    compute_gravity_force(element, block.motions(state.trial, e), gravity),
+                    element.nodes,
+                    forces);
+            }
+        });
+    });
+    return forces;
+}
+
+void System::add_support_forces(const Residual& residual, std::vector<Vec6>& forces) const {
     for (const Support* support : supports_.moving()) {
         Vec6 exerted = equations_.to_own_axes(support->node, residual.nodal[support->node]);
         for (int i = 0; i < 6; ++i) {
             if (!supports_.held(support->node)[i]) exerted[i] = 0.0;
         }
-        forces.driving[support->node] += equations_.to_global_axes(support->node, exerted);
+        forces[support->node] += equations_.to_global_axes(support->node, exerted);
     }
-    const bool gravity_works = !model_->gravity.is_constant();
-    const Vec3 gravity = model_->gravity(time);
-    if (is_damped_) forces.damping.assign(state.trial.size(), Vec6::Zero());
-    for_each_block(blocks_, [&](const auto& block) {
-        constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
-        if (!gravity_works && !block.is_damped) return;
-        block.phases.run(*team_, [&](std::size_t part) {
-            for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
-                const auto& element = block.elements[e];
-                const auto motions = block.motions(state.trial, e);
-                if (gravity_works) {
-                    add_to_nodes<node_count>(
-                        compute_gravity_force(element, motions, gravity), element.nodes, forces.driving);
-                }
-                if (block.is_damped) {
-                    NodalVector<node_count> force = NodalVector<node_count>::Zero();
-                    element.add_damping_force(motions, block.histories(state, e), force);
-                    add_to_nodes<node_count>(force, element.nodes, forces.damping);
-                }
-            }
-        });
-    });
-    return forces;
 }
 
 Resultant System::compute_outer_resultant(const State& state,

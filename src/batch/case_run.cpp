@@ -108,10 +108,7 @@ class CaseRun {
         for (const std::string& warning : summary.warnings) add_warning(row_, warning);
         add_warning(row_, summary.cuts);
         add_warning(row_, summary.newton_limit);
-        add_warning(
-            row_,
-            describe_imbalance(
-                summary.totals.largest_energy, summary.totals.largest_energy_error, energy_round_off));
+        add_warning(row_, describe_imbalance(summary.energy(), energy_round_off));
         if (summary.status == RunStatus::interrupted) {
             end(CaseStatus::time_limit,
                 fmt::format("the time limit of {} s was over at t = {:.10g}",

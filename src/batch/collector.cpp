@@ -35,6 +35,8 @@ Values values_of(LedgerEntry entry, const LedgerRow& row) {
             return scalar(row.external_work);
         case LedgerEntry::dissipated_energy:
             return scalar(row.dissipated_energy);
+        case LedgerEntry::numerical_dissipation:
+            return scalar(row.numerical_dissipation);
         case LedgerEntry::energy_error:
             return scalar(row.energy_error);
         case LedgerEntry::linear_momentum:

@@ -15,6 +15,7 @@ enum class LedgerEntry {
     strain_energy,
     external_work,
     dissipated_energy,
+    numerical_dissipation,
     energy_error,
     linear_momentum,
     angular_momentum
@@ -46,11 +47,12 @@ inline constexpr std::array<Choice<Component>, 5> component_choices{{{"x", Compo
                                                                      {"w", Component::w},
                                                                      {"magnitude", Component::magnitude}}};
 
-inline constexpr std::array<Choice<LedgerEntry>, 7> ledger_choices{
+inline constexpr std::array<Choice<LedgerEntry>, 8> ledger_choices{
     {{"kinetic_energy", LedgerEntry::kinetic_energy},
      {"strain_energy", LedgerEntry::strain_energy},
      {"external_work", LedgerEntry::external_work},
      {"dissipated_energy", LedgerEntry::dissipated_energy},
+     {"numerical_dissipation", LedgerEntry::numerical_dissipation},
      {"energy_error", LedgerEntry::energy_error},
      {"linear_momentum", LedgerEntry::linear_momentum},
      {"angular_momentum", LedgerEntry::angular_momentum}}};

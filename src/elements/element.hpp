@@ -54,6 +54,9 @@ concept Element = requires(const E& element,
     { element.is_damped() } -> std::same_as<bool>;
     element.add_damping_force(motions, histories, force);
     element.add_damping_tangent(motions, histories, linearizations, tangent);
+    // The damping quadratic in the step from the first motions to the second, not negative: over the time
+    // that the step takes it is what damping dissipates in it.
+    { element.damping_action(motions, motions, histories) } -> std::same_as<double>;
     element.start(writable);
     element.commit(motions, writable);
     { element.largest_relative_rotation(motions) } -> std::same_as<double>;

@@ -30,6 +30,7 @@ class RigidBody {
     bool is_damped() const { return false; }
     void add_damping_force(const Motions<1>&, Histories, NodalVector<1>&) const {}
     void add_damping_tangent(const Motions<1>&, Histories, const Linearizations<1>&, NodalMatrix<1>&) const {}
+    double damping_action(const Motions<1>&, const Motions<1>&, Histories) const { return 0.0; }
     void start(std::span<SectionHistory>) const {}
     void commit(const Motions<1>&, std::span<SectionHistory>) const {}
     double largest_relative_rotation(const Motions<1>&) const { return 0.0; }

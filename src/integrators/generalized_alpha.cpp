@@ -1,5 +1,7 @@
 #include "integrators/generalized_alpha.hpp"
 
+#include <cmath>
+
 #include "rotation/tangent_map.hpp"
 #include "state/increment.hpp"
 
@@ -61,6 +63,23 @@ void GeneralizedAlpha::linearize_nodes(const State& state,
     for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const Mat3 T_inverse = tangent_map_inverse(state.trial[i].theta);
         linearizations[i] = {1.0, rate, acceleration, rate * T_inverse, acceleration * T_inverse};
+    }
+}
+
+// √(α_f − α_m) Δt times the mean over the step of how far accelerations are ahead of the algorithmic ones
+// (docs/theory/energy.md, (E8)).
+void GeneralizedAlpha::set_dissipated_rates(const State& state,
+                                            double time_step,
+                                            int,
+                                            std::vector<NodeMotion>& rates) const {
+    const double factor = 0.5 * std::sqrt(alpha_f_ - alpha_m_) * time_step;
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+        const NodeMotion& previous = state.previous[i];
+        const NodeMotion& trial = state.trial[i];
+        const AlgorithmicAcceleration& A_n = state.algorithmic_previous[i];
+        const AlgorithmicAcceleration& A = state.algorithmic_trial[i];
+        rates[i].v = factor * (previous.a - A_n.a + trial.a - A.a);
+        rates[i].omega = factor * (previous.alpha - A_n.alpha + trial.alpha - A.alpha);
     }
 }
 

@@ -15,6 +15,11 @@ class GeneralizedAlpha : public Integrator {
 
     bool has_algorithmic_accelerations() const override { return true; }
     void start(State& state) const override;
+    int dissipation_terms() const override { return alpha_f_ > alpha_m_ ? 1 : 0; }
+    void set_dissipated_rates(const State& state,
+                              double time_step,
+                              int term,
+                              std::vector<NodeMotion>& rates) const override;
 
   protected:
     void place_nodes(State& state, const Stage& stage, NodeRange nodes) const override;

@@ -89,9 +89,19 @@ class Integrator {
         return {};
     }
 
-    // Weights of the load power over a step, in order: at its start, then at each stage. They integrate the
-    // work of the loads to the scheme's order. Empty for one-stage schemes, whose work is the mean load times
-    // displacement.
+    // What the scheme itself dissipates in a step, apart from damping: the sum over so many terms of twice
+    // the kinetic energy at certain rates of the nodes, so never negative (docs/theory/energy.md).
+    virtual int dissipation_terms() const { return 0; }
+    // Sets v and ω of `rates`, which are otherwise the trial motions, to those of one term. Of the step just
+    // solved, before it is committed.
+    virtual void set_dissipated_rates(const State&,
+                                      double /*time_step*/,
+                                      int /*term*/,
+                                      std::vector<NodeMotion>& /*rates*/) const {}
+
+    // Weights of the power of loads over a step, in order: at its start, then at each stage. They integrate
+    // the work of the loads to the scheme's order. Empty for one-stage schemes, whose work is the mean load
+    // times displacement.
     virtual std::vector<double> power_weights() const { return {}; }
 
   protected:

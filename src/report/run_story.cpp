@@ -141,9 +141,8 @@ std::vector<std::string> list_warnings(const Hdf5Reader& file, const RunStory& s
     }
     std::istringstream lines(text_of(file, "warnings"));
     for (std::string line; std::getline(lines, line);) warnings.push_back("Mind: " + line + ".");
-    const EnergyBalance energy = survey_energy(file, steps);
     const double round_off = story.problem ? compute_energy_round_off(story.problem->model) : 0.0;
-    const std::string imbalance = describe_imbalance(energy.largest, energy.error, round_off);
+    const std::string imbalance = describe_imbalance(survey_energy(file, story.is_static, steps), round_off);
     if (!imbalance.empty()) warnings.push_back("Mind that " + imbalance + ".");
     const std::string cuts = tell_cuts(file, story, steps);
     if (!cuts.empty()) warnings.push_back(cuts);

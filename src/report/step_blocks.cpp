@@ -74,6 +74,8 @@ std::vector<StepChart> list_charts(const Hdf5Reader& file, bool is_static) {
     energies.emplace_back("/ledger/strain_energy", "strain");
     energies.emplace_back("/ledger/external_work", "external work");
     energies.emplace_back("/ledger/dissipated_energy", "dissipated");
+    const std::string by_scheme = "/ledger/numerical_dissipation";  // which older files have not
+    if (!is_static && file.has(by_scheme)) energies.emplace_back(by_scheme, "dissipated by the scheme");
     charts.push_back(make_chart(file, "energy", "Energies", energies));
     charts.push_back(make_chart(file, "energy", "Energy imbalance", {{"/ledger/energy_error", "imbalance"}}));
     for (const std::string& name : file.members("/histories")) {
@@ -144,20 +146,37 @@ void write_step_blocks(const Hdf5Reader& file,
     });
 }
 
-EnergyBalance survey_energy(const Hdf5Reader& file, std::size_t steps) {
-    EnergyBalance balance;
+EnergySurvey survey_energy(const Hdf5Reader& file, bool is_static, std::size_t steps) {
+    const std::string uncertainty = "/ledger/work_uncertainty";
+    EnergySurvey survey;
+    // Without it, of an older version's file, nothing is known of jumps.
+    survey.is_static = is_static;
+    const bool finds_jumps = is_static && file.has(uncertainty);
+    EnergyPoint before;
     for (std::size_t first = 0; first < steps; first += most_rows_at_once) {
         const std::size_t count = std::min(most_rows_at_once, steps - first);
-        const std::vector<double> kinetic = file.rows("/ledger/kinetic_energy", first, count, 1);
-        const std::vector<double> strain = file.rows("/ledger/strain_energy", first, count, 1);
-        const std::vector<double> work = file.rows("/ledger/external_work", first, count, 1);
-        const std::vector<double> error = file.rows("/ledger/energy_error", first, count, 1);
+        const auto read = [&](const std::string& name) { return file.rows(name, first, count, 1); };
+        const std::vector<double> kinetic = read("/ledger/kinetic_energy");
+        const std::vector<double> strain = read("/ledger/strain_energy");
+        const std::vector<double> work = read("/ledger/external_work");
+        const std::vector<double> error = read("/ledger/energy_error");
+        std::vector<double> times, uncertain;
+        if (finds_jumps) {
+            times = read("/histories/time");
+            uncertain = read(uncertainty);
+        }
         for (std::size_t i = 0; i < count; ++i) {
-            balance.largest = std::max({balance.largest, kinetic[i] + strain[i], std::abs(work[i])});
-            balance.error = std::max(balance.error, std::abs(error[i]));
+            survey.largest = std::max({survey.largest, kinetic[i] + strain[i], std::abs(work[i])});
+            survey.largest_error = std::max(survey.largest_error, std::abs(error[i]));
+            if (!finds_jumps) continue;
+            const EnergyPoint point{times[i], strain[i], work[i], uncertain[i]};
+            const bool has_before = first + i > 0;
+            const auto jump = has_before ? find_jump(before, point, survey.largest) : std::nullopt;
+            if (jump) add_jump(*jump, survey.jumps);
+            before = point;
         }
     }
-    return balance;
+    return survey;
 }
 
 StepCuts survey_cuts(const Hdf5Reader& file, std::size_t steps, double equal_step) {

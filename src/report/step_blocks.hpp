@@ -7,6 +7,7 @@
 
 #include "report/step_thinning.hpp"
 #include "results/cut_warning.hpp"
+#include "results/energy_warning.hpp"
 #include "results/hdf5_reader.hpp"
 
 namespace gxrod {
@@ -41,13 +42,8 @@ void write_step_blocks(const Hdf5Reader& file,
                        std::size_t steps,
                        std::ostream& out);
 
-// The largest energy of a run, kinetic and strain or external work, and the largest error of the balance,
-// over the first `steps` steps. Throws Hdf5Error.
-struct EnergyBalance {
-    double largest = 0.0;
-    double error = 0.0;
-};
-EnergyBalance survey_energy(const Hdf5Reader& file, std::size_t steps);
+// Over the first `steps` steps. Throws Hdf5Error.
+EnergySurvey survey_energy(const Hdf5Reader& file, bool is_static, std::size_t steps);
 
 // How often steps were cut in the first `steps` rows: equal steps of this length, or each row's own if it is
 // 0 because they were chosen by their error. Throws Hdf5Error.

@@ -94,17 +94,25 @@ void visit_numbers(Place& place, Visitor&& visit) {
     visit("steps_by_error", record.steps.accepted);
     visit("initial_energy", record.ledger.initial_energy);
     visit("initial_potential", record.ledger.initial_potential);
-    visit("driving_work", record.ledger.driving_work);
+    visit("work", record.ledger.work);
     visit("dissipated", record.ledger.dissipated);
+    visit("dissipated_by_scheme", record.ledger.dissipated_by_scheme);
     visit("driving_power", record.ledger.driving_power);
     visit("damping_power", record.ledger.damping_power);
     visit("negative_pivots", record.negative_pivots);
+    visit("load_step", record.ledger.load_step);
+    visit("strain_energy", record.ledger.strain_energy);
+    visit("largest_strain_energy_or_work", record.ledger.largest_energy);
     visit("is_framed", record.is_framed);
     visit("accepted_steps", record.totals.steps);
     visit("rejected_steps", record.totals.rejected_steps);
     visit("newton_iterations", record.totals.newton_iterations);
     visit("largest_energy", record.totals.largest_energy);
     visit("largest_energy_error", record.totals.largest_energy_error);
+    visit("jumps", record.totals.jumps.count);
+    visit("jump_from", record.totals.jumps.largest.from);
+    visit("jump_to", record.totals.jumps.largest.to);
+    visit("jump_energy", record.totals.jumps.largest.energy);
     visit("checksum_of_steps", sums.steps);
     visit("checksum_of_frames", sums.frames);
 }
@@ -134,8 +142,11 @@ inline const DatasetLabel sections_label{
     ""};
 inline const DatasetLabel algorithmic_label{
     "algorithmic", "of each node: algorithmic acceleration and angular acceleration", "spatial", ""};
-inline const DatasetLabel driving_label{
-    "driving", "force and moment that does work on each node", "spatial", ""};
-inline const DatasetLabel damping_label{"damping", "force and moment of damping on each node", "spatial", ""};
+inline const DatasetLabel forces_label{
+    "forces", "force and moment that does work on each node", "spatial", ""};
+inline const DatasetLabel force_change_label{
+    "force_change", "what the last load step changed of these", "spatial", ""};
+inline const DatasetLabel movement_label{
+    "movement", "displacement and rotation vector of each node in the last load step", "spatial", ""};
 
 }  // namespace gxrod

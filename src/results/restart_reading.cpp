@@ -91,8 +91,13 @@ bool has_known_form(const Hdf5Reader& file) {
 
 bool has_known_structure(const Hdf5Reader& file) {
     if (!has_known_attributes(file) || !has_known_seal(file)) return false;
-    const std::array labels{
-        nodes_label, sections_label, algorithmic_label, driving_label, damping_label, numbers_label()};
+    const std::array labels{nodes_label,
+                            sections_label,
+                            algorithmic_label,
+                            forces_label,
+                            force_change_label,
+                            movement_label,
+                            numbers_label()};
     // States are made alike, and so are all datasets of them.
     std::set<std::array<hsize_t, 3>> slot_headers, headers;
     for (const std::string& slot : file.members("/restart")) {
@@ -139,8 +144,9 @@ std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
     read_rows(nodes_label, record.nodes);
     read_rows(sections_label, record.sections);
     read_rows(algorithmic_label, record.algorithmic);
-    read_rows(driving_label, record.ledger.driving);
-    read_rows(damping_label, record.ledger.damping);
+    read_rows(forces_label, record.ledger.forces);
+    read_rows(force_change_label, record.ledger.force_change);
+    read_rows(movement_label, record.ledger.movement);
     Table single = read_numbers(file, slot);
     const double written = single.values.back();
     single.values.pop_back();

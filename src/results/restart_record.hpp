@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "results/energy_jump.hpp"
 #include "state/state.hpp"
 #include "state/step_memory.hpp"
 
@@ -12,11 +13,19 @@ namespace gxrod {
 struct LedgerMemory {
     double initial_energy = 0.0;     // kinetic and strain
     double initial_potential = 0.0;  // of gravity
-    double driving_work = 0.0;
+    double work = 0.0;               // of loads and moving supports
     double dissipated = 0.0;
-    double driving_power = 0.0;  // at the end of the last step
+    double dissipated_by_scheme = 0.0;
+    // Schemes of several stages: the powers at the end of the last step.
+    double driving_power = 0.0;
     double damping_power = 0.0;
-    std::vector<Vec6> driving, damping;  // forces and moments per node there; damping empty without any
+    // Schemes of one stage: forces and moments per node that do work, at the end of the last step.
+    std::vector<Vec6> forces;
+    // In statics after the first step: the last one's changes of these forces, its movements, its length.
+    std::vector<Vec6> force_change, movement;
+    double load_step = 0.0;
+    double strain_energy = 0.0;   // in statics, at the end of that step
+    double largest_energy = 0.0;  // in statics: strain energy or work, so far
 };
 
 // What a run has done so far.
@@ -26,6 +35,7 @@ struct RunTotals {
     std::int64_t newton_iterations = 0;
     double largest_energy = 0.0;        // kinetic and strain, or external work
     double largest_energy_error = 0.0;  // of the ledger
+    EnergyJumps jumps;                  // in statics
 };
 
 // All that a run needs to go on from an accepted step as if it had never stopped.

@@ -98,8 +98,9 @@ void RestartTable::write(const RestartPlace& place) {
     put<NodeMotion>(slot, nodes_label, record.nodes, sum);
     put<SectionHistory>(slot, sections_label, record.sections, sum);
     put<AlgorithmicAcceleration>(slot, algorithmic_label, record.algorithmic, sum);
-    put<Vec6>(slot, driving_label, record.ledger.driving, sum);
-    put<Vec6>(slot, damping_label, record.ledger.damping, sum);
+    put<Vec6>(slot, forces_label, record.ledger.forces, sum);
+    put<Vec6>(slot, force_change_label, record.ledger.force_change, sum);
+    put<Vec6>(slot, movement_label, record.ledger.movement, sum);
     Table single{1};
     visit_numbers(
         place, [&](const char*, const auto& value) { single.values.push_back(static_cast<double>(value)); });

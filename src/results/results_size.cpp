@@ -10,7 +10,7 @@ namespace {
 // Numbers of a row of each table (results/frame_table, results/step_tables).
 constexpr double numbers_of_point = 8.0 * 3.0 + 1.0;
 constexpr double numbers_of_cell = 4.0 * 3.0 + 1.0;
-constexpr double numbers_of_step = 1.0 + 5.0 + 2.0 * 3.0 + 4.0;  // time, ledger, solver
+constexpr double numbers_of_step = 1.0 + 7.0 + 2.0 * 3.0 + 4.0;  // time, ledger, solver
 
 double count_frame_numbers(const Model& model) {
     double cells = static_cast<double>(model.bodies.size());

@@ -94,7 +94,7 @@ void ResultsTables::trim() {
 }
 
 std::size_t ResultsTables::buffered_bytes() const {
-    constexpr std::size_t row_numbers = 16;  // of the ledger, the solver record and the time
+    constexpr std::size_t row_numbers = 18;  // of the ledger, the solver record and the time
     return times_.buffered_bytes() * row_numbers + histories_.buffered_bytes() + frames_.buffered_bytes();
 }
 

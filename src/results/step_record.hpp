@@ -13,9 +13,12 @@ namespace gxrod {
 struct LedgerRow {
     double kinetic_energy = 0.0;
     double strain_energy = 0.0;
-    double external_work = 0.0;      // of loads, gravity included, since t = 0
-    double dissipated_energy = 0.0;  // by material and mass-proportional damping since t = 0
-    double energy_error = 0.0;  // (kinetic + strain) − its value at t = 0 − external work + dissipated
+    double external_work = 0.0;          // of loads, gravity included, since t = 0
+    double work_uncertainty = 0.0;       // of the work of the last load step; 0 in dynamics
+    double dissipated_energy = 0.0;      // by material and mass-proportional damping since t = 0
+    double numerical_dissipation = 0.0;  // by the scheme itself since t = 0
+    // (kinetic + strain) − its value at t = 0 − external work + dissipated + numerical dissipation
+    double energy_error = 0.0;
     Vec3 linear_momentum = Vec3::Zero();
     Vec3 angular_momentum = Vec3::Zero();  // about the origin
 };

@@ -19,12 +19,22 @@ LedgerTable::LedgerTable(const Hdf5Handle& ledger, hsize_t rows)
       strain_energy_(energy(ledger, rows, "strain_energy", "strain energy")),
       external_work_(
           energy(ledger, rows, "external_work", "work of loads, gravity and moved supports since t = 0")),
+      work_uncertainty_(
+          energy(ledger,
+                 rows,
+                 "work_uncertainty",
+                 "how far the work of the load step that ended here may be off; 0 in dynamics")),
       dissipated_energy_(energy(ledger, rows, "dissipated_energy", "energy lost to damping since t = 0")),
+      numerical_dissipation_(energy(ledger,
+                                    rows,
+                                    "numerical_dissipation",
+                                    "energy that the time integration itself takes away since t = 0")),
       energy_error_(
           energy(ledger,
                  rows,
                  "energy_error",
-                 "(kinetic + strain energy) - its value at t = 0 - external work + dissipated energy")),
+                 "(kinetic + strain energy) - its value at t = 0 - external work + dissipated energy + "
+                 "numerical dissipation")),
       linear_momentum_(
           ledger, {"linear_momentum", "linear momentum", "spatial", "mass·length/time"}, vector_row, rows),
       angular_momentum_(
@@ -37,17 +47,21 @@ void LedgerTable::append(const LedgerRow& row) {
     kinetic_energy_.append(row.kinetic_energy);
     strain_energy_.append(row.strain_energy);
     external_work_.append(row.external_work);
+    work_uncertainty_.append(row.work_uncertainty);
     dissipated_energy_.append(row.dissipated_energy);
+    numerical_dissipation_.append(row.numerical_dissipation);
     energy_error_.append(row.energy_error);
     linear_momentum_.append(numbers(row.linear_momentum));
     angular_momentum_.append(numbers(row.angular_momentum));
 }
 
-std::array<AppendDataset<double>*, 7> LedgerTable::columns() {
+std::array<AppendDataset<double>*, 9> LedgerTable::columns() {
     return {&kinetic_energy_,
             &strain_energy_,
             &external_work_,
+            &work_uncertainty_,
             &dissipated_energy_,
+            &numerical_dissipation_,
             &energy_error_,
             &linear_momentum_,
             &angular_momentum_};

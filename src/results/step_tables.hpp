@@ -19,9 +19,10 @@ class LedgerTable {
     void add_sums(std::vector<RowSum>& sums);
 
   private:
-    std::array<AppendDataset<double>*, 7> columns();
+    std::array<AppendDataset<double>*, 9> columns();
 
-    AppendDataset<double> kinetic_energy_, strain_energy_, external_work_, dissipated_energy_, energy_error_;
+    AppendDataset<double> kinetic_energy_, strain_energy_, external_work_, work_uncertainty_;
+    AppendDataset<double> dissipated_energy_, numerical_dissipation_, energy_error_;
     AppendDataset<double> linear_momentum_, angular_momentum_;
 };
 

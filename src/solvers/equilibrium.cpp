@@ -10,15 +10,24 @@ namespace gxrod {
 SolverWorkspace::SolverWorkspace(const System& system, LinearSolverKind kind)
     : linear_solver(make_linear_solver(kind, system.pattern(), system.team())) {}
 
-Power compute_power(const WorkingForces& forces, const std::vector<NodeMotion>& motions) {
+namespace {
+
+double compute_power_of(const std::vector<Vec6>& forces, const std::vector<NodeMotion>& motions) {
+    double power = 0.0;
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+        power += forces[i].head<3>().dot(motions[i].v) + forces[i].tail<3>().dot(motions[i].omega);
+    }
+    return power;
+}
+
+}  // namespace
+
+Power compute_power(const System& system, const State& state, double time, const Residual& residual) {
     Power power;
-    const auto add = [&](const std::vector<Vec6>& nodal, double& sum) {
-        for (std::size_t i = 0; i < nodal.size(); ++i) {
-            sum += nodal[i].head<3>().dot(motions[i].v) + nodal[i].tail<3>().dot(motions[i].omega);
-        }
-    };
-    add(forces.driving, power.driving);
-    add(forces.damping, power.damping);
+    std::vector<Vec6> forces = system.compute_load_forces(state, time);
+    system.add_support_forces(residual, forces);
+    power.driving = compute_power_of(forces, state.trial);
+    power.damping = system.compute_damping_power(state);
     return power;
 }
 
@@ -113,8 +122,7 @@ EquilibriumReport solve_step(const System& system,
         integrator.end_stage(state, stage, system.team());
         if (weighs_power) {
             const double time = integrator.stage_time(stage);
-            workspace.stage_powers.push_back(
-                compute_power(system.compute_working_forces(state, time, workspace.residual), state.trial));
+            workspace.stage_powers.push_back(compute_power(system, state, time, workspace.residual));
         }
     }
     return total;

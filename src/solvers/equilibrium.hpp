@@ -42,7 +42,8 @@ struct Power {
     double damping = 0.0;  // dissipated
 };
 
-Power compute_power(const WorkingForces& forces, const std::vector<NodeMotion>& motions);
+// Of the trial motions; `residual` is theirs.
+Power compute_power(const System& system, const State& state, double time, const Residual& residual);
 
 // What solving needs beside the State, allocated once.
 struct SolverWorkspace {

@@ -95,6 +95,7 @@ bool is_same(const NodeMotion& a, const NodeMotion& b) {
 bool is_same(const LedgerRow& a, const LedgerRow& b) {
     return a.kinetic_energy == b.kinetic_energy && a.strain_energy == b.strain_energy &&
            a.external_work == b.external_work && a.dissipated_energy == b.dissipated_energy &&
+           a.numerical_dissipation == b.numerical_dissipation && a.work_uncertainty == b.work_uncertainty &&
            a.energy_error == b.energy_error && a.linear_momentum == b.linear_momentum &&
            a.angular_momentum == b.angular_momentum;
 }

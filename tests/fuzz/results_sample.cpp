@@ -84,7 +84,7 @@ std::string make_sample() {
         file.write_frame(motion.at(time));
         RestartRecord record;
         record.nodes = motion.nodes;
-        record.ledger.driving.assign(motion.nodes.size(), Vec6::Zero());
+        record.ledger.forces.assign(motion.nodes.size(), Vec6::Zero());
         record.steps.time = time;
         file.set_restart(record);
         file.flush();

@@ -89,7 +89,7 @@ class Damaged {
         const std::string slot =
             file.integer_attribute("/restart", "slot") == 0 ? "/restart/a/" : "/restart/b/";
         std::uint32_t sum = 0;
-        for (const char* table : {"nodes", "sections", "algorithmic", "driving", "damping"})
+        for (const char* table : {"nodes", "sections", "algorithmic", "forces", "force_change", "movement"})
             sum = checksum(std::span<const double>(file.numbers(slot + table)), sum);
         return checksum(std::span<const double>(std::vector<double>(state_numbers, value)), sum);
     }

@@ -33,10 +33,7 @@ DistributedLoad make_load(const Distribution& q, Frame frame) {
 
 // What the model's distributed loads put on nodes.
 std::vector<Vec6> compute_loads(const Model& model, const State& state, double time) {
-    const System system(model);
-    Residual residual;
-    system.compute_residual(state, time, residual);
-    return system.compute_working_forces(state, time, residual).driving;
+    return System(model).compute_load_forces(state, time);
 }
 
 // ∫ N_I q ds over one straight element of a rod, by a rule of many points.

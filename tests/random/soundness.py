@@ -58,6 +58,18 @@ def imbalance(ledger):
     return 0.0 if error == 0.0 else float(error / largest_energy(ledger))
 
 
+def find_jumps(path):
+    """Whether strain energy and work part in a load step as gxrod calls a jump; None in dynamics."""
+    with h5py.File(path) as file:
+        if text(file.attrs["analysis"]) != "static":
+            return None
+        ledger = read_ledger(file)
+    energy, work = ledger["strain_energy"], ledger["external_work"]
+    unexplained = np.abs(np.diff(energy) - np.diff(work)) - ledger["work_uncertainty"][1:]
+    largest = np.maximum.accumulate(np.maximum(energy, np.abs(work)))[1:]
+    return bool(np.any(unexplained > 0.01 * largest))
+
+
 def has_no_energy(path, plan):
     """Whether all energy is what round-off of positions makes of no strain, or the work of supports that is that, by a
     generous estimate."""
@@ -104,8 +116,12 @@ def check_ledger(ledger):
         return
     if np.any(ledger["kinetic_energy"] < 0) or np.any(ledger["strain_energy"] < 0):
         yield "an energy is negative"
-    balance = energy - energy[0] - ledger["external_work"] + ledger["dissipated_energy"]
-    size = max(np.abs(column).max() for column in (energy, ledger["external_work"], ledger["dissipated_energy"]))
+    for name in ("dissipated_energy", "numerical_dissipation"):
+        if np.any(np.diff(ledger[name]) < 0):
+            yield f"{name} falls"
+    dissipated = ledger["dissipated_energy"] + ledger["numerical_dissipation"]
+    balance = energy - energy[0] - ledger["external_work"] + dissipated
+    size = max(np.abs(column).max() for column in (energy, ledger["external_work"], dissipated))
     if np.abs(balance - ledger["energy_error"]).max() > ROUND_OFF * size:
         yield "energy_error is not what the other columns make it"
 

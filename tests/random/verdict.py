@@ -1,8 +1,9 @@
 """Runs a random deck and judges what became of it.
 
 A verdict is one of four kinds. "sound": done, the results are consistent, and the energy balances, or balances better
-with shorter steps. "warned": done and consistent, and gxrod said that the energy does not balance. "refused" and
-"failed": exit code 2 or 3 with a message that has what it needs. Anything else is a "finding"."""
+with shorter steps. "warned": done and consistent, and gxrod said that the energy does not balance, or that the
+structure jumps. "refused" and "failed": exit code 2 or 3 with a message that has what it needs. Anything else is a
+"finding"."""
 
 import dataclasses
 import json
@@ -21,6 +22,7 @@ from finer import find_false_claim
 from soundness import text
 
 WARNING = "the energy does not balance"
+JUMP = "the structure jumps"
 BALANCED = 1e-3  # relative; above, shorter steps must help
 TOLERABLE = 0.1  # above, gxrod must warn
 LONGEST = 60  # seconds of processor time
@@ -131,10 +133,12 @@ class Judge:
 
     def judge_balance(self, index, message, seconds):
         error = soundness.read_imbalance(self.folder / "deck.vtkhdf")
-        has_warned = WARNING in message
+        jumps = soundness.find_jumps(self.folder / "deck.vtkhdf")
+        has_warned = (WARNING if jumps is None else JUMP) in message
+        must_warn = error > TOLERABLE if jumps is None else jumps
         if not has_warned and soundness.has_no_energy(self.folder / "deck.vtkhdf", decks.make_plan(self.seed, index)):
             return Verdict(index, "sound", "no energy but round-off", error)
-        if has_warned != (error > TOLERABLE):
+        if has_warned != must_warn:
             return Verdict(index, "finding", "the warning of the energy is not what the ledger says", error)
         if error <= BALANCED:
             return Verdict(index, "sound", "energy balances", error)

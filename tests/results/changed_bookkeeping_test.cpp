@@ -155,7 +155,7 @@ TEST_CASE("A header that is said to be longer is told", "[results]") {
     const sample::WrittenFile written;
     const std::string sound = read_text_file(written.path);
     const std::string next_part("\x10\0\x10\0\0\0\0\0", 8);  // HDF5's file format, IV.A.2.q
-    for (const char* const name : {"/restart", "/restart/a/numbers", "/restart/b/driving", "/ledger/time"}) {
+    for (const char* const name : {"/restart", "/restart/a/numbers", "/restart/b/forces", "/ledger/time"}) {
         INFO(name);
         const haddr_t header = address_in(written.path, name);
         const std::size_t place = sound.find(next_part, header);

@@ -82,7 +82,8 @@ TEST_CASE("A changed bit of what is written once is told", "[results]") {
 }
 
 TEST_CASE("A changed bit of the state to go on from is told", "[results]") {
-    for (const char* table : {"numbers", "nodes", "sections", "algorithmic", "driving", "damping"}) {
+    for (const char* table :
+         {"numbers", "nodes", "sections", "algorithmic", "forces", "force_change", "movement"}) {
         const sample::WrittenFile written;
         for (const char* slot : {"/restart/a/", "/restart/b/"})
             written.change_number((std::string(slot) + table).c_str(), 0);
@@ -256,7 +257,8 @@ TEST_CASE("A changed name or text of the states, in use or not, is told", "[resu
         written.change(action);
         return written.changes();
     };
-    for (const std::string table : {"numbers", "nodes", "sections", "algorithmic", "driving", "damping"}) {
+    for (const std::string table :
+         {"numbers", "nodes", "sections", "algorithmic", "forces", "force_change", "movement"}) {
         for (const std::string slot : {"/restart/a/", "/restart/b/"}) {
             for (const char* text : {"description", "frame"}) {
                 CHECK(after([&](hid_t file) {

@@ -35,14 +35,19 @@ void check_equal(const RestartRecord& a, const RestartRecord& b) {
     CHECK(are_equal(a.sections, b.sections, &SectionHistory::K));
     CHECK(are_equal(
         a.algorithmic, b.algorithmic, &AlgorithmicAcceleration::a, &AlgorithmicAcceleration::alpha));
-    CHECK(a.ledger.driving == b.ledger.driving);
-    CHECK(a.ledger.damping == b.ledger.damping);
+    CHECK(a.ledger.forces == b.ledger.forces);
+    CHECK(a.ledger.force_change == b.ledger.force_change);
+    CHECK(a.ledger.movement == b.ledger.movement);
+    CHECK(a.ledger.load_step == b.ledger.load_step);
     CHECK(a.ledger.initial_energy == b.ledger.initial_energy);
     CHECK(a.ledger.initial_potential == b.ledger.initial_potential);
-    CHECK(a.ledger.driving_work == b.ledger.driving_work);
+    CHECK(a.ledger.work == b.ledger.work);
     CHECK(a.ledger.dissipated == b.ledger.dissipated);
+    CHECK(a.ledger.dissipated_by_scheme == b.ledger.dissipated_by_scheme);
     CHECK(a.ledger.driving_power == b.ledger.driving_power);
     CHECK(a.ledger.damping_power == b.ledger.damping_power);
+    CHECK(a.ledger.strain_energy == b.ledger.strain_energy);
+    CHECK(a.ledger.largest_energy == b.ledger.largest_energy);
     CHECK(a.is_framed == b.is_framed);
     CHECK(a.steps.has_failed == b.steps.has_failed);
     CHECK(a.steps.time == b.steps.time);
@@ -55,6 +60,10 @@ void check_equal(const RestartRecord& a, const RestartRecord& b) {
     CHECK(a.totals.newton_iterations == b.totals.newton_iterations);
     CHECK(a.totals.largest_energy == b.totals.largest_energy);
     CHECK(a.totals.largest_energy_error == b.totals.largest_energy_error);
+    CHECK(a.totals.jumps.count == b.totals.jumps.count);
+    CHECK(a.totals.jumps.largest.from == b.totals.jumps.largest.from);
+    CHECK(a.totals.jumps.largest.to == b.totals.jumps.largest.to);
+    CHECK(a.totals.jumps.largest.energy == b.totals.jumps.largest.energy);
 }
 
 }  // namespace
@@ -80,14 +89,15 @@ TEST_CASE("The state to go on from comes back to the last bit", "[results][resum
     }
 }
 
-TEST_CASE("A state without damping or algorithmic accelerations comes back", "[results][resume]") {
+TEST_CASE("A state without load steps or algorithmic accelerations comes back", "[results][resume]") {
     const sample::ScratchFolder folder;
     const Model model = sample::make_model();
     ResultsFile file({folder / "a"}, sample::make_deck(), model, sample::make_output());
     RestartRecord record = sample::make_restart(0.1);
     record.sections.clear();
     record.algorithmic.clear();
-    record.ledger.damping.clear();
+    record.ledger.force_change.clear();
+    record.ledger.movement.clear();
     file.set_restart(record);
     file.flush();
     const std::optional<RestartPlace> place = read_restart(Hdf5Reader(folder / "a"));

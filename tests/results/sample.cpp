@@ -121,7 +121,9 @@ LedgerRow make_ledger(double t) {
     row.kinetic_energy = 1.0 + t;
     row.strain_energy = 2.0 + t;
     row.external_work = 3.0 + t;
+    row.work_uncertainty = 3.5 + t;
     row.dissipated_energy = 4.0 + t;
+    row.numerical_dissipation = 4.5 + t;
     row.energy_error = 5.0 + t;
     row.linear_momentum = Vec3(6.0 + t, 7.0, 8.0);
     row.angular_momentum = Vec3(9.0 + t, 10.0, 11.0);
@@ -141,18 +143,23 @@ RestartRecord make_restart(double t) {
         const double k = node.v.x();
         record.sections.push_back({node.Lambda, Vec3(k, t, 7.0)});
         record.algorithmic.push_back({Vec3(k, 8.0, t), Vec3(t, 9.0, k)});
-        record.ledger.driving.push_back(Vec6::Constant(k + t));
-        record.ledger.damping.push_back(Vec6::Constant(k - t));
+        record.ledger.forces.push_back(Vec6::Constant(k + t));
+        record.ledger.force_change.push_back(Vec6::Constant(k - t));
+        record.ledger.movement.push_back(Vec6::Constant(2.0 * k - t));
     }
     record.ledger.initial_energy = 1.5;
     record.ledger.initial_potential = 2.5;
-    record.ledger.driving_work = 3.5 + t;
+    record.ledger.work = 3.5 + t;
     record.ledger.dissipated = 4.5;
+    record.ledger.dissipated_by_scheme = 4.75;
     record.ledger.driving_power = 5.5;
     record.ledger.damping_power = 6.5;
+    record.ledger.load_step = 0.875;
+    record.ledger.strain_energy = 6.75 + t;
+    record.ledger.largest_energy = 7.25;
     record.steps = {true, t, 0.0625, 0.3, true, 17};
     record.is_framed = true;
-    record.totals = {18, 19, 20, 7.5, 8.5};
+    record.totals = {18, 19, 20, 7.5, 8.5, {21, {0.25, 0.75, 9.5}}};
     return record;
 }
 

@@ -19,8 +19,9 @@ def main():
     with h5py.File(arguments.results) as file:
         label = "load factor" if file.attrs["analysis"] == "static" else "time"
         time = file["ledger/time"][()]
-        names = ("kinetic_energy", "strain_energy", "external_work", "dissipated_energy", "energy_error")
-        kinetic, strain, work, dissipated, error = (file["ledger"][name][: len(time)] for name in names)
+        names = ("kinetic_energy", "strain_energy", "external_work", "dissipated_energy", "numerical_dissipation",
+                 "energy_error")
+        kinetic, strain, work, dissipated, by_scheme, error = (file["ledger"][name][: len(time)] for name in names)
 
     figure, (energies, balance) = plt.subplots(
         2, figsize=(9, 6), sharex=True, height_ratios=[3, 1], layout="constrained")
@@ -30,6 +31,8 @@ def main():
     energies.plot(time, work, "k:", label="external work")
     if dissipated.any():
         energies.plot(time, dissipated, label="dissipated energy")
+    if by_scheme.any():
+        energies.plot(time, by_scheme, label="dissipated by the scheme")
     energies.set_ylabel("energy")
     energies.legend(loc="best", fontsize="small")
     largest = np.max(kinetic + strain)

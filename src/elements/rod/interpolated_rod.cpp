@@ -199,6 +199,20 @@ NodalVector<Nodes> InterpolatedRod<Nodes>::compute_damping_force(const LocalMoti
 }
 
 template <int Nodes>
+double InterpolatedRod<Nodes>::damping_action(const LocalMotion<Nodes>& previous,
+                                              const LocalMotion<Nodes>& trial,
+                                              Histories histories) const {
+    double action = 0.0;
+    for (int p = 0; p < point_count; ++p) {
+        const ForcePoint point = force_point(p);
+        const Vec6 change = compute_strain(interpolate(point, trial), histories[p], point.reference) -
+                            compute_strain(interpolate(point, previous), histories[p], point.reference);
+        action += point.weight * section_->kelvin_voigt * change.dot(stiffness() * change);
+    }
+    return action;
+}
+
+template <int Nodes>
 auto InterpolatedRod<Nodes>::compute_damping_tangents(const LocalMotion<Nodes>& motion,
                                                       const LocalMotion<Nodes>& rates,
                                                       Histories histories) const -> DampingTangents {

@@ -68,6 +68,11 @@ class InterpolatedRod {
     DampingTangents compute_damping_tangents(const LocalMotion<Nodes>& motion,
                                              const LocalMotion<Nodes>& rates,
                                              Histories histories) const;
+    // ∫ τ ΔE · C ΔE ds of the change ΔE of the strains from one motion to another, both seen from the same
+    // histories: over the time it takes, what Kelvin-Voigt damping dissipates at the mean strain rates.
+    double damping_action(const LocalMotion<Nodes>& previous,
+                          const LocalMotion<Nodes>& trial,
+                          Histories histories) const;
 
     // Λ and the total curvature of each point, for the next step.
     void advance(const LocalMotion<Nodes>& motion, std::span<SectionHistory> histories) const;

@@ -241,6 +241,19 @@ void RodElement<Nodes, Map>::add_damping_tangent(const Motions<Nodes>& motions,
 }
 
 template <int Nodes, class Map>
+double RodElement<Nodes, Map>::damping_action(const Motions<Nodes>& previous,
+                                              const Motions<Nodes>& trial,
+                                              Histories histories) const {
+    double action = 0.0;
+    if (rod_.is_damped()) {
+        action += rod_.damping_action(
+            Map(previous, triads()).local(), Map(trial, triads()).local(), histories_of_points(histories));
+    }
+    if (inertia_.is_damped()) action += inertia_.damping_action(previous, trial);
+    return action;
+}
+
+template <int Nodes, class Map>
 void RodElement<Nodes, Map>::start(std::span<SectionHistory> histories) const {
     if constexpr (history_count > 0) std::copy(start_.begin(), start_.end(), histories.begin());
 }

@@ -67,6 +67,9 @@ class RodElement {
                              Histories histories,
                              const Linearizations<Nodes>& linearizations,
                              NodalMatrix<Nodes>& tangent) const;
+    double damping_action(const Motions<Nodes>& previous,
+                          const Motions<Nodes>& trial,
+                          Histories histories) const;
 
     // The histories of a rod in its reference shape.
     void start(std::span<SectionHistory> histories) const;

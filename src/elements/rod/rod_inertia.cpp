@@ -183,6 +183,22 @@ void RodInertia<Nodes>::add_damping_tangent(const Motions<Nodes>& motions,
 }
 
 template <int Nodes>
+double RodInertia<Nodes>::damping_action(const Motions<Nodes>& previous, const Motions<Nodes>& trial) const {
+    std::array<NodeMotion, Nodes> before, after;
+    Motions<Nodes> at_start, at_end;
+    for (int i = 0; i < Nodes; ++i) {
+        before[i].Lambda = previous[i]->Lambda;
+        after[i].Lambda = trial[i]->Lambda;
+        before[i].v = after[i].v = trial[i]->r - previous[i]->r;
+        before[i].omega = after[i].omega = trial[i]->theta;
+        at_start[i] = &before[i];
+        at_end[i] = &after[i];
+    }
+    // Offsets turn within the step: the mean of both ends.
+    return section_->mass_proportional * (kinetic_energy(at_start) + kinetic_energy(at_end));
+}
+
+template <int Nodes>
 double RodInertia<Nodes>::kinetic_energy(const Motions<Nodes>& motions) const {
     const Columns3 v = compute_velocities(motions, compute_offsets(motions));
     double energy = 0.5 * (v * mass_).cwiseProduct(v).sum();

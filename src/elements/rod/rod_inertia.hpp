@@ -38,6 +38,9 @@ class RodInertia {
     void add_damping_tangent(const Motions<Nodes>& motions,
                              const Linearizations<Nodes>& linearizations,
                              NodalMatrix<Nodes>& tangent) const;
+    // mass_proportional × twice the kinetic energy of the step's displacements and rotation vectors, taken
+    // for rates.
+    double damping_action(const Motions<Nodes>& previous, const Motions<Nodes>& trial) const;
 
     // ∫ ρA N_I N_J ds.
     const Eigen::Matrix<double, Nodes, Nodes>& mass() const { return mass_; }

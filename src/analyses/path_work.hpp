@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "analyses/static_work.hpp"
+
+namespace gxrod {
+
+// An equilibrium on the way from one accepted equilibrium to the next. Forces and moments per node are those
+// that do work; `turned` is how nodes are turned since the first of both, for turns of more than a half.
+struct PathPoint {
+    double load_factor = 0.0;
+    double strain_energy = 0.0;
+    std::vector<Vec6> forces;
+    std::vector<Vec3> turned;
+    State state;  // its trial motions; to go on from: committed there
+};
+
+// Finds the equilibrium at a load factor from another one, if it can.
+using FindEquilibrium = std::function<std::optional<PathPoint>(const PathPoint& from, double load_factor)>;
+
+// How a load step is looked into.
+struct PathSearch {
+    FindEquilibrium find;
+    double tolerable;  // how far strain energy and work of a piece may part
+    int halvings;
+};
+
+// The work from one equilibrium to another where the trapezoidal rule over all of the step parts too far from
+// the strain energy: the step is halved, and again the half that is not right, as often as `search` admits.
+// What a jump loses stays, since no equilibria in between make it less.
+StepWork integrate_path(const PathPoint& from, const PathPoint& to, const PathSearch& search);
+
+}  // namespace gxrod
