@@ -5,7 +5,9 @@
 
 #include "analyses/static.hpp"
 #include "deck/choices.hpp"
+#include "model/energy_round_off.hpp"
 #include "model/evaluation_error.hpp"
+#include "results/energy_warning.hpp"
 #include "solvers/phase_timer.hpp"
 #include "verification/trace_sampler.hpp"
 
@@ -72,6 +74,7 @@ class Tracer {
           is_dynamic_(std::holds_alternative<DynamicSettings>(problem.analysis)),
           analysis_(make_analysis(problem.model, problem.analysis, request.threads)),
           mass_(total_mass(problem.model)),
+          round_off_(compute_energy_round_off(problem.model)),
           momenta_(analysis_->system(), mass_),
           sampler_(request.sample_times, request.sample_times.back()),
           reader_(problem, request.series) {
@@ -93,7 +96,9 @@ class Tracer {
             }
         }
         trace.warnings = analysis_->list_warnings();
-        trace.is_unstable = analysis_->is_unstable();
+        const std::string jump = is_dynamic_ ? "" : describe_imbalance(survey_, round_off_);
+        if (!jump.empty()) trace.warnings.push_back(jump);
+        trace.is_unstable = analysis_->is_unstable() || !jump.empty();
         trace.samples = sampler_.samples().size();
         trace.rows.resize(request_->series.size());
         for (std::size_t k = 0; k < trace.rows.size(); ++k) {
@@ -132,13 +137,29 @@ class Tracer {
         books.largest_energy = std::max({books.largest_energy, energy, std::abs(ledger.external_work)});
         books.largest_strain_energy = std::fmax(books.largest_strain_energy, ledger.strain_energy);
         books.largest_energy_error = std::fmax(books.largest_energy_error, std::abs(ledger.energy_error));
+        if (!is_dynamic_) watch_jumps(snapshot.time, ledger, books.largest_energy);
         if (is_dynamic_) momenta_.add(snapshot.time, ledger, analysis_->outer_resultant(), books);
+    }
+
+    // Between equilibria of different branches.
+    void watch_jumps(double load_factor, const LedgerRow& ledger, double largest_energy) {
+        const EnergyPoint point{
+            load_factor, ledger.strain_energy, ledger.external_work, ledger.work_uncertainty};
+        if (load_factor > 0.0) {
+            const std::optional<EnergyJump> jump = find_jump(last_point_, point, largest_energy);
+            if (jump) add_jump(*jump, survey_.jumps);
+        }
+        survey_.largest = largest_energy;
+        last_point_ = point;
     }
 
     const TraceRequest* request_;
     bool is_dynamic_;
     std::unique_ptr<SteppedAnalysis> analysis_;
     double mass_;
+    double round_off_;  // of energies
+    EnergySurvey survey_{.is_static = true, .jumps = {}};
+    EnergyPoint last_point_;
     MomentumBooks momenta_;
     TraceSampler sampler_;
     SeriesReader reader_;
