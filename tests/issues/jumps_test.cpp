@@ -5,6 +5,7 @@
 #include "analyses/run.hpp"
 #include "deck/decks.hpp"
 #include "model/energy_round_off.hpp"
+#include "verification/motion_trace.hpp"
 
 namespace gxrod::test {
 namespace {
@@ -185,6 +186,24 @@ TEST_CASE("A roof that is pushed through by a support does not jump", "[issues][
         INFO(steps << " steps");
         CHECK(run(deck, {"analysis.steps=" + steps}).warning == "");
     }
+}
+
+TEST_CASE("A study calls no series right once the structure has jumped", "[issues]") {
+    const std::vector<HistoryRequest> ends = make_end_histories(read(arch).model);
+    Problem problem = read(arch);
+    problem.output.histories = ends;
+    const std::vector<Series> series = list_series(problem.output);
+    const TraceRequest request{series, {0.0, 0.5, 1.0}};
+    const MotionTrace trace = trace_motion(problem, request);
+    REQUIRE(trace.is_whole());
+    CHECK(trace.is_unstable);
+    REQUIRE(!trace.warnings.empty());
+    CHECK_THAT(trace.warnings.back(), Catch::Matchers::Contains("the structure jumps between t = "));
+    const Problem silent = read(column);
+    Problem still = read(column);
+    still.output.histories = make_end_histories(silent.model);
+    const std::vector<Series> of_column = list_series(still.output);
+    CHECK_FALSE(trace_motion(still, {of_column, {0.0, 0.5, 1.0}}).is_unstable);
 }
 
 }  // namespace gxrod::test
