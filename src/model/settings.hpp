@@ -112,7 +112,8 @@ struct HistoryRequest {
 enum class Compression { none, deflate };
 
 struct OutputSettings {
-    // Steps between frames; the first and the last are always written. 0: by the time (model/frame_interval.hpp).
+    // Steps between frames; the first and the last are always written. 0: by the time
+    // (model/frame_interval.hpp).
     long every = 1;
     Compression compression = Compression::none;
     std::vector<HistoryRequest> histories;

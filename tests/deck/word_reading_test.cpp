@@ -55,11 +55,11 @@ fix = ["x", 2])") ==
 name = "h"
 at = "top"
 quantities = ["positon", "swiftness"])") == "x.toml:11:15: history[0].quantities[0]: expected one of " +
-                                            quoted_list(words_of(quantity_choices)) +
-                                            R"(, found the text "positon"; did you mean "position"?
+                                                quoted_list(words_of(quantity_choices)) +
+                                                R"(, found the text "positon"; did you mean "position"?
 x.toml:11:26: history[0].quantities[1]: expected one of )" +
-                                            quoted_list(words_of(quantity_choices)) +
-                                            R"(, found the text "swiftness")");
+                                                quoted_list(words_of(quantity_choices)) +
+                                                R"(, found the text "swiftness")");
 }
 
 TEST_CASE("Text is text", "[deck]") {
