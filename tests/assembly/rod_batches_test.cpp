@@ -80,6 +80,7 @@ struct Assembled {
                     geometry.triads[i] = rod.triads[Nodes * e + i];
                 }
                 block.elements.emplace_back(geometry, model.sections[rod.section]);
+                block.groups.push_back(0);
                 groups.emplace_back(geometry.nodes.begin(), geometry.nodes.end());
             }
         }
@@ -115,7 +116,7 @@ struct Assembled {
         batches.elements.build(block, equations);
         for (const auto& element : block.elements) {
             for (int i = 0; i < Nodes; ++i)
-                batches.nodes.add(element.nodes[i], element.inertia().compute_rotary_inertia(i));
+                batches.nodes.add(element.nodes[i], 0, element.inertia().compute_rotary_inertia(i));
         }
         batches.nodes.lay_out(pattern);
         return batches;
@@ -123,10 +124,12 @@ struct Assembled {
     Residual compute_forces(const Batches<Nodes>& batches) const {
         Residual residual;
         residual.nodal.assign(motions.size(), Vec6::Zero());
+        residual.groups.resize(1);
         for (std::size_t part = 0; part < block.phases.part_count(); ++part)
-            batches.elements.add_forces(part, motions, gravity, residual.nodal, residual);
+            batches.elements.add_forces(part, motions, gravity, residual.nodal, {residual.groups, 0});
         for (std::size_t part = 0; part < batches.nodes.part_count(); ++part)
-            batches.nodes.add_forces(part, motions, residual.nodal, residual);
+            batches.nodes.add_forces(part, motions, residual.nodal, residual.groups);
+        residual.raise(residual.groups.front());
         return residual;
     }
     std::vector<double> compute_tangents(const Batches<Nodes>& batches) const {

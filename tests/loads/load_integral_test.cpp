@@ -41,9 +41,7 @@ Model make_model(const Mesh& mesh, const DistributedLoad& load) {
 }
 
 std::vector<Vec6> compute_loads(const System& system, const State& state, double time) {
-    Residual residual;
-    system.compute_residual(state, time, residual);
-    return system.compute_working_forces(state, time, residual).driving;
+    return system.compute_load_forces(state, time);
 }
 
 // Force along z, and minus its moment about y.

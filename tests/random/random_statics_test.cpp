@@ -131,7 +131,7 @@ double measure_leaving(const RandomFrame& frame, const State& end, unsigned seed
     }
     for (const Support& support : model.supports) record.nodes[support.node].v.setZero();
     record.algorithmic.resize(record.nodes.size());
-    record.ledger.driving.assign(record.nodes.size(), Vec6::Zero());
+    record.ledger.forces.assign(record.nodes.size(), Vec6::Zero());
     REQUIRE(analysis.resume(record));
     double farthest = 0.0;
     while (!analysis.finished() && farthest < 1e-2) {
