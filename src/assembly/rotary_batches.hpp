@@ -7,12 +7,13 @@
 
 namespace gxrod {
 
-// The rotary inertia that rods lump to their nodes, summed over the elements of a node and evaluated for
-// several nodes at once.
+// What rods lump to their nodes, rotary inertia or the factors of its damping, summed over the elements of a
+// node and evaluated for several nodes at once.
 class RotaryBatches {
   public:
-    // The equations must outlive this.
-    RotaryBatches(const Kernels& kernels, const EquationNumbers& equations);
+    // The kernels, `width` lanes wide, say what the inertia makes: inertial moments, or the damping in
+    // proportion to it. The equations must outlive this.
+    RotaryBatches(const RotaryKernels& kernels, int width, const EquationNumbers& equations);
 
     // `inertia` is in the global axes of t = 0. All of it before lay_out.
     void add(int node, const Mat3& inertia);
@@ -21,7 +22,7 @@ class RotaryBatches {
     // Each node is in one of the parts.
     std::size_t part_count() const { return (nodes_.size() + part_size - 1) / part_size; }
 
-    // Adds inertial moments of the nodes of a part.
+    // Adds moments of the nodes of a part.
     void add_forces(std::size_t part,
                     const std::vector<NodeMotion>& motions,
                     std::vector<Vec6>& nodal,

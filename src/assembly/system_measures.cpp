@@ -78,27 +78,43 @@ WorkingForces System::compute_working_forces(const State& state,
     }
     const bool gravity_works = !model_->gravity.is_constant();
     const Vec3 gravity = model_->gravity(time);
-    if (is_damped_) forces.damping.assign(state.trial.size(), Vec6::Zero());
+    if (is_damped_) add_damping_forces(state, forces.damping);
+    if (!gravity_works) return forces;
     for_each_block(blocks_, [&](const auto& block) {
         constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
-        if (!gravity_works && !block.is_damped) return;
         block.phases.run(*team_, [&](std::size_t part) {
             for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
                 const auto& element = block.elements[e];
                 const auto motions = block.motions(state.trial, e);
-                if (gravity_works) {
-                    add_to_nodes<node_count>(
-                        compute_gravity_force(element, motions, gravity), element.nodes, forces.driving);
-                }
-                if (block.is_damped) {
-                    NodalVector<node_count> force = NodalVector<node_count>::Zero();
-                    element.add_damping_force(motions, block.histories(state, e), force);
-                    add_to_nodes<node_count>(force, element.nodes, forces.damping);
-                }
+                add_to_nodes<node_count>(
+                    compute_gravity_force(element, motions, gravity), element.nodes, forces.driving);
             }
         });
     });
     return forces;
+}
+
+void System::add_damping_forces(const State& state, std::vector<Vec6>& nodal) const {
+    nodal.resize(state.trial.size(), Vec6::Zero());
+    for_each_block(blocks_, [&]<class E>(const ElementBlock<E>& block) {
+        if (!block.is_damped) return;
+        block.phases.run(*team_, [&](std::size_t part) {
+            if constexpr (is_batched<E>) {
+                batches_of(block).add_damping_forces(part, state.trial, nodal);
+            } else {
+                for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
+                    NodalVector<E::node_count> force = NodalVector<E::node_count>::Zero();
+                    block.elements[e].add_damping_force(
+                        block.motions(state.trial, e), block.histories(state, e), force);
+                    add_to_nodes<E::node_count>(force, block.elements[e].nodes, nodal);
+                }
+            }
+        });
+    });
+    std::vector<ForceScales> scales(rotary_damping_batches_.part_count());
+    team_->for_each(scales.size(), [&](std::size_t part) {
+        rotary_damping_batches_.add_forces(part, state.trial, nodal, scales[part]);
+    });
 }
 
 Resultant System::compute_outer_resultant(const State& state,
@@ -116,14 +132,12 @@ Resultant System::compute_outer_resultant(const State& state,
             for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
                 const auto& element = block.elements[e];
                 const auto motions = block.motions(state.trial, e);
-                NodalVector<node_count> force = -compute_gravity_force(element, motions, gravity);
-                if (block.is_damped) {
-                    element.add_damping_force(motions, block.histories(state, e), force);
-                }
+                const NodalVector<node_count> force = -compute_gravity_force(element, motions, gravity);
                 add_to_nodes<node_count>(force, element.nodes, asked);
             }
         });
     });
+    if (is_damped_) add_damping_forces(state, asked);
     Resultant sum;
     for (std::size_t i = 0; i < asked.size(); ++i) {
         const Vec6 acting = reactions[i] - asked[i];

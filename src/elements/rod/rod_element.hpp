@@ -67,6 +67,14 @@ class RodElement {
                              Histories histories,
                              const Linearizations<Nodes>& linearizations,
                              NodalMatrix<Nodes>& tangent) const;
+    // Kelvin-Voigt alone.
+    void add_viscous_force(const Motions<Nodes>& motions,
+                           Histories histories,
+                           NodalVector<Nodes>& force) const;
+    void add_viscous_tangent(const Motions<Nodes>& motions,
+                             Histories histories,
+                             const Linearizations<Nodes>& linearizations,
+                             NodalMatrix<Nodes>& tangent) const;
 
     // The histories of a rod in its reference shape.
     void start(std::span<SectionHistory> histories) const;
