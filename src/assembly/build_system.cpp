@@ -101,7 +101,8 @@ System::System(const Model& model, const Kernels& kernels, const ThreadTeam& tea
       equations_(supports_),
       scale_groups_(model),
       rod_batches_(kernels, kernels, kernels, kernels),
-      rotary_batches_(kernels, equations_),
+      rotary_batches_(kernels.rotary, kernels.width, equations_),
+      rotary_damping_batches_(kernels.rotary_damping, kernels.width, equations_),
       load_values_(model, make_loaded_elements(model)) {
     build_blocks();
     build_pattern();
@@ -177,20 +178,22 @@ void System::build_pattern() {
 
 void System::build_batches() {
     for_each_block(blocks_, [this]<class E>(const ElementBlock<E>& block) {
-        if constexpr (std::is_same_v<E, ObjectiveElement<E::node_count>>) {
+        if constexpr (is_batched<E>) {
             std::get<RodBatches<E::node_count>>(rod_batches_).build(block, equations_);
-            for (std::size_t e = 0; e < block.elements.size(); ++e) {
-                if (!is_in_batch(rod_batches_, block, e)) continue;
-                const E& element = block.elements[e];
+            for (const E& element : block.elements) {
+                const double damping = element.inertia().section().mass_proportional;
                 for (int i = 0; i < E::node_count; ++i) {
                     const int node = element.nodes[i];
-                    rotary_batches_.add(
-                        node, scale_groups_.of_node(node), element.inertia().compute_rotary_inertia(i));
+                    const int group = scale_groups_.of_node(node);
+                    const Mat3 inertia = element.inertia().compute_rotary_inertia(i);
+                    rotary_batches_.add(node, group, inertia);
+                    if (damping > 0.0) rotary_damping_batches_.add(node, group, damping * inertia);
                 }
             }
         }
     });
     rotary_batches_.lay_out(pattern_);
+    rotary_damping_batches_.lay_out(pattern_);
 }
 
 void System::measure() {

@@ -26,7 +26,6 @@ template <int Nodes>
 void RodBatches<Nodes>::build(const Block& block, const EquationNumbers& equations) {
     block_ = &block;
     equations_ = &equations;
-    is_member_.assign(block.elements.size(), false);
     for (std::size_t part = 0; part < block.phases.part_count(); ++part) add_part(part);
     first_batch_.push_back(batches_.size());
     write_constants();
@@ -35,25 +34,28 @@ void RodBatches<Nodes>::build(const Block& block, const EquationNumbers& equatio
 template <int Nodes>
 void RodBatches<Nodes>::add_part(std::size_t part) {
     first_batch_.push_back(batches_.size());
-    for (std::size_t e = block_->phases.first(part); e < block_->phases.last(part); ++e) {
-        if (block_->elements[e].inertia().has_offset()) continue;
-        is_member_[e] = true;
+    for (std::size_t e = block_->phases.first(part); e < block_->phases.last(part); ++e)
         add_to_batches(static_cast<int>(e));
-    }
 }
 
 template <int Nodes>
 void RodBatches<Nodes>::add_to_batches(int element) {
-    const Section section = make_section_rows<Nodes>(block_->elements[element]);
+    const ObjectiveElement<Nodes>& added = block_->elements[element];
+    const Section section = make_section_rows<Nodes>(added);
     const bool is_same = !sections_.empty() && sections_.back() == section;
     if (!is_same) sections_.push_back(section);
     if (!is_same || batches_.size() == first_batch_.back() || batches_.back().count == width_) {
-        batches_.push_back({.section = sections_.size() - 1, .count = 0, .elements = {}, .nodes = {}});
+        batches_.push_back({.section = sections_.size() - 1,
+                            .is_general = added.is_damped() || added.inertia().has_offset(),
+                            .is_damped = added.is_damped(),
+                            .count = 0,
+                            .elements = {},
+                            .nodes = {}});
     }
     Batch& batch = batches_.back();
     for (int lane = batch.count++; lane < width_; ++lane) {
         batch.elements[lane] = element;
-        batch.nodes[lane] = block_->elements[element].nodes;
+        batch.nodes[lane] = added.nodes;
     }
 }
 
@@ -73,6 +75,58 @@ void RodBatches<Nodes>::write_constants() {
 }
 
 template <int Nodes>
+void RodBatches<Nodes>::write_motions(const Batch& batch,
+                                      const std::vector<NodeMotion>& motions,
+                                      const Vec3& gravity,
+                                      double* rows) const {
+    for (int lane = 0; lane < width_; ++lane) {
+        const std::array<int, Nodes>& nodes = batch.nodes[lane];
+        LaneColumn column(rows, lane, width_);
+        for (const int node : nodes) column.write(motions[node].Lambda);
+        for (int i = 1; i < Nodes; ++i) column.write(Vec3(motions[nodes[i]].r - motions[nodes[0]].r));
+        for (const int node : nodes) column.write(Vec3(motions[node].a - gravity));
+        if (!batch.is_general) continue;
+        for (const int node : nodes) column.write(motions[node].omega);
+        for (const int node : nodes) column.write(motions[node].alpha);
+        for (const int node : nodes) column.write(motions[node].v);
+    }
+}
+
+template <int Nodes>
+void RodBatches<Nodes>::write_linearizations(const Batch& batch,
+                                             const std::vector<NodeMotion>& motions,
+                                             const Vec3& gravity,
+                                             const std::vector<NodeLinearization>& linearizations,
+                                             double* rows) const {
+    for (int lane = 0; lane < width_; ++lane) {
+        const std::array<int, Nodes>& nodes = batch.nodes[lane];
+        LaneColumn column(rows, lane, width_);
+        for (const int node : nodes) column.write(motions[node].Lambda);
+        for (int i = 1; i < Nodes; ++i) column.write(Vec3(motions[nodes[i]].r - motions[nodes[0]].r));
+        for (const int node : nodes) column.write(linearizations[node].placement);
+        for (const int node : nodes) column.write(linearizations[node].acceleration);
+        if (!batch.is_general) continue;
+        for (const int node : nodes) column.write(Vec3(motions[node].a - gravity));
+        for (const int node : nodes) column.write(motions[node].omega);
+        for (const int node : nodes) column.write(motions[node].alpha);
+        for (const int node : nodes) column.write(motions[node].v);
+        for (const int node : nodes) column.write(linearizations[node].rate);
+        for (const int node : nodes) column.write(linearizations[node].d_omega);
+        for (const int node : nodes) column.write(linearizations[node].d_alpha);
+    }
+}
+
+template <int Nodes>
+void RodBatches<Nodes>::add_lanes(const Batch& batch, const double* forces, std::vector<Vec6>& nodal) const {
+    for (int lane = 0; lane < batch.count; ++lane) {
+        const double* force = forces + lane;
+        for (const int node : batch.nodes[lane]) {
+            for (int i = 0; i < 6; ++i, force += width_) nodal[node][i] += *force;
+        }
+    }
+}
+
+template <int Nodes>
 void RodBatches<Nodes>::add_forces(std::size_t part,
                                    const std::vector<NodeMotion>& motions,
                                    const Vec3& gravity,
@@ -82,24 +136,15 @@ void RodBatches<Nodes>::add_forces(std::size_t part,
     alignas(64) std::array<double, Rows::force_rows * most_lanes> forces;
     for (std::size_t b = first_batch_[part]; b < first_batch_[part + 1]; ++b) {
         const Batch& batch = batches_[b];
-        for (int lane = 0; lane < width_; ++lane) {
-            const std::array<int, Nodes>& nodes = batch.nodes[lane];
-            LaneColumn column(rows.data(), lane, width_);
-            for (const int node : nodes) column.write(motions[node].Lambda);
-            for (int i = 1; i < Nodes; ++i) column.write(Vec3(motions[nodes[i]].r - motions[nodes[0]].r));
-            for (const int node : nodes) column.write(Vec3(motions[node].a - gravity));
-        }
-        if (!kernels_.compute_forces(
-                sections_[batch.section].data(), constants(b), rows.data(), forces.data())) {
+        write_motions(batch, motions, gravity, rows.data());
+        if (!kernels_of(batch).compute_forces(section(batch), constants(b), rows.data(), forces.data())) {
             add_forces_alone(batch, motions, gravity, nodal, scales);
             continue;
         }
+        add_lanes(batch, forces.data(), nodal);
+        const double* largest = &forces[6 * Nodes * width_];
         for (int lane = 0; lane < batch.count; ++lane) {
-            const double* force = &forces[lane];
-            for (const int node : batch.nodes[lane]) {
-                for (int i = 0; i < 6; ++i, force += width_) nodal[node][i] += *force;
-            }
-            scales.of(block_->groups[batch.elements[lane]]).raise(force[0], force[width_]);
+            scales.of(block_->groups[batch.elements[lane]]).raise(largest[lane], largest[width_ + lane]);
         }
     }
 }
@@ -116,6 +161,10 @@ void RodBatches<Nodes>::add_forces_alone(const Batch& batch,
         NodalVector<Nodes> internal = NodalVector<Nodes>::Zero();
         NodalVector<Nodes> inertial = NodalVector<Nodes>::Zero();
         element.add_internal_force(nodes, {}, internal);
+        if (batch.is_damped) {
+            element.add_viscous_force(nodes, {}, internal);
+            element.inertia().add_translational_damping_force(nodes, internal);
+        }
         element.inertia().add_translational_force(nodes, gravity, inertial);
         ForceScales& own = scales.of(block_->groups[batch.elements[lane]]);
         own.raise(internal);
@@ -125,25 +174,50 @@ void RodBatches<Nodes>::add_forces_alone(const Batch& batch,
 }
 
 template <int Nodes>
+void RodBatches<Nodes>::add_damping_forces(std::size_t part,
+                                           const std::vector<NodeMotion>& motions,
+                                           std::vector<Vec6>& nodal) const {
+    alignas(64) std::array<double, Rows::motion_rows * most_lanes> rows;
+    alignas(64) std::array<double, Rows::force_rows * most_lanes> forces;
+    for (std::size_t b = first_batch_[part]; b < first_batch_[part + 1]; ++b) {
+        const Batch& batch = batches_[b];
+        if (!batch.is_damped) continue;
+        write_motions(batch, motions, Vec3::Zero(), rows.data());
+        if (kernels_.compute_damping_forces(section(batch), constants(b), rows.data(), forces.data())) {
+            add_lanes(batch, forces.data(), nodal);
+        } else {
+            add_damping_forces_alone(batch, motions, nodal);
+        }
+    }
+}
+
+template <int Nodes>
+void RodBatches<Nodes>::add_damping_forces_alone(const Batch& batch,
+                                                 const std::vector<NodeMotion>& motions,
+                                                 std::vector<Vec6>& nodal) const {
+    for (int lane = 0; lane < batch.count; ++lane) {
+        const ObjectiveElement<Nodes>& element = block_->elements[batch.elements[lane]];
+        const Motions<Nodes> nodes = block_->point_at(motions, element.nodes);
+        NodalVector<Nodes> force = NodalVector<Nodes>::Zero();
+        element.add_viscous_force(nodes, {}, force);
+        element.inertia().add_translational_damping_force(nodes, force);
+        add_to_nodes<Nodes>(force, element.nodes, nodal);
+    }
+}
+
+template <int Nodes>
 void RodBatches<Nodes>::add_tangents(std::size_t part,
                                      const std::vector<NodeMotion>& motions,
+                                     const Vec3& gravity,
                                      const std::vector<NodeLinearization>& linearizations,
                                      std::vector<double>& values) const {
     alignas(64) std::array<double, Rows::linearization_rows * most_lanes> rows;
     alignas(64) std::array<double, Rows::tangent_rows * most_lanes> tangents;
     for (std::size_t b = first_batch_[part]; b < first_batch_[part + 1]; ++b) {
         const Batch& batch = batches_[b];
-        for (int lane = 0; lane < width_; ++lane) {
-            const std::array<int, Nodes>& nodes = batch.nodes[lane];
-            LaneColumn column(rows.data(), lane, width_);
-            for (const int node : nodes) column.write(motions[node].Lambda);
-            for (int i = 1; i < Nodes; ++i) column.write(Vec3(motions[nodes[i]].r - motions[nodes[0]].r));
-            for (const int node : nodes) column.write(linearizations[node].placement);
-            for (const int node : nodes) column.write(linearizations[node].acceleration);
-        }
-        if (!kernels_.compute_tangents(
-                sections_[batch.section].data(), constants(b), rows.data(), tangents.data())) {
-            add_tangents_alone(batch, motions, linearizations, values);
+        write_linearizations(batch, motions, gravity, linearizations, rows.data());
+        if (!kernels_of(batch).compute_tangents(section(batch), constants(b), rows.data(), tangents.data())) {
+            add_tangents_alone(batch, motions, gravity, linearizations, values);
             continue;
         }
         for (int lane = 0; lane < batch.count; ++lane) {
@@ -171,6 +245,7 @@ void RodBatches<Nodes>::add_tangent_of_lane(const double* tangents,
 template <int Nodes>
 void RodBatches<Nodes>::add_tangents_alone(const Batch& batch,
                                            const std::vector<NodeMotion>& motions,
+                                           const Vec3& gravity,
                                            const std::vector<NodeLinearization>& linearizations,
                                            std::vector<double>& values) const {
     for (int lane = 0; lane < batch.count; ++lane) {
@@ -179,7 +254,11 @@ void RodBatches<Nodes>::add_tangents_alone(const Batch& batch,
         const Linearizations<Nodes> following = block_->point_at(linearizations, element.nodes);
         NodalMatrix<Nodes> tangent = NodalMatrix<Nodes>::Zero();
         element.add_internal_tangent(nodal, {}, following, tangent);
-        element.inertia().add_translational_tangent(following, tangent);
+        if (batch.is_damped) {
+            element.add_viscous_tangent(nodal, {}, following, tangent);
+            element.inertia().add_translational_damping_tangent(nodal, following, tangent);
+        }
+        element.inertia().add_translational_tangent(nodal, gravity, following, tangent);
         add_tangent(tangent, batch.elements[lane], values);
     }
 }

@@ -6,9 +6,8 @@
 
 namespace gxrod {
 
-// Elements `objective` of one number of nodes, evaluated several at once, but for their rotary inertia.
-// Elements whose centre of mass lies beside their nodes are left out; what damps is added by the elements
-// themselves.
+// Elements `objective` of one number of nodes, evaluated several at once, but for the inertia and damping
+// that they lump to their nodes.
 template <int Nodes>
 class RodBatches {
   public:
@@ -19,17 +18,21 @@ class RodBatches {
 
     // The block, with its places, and the equations must outlive this.
     void build(const Block& block, const EquationNumbers& equations);
-    bool has(std::size_t element) const { return is_member_[element]; }
 
-    // Adds internal and inertial forces of one part of the block's elements.
+    // Adds internal, damping and inertial forces of one part of the block's elements.
     void add_forces(std::size_t part,
                     const std::vector<NodeMotion>& motions,
                     const Vec3& gravity,
                     std::vector<Vec6>& nodal,
                     const PartScales& scales) const;
-    // Adds the derivatives of these.
+    // Adds damping forces alone.
+    void add_damping_forces(std::size_t part,
+                            const std::vector<NodeMotion>& motions,
+                            std::vector<Vec6>& nodal) const;
+    // Adds the derivatives of all forces.
     void add_tangents(std::size_t part,
                       const std::vector<NodeMotion>& motions,
+                      const Vec3& gravity,
                       const std::vector<NodeLinearization>& linearizations,
                       std::vector<double>& values) const;
 
@@ -40,6 +43,8 @@ class RodBatches {
     // Elements of one part with the same section; the last one fills the lanes that are left.
     struct Batch {
         std::size_t section;
+        bool is_general;  // of its section
+        bool is_damped;
         int count;
         std::array<int, most_lanes> elements;
         std::array<std::array<int, Nodes>, most_lanes> nodes;
@@ -51,14 +56,34 @@ class RodBatches {
     const double* constants(std::size_t batch) const {
         return &constants_[batch * Rows::constant_rows * width_];
     }
+    const typename Rows::OfSections& kernels_of(const Batch& batch) const {
+        return batch.is_general ? kernels_.general : kernels_.plain;
+    }
+    const double* section(const Batch& batch) const { return sections_[batch.section].data(); }
+    // Write what kernels read.
+    void write_motions(const Batch& batch,
+                       const std::vector<NodeMotion>& motions,
+                       const Vec3& gravity,
+                       double* rows) const;
+    void write_linearizations(const Batch& batch,
+                              const std::vector<NodeMotion>& motions,
+                              const Vec3& gravity,
+                              const std::vector<NodeLinearization>& linearizations,
+                              double* rows) const;
+    // Adds the forces of the first lanes to their nodes.
+    void add_lanes(const Batch& batch, const double* forces, std::vector<Vec6>& nodal) const;
     // Of elements one by one, where nodes are turned too far for the kernels.
     void add_forces_alone(const Batch& batch,
                           const std::vector<NodeMotion>& motions,
                           const Vec3& gravity,
                           std::vector<Vec6>& nodal,
                           const PartScales& scales) const;
+    void add_damping_forces_alone(const Batch& batch,
+                                  const std::vector<NodeMotion>& motions,
+                                  std::vector<Vec6>& nodal) const;
     void add_tangents_alone(const Batch& batch,
                             const std::vector<NodeMotion>& motions,
+                            const Vec3& gravity,
                             const std::vector<NodeLinearization>& linearizations,
                             std::vector<double>& values) const;
     void add_tangent_of_lane(const double* tangents, int element, std::vector<double>& values) const;
@@ -68,7 +93,6 @@ class RodBatches {
     RodKernels<Nodes> kernels_;
     const Block* block_ = nullptr;
     const EquationNumbers* equations_ = nullptr;
-    std::vector<bool> is_member_;
     std::vector<Section> sections_;
     std::vector<Batch> batches_;
     std::vector<std::size_t> first_batch_;  // of each part, and the number of batches
@@ -77,14 +101,9 @@ class RodBatches {
 
 using AllRodBatches = std::tuple<RodBatches<2>, RodBatches<3>, RodBatches<4>, RodBatches<5>>;
 
-// Whether an element of a block of any kind is in a batch.
+// Whether there are batches for a kind of element.
 template <class E>
-bool is_in_batch(const AllRodBatches& batches, const ElementBlock<E>&, std::size_t element) {
-    if constexpr (std::is_same_v<E, ObjectiveElement<E::node_count>>) {
-        return std::get<RodBatches<E::node_count>>(batches).has(element);
-    }
-    return false;
-}
+constexpr bool is_batched = std::is_same_v<E, ObjectiveElement<E::node_count>>;
 
 extern template class RodBatches<2>;
 extern template class RodBatches<3>;

@@ -6,11 +6,8 @@
 
 namespace gxrod {
 
-RotaryBatches::RotaryBatches(const Kernels& kernels, const EquationNumbers& equations)
-    : width_(kernels.width),
-      kernels_(kernels.rotary),
-      equations_(&equations),
-      index_(equations.node_count(), -1) {}
+RotaryBatches::RotaryBatches(const RotaryKernels& kernels, int width, const EquationNumbers& equations)
+    : width_(width), kernels_(kernels), equations_(&equations), index_(equations.node_count(), -1) {}
 
 void RotaryBatches::add(int node, int group, const Mat3& inertia) {
     if (index_[node] < 0) {

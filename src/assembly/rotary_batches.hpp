@@ -7,12 +7,13 @@
 
 namespace gxrod {
 
-// The rotary inertia that rods lump to their nodes, summed over the elements of a node and evaluated for
-// several nodes at once.
+// What rods lump to their nodes, rotary inertia or the factors of its damping, summed over the elements of a
+// node and evaluated for several nodes at once.
 class RotaryBatches {
   public:
-    // The equations must outlive this.
-    RotaryBatches(const Kernels& kernels, const EquationNumbers& equations);
+    // The kernels, `width` lanes wide, say what the inertia makes: inertial moments, or the damping in
+    // proportion to it. The equations must outlive this.
+    RotaryBatches(const RotaryKernels& kernels, int width, const EquationNumbers& equations);
 
     // `inertia` is in the global axes of t = 0, `group` that of the node in ScaleGroups. All of it before
     // lay_out.
@@ -25,7 +26,7 @@ class RotaryBatches {
     // The groups that the nodes of a part belong to.
     std::span<const int> groups(std::size_t part) const { return part_groups_[part]; }
 
-    // Adds inertial moments of the nodes of a part; `scales` are of its groups.
+    // Adds moments of the nodes of a part; `scales` are of its groups.
     void add_forces(std::size_t part,
                     const std::vector<NodeMotion>& motions,
                     std::vector<Vec6>& nodal,

@@ -111,26 +111,25 @@ void System::add_forces(const ElementBlock<E>& block,
                         const Vec3& gravity,
                         std::vector<Vec6>& nodal,
                         const PartScales& scales) const {
-    if constexpr (std::is_same_v<E, ObjectiveElement<E::node_count>>) {
+    if constexpr (is_batched<E>) {
         batches_of(block).add_forces(part, state.trial, gravity, nodal, scales);
-    }
-    using Force = NodalVector<E::node_count>;
-    for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
-        const bool is_alone = !is_in_batch(rod_batches_, block, e);
-        if (!is_alone && !block.is_damped) continue;
-        const E& element = block.elements[e];
-        const auto motions = block.motions(state.trial, e);
-        Force internal = Force::Zero();
-        Force inertial = Force::Zero();
-        if (is_alone) element.add_internal_force(motions, block.histories(state, e), internal);
-        if (block.is_damped) element.add_damping_force(motions, block.histories(state, e), internal);
-        if (is_alone) element.add_inertial_force(motions, gravity, inertial);
-        ForceScales& own = scales.of(block.groups[e]);
-        own.raise(internal);
-        own.raise(inertial);
-        // With nothing internal, inertia balances itself and its sum vanishes: its terms are the scale.
-        if constexpr (!E::has_section) own.raise(compute_acceleration_force(element, motions));
-        add_to_nodes<E::node_count>(internal + inertial, element.nodes, nodal);
+    } else {
+        using Force = NodalVector<E::node_count>;
+        for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
+            const E& element = block.elements[e];
+            const auto motions = block.motions(state.trial, e);
+            Force internal = Force::Zero();
+            Force inertial = Force::Zero();
+            element.add_internal_force(motions, block.histories(state, e), internal);
+            if (block.is_damped) element.add_damping_force(motions, block.histories(state, e), internal);
+            element.add_inertial_force(motions, gravity, inertial);
+            ForceScales& own = scales.of(block.groups[e]);
+            own.raise(internal);
+            own.raise(inertial);
+            // With nothing internal, inertia balances itself and its sum vanishes: its terms are the scale.
+            if constexpr (!E::has_section) own.raise(compute_acceleration_force(element, motions));
+            add_to_nodes<E::node_count>(internal + inertial, element.nodes, nodal);
+        }
     }
 }
 
@@ -153,13 +152,14 @@ void System::compute_residual(const State& state, double time, Residual& residua
             return block.first_group(part) + static_cast<int>(i);
         });
     });
-    scales.start(rotary_batches_.part_count(),
-                 [&](std::size_t part) { return rotary_batches_.groups(part).size(); });
-    team_->for_each(rotary_batches_.part_count(), [&](std::size_t part) {
-        rotary_batches_.add_forces(part, state.trial, residual.nodal, scales.of(part));
-    });
-    scales.raise(residual.groups,
-                 [&](std::size_t part, std::size_t i) { return rotary_batches_.groups(part)[i]; });
+    for (const RotaryBatches* batches : {&rotary_batches_, &rotary_damping_batches_}) {
+        scales.start(batches->part_count(), [&](std::size_t part) { return batches->groups(part).size(); });
+        team_->for_each(batches->part_count(), [&](std::size_t part) {
+            batches->add_forces(part, state.trial, residual.nodal, scales.of(part));
+        });
+        scales.raise(residual.groups,
+                     [&](std::size_t part, std::size_t i) { return batches->groups(part)[i]; });
+    }
     add_loads(state, time, residual);
     residual.force_scale = residual.moment_scale = 0.0;
     for (const ForceScales& group : residual.groups) residual.raise(group);
@@ -196,13 +196,13 @@ void System::add_tangents(const ElementBlock<E>& block,
                           const std::vector<NodeLinearization>& linearizations,
                           std::vector<double>& values) const {
     const bool is_mixed = !state.resultants.empty();
-    if constexpr (std::is_same_v<E, ObjectiveElement<E::node_count>>) {
-        if (!is_mixed) batches_of(block).add_tangents(part, state.trial, linearizations, values);
+    if constexpr (is_batched<E>) {
+        if (!is_mixed) {
+            return batches_of(block).add_tangents(part, state.trial, gravity, linearizations, values);
+        }
     }
     using Tangent = NodalMatrix<E::node_count>;
     for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
-        const bool is_alone = is_mixed || !is_in_batch(rod_batches_, block, e);
-        if (!is_alone && !block.is_damped) continue;
         const E& element = block.elements[e];
         const auto motions = block.motions(state.trial, e);
         const auto nodal = block.point_at(linearizations, element.nodes);
@@ -210,11 +210,11 @@ void System::add_tangents(const ElementBlock<E>& block,
         Tangent tangent = Tangent::Zero();
         if (is_mixed) {
             element.add_mixed_tangent(motions, histories, block.resultants(state, e), nodal, tangent);
-        } else if (is_alone) {
+        } else {
             element.add_internal_tangent(motions, histories, nodal, tangent);
         }
         if (block.is_damped) element.add_damping_tangent(motions, histories, nodal, tangent);
-        if (is_alone) element.add_inertial_tangent(motions, gravity, nodal, tangent);
+        element.add_inertial_tangent(motions, gravity, nodal, tangent);
         turn_to_own_axes(std::span<const int>(element.nodes), equations_, tangent);
         add_to_values<E::node_count>(tangent, block.places[e], values);
     }
@@ -235,9 +235,11 @@ void System::compute_tangent(const State& state,
         });
     });
     if (state.resultants.empty()) {
-        team_->for_each(rotary_batches_.part_count(), [&](std::size_t part) {
-            rotary_batches_.add_tangents(part, state.trial, linearizations, values);
-        });
+        for (const RotaryBatches* batches : {&rotary_batches_, &rotary_damping_batches_}) {
+            team_->for_each(batches->part_count(), [&](std::size_t part) {
+                batches->add_tangents(part, state.trial, linearizations, values);
+            });
+        }
     }
     add_load_tangents(state, time, linearizations, values);
 }

@@ -148,6 +148,8 @@ class System {
                       const Vec3& gravity,
                       const std::vector<NodeLinearization>& linearizations,
                       std::vector<double>& values) const;
+    // One vector for each node, zero where there was none.
+    void add_damping_forces(const State& state, std::vector<Vec6>& nodal) const;
     void add_loads(const State& state, double time, Residual& residual) const;
     void add_load_tangents(const State& state,
                            double time,
@@ -164,6 +166,7 @@ class System {
     ElementBlocks blocks_;
     AllRodBatches rod_batches_;
     RotaryBatches rotary_batches_;
+    RotaryBatches rotary_damping_batches_;
     mutable LoadValues load_values_;
     SparsePattern pattern_;
     std::vector<ElementPlaces<1>> load_places_;  // of each load's node

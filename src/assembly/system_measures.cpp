@@ -139,6 +139,29 @@ void System::add_support_forces(const Residual& residual, std::vector<Vec6>& for
     }
 }
 
+void System::add_damping_forces(const State& state, std::vector<Vec6>& nodal) const {
+    nodal.resize(state.trial.size(), Vec6::Zero());
+    for_each_block(blocks_, [&]<class E>(const ElementBlock<E>& block) {
+        if (!block.is_damped) return;
+        block.phases.run(*team_, [&](std::size_t part) {
+            if constexpr (is_batched<E>) {
+                batches_of(block).add_damping_forces(part, state.trial, nodal);
+            } else {
+                for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
+                    NodalVector<E::node_count> force = NodalVector<E::node_count>::Zero();
+                    block.elements[e].add_damping_force(
+                        block.motions(state.trial, e), block.histories(state, e), force);
+                    add_to_nodes<E::node_count>(force, block.elements[e].nodes, nodal);
+                }
+            }
+        });
+    });
+    team_->for_each(rotary_damping_batches_.part_count(), [&](std::size_t part) {
+        std::vector<ForceScales> unused(rotary_damping_batches_.groups(part).size());
+        rotary_damping_batches_.add_forces(part, state.trial, nodal, unused);
+    });
+}
+
 Resultant System::compute_outer_resultant(const State& state,
                                           double time,
                                           std::span<const Vec6> reactions) const {
@@ -154,14 +177,12 @@ Resultant System::compute_outer_resultant(const State& state,
             for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
                 const auto& element = block.elements[e];
                 const auto motions = block.motions(state.trial, e);
-                NodalVector<node_count> force = -compute_gravity_force(element, motions, gravity);
-                if (block.is_damped) {
-                    element.add_damping_force(motions, block.histories(state, e), force);
-                }
+                const NodalVector<node_count> force = -compute_gravity_force(element, motions, gravity);
                 add_to_nodes<node_count>(force, element.nodes, asked);
             }
         });
     });
+    if (is_damped_) add_damping_forces(state, asked);
     Resultant sum;
     for (std::size_t i = 0; i < asked.size(); ++i) {
         const Vec6 acting = reactions[i] - asked[i];

@@ -44,6 +44,12 @@ struct RotaryInertia {
         tangent.noalias() += gyroscopic * d_omega;
         return tangent + placement * by_turning;
     }
+
+    // J ω, and its derivative by δφ.
+    Vec3 compute_momentum(const Vec3& omega) const { return J * omega; }
+    Mat3 compute_momentum_tangent(const Vec3& omega, const Real& placement, const Mat3& d_omega) const {
+        return J * d_omega + placement * (cross_rows(J, omega) - cross_matrix<Real>(J * omega));
+    }
 };
 
 }  // namespace gxrod

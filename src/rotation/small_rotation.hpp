@@ -38,6 +38,21 @@ class SmallRotation {
                b_phi * phi_prime.transpose() + phi_prime * b_phi.transpose() +
                cross_matrix<Real>(slopes_.c * phi_prime);
     }
+    // The derivative of that by time where φ has the rate φ° and φ′ the rate φ′°.
+    Mat3 tangent_map_slope_rate(const Vec3& phi_prime, const Vec3& phi_rate, const Vec3& slope_rate) const {
+        const auto& [a1, b, b1, c, c1] = slopes_;
+        const auto [a2, b2, c2] = compute_curvatures();
+        const Real p = phi_.dot(phi_prime);
+        const Real q = phi_.dot(phi_rate);
+        const Real first = phi_prime.dot(phi_rate) + phi_.dot(slope_rate);
+        const Vec3 u = p * phi_rate + q * phi_prime;
+        const Vec3 g = b1 * u + b * slope_rate;
+        const Vec3 b_rate = b * phi_rate;
+        const Mat3 half = g * phi_.transpose() + b_rate * phi_prime.transpose();
+        return formulas::compose<Real>(
+                   phi_, a2 * p * q + a1 * first, c2 * p * q + c1 * first, b2 * p * q + b1 * first) +
+               half + half.transpose() + cross_matrix<Real>(c1 * u + c * slope_rate);
+    }
     // Of T(φ) v, and of T(φ)ᵀ v, by φ at fixed v.
     Mat3 tangent_map_derivative(const Vec3& v) const { return formulas::derive<Real>(phi_, v, slopes_); }
     Mat3 tangent_map_transpose_derivative(const Vec3& v) const {
@@ -46,20 +61,20 @@ class SmallRotation {
     }
     // The second derivative of u · T(φ) v by φ at fixed u and v; symmetric.
     Mat3 tangent_map_hessian(const Vec3& u, const Vec3& v) const {
-        const Real x = phi_.squaredNorm();
-        return formulas::derive_twice<Real>(phi_,
-                                            u,
-                                            v,
-                                            slopes_,
-                                            {evaluate_series(make_series<1, 2>, x),
-                                             evaluate_series(make_series<3, 2>, x),
-                                             evaluate_series(make_series<2, 2>, x)});
+        return formulas::derive_twice<Real>(phi_, u, v, slopes_, compute_curvatures());
     }
 
   private:
     // Truncated below 1e-17 for x ≤ 1.
     template <int offset, int order>
     static constexpr auto make_series = make_alternating_series<offset, order, 11>();
+
+    formulas::Curvatures<Real> compute_curvatures() const {
+        const Real x = phi_.squaredNorm();
+        return {evaluate_series(make_series<1, 2>, x),
+                evaluate_series(make_series<3, 2>, x),
+                evaluate_series(make_series<2, 2>, x)};
+    }
 
     Vec3 phi_;
     Real a_;
@@ -108,6 +123,16 @@ class SmallInverseRotation {
           d1_(evaluate_series(slope_series, Real(phi.squaredNorm()))) {}
 
     Mat3 tangent_map_inverse() const { return formulas::invert<Real>(phi_, d_); }
+    // The derivative of T⁻¹ by time where φ has the rate φ°.
+    Mat3 tangent_map_inverse_rate(const Vec3& phi_rate) const {
+        const Real along = phi_.dot(phi_rate);
+        const Real d_rate = d1_ * along;
+        const Vec3 d_phi = d_ * phi_;
+        return formulas::compose<Real>(
+                   phi_, -d_rate * phi_.squaredNorm() - Real(2.0) * d_ * along, Real(0.0), d_rate) +
+               d_phi * phi_rate.transpose() + phi_rate * d_phi.transpose() -
+               cross_matrix<Real>(Real(0.5) * phi_rate);
+    }
     // Of T(φ)⁻ᵀ v by φ at fixed v.
     Mat3 tangent_map_inverse_transpose_derivative(const Vec3& v) const {
         return formulas::derive_inverse<Real>(phi_, v, Real(-1.0), d_, d1_);

@@ -14,16 +14,34 @@ namespace {
 
 const Vec3 gravity(0.3, -9.0, 1.0);
 
-Section make_random_section(RandomValues& random) {
+// What a section has beside its stiffness and the inertia of a centre of mass on the line.
+struct Extras {
+    bool offset = false;
+    double kelvin_voigt = 0.0;
+    double mass_proportional = 0.0;
+};
+constexpr std::array<Extras, 5> all_extras{
+    Extras{}, {.offset = true}, {.kelvin_voigt = 0.3}, {.mass_proportional = 0.7}, {true, 0.2, 0.4}};
+
+Section make_random_section(RandomValues& random, const Extras& extras) {
     Section section{"section", random.positive_definite<6>(), Mat6::Zero()};
-    section.mass.topLeftCorner<3, 3>() = random.number(0.5, 2.0) * Mat3::Identity();
+    const double mass = random.number(0.5, 2.0);
+    section.mass.topLeftCorner<3, 3>() = mass * Mat3::Identity();
     section.mass.bottomRightCorner<3, 3>() = random.positive_definite<3>();
+    section.kelvin_voigt = extras.kelvin_voigt;
+    section.mass_proportional = extras.mass_proportional;
+    if (!extras.offset) return section;
+    const Mat3 coupling = mass * spin(random.vector(0.3));
+    section.mass.topRightCorner<3, 3>() = -coupling;
+    section.mass.bottomLeftCorner<3, 3>() = coupling;
+    section.mass.bottomRightCorner<3, 3>() -= coupling * coupling / mass;
     return section;
 }
 
 // Two curved rods of seven and five elements that share a node, of two sections, held by a ball joint and by
-// a roller with its own axes. They make batches with lanes left over.
-Model make_two_rods(int order) {
+// a roller with its own axes. They make batches with lanes left over. The first section is plain if
+// `first_is_plain`.
+Model make_two_rods(int order, const Extras& extras, bool first_is_plain = false) {
     RandomValues random(5);
     const Line arc = [](double s) {
         return Placement{Vec3(std::sin(s), 1.0 - std::cos(s), 0.2 * s),
@@ -33,8 +51,9 @@ Model make_two_rods(int order) {
         return Placement{Vec3(s, std::cos(2.0 * s), std::sin(2.0 * s)),
                          exp_quaternion(s * Vec3(2.0, 0.3, 0.0))};
     };
-    Model model = make_rod_model(arc, 1.4, {7, order}, make_random_section(random));
-    const Model second = make_rod_model(helix, 0.6, {5, order}, make_random_section(random));
+    Model model =
+        make_rod_model(arc, 1.4, {7, order}, make_random_section(random, first_is_plain ? Extras() : extras));
+    const Model second = make_rod_model(helix, 0.6, {5, order}, make_random_section(random, extras));
     const int first_new = static_cast<int>(model.nodes.size());
     const int shared = 3;
     Rod rod = second.rods[0];
@@ -54,6 +73,9 @@ template <int Nodes>
 struct Batches {
     RodBatches<Nodes> elements;
     RotaryBatches nodes;
+    RotaryBatches damping_of_nodes;
+
+    std::array<const RotaryBatches*, 2> of_nodes() const { return {&nodes, &damping_of_nodes}; }
 };
 
 // The elements of a model, one by one and in batches.
@@ -98,6 +120,7 @@ struct Assembled {
             motion.r = node.position + random.vector(0.1);
             motion.Lambda = exp_quaternion(random.vector(spread)) * common;
             if (motions.size() % 3 == 0) motion.Lambda.coeffs() *= -1.0;  // the same rotation
+            motion.v = random.vector();
             motion.a = random.vector();
             motion.omega = random.vector();
             motion.alpha = random.vector();
@@ -112,13 +135,20 @@ struct Assembled {
 
     Batches<Nodes> make_batches(InstructionSet set) const {
         const Kernels kernels = find_kernels(set);
-        Batches<Nodes> batches{RodBatches<Nodes>(kernels), RotaryBatches(kernels, equations)};
+        Batches<Nodes> batches{RodBatches<Nodes>(kernels),
+                               RotaryBatches(kernels.rotary, kernels.width, equations),
+                               RotaryBatches(kernels.rotary_damping, kernels.width, equations)};
         batches.elements.build(block, equations);
         for (const auto& element : block.elements) {
-            for (int i = 0; i < Nodes; ++i)
-                batches.nodes.add(element.nodes[i], 0, element.inertia().compute_rotary_inertia(i));
+            for (int i = 0; i < Nodes; ++i) {
+                const Mat3 inertia = element.inertia().compute_rotary_inertia(i);
+                batches.nodes.add(element.nodes[i], 0, inertia);
+                batches.damping_of_nodes.add(
+                    element.nodes[i], 0, element.inertia().section().mass_proportional * inertia);
+            }
         }
         batches.nodes.lay_out(pattern);
+        batches.damping_of_nodes.lay_out(pattern);
         return batches;
     }
     Residual compute_forces(const Batches<Nodes>& batches) const {
@@ -127,26 +157,56 @@ struct Assembled {
         residual.groups.resize(1);
         for (std::size_t part = 0; part < block.phases.part_count(); ++part)
             batches.elements.add_forces(part, motions, gravity, residual.nodal, {residual.groups, 0});
-        for (std::size_t part = 0; part < batches.nodes.part_count(); ++part)
-            batches.nodes.add_forces(part, motions, residual.nodal, residual.groups);
+        for (const RotaryBatches* nodes : batches.of_nodes()) {
+            for (std::size_t part = 0; part < nodes->part_count(); ++part)
+                nodes->add_forces(part, motions, residual.nodal, residual.groups);
+        }
         residual.raise(residual.groups.front());
+        return residual;
+    }
+    Residual compute_damping_forces(const Batches<Nodes>& batches) const {
+        Residual residual;
+        residual.nodal.assign(motions.size(), Vec6::Zero());
+        residual.groups.resize(1);
+        for (std::size_t part = 0; part < block.phases.part_count(); ++part)
+            batches.elements.add_damping_forces(part, motions, residual.nodal);
+        for (std::size_t part = 0; part < batches.damping_of_nodes.part_count(); ++part)
+            batches.damping_of_nodes.add_forces(part, motions, residual.nodal, residual.groups);
         return residual;
     }
     std::vector<double> compute_tangents(const Batches<Nodes>& batches) const {
         std::vector<double> values(static_cast<std::size_t>(pattern.nonzeros()), 0.0);
         for (std::size_t part = 0; part < block.phases.part_count(); ++part)
-            batches.elements.add_tangents(part, motions, linearizations, values);
-        for (std::size_t part = 0; part < batches.nodes.part_count(); ++part)
-            batches.nodes.add_tangents(part, motions, linearizations, values);
+            batches.elements.add_tangents(part, motions, gravity, linearizations, values);
+        for (const RotaryBatches* nodes : batches.of_nodes()) {
+            for (std::size_t part = 0; part < nodes->part_count(); ++part)
+                nodes->add_tangents(part, motions, linearizations, values);
+        }
         return values;
     }
+    // With the largest components that any element asks for, of damping and stiffness or of inertia.
     Residual compute_forces_one_by_one() const {
         Residual residual;
         residual.nodal.assign(motions.size(), Vec6::Zero());
         for (std::size_t e = 0; e < block.elements.size(); ++e) {
+            NodalVector<Nodes> internal = NodalVector<Nodes>::Zero();
+            NodalVector<Nodes> inertial = NodalVector<Nodes>::Zero();
+            block.elements[e].add_internal_force(block.motions(motions, e), {}, internal);
+            block.elements[e].add_damping_force(block.motions(motions, e), {}, internal);
+            block.elements[e].add_inertial_force(block.motions(motions, e), gravity, inertial);
+            residual.raise(internal);
+            residual.raise(inertial);
+            add_to_nodes<Nodes>(internal + inertial, block.elements[e].nodes, residual.nodal);
+        }
+        return residual;
+    }
+    Residual compute_damping_forces_one_by_one() const {
+        Residual residual;
+        residual.nodal.assign(motions.size(), Vec6::Zero());
+        for (std::size_t e = 0; e < block.elements.size(); ++e) {
             NodalVector<Nodes> force = NodalVector<Nodes>::Zero();
-            block.elements[e].add_internal_force(block.motions(motions, e), {}, force);
-            block.elements[e].add_inertial_force(block.motions(motions, e), gravity, force);
+            block.elements[e].add_damping_force(block.motions(motions, e), {}, force);
+            residual.raise(force);
             add_to_nodes<Nodes>(force, block.elements[e].nodes, residual.nodal);
         }
         return residual;
@@ -158,6 +218,7 @@ struct Assembled {
             const auto nodal = block.point_at(linearizations, element.nodes);
             NodalMatrix<Nodes> tangent = NodalMatrix<Nodes>::Zero();
             element.add_internal_tangent(block.motions(motions, e), {}, nodal, tangent);
+            element.add_damping_tangent(block.motions(motions, e), {}, nodal, tangent);
             element.add_inertial_tangent(block.motions(motions, e), gravity, nodal, tangent);
             turn_to_own_axes(std::span<const int>(element.nodes), equations, tangent);
             add_to_values<Nodes>(tangent, block.places[e], values);
@@ -165,6 +226,15 @@ struct Assembled {
         return values;
     }
 };
+
+// That forces are as expected, to the round-off of what they are made of.
+void check_forces(const std::vector<Vec6>& nodal, const Residual& expected) {
+    for (std::size_t node = 0; node < nodal.size(); ++node) {
+        const Vec6 error = nodal[node] - expected.nodal[node];
+        CHECK(error.head<3>().lpNorm<Eigen::Infinity>() <= 1e-13 * expected.force_scale);
+        CHECK(error.tail<3>().lpNorm<Eigen::Infinity>() <= 1e-13 * expected.moment_scale);
+    }
+}
 
 double largest(const std::vector<double>& values) {
     return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))
@@ -192,23 +262,37 @@ constexpr std::array<double, 4> spreads{0.01, 0.1, 0.25, 0.9};
 
 TEST_CASE("Batches of elements give what their elements give", "[assembly]") {
     for_each_order([](auto nodes) {
-        for (const double spread : spreads) {
-            const Assembled<nodes> assembled(make_two_rods(nodes - 1), spread);
-            const Residual expected = assembled.compute_forces_one_by_one();
-            const std::vector<double> tangents = assembled.compute_tangents_one_by_one();
-            for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2}) {
-                if (set > find_instruction_set()) continue;
-                CAPTURE(nodes, spread, static_cast<int>(set));
-                const Batches<nodes> batches = assembled.make_batches(set);
-                const Residual residual = assembled.compute_forces(batches);
-                for (std::size_t node = 0; node < residual.nodal.size(); ++node) {
-                    const Vec6 error = residual.nodal[node] - expected.nodal[node];
-                    CHECK(error.head<3>().lpNorm<Eigen::Infinity>() < 1e-13 * residual.force_scale);
-                    CHECK(error.tail<3>().lpNorm<Eigen::Infinity>() < 1e-13 * residual.moment_scale);
+        for (const Extras& extras : all_extras) {
+            for (const double spread : spreads) {
+                const Assembled<nodes> assembled(make_two_rods(nodes - 1, extras), spread);
+                const Residual expected = assembled.compute_forces_one_by_one();
+                const Residual expected_damping = assembled.compute_damping_forces_one_by_one();
+                const std::vector<double> tangents = assembled.compute_tangents_one_by_one();
+                for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2}) {
+                    if (set > find_instruction_set()) continue;
+                    CAPTURE(nodes, spread, static_cast<int>(set));
+                    CAPTURE(extras.offset, extras.kelvin_voigt, extras.mass_proportional);
+                    const Batches<nodes> batches = assembled.make_batches(set);
+                    check_forces(assembled.compute_forces(batches).nodal, expected);
+                    check_forces(assembled.compute_damping_forces(batches).nodal, expected_damping);
+                    CHECK(largest(subtract(assembled.compute_tangents(batches), tangents)) <
+                          1e-14 * largest(tangents));
                 }
-                CHECK(largest(subtract(assembled.compute_tangents(batches), tangents)) <
-                      1e-14 * largest(tangents));
             }
+        }
+    });
+}
+
+TEST_CASE("Batches take as large as any element's the force that a residual is compared with", "[assembly]") {
+    for_each_order([](auto nodes) {
+        for (const Extras& extras : all_extras) {
+            // Forces alone: moments are summed over a node where elements have them each.
+            const Assembled<nodes> assembled(make_two_rods(nodes - 1, extras), 0.1);
+            const double expected = assembled.compute_forces_one_by_one().force_scale;
+            const double scale =
+                assembled.compute_forces(assembled.make_batches(InstructionSet::baseline)).force_scale;
+            CAPTURE(nodes, extras.offset, extras.kelvin_voigt, extras.mass_proportional);
+            CHECK(scale == Approx(expected).epsilon(1e-13));
         }
     });
 }
@@ -216,34 +300,33 @@ TEST_CASE("Batches of elements give what their elements give", "[assembly]") {
 TEST_CASE("Every instruction set gives the same bits", "[assembly]") {
     if (find_instruction_set() == InstructionSet::baseline) return;
     for_each_order([](auto nodes) {
-        // A kernel gives up for all elements of its batch, so the widths differ where it does.
-        for (const double spread : {0.01, 0.05}) {
-            const Assembled<nodes> assembled(make_two_rods(nodes - 1), spread);
-            const Batches<nodes> narrow = assembled.make_batches(InstructionSet::baseline);
-            const Batches<nodes> wide = assembled.make_batches(InstructionSet::avx2);
-            const Residual by_two = assembled.compute_forces(narrow);
-            const Residual by_four = assembled.compute_forces(wide);
-            CHECK(by_two.nodal == by_four.nodal);
-            CHECK(by_two.force_scale == by_four.force_scale);
-            CHECK(by_two.moment_scale == by_four.moment_scale);
-            CHECK(assembled.compute_tangents(narrow) == assembled.compute_tangents(wide));
+        for (const Extras& extras : all_extras) {
+            // A kernel gives up for all elements of its batch, so the widths differ where it does.
+            for (const double spread : {0.01, 0.05}) {
+                const Assembled<nodes> assembled(make_two_rods(nodes - 1, extras), spread);
+                const Batches<nodes> narrow = assembled.make_batches(InstructionSet::baseline);
+                const Batches<nodes> wide = assembled.make_batches(InstructionSet::avx2);
+                const Residual by_two = assembled.compute_forces(narrow);
+                const Residual by_four = assembled.compute_forces(wide);
+                CHECK(by_two.nodal == by_four.nodal);
+                CHECK(by_two.force_scale == by_four.force_scale);
+                CHECK(by_two.moment_scale == by_four.moment_scale);
+                CHECK(assembled.compute_damping_forces(narrow).nodal ==
+                      assembled.compute_damping_forces(wide).nodal);
+                CHECK(assembled.compute_tangents(narrow) == assembled.compute_tangents(wide));
+            }
         }
     });
 }
 
-TEST_CASE("An element whose centre of mass lies beside its line is in no batch", "[assembly]") {
-    Model model = make_two_rods(2);
-    Section& section = model.sections.back();
-    section.mass.topRightCorner<3, 3>() = -section.mass(0, 0) * spin(Vec3(0.0, 0.1, 0.0));
-    section.mass.bottomLeftCorner<3, 3>() = section.mass.topRightCorner<3, 3>().transpose();
-    const Assembled<3> assembled(model, 0.1);
-    AllRodBatches batches{find_kernels(InstructionSet::baseline),
-                          find_kernels(InstructionSet::baseline),
-                          find_kernels(InstructionSet::baseline),
-                          find_kernels(InstructionSet::baseline)};
-    std::get<RodBatches<3>>(batches).build(assembled.block, assembled.equations);
-    for (std::size_t e = 0; e < assembled.block.elements.size(); ++e) {
-        CHECK(is_in_batch(batches, assembled.block, e) == (e < 7));
-    }
-    CHECK_FALSE(is_in_batch(batches, ElementBlock<SimoElement<3>>(), 0));
+TEST_CASE("Batches of plain and of other sections make one model", "[assembly]") {
+    for_each_order([](auto nodes) {
+        const Assembled<nodes> assembled(make_two_rods(nodes - 1, all_extras.back(), true), 0.1);
+        const Batches<nodes> batches = assembled.make_batches(InstructionSet::baseline);
+        check_forces(assembled.compute_forces(batches).nodal, assembled.compute_forces_one_by_one());
+        check_forces(assembled.compute_damping_forces(batches).nodal,
+                     assembled.compute_damping_forces_one_by_one());
+        const std::vector<double> tangents = assembled.compute_tangents_one_by_one();
+        CHECK(largest(subtract(assembled.compute_tangents(batches), tangents)) < 1e-14 * largest(tangents));
+    });
 }

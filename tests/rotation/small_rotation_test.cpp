@@ -35,8 +35,21 @@ TEST_CASE("Series of small rotations agree with the coefficients for any", "[rot
         Mat3 slope;
         for (int k = 0; k < 3; ++k) slope.col(k) = tangent_map_derivative(phi, Vec3::Unit(k)) * u;
         check(rotation.tangent_map_slope(u), slope);
+        // The second derivative of each entry along u and v, and what w adds as the rate of u.
+        const Vec3 w = random.vector();
+        Mat3 slope_rate;
+        for (int i = 0; i < 3; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                slope_rate(i, k) = u.dot(tangent_map_hessian(phi, Vec3::Unit(i), Vec3::Unit(k)) * v) +
+                                   tangent_map_derivative(phi, Vec3::Unit(k)).row(i).dot(w);
+            }
+        }
+        check(rotation.tangent_map_slope_rate(u, v, w), slope_rate);
         const SmallInverseRotation<double> inverse(phi);
         check(inverse.tangent_map_inverse(), tangent_map_inverse(phi));
+        Mat3 rate;
+        for (int k = 0; k < 3; ++k) rate.col(k) = tangent_map_inverse_derivative(phi, Vec3::Unit(k)) * u;
+        check(inverse.tangent_map_inverse_rate(u), rate);
         check(inverse.tangent_map_inverse_transpose_derivative(v),
               tangent_map_inverse_transpose_derivative(phi, v));
     }

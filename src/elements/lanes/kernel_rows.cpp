@@ -37,6 +37,10 @@ std::array<double, RodKernels<Nodes>::section_rows> make_section_rows(
     writer.write(C.topLeftCorner<3, 3>());
     writer.write(C.topRightCorner<3, 3>());
     writer.write(C.bottomRightCorner<3, 3>());
+    const RodSection& section = element.inertia().section();
+    writer.write(section.centre_of_mass);
+    writer.write(section.kelvin_voigt);
+    writer.write(section.mass_proportional);
     if constexpr (Nodes > 2) {
         const auto rule = compute_gauss_rule<Nodes - 1>();
         for (const QuadraturePoint& point : rule) writer.write(point.weight);

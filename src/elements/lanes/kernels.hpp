@@ -11,23 +11,29 @@ namespace gxrod {
 
 constexpr int most_lanes = 4;
 
-// Elements `objective`, and the consistent mass of their translation.
+// Elements `objective`, and the inertia and mass-proportional damping of their centres of mass. Kernels for
+// plain sections know of no damping and of no centre of mass beside the nodes.
 template <int Nodes>
 struct RodKernels {
     static constexpr int point_count = Nodes - 1;
-    // One entry each, all lanes alike: the blocks C_NN, C_NM, C_MM of the stiffness; with more than two nodes
-    // the weights of the quadrature, shape functions at each point, and their slopes dN_I/dξ.
-    static constexpr int section_rows = 27 + (Nodes > 2 ? point_count * (1 + 2 * Nodes) : 0);
+    // One entry each, all lanes alike: the blocks C_NN, C_NM, C_MM of the stiffness; the centre of mass from
+    // the node, material; the factors of Kelvin-Voigt and of mass-proportional damping; with more than two
+    // nodes the weights of the quadrature, shape functions at each point, and their slopes dN_I/dξ.
+    static constexpr int section_rows = 32 + (Nodes > 2 ? point_count * (1 + 2 * Nodes) : 0);
     // Of each point ds/dξ (of two nodes: the length), Γ₀, K₀; triads of the nodes; masses ∫ρA N_I N_J ds, J ≥
     // I.
     static constexpr int constant_rows = 7 * point_count + 4 * Nodes + Nodes * (Nodes + 1) / 2;
     // Λ_I; r_I − r of the first node, of the others; accelerations less gravity.
-    static constexpr int motion_rows = 10 * Nodes - 3;
+    static constexpr int plain_motion_rows = 10 * Nodes - 3;
+    // These; ω; α; v.
+    static constexpr int motion_rows = plain_motion_rows + 9 * Nodes;
     // Force and moment of each node, then the largest component of a force and of a moment, be they of
-    // stiffness or of inertia.
+    // stiffness and damping or of inertia.
     static constexpr int force_rows = 6 * Nodes + 2;
     // Λ_I, r_I − r of the first node; `placement`, then `acceleration` of the linearizations.
-    static constexpr int linearization_rows = 9 * Nodes - 3;
+    static constexpr int plain_linearization_rows = 9 * Nodes - 3;
+    // These; accelerations less gravity; ω; α; v; `rate`; d_omega; d_alpha.
+    static constexpr int linearization_rows = plain_linearization_rows + 31 * Nodes;
     static constexpr int tangent_rows = 36 * Nodes * Nodes;
 
     // False, with no result, if a node is turned too far for a kernel from the frame of its element.
@@ -35,11 +41,16 @@ struct RodKernels {
                             const double* constants,
                             const double* motions,
                             double* results);
-    Kernel compute_forces;
-    Kernel compute_tangents;
+    struct OfSections {
+        Kernel compute_forces;
+        Kernel compute_tangents;
+    };
+    OfSections plain, general;
+    // From the motion and to the force rows of any section, of damping alone.
+    Kernel compute_damping_forces;
 };
 
-// Rotary inertia of nodes (rotary_inertia.hpp).
+// Rotary inertia of nodes (rotary_inertia.hpp), or its momentum in the place of the inertial moment.
 struct RotaryKernels {
     // J₀.
     static constexpr int constant_rows = 9;
@@ -59,6 +70,7 @@ struct Kernels {
     int width;
     std::tuple<RodKernels<2>, RodKernels<3>, RodKernels<4>, RodKernels<5>> rods;
     RotaryKernels rotary;
+    RotaryKernels rotary_damping;
 };
 
 Kernels find_kernels(InstructionSet set);

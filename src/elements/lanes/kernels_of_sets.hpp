@@ -2,11 +2,14 @@
 
 #include "elements/lanes/kernels.hpp"
 
-// The kernels by instruction set, each compiled for it.
+// The kernels by instruction set, each compiled for it. Those for general sections come from sources of their
+// own: beside them the compiler would inline less into those for plain ones.
 namespace gxrod {
 
 Kernels make_kernels_baseline();
+void add_general_kernels_baseline(Kernels& kernels);
 // Those of the baseline where the compiler has no such set.
 Kernels make_kernels_avx2();
+void add_general_kernels_avx2(Kernels& kernels);
 
 }  // namespace gxrod

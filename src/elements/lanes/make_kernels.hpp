@@ -17,7 +17,8 @@ Kernels make_kernels() {
              ObjectiveLanes<3, Real>::make_kernels(),
              ObjectiveLanes<4, Real>::make_kernels(),
              ObjectiveLanes<5, Real>::make_kernels()},
-            RotaryLanes<Real>::make_kernels()};
+            RotaryLanes<Real>::make_kernels(),
+            RotaryLanes<Real>::make_damping_kernels()};
 }
 
 }  // namespace gxrod

@@ -4,28 +4,18 @@
 
 namespace gxrod {
 
-// Elements `objective` with three to five nodes.
+// Elements `objective` with three to five nodes and plain sections.
 template <int Nodes, class Real>
 class ObjectiveLanes {
   public:
-    static RodKernels<Nodes> make_kernels() { return {compute_forces, compute_tangents}; }
+    // Without those for general sections.
+    static RodKernels<Nodes> make_kernels() { return {{compute_forces, compute_tangents}, {}, {}}; }
 
   private:
     using Vec3 = Eigen::Matrix<Real, 3, 1>;
-    using Quat = Eigen::Quaternion<Real>;
     using State = ObjectiveState<Nodes, Real>;
     using Constants = ObjectiveConstants<Nodes, Real>;
-
-    struct Motion {
-        std::array<Quat, Nodes> axes;
-        std::array<Vec3, Nodes> r;  // from the first node
-
-        Motion(const Constants& constants, LaneReader<Real>& read) {
-            for (int i = 0; i < Nodes; ++i) axes[i] = read.quaternion() * constants.triads[i];
-            r[0].setConstant(Real(0.0));
-            for (int i = 1; i < Nodes; ++i) r[i] = read.vector();
-        }
-    };
+    using Motion = ObjectiveMotion<Nodes, Real>;
 
     static bool compute_forces(const double* section,
                                const double* constant_rows,
@@ -34,11 +24,11 @@ class ObjectiveLanes {
         const Constants constants(section, constant_rows);
         LaneReader<Real> read(motions);
         const Motion motion(constants, read);
-        const State state(motion.axes, motion.r);
+        const State state(motion);
         if (!state.is_small()) return false;
         std::array<Vec3, Nodes> accelerations;
         for (Vec3& acceleration : accelerations) acceleration = read.vector();
-        const typename State::Forces internal = state.compute_forces(constants);
+        const typename State::Forces internal = state.compute_forces(constants, AtRest());
         LaneWriter<Real> write(rows);
         Real force_scale(0.0);
         Real moment_scale(0.0);
@@ -62,13 +52,13 @@ class ObjectiveLanes {
         const Constants constants(section, constant_rows);
         LaneReader<Real> read(motions);
         const Motion motion(constants, read);
-        const State state(motion.axes, motion.r);
+        const State state(motion);
         if (!state.is_small()) return false;
         std::array<Real, Nodes> placements, accelerations;
         for (Real& placement : placements) placement = read.scalar();
         for (Real& acceleration : accelerations) acceleration = read.scalar();
         typename State::Tangent tangent;
-        state.compute_tangent(constants, tangent);
+        state.compute_tangent(constants, AtRest(), tangent);
         LaneWriter<Real> write(rows);
         for (int column = 0; column < 6 * Nodes; ++column) {
             const int node = column / 6;

@@ -2,8 +2,9 @@
 
 #include <array>
 
+#include "elements/lanes/general_rows.hpp"
 #include "elements/lanes/kernels.hpp"
-#include "elements/lanes/lanes.hpp"
+#include "elements/lanes/viscous_point.hpp"
 #include "rotation/half_rotation.hpp"
 #include "rotation/small_rotation.hpp"
 
@@ -36,7 +37,7 @@ struct ObjectiveConstants {
         for (Mat3* block : {&C_NN, &C_NM, &C_MM}) {
             for (int entry = 0; entry < 9; ++entry) block->data()[entry] = Real(*section++);
         }
-        weights = section;
+        weights = section + GeneralSection<Real>::rows;
         shapes = weights + point_count;
         slopes = shapes + point_count * Nodes;
         LaneReader<Real> read(constants);
@@ -52,6 +53,31 @@ struct ObjectiveConstants {
     }
 };
 
+// The nodes' section axes and positions.
+template <int Nodes, class Real>
+struct ObjectiveMotion {
+    std::array<Eigen::Quaternion<Real>, Nodes> axes;
+    std::array<Eigen::Matrix<Real, 3, 1>, Nodes> r;  // from the first node
+
+    ObjectiveMotion(const ObjectiveConstants<Nodes, Real>& constants, LaneReader<Real>& read) {
+        for (int i = 0; i < Nodes; ++i) axes[i] = read.quaternion() * constants.triads[i];
+        r[0].setConstant(Real(0.0));
+        for (int i = 1; i < Nodes; ++i) r[i] = read.vector();
+    }
+};
+
+// What makes the state of a section at rest, or of one without Kelvin-Voigt damping.
+struct AtRest {};
+
+// Rates of ρ and ψ seen from the frame.
+template <int Nodes, class Real>
+struct ObjectiveRates {
+    std::array<Eigen::Matrix<Real, 3, 1>, Nodes> rho, psi;
+    Eigen::Matrix<Real, 3, 1> omega_R;  // of the frame
+    // Resultants are those of elasticity × strains + viscosity × strain rates.
+    Real elasticity, viscosity;
+};
+
 template <int Nodes, class Real>
 class ObjectiveState {
   public:
@@ -60,13 +86,11 @@ class ObjectiveState {
     using Quat = Eigen::Quaternion<Real>;
     using Constants = ObjectiveConstants<Nodes, Real>;
     using Tangent = Eigen::Matrix<Real, 6 * Nodes, 6 * Nodes>;
-    // On the nodes.
-    struct Forces {
-        std::array<Vec3, Nodes> n, m;
-    };
+    using Forces = NodeForces<Nodes, Real>;
+    using Rates = ObjectiveRates<Nodes, Real>;
 
-    // Of the nodes' section axes and positions.
-    ObjectiveState(const std::array<Quat, Nodes>& axes, const std::array<Vec3, Nodes>& r) {
+    explicit ObjectiveState(const ObjectiveMotion<Nodes, Real>& motion) {
+        const auto& [axes, r] = motion;
         const Quat frame = find_frame(axes);
         frame_matrix_ = frame.toRotationMatrix();
         for (int i = 0; i < Nodes; ++i) {
@@ -78,10 +102,22 @@ class ObjectiveState {
     // Whether all rotations are small enough for the series that are used; nothing else may be asked if not.
     bool is_small() const { return is_small_; }
 
-    Forces compute_forces(const Constants& constants) const {
-        return compute_nodal_forces(sum_forces(constants), invert_tangent_maps()).stacked;
+    Rates compute_rates(const NodeRates<Nodes, Real>& nodes) const;
+
+    // `MaybeRates` are Rates or AtRest.
+    template <class MaybeRates>
+    Forces compute_forces(const Constants& constants, const MaybeRates& rates) const {
+        return compute_nodal_forces(sum_forces(constants, rates), invert_tangent_maps()).stacked;
     }
-    void compute_tangent(const Constants& constants, Tangent& rows) const;
+    // By δr and δφ at fixed resultants of damping.
+    template <class MaybeRates>
+    void compute_tangent(const Constants& constants, const MaybeRates& rates, Tangent& rows) const;
+    // How the resultants of damping follow the motion and the nodal rates.
+    void add_viscous_tangent(const Constants& constants,
+                             const Rates& rates,
+                             const NodeRates<Nodes, Real>& nodes,
+                             const NodeLinearizations<Nodes, Real>& linearizations,
+                             Tangent& tangent) const;
 
   private:
     static constexpr bool has_pair = Nodes % 2 == 0;
@@ -147,8 +183,34 @@ class ObjectiveState {
         }(std::make_index_sequence<Nodes>());
     }
 
-    Point evaluate(const Constants& constants, int p) const;
-    LocalForces sum_forces(const Constants& constants) const;
+    // Rates of a point's r′, ψ and ψ′ seen from the frame, and the spin of the section from there.
+    struct PointRates {
+        Vec3 r_prime, psi, psi_prime, omega;
+    };
+    PointRates evaluate_rates(const Point& point, const Rates& rates) const;
+    // How the spin of a section and its slope follow the spins of the nodes, and the rates of that seen from
+    // the frame.
+    struct SpinMaps {
+        std::array<Mat3, Nodes> spin, slope, spin_rate, slope_rate;
+    };
+    // T(ψ_I)⁻¹, and its rate.
+    struct InverseMaps {
+        std::array<Mat3, Nodes> map, rate;
+    };
+    static SpinMaps compute_spin_maps(const Point& point,
+                                      const PointRates& moving,
+                                      const InverseMaps& inverses);
+    void share_frame(const Vec3& tau_rate, SpinMaps& maps) const;
+    static ViscousPoint<Nodes, Real> make_viscous_point(const Constants& constants,
+                                                        const Point& point,
+                                                        const PointRates& moving,
+                                                        const SpinMaps& maps,
+                                                        const Rates& rates);
+
+    template <class MaybeRates>
+    Point evaluate(const Constants& constants, int p, const MaybeRates& rates) const;
+    template <class MaybeRates>
+    LocalForces sum_forces(const Constants& constants, const MaybeRates& rates) const;
     static void add_forces(const Point& point, LocalForces& forces);
     static void add_stiffness(const Constants& constants, const Mat3& R, const Point& point, Tangent& k);
     NodalForces compute_nodal_forces(const LocalForces& local, const Inverses& inverses) const;
@@ -175,3 +237,4 @@ class ObjectiveState {
 }  // namespace gxrod
 
 #include "elements/lanes/objective_state_impl.hpp"
+#include "elements/lanes/objective_viscosity_impl.hpp"

@@ -6,7 +6,9 @@
 namespace gxrod {
 
 template <int Nodes, class Real>
-auto ObjectiveState<Nodes, Real>::evaluate(const Constants& constants, int p) const -> Point {
+template <class MaybeRates>
+auto ObjectiveState<Nodes, Real>::evaluate(const Constants& constants, int p, const MaybeRates& rates) const
+    -> Point {
     const auto& [jacobian, Gamma_0, Kappa_0] = constants.points[p];
     const double* shapes = constants.shapes + p * Nodes;
     std::array<Real, Nodes> slopes;
@@ -22,21 +24,29 @@ auto ObjectiveState<Nodes, Real>::evaluate(const Constants& constants, int p) co
     const SmallRotation<Real> rotation(psi);
     const Mat3 T = rotation.tangent_map();
     const Mat3 Lambda = rotation.exp() * frame_matrix_;
-    const Vec3 Gamma = Lambda.transpose() * r_prime - Gamma_0;
-    const Vec3 Kappa = Lambda.transpose() * (T * psi_prime) - Kappa_0;
-    const Vec3 n = Lambda * (constants.C_NN * Gamma + constants.C_NM * Kappa);
-    const Vec3 m = Lambda * (constants.C_NM.transpose() * Gamma + constants.C_MM * Kappa);
-    return {slopes,
-            shapes,
-            Real(constants.weights[p]) * jacobian,
-            r_prime,
-            psi,
-            psi_prime,
-            rotation,
-            T,
-            Lambda,
-            n,
-            m};
+    Point point{slopes,
+                shapes,
+                Real(constants.weights[p]) * jacobian,
+                r_prime,
+                psi,
+                psi_prime,
+                rotation,
+                T,
+                Lambda,
+                {},
+                {}};
+    Vec3 Gamma = Lambda.transpose() * r_prime - Gamma_0;
+    Vec3 Kappa = Lambda.transpose() * (T * psi_prime) - Kappa_0;
+    if constexpr (std::is_same_v<MaybeRates, Rates>) {
+        const PointRates moving = evaluate_rates(point, rates);
+        const Vec3 kappa = T * moving.psi_prime + rotation.tangent_map_slope(psi_prime) * moving.psi;
+        const Vec3 gamma = moving.r_prime + r_prime.cross(moving.omega);
+        Gamma = rates.elasticity * Gamma + rates.viscosity * (Lambda.transpose() * gamma);
+        Kappa = rates.elasticity * Kappa + rates.viscosity * (Lambda.transpose() * kappa);
+    }
+    point.n = Lambda * (constants.C_NN * Gamma + constants.C_NM * Kappa);
+    point.m = Lambda * (constants.C_NM.transpose() * Gamma + constants.C_MM * Kappa);
+    return point;
 }
 
 // δW = n · (δr′ + r′ × T δψ) + m · (T δψ′ + T′ δψ).
@@ -54,11 +64,13 @@ void ObjectiveState<Nodes, Real>::add_forces(const Point& point, LocalForces& fo
 }
 
 template <int Nodes, class Real>
-auto ObjectiveState<Nodes, Real>::sum_forces(const Constants& constants) const -> LocalForces {
+template <class MaybeRates>
+auto ObjectiveState<Nodes, Real>::sum_forces(const Constants& constants, const MaybeRates& rates) const
+    -> LocalForces {
     LocalForces forces;
     forces.n.fill(Vec3::Constant(Real(0.0)));
     forces.mu = forces.n;
-    for (int p = 0; p < point_count; ++p) add_forces(evaluate(constants, p), forces);
+    for (int p = 0; p < point_count; ++p) add_forces(evaluate(constants, p, rates), forces);
     return forces;
 }
 
@@ -184,13 +196,16 @@ void ObjectiveState<Nodes, Real>::pull_and_push(const LocalForces& local,
 }
 
 template <int Nodes, class Real>
-void ObjectiveState<Nodes, Real>::compute_tangent(const Constants& constants, Tangent& rows) const {
+template <class MaybeRates>
+void ObjectiveState<Nodes, Real>::compute_tangent(const Constants& constants,
+                                                  const MaybeRates& rates,
+                                                  Tangent& rows) const {
     rows.setConstant(Real(0.0));
     LocalForces forces;
     forces.n.fill(Vec3::Constant(Real(0.0)));
     forces.mu = forces.n;
     for (int p = 0; p < point_count; ++p) {
-        const Point point = evaluate(constants, p);
+        const Point point = evaluate(constants, p, rates);
         add_forces(point, forces);
         add_stiffness(constants, frame_matrix_, point, rows);
     }

@@ -1,68 +1,22 @@
 #pragma once
 
-#include "elements/lanes/kernels.hpp"
-#include "elements/lanes/lanes.hpp"
-#include "elements/rod/two_node_rod.hpp"
+#include "elements/lanes/two_node_elements.hpp"
 
 namespace gxrod {
 
+// Elements `objective` with two nodes and plain sections.
 template <class Real>
 class TwoNodeLanes {
   public:
-    static RodKernels<2> make_kernels() { return {compute_forces, compute_tangents}; }
+    // Without those for general sections.
+    static RodKernels<2> make_kernels() { return {{compute_forces, compute_tangents}, {}, {}}; }
 
   private:
     using Vec3 = Eigen::Matrix<Real, 3, 1>;
     using Mat3 = Eigen::Matrix<Real, 3, 3>;
     using Quat = Eigen::Quaternion<Real>;
     using Rod = TwoNodeRod<Real>;
-    static constexpr int width = static_cast<int>(Real::size);
-
-    struct Elements {
-        Rod rod;
-        Quat triad_a, triad_b;
-        Real mass_aa, mass_ab, mass_bb;
-
-        Elements(const double* section, const double* constants) {
-            for (Mat3* block : {&rod.C_NN, &rod.C_NM, &rod.C_MM}) {
-                for (int entry = 0; entry < 9; ++entry) block->data()[entry] = Real(*section++);
-            }
-            LaneReader<Real> read(constants);
-            rod.length = read.scalar();
-            rod.Gamma_0 = read.vector();
-            rod.Kappa_0 = read.vector();
-            triad_a = read.quaternion();
-            triad_b = read.quaternion();
-            mass_aa = read.scalar();
-            mass_ab = read.scalar();
-            mass_bb = read.scalar();
-        }
-    };
-
-    // The rotation from a to b, of quaternions of either sign.
-    static HalfRotation<Real> split(Quat q) {
-        HalfRotation<Real> rotation;
-        const Real sign = xsimd::select(q.w() < Real(0.0), Real(-1.0), Real(1.0));
-        q.coeffs() *= sign;
-        split_half(q, rotation);
-        if (xsimd::all(q.vec().squaredNorm() < Real(half_rotation::largest_square))) {
-            fill_small(q, rotation);
-        } else {
-            fill_lane_by_lane(q, rotation);
-        }
-        return rotation;
-    }
-
-    static void fill_lane_by_lane(const Quat& q, HalfRotation<Real>& rotation) {
-        double quaternions[4 * width];
-        double values[half_rotation_values * width];
-        LaneWriter<Real>(quaternions).matrix(q.coeffs());
-        for (int lane = 0; lane < width; ++lane) fill_lane(quaternions + lane, width, values + lane);
-        LaneReader<Real> read(values);
-        rotation.Phi = read.vector();
-        for (Real* value : {&rotation.x, &rotation.y, &rotation.t, &rotation.x1, &rotation.y1, &rotation.t1})
-            *value = read.scalar();
-    }
+    using Elements = TwoNodeElements<Real>;
 
     static bool compute_forces(const double* section,
                                const double* constants,
@@ -76,7 +30,8 @@ class TwoNodeLanes {
         const Vec3 acceleration_a = read.vector();
         const Vec3 acceleration_b = read.vector();
         const Quat axes_a = Lambda_a * elements.triad_a;
-        const HalfRotation<Real> rotation = split(axes_a.conjugate() * (Lambda_b * elements.triad_b));
+        const HalfRotation<Real> rotation =
+            split_lanes<Real>(axes_a.conjugate() * (Lambda_b * elements.triad_b));
         const typename Rod::Forces internal = typename Rod::State(elements.rod, rotation, axes_a, l).forces();
         const Vec3 inertial_a = elements.mass_aa * acceleration_a + elements.mass_ab * acceleration_b;
         const Vec3 inertial_b = elements.mass_ab * acceleration_a + elements.mass_bb * acceleration_b;
@@ -104,7 +59,8 @@ class TwoNodeLanes {
         const Real acceleration_a = read.scalar();
         const Real acceleration_b = read.scalar();
         const Quat axes_a = Lambda_a * elements.triad_a;
-        const HalfRotation<Real> rotation = split(axes_a.conjugate() * (Lambda_b * elements.triad_b));
+        const HalfRotation<Real> rotation =
+            split_lanes<Real>(axes_a.conjugate() * (Lambda_b * elements.triad_b));
         const typename Rod::Tangents t =
             typename Rod::State(elements.rod, rotation, axes_a, l).compute_tangents();
         const Mat3 u_aa = add_mass(placement_a * t.n_u, elements.mass_aa * acceleration_a);

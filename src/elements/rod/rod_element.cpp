@@ -209,15 +209,36 @@ void RodElement<Nodes, Map>::add_inertial_tangent(const Motions<Nodes>& motions,
 }
 
 template <int Nodes, class Map>
+void RodElement<Nodes, Map>::add_viscous_force(const Motions<Nodes>& motions,
+                                               Histories histories,
+                                               NodalVector<Nodes>& force) const {
+    if (!rod_.is_damped()) return;
+    const Map map(motions, triads());
+    map.add_force(
+        rod_.compute_damping_force(map.local(), map.compute_rates(motions), histories_of_points(histories)),
+        force);
+}
+
+template <int Nodes, class Map>
+void RodElement<Nodes, Map>::add_viscous_tangent(const Motions<Nodes>& motions,
+                                                 Histories histories,
+                                                 const Linearizations<Nodes>& linearizations,
+                                                 NodalMatrix<Nodes>& tangent) const {
+    if (!rod_.is_damped()) return;
+    const Map map(motions, triads());
+    const Histories known = histories_of_points(histories);
+    const LocalMotion<Nodes> rates = map.compute_rates(motions);
+    const auto tangents = rod_.compute_damping_tangents(map.local(), rates, known);
+    map.add_tangent(
+        rod_.compute_damping_force(map.local(), rates, known), tangents.by_motion, linearizations, tangent);
+    map.add_rate_tangent(motions, tangents.by_rates, linearizations, tangent);
+}
+
+template <int Nodes, class Map>
 void RodElement<Nodes, Map>::add_damping_force(const Motions<Nodes>& motions,
                                                Histories histories,
                                                NodalVector<Nodes>& force) const {
-    if (rod_.is_damped()) {
-        const Map map(motions, triads());
-        map.add_force(rod_.compute_damping_force(
-                          map.local(), map.compute_rates(motions), histories_of_points(histories)),
-                      force);
-    }
+    add_viscous_force(motions, histories, force);
     if (inertia_.is_damped()) inertia_.add_damping_force(motions, force);
 }
 
@@ -226,17 +247,7 @@ void RodElement<Nodes, Map>::add_damping_tangent(const Motions<Nodes>& motions,
                                                  Histories histories,
                                                  const Linearizations<Nodes>& linearizations,
                                                  NodalMatrix<Nodes>& tangent) const {
-    if (rod_.is_damped()) {
-        const Map map(motions, triads());
-        const Histories known = histories_of_points(histories);
-        const LocalMotion<Nodes> rates = map.compute_rates(motions);
-        const auto tangents = rod_.compute_damping_tangents(map.local(), rates, known);
-        map.add_tangent(rod_.compute_damping_force(map.local(), rates, known),
-                        tangents.by_motion,
-                        linearizations,
-                        tangent);
-        map.add_rate_tangent(motions, tangents.by_rates, linearizations, tangent);
-    }
+    add_viscous_tangent(motions, histories, linearizations, tangent);
     if (inertia_.is_damped()) inertia_.add_damping_tangent(motions, linearizations, tangent);
 }
 

@@ -70,6 +70,14 @@ class RodElement {
     double damping_action(const Motions<Nodes>& previous,
                           const Motions<Nodes>& trial,
                           Histories histories) const;
+    // Kelvin-Voigt alone.
+    void add_viscous_force(const Motions<Nodes>& motions,
+                           Histories histories,
+                           NodalVector<Nodes>& force) const;
+    void add_viscous_tangent(const Motions<Nodes>& motions,
+                             Histories histories,
+                             const Linearizations<Nodes>& linearizations,
+                             NodalMatrix<Nodes>& tangent) const;
 
     // The histories of a rod in its reference shape.
     void start(std::span<SectionHistory> histories) const;

@@ -95,30 +95,15 @@ void RodInertia<Nodes>::add_translational_force(const Motions<Nodes>& motions,
 }
 
 template <int Nodes>
-void RodInertia<Nodes>::add_translational_tangent(const Linearizations<Nodes>& linearizations,
+void RodInertia<Nodes>::add_translational_tangent(const Motions<Nodes>& motions,
+                                                  const Vec3& gravity,
+                                                  const Linearizations<Nodes>& linearizations,
                                                   NodalMatrix<Nodes>& tangent) const {
     for (int i = 0; i < Nodes; ++i) {
         for (int j = 0; j < Nodes; ++j) {
             tangent.template block<3, 3>(6 * i, 6 * j).diagonal().array() +=
                 mass_(i, j) * linearizations[j]->acceleration;
         }
-    }
-}
-
-template <int Nodes>
-void RodInertia<Nodes>::add_tangent(const Motions<Nodes>& motions,
-                                    const Vec3& gravity,
-                                    const Linearizations<Nodes>& linearizations,
-                                    NodalMatrix<Nodes>& tangent) const {
-    add_translational_tangent(linearizations, tangent);
-    for (int i = 0; i < Nodes; ++i) {
-        tangent.template block<3, 3>(6 * i + 3, 6 * i + 3) +=
-            turn(i, *motions[i])
-                .compute_tangent(motions[i]->omega,
-                                 motions[i]->alpha,
-                                 linearizations[i]->placement,
-                                 linearizations[i]->d_omega,
-                                 linearizations[i]->d_alpha);
     }
     if (!has_offset()) return;
     const Columns3 d = compute_offsets(motions);
@@ -144,29 +129,55 @@ void RodInertia<Nodes>::add_tangent(const Motions<Nodes>& motions,
 }
 
 template <int Nodes>
-void RodInertia<Nodes>::add_damping_force(const Motions<Nodes>& motions, NodalVector<Nodes>& force) const {
-    const Columns3 d = compute_offsets(motions);
-    const Columns3 p = compute_velocities(motions, d) * mass_;
+void RodInertia<Nodes>::add_tangent(const Motions<Nodes>& motions,
+                                    const Vec3& gravity,
+                                    const Linearizations<Nodes>& linearizations,
+                                    NodalMatrix<Nodes>& tangent) const {
+    add_translational_tangent(motions, gravity, linearizations, tangent);
     for (int i = 0; i < Nodes; ++i) {
-        const Vec3 p_i = p.col(i);
-        force.template segment<3>(6 * i) += section_->mass_proportional * p_i;
-        force.template segment<3>(6 * i + 3) +=
-            section_->mass_proportional * (Vec3(d.col(i)).cross(p_i) + compute_spin_momentum(i, *motions[i]));
+        tangent.template block<3, 3>(6 * i + 3, 6 * i + 3) +=
+            turn(i, *motions[i])
+                .compute_tangent(motions[i]->omega,
+                                 motions[i]->alpha,
+                                 linearizations[i]->placement,
+                                 linearizations[i]->d_omega,
+                                 linearizations[i]->d_alpha);
     }
 }
 
 template <int Nodes>
-void RodInertia<Nodes>::add_damping_tangent(const Motions<Nodes>& motions,
-                                            const Linearizations<Nodes>& linearizations,
-                                            NodalMatrix<Nodes>& tangent) const {
+void RodInertia<Nodes>::add_translational_damping_force(const Motions<Nodes>& motions,
+                                                        NodalVector<Nodes>& force) const {
+    const Columns3 d = compute_offsets(motions);
+    const Columns3 p = compute_velocities(motions, d) * mass_;
+    for (int i = 0; i < Nodes; ++i) {
+        const Vec3 p_i = section_->mass_proportional * p.col(i);
+        force.template segment<3>(6 * i) += p_i;
+        force.template segment<3>(6 * i + 3) += Vec3(d.col(i)).cross(p_i);
+    }
+}
+
+template <int Nodes>
+void RodInertia<Nodes>::add_damping_force(const Motions<Nodes>& motions, NodalVector<Nodes>& force) const {
+    add_translational_damping_force(motions, force);
+    for (int i = 0; i < Nodes; ++i) {
+        force.template segment<3>(6 * i + 3) +=
+            section_->mass_proportional * compute_spin_momentum(i, *motions[i]);
+    }
+}
+
+template <int Nodes>
+void RodInertia<Nodes>::add_translational_damping_tangent(const Motions<Nodes>& motions,
+                                                          const Linearizations<Nodes>& linearizations,
+                                                          NodalMatrix<Nodes>& tangent) const {
     const double c = section_->mass_proportional;
     const Columns3 d = compute_offsets(motions);
     const Columns3 p = compute_velocities(motions, d) * mass_;
     for (int j = 0; j < Nodes; ++j) {
         const NodeLinearization& linearization = *linearizations[j];
-        const Vec3& omega = motions[j]->omega;
         const Mat3 spin_d = spin(d.col(j));
-        const Mat3 by_spin = -spin_d * linearization.d_omega - linearization.placement * spin(omega) * spin_d;
+        const Mat3 by_spin =
+            -spin_d * linearization.d_omega - linearization.placement * spin(motions[j]->omega) * spin_d;
         for (int i = 0; i < Nodes; ++i) {
             const double m = c * mass_(i, j);
             const Mat3 lever = m * spin(d.col(i));
@@ -175,10 +186,22 @@ void RodInertia<Nodes>::add_damping_tangent(const Motions<Nodes>& motions,
             tangent.template block<3, 3>(6 * i + 3, 6 * j) += linearization.rate * lever;
             tangent.template block<3, 3>(6 * i + 3, 6 * j + 3) += lever * by_spin;
         }
-        const Mat3 J = turn(j, *motions[j]).J;
         tangent.template block<3, 3>(6 * j + 3, 6 * j + 3) +=
-            c * (J * linearization.d_omega +
-                 linearization.placement * (J * spin(omega) - spin(J * omega) + spin(p.col(j)) * spin_d));
+            (c * linearization.placement) * spin(p.col(j)) * spin_d;
+    }
+}
+
+template <int Nodes>
+void RodInertia<Nodes>::add_damping_tangent(const Motions<Nodes>& motions,
+                                            const Linearizations<Nodes>& linearizations,
+                                            NodalMatrix<Nodes>& tangent) const {
+    add_translational_damping_tangent(motions, linearizations, tangent);
+    for (int i = 0; i < Nodes; ++i) {
+        tangent.template block<3, 3>(6 * i + 3, 6 * i + 3) +=
+            section_->mass_proportional * turn(i, *motions[i])
+                                              .compute_momentum_tangent(motions[i]->omega,
+                                                                        linearizations[i]->placement,
+                                                                        linearizations[i]->d_omega);
     }
 }
 

@@ -19,18 +19,10 @@ class RodInertia {
     RodInertia(const RodElementGeometry<Nodes>& geometry, SharedRodSection section);
 
     void add_force(const Motions<Nodes>& motions, const Vec3& gravity, NodalVector<Nodes>& force) const;
-    // That of the centres of mass alone, without rotary inertia.
-    void add_translational_force(const Motions<Nodes>& motions,
-                                 const Vec3& gravity,
-                                 NodalVector<Nodes>& force) const;
     void add_tangent(const Motions<Nodes>& motions,
                      const Vec3& gravity,
                      const Linearizations<Nodes>& linearizations,
                      NodalMatrix<Nodes>& tangent) const;
-
-    // That of the centres of mass alone, where none has an offset.
-    void add_translational_tangent(const Linearizations<Nodes>& linearizations,
-                                   NodalMatrix<Nodes>& tangent) const;
 
     // Forces and couples that are mass_proportional times the momenta.
     bool is_damped() const { return section_->mass_proportional > 0.0; }
@@ -42,9 +34,23 @@ class RodInertia {
     // for rates.
     double damping_action(const Motions<Nodes>& previous, const Motions<Nodes>& trial) const;
 
+    // Of all these the share of the centres of mass, without rotary inertia.
+    void add_translational_force(const Motions<Nodes>& motions,
+                                 const Vec3& gravity,
+                                 NodalVector<Nodes>& force) const;
+    void add_translational_tangent(const Motions<Nodes>& motions,
+                                   const Vec3& gravity,
+                                   const Linearizations<Nodes>& linearizations,
+                                   NodalMatrix<Nodes>& tangent) const;
+    void add_translational_damping_force(const Motions<Nodes>& motions, NodalVector<Nodes>& force) const;
+    void add_translational_damping_tangent(const Motions<Nodes>& motions,
+                                           const Linearizations<Nodes>& linearizations,
+                                           NodalMatrix<Nodes>& tangent) const;
+
     // ∫ ρA N_I N_J ds.
     const Eigen::Matrix<double, Nodes, Nodes>& mass() const { return mass_; }
     bool has_offset() const { return section_->has_offset(); }
+    const RodSection& section() const { return *section_; }
     // The rotary inertia that is lumped to a node, in the global axes of t = 0.
     Mat3 compute_rotary_inertia(int node) const;
     // Section axes of the nodes at t = 0.

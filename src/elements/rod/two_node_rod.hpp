@@ -23,6 +23,9 @@ struct TwoNodeRod {
     Mat3 C_NN, C_NM, C_MM;  // the stiffness of the section by blocks
 
     // At the force point, material.
+    struct Strains {
+        Vec3 Gamma, Kappa;
+    };
     struct Resultants {
         Vec3 N, M;
     };
@@ -55,14 +58,29 @@ struct TwoNodeRod {
         Resultants compute_resultants() const {
             return compute_resultants(compute_force_strain(), compute_moment_strain());
         }
-        // The resultants after an increment, to first order: u, and the spins of a and b.
+        // Those of the strains and these together.
+        Resultants compute_resultants_beside(const Vec3& Gamma, const Vec3& Kappa) const {
+            return compute_resultants(compute_force_strain() + Gamma, compute_moment_strain() + Kappa);
+        }
+        // What an increment adds to the strains, to first order: u, and the spins of a and b.
+        Strains compute_strain_increments(const Vec3& u, const Vec3& spin_a, const Vec3& spin_b) const {
+            const Vec3 w = compute_frame_spin(spin_a, spin_b);
+            const Vec3 p = compute_phi_increment(spin_a, spin_b);
+            return {frame_.transpose() * (u + l_.cross(w)) / rod_.length,
+                    frame_.transpose() * p / rod_.length};
+        }
+        // The resultants after an increment.
         Resultants advance_resultants(const Vec3& u, const Vec3& spin_a, const Vec3& spin_b) const {
+            const auto [Gamma, Kappa] = compute_strain_increments(u, spin_a, spin_b);
+            return compute_resultants_beside(Gamma, Kappa);
+        }
+        // w and p.
+        Vec3 compute_frame_spin(const Vec3& spin_a, const Vec3& spin_b) const {
+            return Real(0.5) * (spin_a + spin_b - tau_.cross(Vec3(spin_b - spin_a)));
+        }
+        Vec3 compute_phi_increment(const Vec3& spin_a, const Vec3& spin_b) const {
             const Vec3 difference = spin_b - spin_a;
-            const Vec3 w = Real(0.5) * (spin_a + spin_b - tau_.cross(difference));
-            const Vec3 p = rotation_.x * difference + (rotation_.y * phi_.dot(difference)) * phi_;
-            return compute_resultants(
-                compute_force_strain() + frame_.transpose() * (u + l_.cross(w)) / rod_.length,
-                compute_moment_strain() + frame_.transpose() * p / rod_.length);
+            return rotation_.x * difference + (rotation_.y * phi_.dot(difference)) * phi_;
         }
         // Has forces and tangents made of these instead of the resultants of the strains.
         void set_resultants(const Resultants& resultants) {
@@ -77,6 +95,9 @@ struct TwoNodeRod {
             return Real(0.5) * rod_.length *
                    (n_.dot(frame_ * compute_force_strain()) + moment_.dot(frame_ * compute_moment_strain()));
         }
+        const Mat3& frame() const { return frame_; }
+        const Vec3& phi() const { return phi_; }
+        const Vec3& tau() const { return tau_; }
         Forces forces() const { return {n_, m_ - moment_b_, moment_b_}; }
         Tangents compute_tangents() const;
 

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "elements/lanes/kernels.hpp"
+#include "elements/lanes/lanes.hpp"
+#include "elements/rod/two_node_rod.hpp"
+
+namespace gxrod {
+
+// What kernels for two nodes know of several elements, from the rows of RodKernels.
+template <class Real>
+struct TwoNodeElements {
+    using Mat3 = Eigen::Matrix<Real, 3, 3>;
+    using Quat = Eigen::Quaternion<Real>;
+
+    TwoNodeRod<Real> rod;
+    Quat triad_a, triad_b;
+    Real mass_aa, mass_ab, mass_bb;
+
+    TwoNodeElements(const double* section, const double* constants) {
+        for (Mat3* block : {&rod.C_NN, &rod.C_NM, &rod.C_MM}) {
+            for (int entry = 0; entry < 9; ++entry) block->data()[entry] = Real(*section++);
+        }
+        LaneReader<Real> read(constants);
+        rod.length = read.scalar();
+        rod.Gamma_0 = read.vector();
+        rod.Kappa_0 = read.vector();
+        triad_a = read.quaternion();
+        triad_b = read.quaternion();
+        mass_aa = read.scalar();
+        mass_ab = read.scalar();
+        mass_bb = read.scalar();
+    }
+};
+
+template <class Real>
+void fill_lane_by_lane(const Eigen::Quaternion<Real>& q, HalfRotation<Real>& rotation) {
+    constexpr int width = static_cast<int>(Real::size);
+    double quaternions[4 * width];
+    double values[half_rotation_values * width];
+    LaneWriter<Real>(quaternions).matrix(q.coeffs());
+    for (int lane = 0; lane < width; ++lane) fill_lane(quaternions + lane, width, values + lane);
+    LaneReader<Real> read(values);
+    rotation.Phi = read.vector();
+    for (Real* value : {&rotation.x, &rotation.y, &rotation.t, &rotation.x1, &rotation.y1, &rotation.t1})
+        *value = read.scalar();
+}
+
+// The rotation from a to b, of quaternions of either sign.
+template <class Real>
+HalfRotation<Real> split_lanes(Eigen::Quaternion<Real> q) {
+    HalfRotation<Real> rotation;
+    const Real sign = xsimd::select(q.w() < Real(0.0), Real(-1.0), Real(1.0));
+    q.coeffs() *= sign;
+    split_half(q, rotation);
+    if (xsimd::all(q.vec().squaredNorm() < Real(half_rotation::largest_square))) {
+        fill_small(q, rotation);
+    } else {
+        fill_lane_by_lane(q, rotation);
+    }
+    return rotation;
+}
+
+}  // namespace gxrod
