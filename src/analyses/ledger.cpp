@@ -152,6 +152,11 @@ LedgerMemory Ledger::memory() const {
     memory.forces = forces_;
     memory.force_change = load_step_.force_change;
     memory.movement = load_step_.movement;
+    if (integrator_->is_static() && load_step_.length == 0.0) {
+        // Room for those of later steps, in results that were begun before the first one.
+        memory.force_change.assign(forces_.size(), Vec6::Zero());
+        memory.movement.assign(forces_.size(), Vec6::Zero());
+    }
     memory.strain_energy = strain_energy_;
     memory.largest_energy = largest_energy_;
     return memory;

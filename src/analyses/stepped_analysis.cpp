@@ -77,7 +77,7 @@ RestartRecord SteppedAnalysis::restart_record() const {
 bool SteppedAnalysis::resume(const RestartRecord& record) {
     const std::size_t nodes = state_.previous.size();
     const LedgerMemory& books = record.ledger;
-    const std::size_t of_load_step = integrator_->is_static() && books.load_step > 0.0 ? nodes : 0;
+    const std::size_t of_load_step = integrator_->is_static() ? nodes : 0;
     const bool has_forces = books.forces.size() == (integrator_->power_weights().empty() ? nodes : 0) &&
                             books.force_change.size() == of_load_step &&
                             books.movement.size() == of_load_step;

@@ -18,7 +18,9 @@ Place CheckedTable::place_of(std::string_view key) const { return gives(key) ? f
 
 const std::vector<CheckedTable>& CheckedTable::tables(std::string_view key) const {
     static const std::vector<CheckedTable> none;
-    return find(key) == nullptr ? none : get<std::vector<CheckedTable>>(key);
+    const CheckedValue* value = find(key);
+    const auto* tables = value ? std::get_if<std::vector<CheckedTable>>(&value->value) : nullptr;
+    return tables ? *tables : none;  // a key with a faulty value has none either
 }
 
 }  // namespace gxrod

@@ -292,11 +292,9 @@ TEST_CASE("A run does not go on after its end", "[analyses][resume]") {
 TEST_CASE("A run does not go on with another model", "[analyses][resume]") {
     const Runner runner;
     runner.run(read(swinging), "parts", 7);
-    const std::string other =
-        GENERATE(replaced(swinging, "elements = 4", "elements = 5"),
-                 replaced(swinging, "elements = 4", "elements = 4\nelement = \"simo\""),
-                 with_integrator("generalized-alpha"),
-                 replaced(swinging, "rhoIz = 0.1 }", "rhoIz = 0.1 }\ndamping = { kelvin_voigt = 1e-2 }"));
+    const std::string other = GENERATE(replaced(swinging, "elements = 4", "elements = 5"),
+                                       replaced(swinging, "elements = 4", "elements = 4\nelement = \"simo\""),
+                                       with_integrator("generalized-alpha"));
     CHECK_THROWS_WITH(runner.resume(read(other), "parts"), Catch::Contains("belongs to another model"));
 }
 

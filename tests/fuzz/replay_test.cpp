@@ -1,7 +1,8 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
-#include "deck/text_file.hpp"
 #include "fuzz/inputs.hpp"
 #include "tools/let_hdf5_leak.hpp"
 
@@ -17,6 +18,11 @@ void try_results_but_for_leaks(std::string_view input) {
     gxrod::fuzz::try_results(input);
 }
 
+std::string read_bytes(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
 // How many inputs there are for a reader, each of which was tried.
 int replay(const std::string& reader, void (*attempt)(std::string_view)) {
     int count = 0;
@@ -25,7 +31,7 @@ int replay(const std::string& reader, void (*attempt)(std::string_view)) {
         if (!std::filesystem::exists(folder)) continue;
         for (const auto& file : std::filesystem::directory_iterator(folder)) {
             INFO(file.path().string());
-            CHECK_NOTHROW(attempt(gxrod::read_text_file(file.path())));
+            CHECK_NOTHROW(attempt(read_bytes(file.path())));
             ++count;
         }
     }

@@ -119,7 +119,7 @@ class Damaged {
     }
 
   private:
-    static constexpr std::size_t state_numbers = 22;
+    static constexpr std::size_t state_numbers = 31;
 
     static Hdf5Handle make_space(const std::vector<hsize_t>& size) {
         return {H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose, "dataspace"};

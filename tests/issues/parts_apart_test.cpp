@@ -16,7 +16,7 @@ inertia = { rhoA = 1e-7, rhoIy = 1e-16, rhoIz = 1e-16 }
 [rod.hair]
 section = "h"
 line = { from = [)" +
-           x + ", 0, " + z + "], to = [" + x + R"( + 0.1, 0, )" + z + R"(] }
+           x + ", 0, " + z + "], to = [\"" + x + R"( + 0.1", 0, )" + z + R"(] }
 elements = 10
 order = 2
 [[load]]

@@ -93,10 +93,10 @@ RandomFrame draw_frame(unsigned seed) {
     }
     const double unit = frame.bending / (frame.length * frame.length);
     for (const Rod& rod : frame.model.rods) {
-        const double size = unit * draw_power(random, -1.0, 1.5);
+        const double size = unit * draw_power(random, -0.5, 1.5);
         const Vec3 inwards =
             (frame.model.nodes.front().position - frame.model.nodes[rod.nodes.back()].position).normalized();
-        const double aside = random.number(0.0, 1.0) < 0.3 ? 0.0 : draw_power(random, -4.0, 0.0);
+        const double aside = random.number(0.0, 1.0) < 0.6 ? 0.0 : draw_power(random, -4.0, 0.0);
         push(frame.model, rod.nodes[rod.nodes.size() / 2], size * aside * random.direction());
         push(frame.model, rod.nodes.back(), size * (inwards + aside * random.direction()));
     }
