@@ -2,8 +2,8 @@
 """Counts the instructions of an element and a Newton iteration, and compares them with those recorded.
 
 Times depend on the machine and on what else it does; counts of one compiler's program hardly do. Valgrind's callgrind
-counts two runs of pendulum.toml that differ in their number of steps: the difference is free of what it takes to start,
-to read the deck and to open the results.
+counts two runs of pendulum.toml, or of sections.toml, that differ in their number of steps: the difference is free of
+what it takes to start, to read the deck and to open the results.
 
     count_instructions.py build/release/gxrod            compares; exit code 1 if a count is off by more than 3 %
     count_instructions.py build/release/gxrod --record   records what it counts; to be done when a count falls, too
@@ -23,9 +23,9 @@ import sys
 import tempfile
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-DECK = FOLDER / "pendulum.toml"
 RECORD = FOLDER / "instruction_counts.json"
 ORDERS = (1, 2, 3, 4)
+SECTIONS = ("damped", "offset")  # of sections.toml
 ELEMENTS = 128
 STEPS = (2, 6)
 TIME_STEP = 1e-3
@@ -59,6 +59,33 @@ FUNCTION = re.compile(r"c?fn=\((\d+)\)(?: (.*))?$")
 
 class Unmeasurable(Exception):
     """Why nothing can be counted or compared."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Case:
+    """One rod that is counted: of pendulum.toml, or with a section of sections.toml."""
+
+    order: int
+    section: str = ""
+
+    @property
+    def name(self):
+        """As it stands in the record."""
+        return f"{self.order} {self.section}".strip()
+
+    @property
+    def deck(self):
+        """What is run."""
+        return FOLDER / ("sections.toml" if self.section else "pendulum.toml")
+
+    @property
+    def overrides(self):
+        """What is set in the deck."""
+        section = (f"rod.rod.section={self.section}",) if self.section else ()
+        return (f"rod.rod.order={self.order}", f"rod.rod.elements={ELEMENTS}", *section)
+
+
+CASES = [Case(order, section) for section in ("", *SECTIONS) for order in ORDERS]
 
 
 @dataclasses.dataclass
@@ -98,13 +125,13 @@ def read_profile(path):
     return {names[number]: count for number, count in functions.items()}
 
 
-def count_run(program, order, steps, folder):
-    """Runs the deck under callgrind."""
+def count_run(program, case, steps, folder):
+    """Runs the case's deck under callgrind."""
     profile, summary = folder / "profile", folder / "summary.json"
-    command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={profile}", program, "run", DECK,
-               "--output", folder / "results.vtkhdf", "--force", "--quiet", "--summary", summary,
-               "--set", f"rod.rod.order={order}", "--set", f"rod.rod.elements={ELEMENTS}",
-               "--set", f"analysis.end_time={steps * TIME_STEP}"]
+    command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={profile}", program, "run", case.deck,
+               "--output", folder / "results.vtkhdf", "--force", "--quiet", "--summary", summary]
+    for override in (*case.overrides, f"analysis.end_time={steps * TIME_STEP}"):
+        command += ["--set", override]
     done = subprocess.run([str(word) for word in command], env={**os.environ, **ENVIRONMENT}, text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
     if done.returncode != 0:
@@ -112,9 +139,9 @@ def count_run(program, order, steps, folder):
     return Run(read_profile(profile), json.loads(summary.read_text())["newton_iterations"])
 
 
-def count_order(program, order, folder):
-    """Instructions per element and iteration by phase, and iterations per step, of one order."""
-    short, long = (count_run(program, order, steps, folder) for steps in STEPS)
+def count_case(program, case, folder):
+    """Instructions per element and iteration by phase, and iterations per step, of one case."""
+    short, long = (count_run(program, case, steps, folder) for steps in STEPS)
     iterations = long.iterations - short.iterations
 
     def per_element(functions):
@@ -136,24 +163,24 @@ def find_compiler(program):
 def print_table(counts, recorded):
     """Each count, and by how much it differs from the recorded one."""
     print(f"Instructions per element and Newton iteration, {ELEMENTS} elements\n")
-    print(f"{'order':>5} {'it/step':>8}" + "".join(f"{name:>16}" for name in COLUMNS))
-    for order, row in counts.items():
-        cells = [f"{row[name]:>8}" + (f" {row[name] / recorded[order][name] - 1:>+7.1%}" if order in recorded else "")
+    print(f"{'order':<9} {'it/step':>8}" + "".join(f"{name:>16}" for name in COLUMNS))
+    for case, row in counts.items():
+        cells = [f"{row[name]:>8}" + (f" {row[name] / recorded[case][name] - 1:>+7.1%}" if case in recorded else "")
                  for name in COLUMNS]
-        print(f"{order:>5} {row['iterations']:>8.2f}" + "".join(f"{cell:>16}" for cell in cells))
+        print(f"{case:<9} {row['iterations']:>8.2f}" + "".join(f"{cell:>16}" for cell in cells))
     print()
 
 
 def find_differences(counts, recorded):
     """A sentence for each count that is not what was recorded."""
     sentences = []
-    for order, row in counts.items():
+    for case, row in counts.items():
         for name in ("iterations", *COLUMNS):
-            now, before = row[name], recorded.get(order, {}).get(name)
+            now, before = row[name], recorded.get(case, {}).get(name)
             if before is None:
-                sentences.append(f"Order {order}, {name}: {now}, of which nothing is recorded.")
+                sentences.append(f"Order {case}, {name}: {now}; no count is recorded.")
             elif abs(now - before) > TOLERANCE * before:
-                sentences.append(f"Order {order}, {name}: {now} instead of {before}, {now / before - 1:+.1%}.")
+                sentences.append(f"Order {case}, {name}: {now} instead of {before}, {now / before - 1:+.1%}.")
     return sentences
 
 
@@ -177,7 +204,7 @@ def compare(counts, compiler):
 
 def record(counts, compiler):
     """Keeps the counts beside this script."""
-    rows = ",\n".join(f'    "{order}": {json.dumps(row)}' for order, row in counts.items())
+    rows = ",\n".join(f'    "{case}": {json.dumps(row)}' for case, row in counts.items())
     RECORD.write_text(f'{{\n  "compiler": "{compiler}",\n  "counts": {{\n{rows}\n  }}\n}}\n')
     print_table(counts, {})
     print(f"Recorded in {RECORD.name}.")
@@ -194,7 +221,7 @@ def main():
         if not shutil.which("valgrind"):
             raise Unmeasurable("there is no valgrind; cmake/install-packages test installs it")
         with tempfile.TemporaryDirectory() as folder:
-            counts = {str(order): count_order(arguments.program, order, pathlib.Path(folder)) for order in ORDERS}
+            counts = {case.name: count_case(arguments.program, case, pathlib.Path(folder)) for case in CASES}
         keep = record if arguments.record else compare
         return keep(counts, find_compiler(arguments.program))
     except Unmeasurable as reason:
