@@ -121,7 +121,7 @@ class Run(ProgramTest):
         summary = json.loads(done.stdout)
         self.assertEqual(
             sorted(summary),
-            sorted("status reason deck results nodes elements unknowns steps rejected_steps cuts newton_limit "
+            sorted("status reason warnings deck results nodes elements unknowns steps rejected_steps cuts newton_limit "
                    "newton_iterations time wall_seconds threads version".split()))
         self.assertEqual(sorted(summary["wall_seconds"]),
                          sorted("total setup assembly solve update output".split()))

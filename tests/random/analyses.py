@@ -17,7 +17,7 @@ def newton(draw, plan, scheme):
     if draw.chance(0.5):
         settings["max_iterations"] = draw.integer(5, 60)
     if draw.chance(0.5) or not settings:
-        tangents = ["mixed", "consistent"]
+        tangents = ["mixed", "consistent", "automatic"]
         if sum(rod.elements * rod.order for rod in plan.rods) < 12:
             tangents.append("difference")  # slow
         if scheme == "newmark-simplified" and not plan.rods:

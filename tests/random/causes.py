@@ -16,10 +16,23 @@ def time_functions(draw, plan):
     first = {"table": [[0.0, 0.0], [0.3 * span, draw.uniform(-1, 1)], [0.6 * span, draw.uniform(-1, 1)],
                        [span, 0.0]]} if draw.chance(0.5) else {
                            "expression": draw.pick([f"sin({draw.uniform(1, 10) / span!r}*t)", 0.5])}
+    if "table" in first:
+        choose_interpolation(first, plan)
     plan.deck["function"] = {"pulse": first}
     if draw.chance(0.3):
         plan.deck["function"]["twice"] = {"expression": "pulse(t)*pulse(0.5*t)"}
     return list(plan.deck["function"])
+
+
+def choose_interpolation(function, plan):
+    """How a table is interpolated, and whether a file holds it: by its values, so that nothing else is drawn otherwise."""
+    rows = function["table"]
+    number = int(1e6 * abs(rows[1][1]))
+    if number % 4 != 0:
+        function["interpolation"] = ["cubic", "linear", "monotone"][number % 4 - 1]
+    if number // 4 % 3 == 0:
+        plan.files["pulse.csv"] = "t,v\n" + "".join(f"{t!r},{value!r}\n" for t, value in function.pop("table"))
+        function |= {"file": "pulse.csv", "columns": ["t", "v"]}
 
 
 def functions_are_constant(plan):
