@@ -90,6 +90,7 @@ TEST_CASE("resultants of a model advance with its nodes", "[assembly][mixed]") {
                 const Vec6 delta = amount * increments[i];
                 apply_spin(state.previous[i], delta.head<3>(), delta.tail<3>(), moved.trial[i]);
             }
+            moved.previous = moved.trial;
             system.start_resultants(moved);
             Eigen::VectorXd stacked(6 * moved.resultants.size());
             for (std::size_t p = 0; p < moved.resultants.size(); ++p)

@@ -45,6 +45,8 @@ void try_plan(std::string_view input) {
         (void)is_plan(file);
     } catch (const DeckError&) {
         // It may be neither.
+    } catch (const FileError&) {
+        return;  // such as one that is not in UTF-8
     }
     try {
         check_cases(read_plan(file));
