@@ -158,7 +158,7 @@ void find_missing_causes(const Model& model,
 void find_odd_bodies(const Model& model, std::vector<Finding>& findings) {
     for (const Body& body : model.bodies) {
         const Eigen::SelfAdjointEigenSolver<Mat3> solver(body.inertia, Eigen::EigenvaluesOnly);
-        const Vec3 moments = solver.eigenvalues();
+        const Vec3& moments = solver.eigenvalues();
         if (!exceed_sum(moments)) continue;
         findings.push_back(
             {Severity::warning,

@@ -32,7 +32,8 @@ struct ElementBlock {
     // The groups that a part's elements belong to, with those between: the first, and how many.
     int first_group(std::size_t part) const { return groups[phases.first(part)]; }
     std::size_t group_count(std::size_t part) const {
-        return static_cast<std::size_t>(groups[phases.last(part) - 1] - first_group(part) + 1);
+        const int last_group = groups[phases.last(part) - 1];
+        return static_cast<std::size_t>(last_group) - static_cast<std::size_t>(first_group(part)) + 1;
     }
 
     Histories histories(const State& state, std::size_t element) const {

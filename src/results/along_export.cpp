@@ -56,9 +56,10 @@ void append_number(TextBuffer& text, double number) {
 class AlongTables {
   public:
     AlongTables(const Hdf5Reader& file, const std::filesystem::path& results, const AlongRod& request)
-        : file_(file), line_(read_rod_line(file, find_rod(results, request.rod))) {
-        points_ = static_cast<hsize_t>(file.count("/VTKHDF/NumberOfPoints"));
-        cells_ = static_cast<hsize_t>(file.count("/VTKHDF/NumberOfCells"));
+        : file_(file),
+          line_(read_rod_line(file, find_rod(results, request.rod))),
+          points_(static_cast<hsize_t>(file.count("/VTKHDF/NumberOfPoints"))),
+          cells_(static_cast<hsize_t>(file.count("/VTKHDF/NumberOfCells"))) {
         point_fields_ = list_vectors(file, "/VTKHDF/PointData");
         point_fields_.insert(point_fields_.begin(), {"position", "/VTKHDF/Points"});
         cell_fields_ = list_vectors(file, "/VTKHDF/CellData");
