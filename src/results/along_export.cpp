@@ -59,10 +59,10 @@ class AlongTables {
         : file_(file),
           line_(read_rod_line(file, find_rod(results, request.rod))),
           points_(static_cast<hsize_t>(file.count("/VTKHDF/NumberOfPoints"))),
-          cells_(static_cast<hsize_t>(file.count("/VTKHDF/NumberOfCells"))) {
-        point_fields_ = list_vectors(file, "/VTKHDF/PointData");
+          cells_(static_cast<hsize_t>(file.count("/VTKHDF/NumberOfCells"))),
+          point_fields_(list_vectors(file, "/VTKHDF/PointData")),
+          cell_fields_(list_vectors(file, "/VTKHDF/CellData")) {
         point_fields_.insert(point_fields_.begin(), {"position", "/VTKHDF/Points"});
-        cell_fields_ = list_vectors(file, "/VTKHDF/CellData");
         choose_frames(results, request);
     }
 
