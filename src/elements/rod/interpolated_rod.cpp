@@ -199,6 +199,11 @@ NodalVector<Nodes> InterpolatedRod<Nodes>::compute_damping_force(const LocalMoti
 }
 
 template <int Nodes>
+double InterpolatedRod<Nodes>::damping_action(const Vec6& change) const {
+    return force_point(0).weight * section_->kelvin_voigt * change.dot(stiffness() * change);
+}
+
+template <int Nodes>
 double InterpolatedRod<Nodes>::damping_action(const LocalMotion<Nodes>& previous,
                                               const LocalMotion<Nodes>& trial,
                                               Histories histories) const {

@@ -73,6 +73,8 @@ class InterpolatedRod {
     double damping_action(const LocalMotion<Nodes>& previous,
                           const LocalMotion<Nodes>& trial,
                           Histories histories) const;
+    // The same of a rod with one force point, by the change of its strain.
+    double damping_action(const Vec6& change) const;
 
     // Λ and the total curvature of each point, for the next step.
     void advance(const LocalMotion<Nodes>& motion, std::span<SectionHistory> histories) const;

@@ -44,10 +44,9 @@ RodElement<Nodes, Map>::RodElement(const RodElementGeometry<Nodes>& geometry, co
     if constexpr (history_count > 0) start_ = compute_start(geometry);
 }
 
-// Calls visit with the two-node rod in the state of these motions.
 template <int Nodes, class Map>
 template <class Visitor>
-void RodElement<Nodes, Map>::visit_state(const Motions<Nodes>& motions, Visitor&& visit) const {
+void RodElement<Nodes, Map>::visit_two_nodes(const Motions<Nodes>& motions, Visitor&& visit) const {
     static_assert(is_two_node_objective);
     const auto& [jacobian, strain] = rod_.reference(0);
     const Mat6& C = rod_.stiffness();
@@ -60,7 +59,17 @@ void RodElement<Nodes, Map>::visit_state(const Motions<Nodes>& motions, Visitor&
     const Quat a = motions[0]->Lambda * triads()[0];
     const Quat b = motions[1]->Lambda * triads()[1];
     const HalfRotation<double> rotation = split_rotation(a.conjugate() * b);
-    visit(TwoNodeRod<double>::State(rod, rotation, a, motions[1]->r - motions[0]->r));
+    const Vec3 l = motions[1]->r - motions[0]->r;
+    visit(rod, rotation, a, l);
+}
+
+// Calls visit with the two-node rod in the state of these motions.
+template <int Nodes, class Map>
+template <class Visitor>
+void RodElement<Nodes, Map>::visit_state(const Motions<Nodes>& motions, Visitor&& visit) const {
+    visit_two_nodes(motions, [&](const auto& rod, const auto& rotation, const Quat& axes_a, const Vec3& l) {
+        visit(TwoNodeRod<double>::State(rod, rotation, axes_a, l));
+    });
 }
 
 template <int Nodes, class Map>
@@ -256,7 +265,20 @@ double RodElement<Nodes, Map>::damping_action(const Motions<Nodes>& previous,
                                               const Motions<Nodes>& trial,
                                               Histories histories) const {
     double action = 0.0;
-    if (rod_.is_damped()) {
+    if constexpr (is_two_node_objective) {
+        if (rod_.is_damped()) {
+            const auto strain_of = [&](const Motions<Nodes>& motions) {
+                Vec6 strain;
+                visit_two_nodes(
+                    motions, [&](const auto& rod, const auto& rotation, const Quat& axes_a, const Vec3& l) {
+                        const Mat3 frame = (axes_a * rotation.half).toRotationMatrix();
+                        strain << rod.compute_force_strain(frame, l), rod.compute_moment_strain(rotation);
+                    });
+                return strain;
+            };
+            action += rod_.damping_action(strain_of(trial) - strain_of(previous));
+        }
+    } else if (rod_.is_damped()) {
         action += rod_.damping_action(
             Map(previous, triads()).local(), Map(trial, triads()).local(), histories_of_points(histories));
     }

@@ -115,6 +115,9 @@ class RodElement {
     static constexpr bool is_two_node_objective = Nodes == 2 && std::is_same_v<Map, ObjectiveMap<2>>;
     template <class Visitor>
     void visit_state(const Motions<Nodes>& motions, Visitor&& visit) const;
+    // Calls visit(rod, rotation, axes of a, r_b − r_a), which a TwoNodeRod<double>::State is made of.
+    template <class Visitor>
+    void visit_two_nodes(const Motions<Nodes>& motions, Visitor&& visit) const;
 
     Rod rod_;
     RodInertia<Nodes> inertia_;

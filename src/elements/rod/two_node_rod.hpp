@@ -41,6 +41,14 @@ struct TwoNodeRod {
         Mat3 b_u, b_a, b_b;
     };
 
+    // Of the frame R.
+    Vec3 compute_force_strain(const Mat3& frame, const Vec3& l) const {
+        return (frame.transpose() * l) / length - Gamma_0;
+    }
+    Vec3 compute_moment_strain(const HalfRotation<Real>& rotation) const {
+        return rotation.Phi / length - Kappa_0;
+    }
+
     // Everything of one state that forces and tangents share.
     class State {
       public:
@@ -102,8 +110,8 @@ struct TwoNodeRod {
         Tangents compute_tangents() const;
 
       private:
-        Vec3 compute_force_strain() const { return (frame_.transpose() * l_) / rod_.length - rod_.Gamma_0; }
-        Vec3 compute_moment_strain() const { return rotation_.Phi / rod_.length - rod_.Kappa_0; }
+        Vec3 compute_force_strain() const { return rod_.compute_force_strain(frame_, l_); }
+        Vec3 compute_moment_strain() const { return rod_.compute_moment_strain(rotation_); }
         // X A + ½(I + [τ]×) B: what changes of M and m do to the moment on b.
         Mat3 pull(const Mat3& A, const Mat3& B) const {
             return rotation_.x * A + (rotation_.y * phi_) * (phi_.transpose() * A) +
