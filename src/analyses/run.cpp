@@ -231,20 +231,26 @@ class Run {
         if (summary_.status == RunStatus::running) summary_.status = RunStatus::complete;
         summary_.warnings = analysis_->list_warnings();
         summary_.is_unstable = analysis_->is_unstable();
+        sum_up_cuts();
+        compare_errors();
         if (file_) {
             const PhaseTimer timer(output_seconds_);
             write_end();
-            file_->close(summary_.status,
-                         summary_.reason,
-                         summary_.reason_nodes,
-                         fmt::format("{}", fmt::join(summary_.warnings, "\n")));
+            file_->close(summary_.status, summary_.reason, summary_.reason_nodes, join_warnings());
         }
-        sum_up_cuts();
-        compare_errors();
         summary_.time = recorded_time_;
         summary_.phases = analysis_->seconds();
         summary_.phases.setup = setup_seconds_;
         summary_.phases.output = output_seconds_;
+    }
+
+    // For the file, a line each.
+    std::string join_warnings() const {
+        std::vector<std::string> lines = summary_.warnings;
+        for (const std::string& line : {summary_.cuts, summary_.newton_limit}) {
+            if (!line.empty()) lines.push_back(line);
+        }
+        return fmt::format("{}", fmt::join(lines, "\n"));
     }
 
     void write_end() {

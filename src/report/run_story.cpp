@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "model/energy_round_off.hpp"
 #include "report/step_blocks.hpp"
-#include "results/cut_warning.hpp"
 #include "results/deck_reading.hpp"
 #include "results/energy_warning.hpp"
 
@@ -108,26 +108,6 @@ RunStory read_run_story(const Hdf5Reader& file) {
     return story;
 }
 
-namespace {
-
-// 0 of steps that are chosen by their error.
-double find_equal_step(const AnalysisSettings& analysis) {
-    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
-    if (dynamic == nullptr) return 1.0 / static_cast<double>(std::get<StaticSettings>(analysis).steps);
-    return dynamic->adaptive ? 0.0 : dynamic->end_time / static_cast<double>(dynamic->steps);
-}
-
-// "" if few steps were cut, or if the deck that says how long they are is not known.
-std::string tell_cuts(const Hdf5Reader& file, const RunStory& story, std::size_t steps) {
-    if (!story.problem) return "";
-    const AnalysisSettings& analysis = story.problem->analysis;
-    const StepCuts cuts = survey_cuts(file, steps, find_equal_step(analysis));
-    if (!are_worth_telling(cuts)) return "";
-    return count_cuts(cuts) + advise_on_cuts(story.problem->model, analysis);
-}
-
-}  // namespace
-
 std::vector<std::string> list_warnings(const Hdf5Reader& file, const RunStory& story, std::size_t steps) {
     std::vector<std::string> warnings;
     const std::string status = text_of(file, "status");
@@ -140,12 +120,13 @@ std::vector<std::string> list_warnings(const Hdf5Reader& file, const RunStory& s
             "The run had not ended when this page was made, or was killed; this is what it got to.");
     }
     std::istringstream lines(text_of(file, "warnings"));
-    for (std::string line; std::getline(lines, line);) warnings.push_back("Mind: " + line + ".");
+    for (std::string line; std::getline(lines, line);) {
+        line.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(line.front())));
+        warnings.push_back(line.ends_with('.') ? line : line + ".");
+    }
     const double round_off = story.problem ? compute_energy_round_off(story.problem->model) : 0.0;
     const std::string imbalance = describe_imbalance(survey_energy(file, story.is_static, steps), round_off);
     if (!imbalance.empty()) warnings.push_back("Mind that " + imbalance + ".");
-    const std::string cuts = tell_cuts(file, story, steps);
-    if (!cuts.empty()) warnings.push_back(cuts);
     return warnings;
 }
 

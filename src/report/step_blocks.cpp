@@ -179,27 +179,4 @@ EnergySurvey survey_energy(const Hdf5Reader& file, bool is_static, std::size_t s
     return survey;
 }
 
-StepCuts survey_cuts(const Hdf5Reader& file, std::size_t steps, double equal_step) {
-    StepCuts cuts;
-    double last_step = -1.0;  // counted so far, by its number
-    for (std::size_t first = 0; first < steps; first += most_rows_at_once) {
-        const std::size_t count = std::min(most_rows_at_once, steps - first);
-        const std::vector<double> times = file.rows("/histories/time", first, count, 1);
-        const std::vector<double> lengths = file.rows("/solver/time_step", first, count, 1);
-        const std::vector<double> rejected = file.rows("/solver/rejected_steps", first, count, 1);
-        for (std::size_t i = 0; i < count; ++i) {
-            const double middle = times[i] - 0.5 * lengths[i];
-            const double row = static_cast<double>(first + i);
-            const double step = equal_step > 0.0 ? std::floor(middle / equal_step) : row;
-            if (first + i > 0) cuts.steps = static_cast<std::int64_t>(equal_step > 0.0 ? step + 1.0 : row);
-            if (!(rejected[i] > 0.0)) continue;
-            cuts.cuts += static_cast<std::int64_t>(rejected[i]);
-            if (step != last_step) ++cuts.cut_steps;
-            last_step = step;
-        }
-    }
-    if (equal_step <= 0.0) cuts.by_error = cuts.cuts;
-    return cuts;
-}
-
 }  // namespace gxrod

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "report/step_thinning.hpp"
-#include "results/cut_warning.hpp"
 #include "results/energy_warning.hpp"
 #include "results/hdf5_reader.hpp"
 
@@ -44,9 +43,5 @@ void write_step_blocks(const Hdf5Reader& file,
 
 // Over the first `steps` steps. Throws Hdf5Error.
 EnergySurvey survey_energy(const Hdf5Reader& file, bool is_static, std::size_t steps);
-
-// How often steps were cut in the first `steps` rows: equal steps of this length, or each row's own if it is
-// 0 because they were chosen by their error. Throws Hdf5Error.
-StepCuts survey_cuts(const Hdf5Reader& file, std::size_t steps, double equal_step);
 
 }  // namespace gxrod
