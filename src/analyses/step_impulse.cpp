@@ -34,11 +34,11 @@ struct Sums {
 
 class StepSums {
   public:
-    StepSums(const TimedLoad& load, const StepGrid& grid, const Integrator& integrator)
-        : load_(load), grid_(grid), integrator_(integrator), weights_(integrator.power_weights()) {}
+    StepSums(const TimedLoad& load, const StepTimes& times, const Integrator& integrator)
+        : load_(load), times_(times), integrator_(integrator), weights_(integrator.power_weights()) {}
 
-    double count() const { return std::max(1.0, std::round(grid_.end_time / grid_.time_step)); }
-    double time_of(double step) const { return step >= count() ? grid_.end_time : step * grid_.time_step; }
+    double count() const { return std::max(1.0, std::round(times_.end_time / times_.time_step)); }
+    double time_of(double step) const { return step >= count() ? times_.end_time : step * times_.time_step; }
 
     Sums add_up(const Window& window) const {
         Sums sums;
@@ -98,7 +98,7 @@ class StepSums {
     }
 
     const TimedLoad& load_;
-    StepGrid grid_;
+    StepTimes times_;
     const Integrator& integrator_;
     std::vector<double> weights_;
 };
@@ -114,13 +114,13 @@ Window window_around(double time, const StepSums& steps, double time_step) {
 
 class ImpulseSearch {
   public:
-    ImpulseSearch(const TimedLoad& load, const StepGrid& grid, const Integrator& integrator)
-        : load_(load), grid_(grid), integrator_(integrator), steps_(load, grid, integrator) {}
+    ImpulseSearch(const TimedLoad& load, const StepTimes& times, const Integrator& integrator)
+        : load_(load), times_(times), integrator_(integrator), steps_(load, times, integrator) {}
 
     std::optional<LostImpulse> run() {
         const std::size_t stride = (load_.breaks.size() + most_windows - 1) / most_windows;
         for (std::size_t i = 0; i < load_.breaks.size(); i += std::max<std::size_t>(stride, 1)) {
-            look(window_around(load_.breaks[i], steps_, grid_.time_step), lost_at_break);
+            look(window_around(load_.breaks[i], steps_, times_.time_step), lost_at_break);
         }
         const double blocks = std::min(most_blocks, std::floor(steps_.count() / steps_of_block));
         for (double i = 0.0; load_.breaks.empty() && i < blocks; ++i) {
@@ -151,11 +151,11 @@ class ImpulseSearch {
     // By halving the step until nothing is lost where most was, nor with the next half: one may do so by
     // chance.
     double find_step_needed() const {
-        double step = grid_.time_step;
+        double step = times_.time_step;
         int good = 0;
         for (int i = 0; i < most_halvings && good < 2; ++i) {
             step *= 0.5;
-            good = loses(StepSums(load_, {grid_.end_time, step}, integrator_), step) ? 0 : good + 1;
+            good = loses(StepSums(load_, {times_.end_time, step}, integrator_), step) ? 0 : good + 1;
         }
         return good < 2 ? step : 2.0 * step;
     }
@@ -175,7 +175,7 @@ class ImpulseSearch {
     }
 
     const TimedLoad& load_;
-    StepGrid grid_;
+    StepTimes times_;
     const Integrator& integrator_;
     StepSums steps_;
     std::optional<LostImpulse> worst_;
@@ -186,9 +186,9 @@ class ImpulseSearch {
 }  // namespace
 
 std::optional<LostImpulse> find_lost_impulse(const TimedLoad& load,
-                                             const StepGrid& grid,
+                                             const StepTimes& times,
                                              const Integrator& integrator) {
-    return ImpulseSearch(load, grid, integrator).run();
+    return ImpulseSearch(load, times, integrator).run();
 }
 
 }  // namespace gxrod

@@ -15,7 +15,7 @@ struct TimedLoad {
     std::vector<double> breaks;  // sorted
 };
 
-struct StepGrid {
+struct StepTimes {
     double end_time = 0.0;
     double time_step = 0.0;
 };
@@ -34,7 +34,7 @@ struct LostImpulse {
 // is switched on or off once is not reported wherever in a step that is: it comes at most half a step too
 // soon or too late.
 std::optional<LostImpulse> find_lost_impulse(const TimedLoad& load,
-                                             const StepGrid& grid,
+                                             const StepTimes& times,
                                              const Integrator& integrator);
 
 }  // namespace gxrod

@@ -8,7 +8,7 @@ namespace gxrod {
 
 namespace {
 
-constexpr StepGrid grid{1.0, 0.01};
+constexpr StepTimes times{1.0, 0.01};
 
 // A pulse of height 1.
 TimedLoad make_pulse(double from, double to) {
@@ -19,7 +19,7 @@ std::optional<LostImpulse> find(const TimedLoad& load, Scheme scheme) {
     DynamicSettings settings;
     settings.scheme = scheme;
     const auto integrator = make_integrator(settings);
-    return find_lost_impulse(load, grid, *integrator);
+    return find_lost_impulse(load, times, *integrator);
 }
 
 constexpr std::array schemes{Scheme::newmark_simplified,
