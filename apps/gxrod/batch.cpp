@@ -9,7 +9,7 @@
 #include "batch_slurm.hpp"
 #include "batch_tell.hpp"
 #include "exit_code.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "parallel/cores.hpp"
 #include "verbs.hpp"
 

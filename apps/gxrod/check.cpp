@@ -3,12 +3,12 @@
 #include <memory>
 
 #include "analyses/dynamic.hpp"
-#include "analyses/memory_estimate.hpp"
-#include "analyses/mesh_frequencies.hpp"
-#include "analyses/model_examination.hpp"
-#include "analyses/model_summary.hpp"
-#include "analyses/rod_lines.hpp"
-#include "analyses/static_scale.hpp"
+#include "check/memory_estimate.hpp"
+#include "check/mesh_frequencies.hpp"
+#include "check/model_examination.hpp"
+#include "check/model_summary.hpp"
+#include "check/rod_lines.hpp"
+#include "check/static_scale.hpp"
 #include "deck/problem.hpp"
 #include "exit_code.hpp"
 #include "job.hpp"

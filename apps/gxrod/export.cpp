@@ -2,7 +2,7 @@
 #include <optional>
 
 #include "exit_code.hpp"
-#include "model/printable.hpp"
+#include "machine/printable.hpp"
 #include "results/along_export.hpp"
 #include "results/csv_export.hpp"
 #include "results/list_changes.hpp"

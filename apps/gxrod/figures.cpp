@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod {
 

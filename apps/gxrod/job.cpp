@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <new>
 
-#include "analyses/model_examination.hpp"
 #include "batch/plan.hpp"
+#include "check/model_examination.hpp"
 #include "exit_code.hpp"
+#include "machine/file_error.hpp"
 #include "model/energy_round_off.hpp"
-#include "model/file_error.hpp"
 #include "parallel/cores.hpp"
 #include "progress_line.hpp"
 #include "results/energy_warning.hpp"

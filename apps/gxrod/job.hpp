@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "analyses/run.hpp"
 #include "deck/problem.hpp"
+#include "run/run.hpp"
 
 namespace gxrod {
 

@@ -11,10 +11,10 @@
 
 #include "deck/fault.hpp"
 #include "deck/suggestion.hpp"
-#include "elements/lanes/instruction_set.hpp"
 #include "exit_code.hpp"
-#include "model/file_error.hpp"
-#include "model/printable.hpp"
+#include "machine/file_error.hpp"
+#include "machine/instruction_set.hpp"
+#include "machine/printable.hpp"
 #include "model/version.hpp"
 #include "say.hpp"
 #include "verbs.hpp"

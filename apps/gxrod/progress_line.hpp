@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "analyses/run.hpp"
+#include "run/run.hpp"
 
 namespace gxrod {
 

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "exit_code.hpp"
-#include "model/printable.hpp"
+#include "machine/printable.hpp"
 #include "progress_line.hpp"
 #include "report/batch_report.hpp"
 #include "say.hpp"

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "model/version.hpp"
 #include "say.hpp"
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "analyses/run.hpp"
+#include "run/run.hpp"
 
 namespace gxrod {
 

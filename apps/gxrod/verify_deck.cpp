@@ -4,12 +4,12 @@
 #include <csignal>
 #include <cstdio>
 
-#include "analyses/model_examination.hpp"
+#include "check/model_examination.hpp"
 #include "exit_code.hpp"
 #include "report/study_page.hpp"
 #include "results/output_file.hpp"
 #include "say.hpp"
-#include "verification/deck_study_text.hpp"
+#include "study/deck_study_text.hpp"
 
 namespace gxrod {
 

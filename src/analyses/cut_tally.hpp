@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "results/cut_warning.hpp"
+#include "analyses/cut_warning.hpp"
 #include "solvers/equilibrium.hpp"
 
 namespace gxrod {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "results/energy_jump.hpp"
+#include "state/energy_jump.hpp"
 
 namespace gxrod {
 

@@ -5,9 +5,9 @@
 #include "analyses/static_work.hpp"
 #include "assembly/system.hpp"
 #include "integrators/integrator.hpp"
-#include "results/restart_record.hpp"
-#include "results/step_record.hpp"
 #include "solvers/equilibrium.hpp"
+#include "state/restart_record.hpp"
+#include "state/step_record.hpp"
 
 namespace gxrod {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analyses/stability.hpp"
 #include "analyses/stepped_analysis.hpp"
+#include "check/stability.hpp"
 #include "model/settings.hpp"
 
 namespace gxrod {

@@ -2,10 +2,10 @@
 
 #include <stdexcept>
 
-#include "analyses/stiffness_contrast.hpp"
-#include "results/energy_jump.hpp"
-#include "solvers/direction_words.hpp"
+#include "check/direction_words.hpp"
+#include "check/stiffness_contrast.hpp"
 #include "solvers/worst_nodes.hpp"
+#include "state/energy_jump.hpp"
 
 namespace gxrod {
 

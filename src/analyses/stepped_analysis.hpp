@@ -6,11 +6,11 @@
 #include "analyses/ledger.hpp"
 #include "analyses/path_work.hpp"
 #include "assembly/system.hpp"
+#include "check/failure_advice.hpp"
 #include "integrators/integrator.hpp"
-#include "results/step_record.hpp"
 #include "solvers/equilibrium.hpp"
-#include "solvers/failure_advice.hpp"
 #include "solvers/step_sequence.hpp"
+#include "state/step_record.hpp"
 
 namespace gxrod {
 

@@ -1,8 +1,9 @@
 #include <algorithm>
 #include <cassert>
 
+#include "assembly/node_groups.hpp"
 #include "assembly/system.hpp"
-#include "model/reserve_more.hpp"
+#include "machine/reserve_more.hpp"
 
 // How a system is made of its model, once.
 namespace gxrod {

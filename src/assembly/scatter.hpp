@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "assembly/equation_numbers.hpp"
-#include "assembly/sparse_pattern.hpp"
 #include "elements/element.hpp"
+#include "linear/sparse_pattern.hpp"
 #include "parallel/thread_team.hpp"
 
 // From an element's matrix to the global one, and from nodal vectors to equations and back.

@@ -16,8 +16,8 @@
 #include "batch/gathering.hpp"
 #include "batch/seconds_since.hpp"
 #include "batch/worker_pool.hpp"
+#include "machine/file_error.hpp"
 #include "machine/machine_memory.hpp"
-#include "model/file_error.hpp"
 
 namespace gxrod {
 namespace {

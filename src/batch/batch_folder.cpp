@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "batch/batch_record.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "batch/batch_folder.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "results/hdf5_objects.hpp"
 
 namespace gxrod {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "batch/plan_schema.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod {
 namespace {

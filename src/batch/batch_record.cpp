@@ -11,9 +11,9 @@
 #include "deck/csv_reading.hpp"
 #include "deck/deck_comparison.hpp"
 #include "deck/text_file.hpp"
-#include "model/file_error.hpp"
+#include "machine/digest.hpp"
+#include "machine/file_error.hpp"
 #include "model/version.hpp"
-#include "results/digest.hpp"
 
 namespace gxrod {
 namespace {

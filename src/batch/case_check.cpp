@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "analyses/model_examination.hpp"
 #include "batch/case_groups.hpp"
 #include "batch/collector.hpp"
+#include "check/model_examination.hpp"
 #include "deck/override_key.hpp"
 #include "deck/suggestion.hpp"
 #include "results/results_size.hpp"

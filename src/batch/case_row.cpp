@@ -6,7 +6,7 @@
 #include <charconv>
 #include <limits>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod {
 namespace {

@@ -7,13 +7,13 @@
 #include <limits>
 #include <new>
 
-#include "analyses/model_examination.hpp"
-#include "analyses/run.hpp"
 #include "batch/collector.hpp"
 #include "batch/seconds_since.hpp"
+#include "check/model_examination.hpp"
+#include "machine/file_error.hpp"
 #include "model/energy_round_off.hpp"
-#include "model/file_error.hpp"
 #include "results/energy_warning.hpp"
+#include "run/run.hpp"
 
 namespace gxrod {
 namespace {

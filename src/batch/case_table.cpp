@@ -12,7 +12,7 @@
 
 #include "batch/batch_folder.hpp"
 #include "deck/text_file.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod {
 namespace {

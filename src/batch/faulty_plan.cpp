@@ -7,7 +7,7 @@
 #include "batch/case_list.hpp"
 #include "batch/collector.hpp"
 #include "batch/value_range.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod {
 namespace {

@@ -15,7 +15,7 @@
 #include "deck/text_file.hpp"
 #include "deck/toml_writing.hpp"
 #include "deck/validation.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod {
 namespace {

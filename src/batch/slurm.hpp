@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "batch/slurm_jobs.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod {
 

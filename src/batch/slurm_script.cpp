@@ -6,7 +6,7 @@
 #include <charconv>
 
 #include "batch/case_slices.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "deck/geometry/helix_curve.hpp"
-#include "deck/geometry/line_curve.hpp"
-#include "deck/geometry/natural_spline.hpp"
-#include "deck/rod_mesh.hpp"
+#include "geometry/helix_curve.hpp"
+#include "geometry/line_curve.hpp"
+#include "geometry/natural_spline.hpp"
+#include "mesh/rod_mesh.hpp"
 
 namespace gxrod {
 namespace {

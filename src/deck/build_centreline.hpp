@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "deck/build_context.hpp"
-#include "deck/geometry/centreline.hpp"
+#include "geometry/centreline.hpp"
 
 namespace gxrod {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "deck/rod_mesh.hpp"
+#include "mesh/rod_mesh.hpp"
 
 namespace gxrod {
 namespace {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "deck/element_turn.hpp"
-#include "deck/geometry/curve.hpp"
 #include "deck/section_axes.hpp"
+#include "geometry/curve.hpp"
 
 namespace gxrod {
 namespace {

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "deck/choices.hpp"
-#include "deck/rod_mesh.hpp"
+#include "mesh/rod_mesh.hpp"
 #include "model/frame_interval.hpp"
 
 namespace gxrod {

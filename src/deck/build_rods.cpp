@@ -9,11 +9,11 @@
 #include "deck/build_nets.hpp"
 #include "deck/choices.hpp"
 #include "deck/element_turn.hpp"
-#include "deck/rod_mesh.hpp"
 #include "deck/schema_tables.hpp"
 #include "deck/section_axes.hpp"
 #include "deck/suggestion.hpp"
-#include "model/reserve_more.hpp"
+#include "machine/reserve_more.hpp"
+#include "mesh/rod_mesh.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {

@@ -7,7 +7,7 @@
 #include <new>
 #include <utility>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod {
 namespace {

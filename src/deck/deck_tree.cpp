@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "deck/syntax_fault.hpp"
-#include "model/printable.hpp"
+#include "machine/printable.hpp"
 
 namespace gxrod {
 namespace {

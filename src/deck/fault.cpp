@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "model/printable.hpp"
+#include "machine/printable.hpp"
 
 namespace gxrod {
 namespace {

@@ -12,8 +12,8 @@
 #include "deck/reading_context.hpp"
 #include "deck/suggestion.hpp"
 #include "deck/text_file.hpp"
-#include "model/file_error.hpp"
-#include "model/printable.hpp"
+#include "machine/file_error.hpp"
+#include "machine/printable.hpp"
 
 namespace gxrod {
 namespace {

@@ -21,8 +21,8 @@
 #include "deck/resumption.hpp"
 #include "deck/text_file.hpp"
 #include "deck/validation.hpp"
+#include "machine/file_error.hpp"
 #include "machine/machine_memory.hpp"
-#include "model/file_error.hpp"
 
 namespace gxrod {
 namespace {

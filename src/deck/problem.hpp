@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "deck/deck_tree.hpp"
-#include "deck/mesh/mesh_files.hpp"
+#include "mesh/mesh_files.hpp"
 #include "model/deck_record.hpp"
 #include "model/model.hpp"
 #include "model/settings.hpp"

@@ -5,9 +5,9 @@
 
 #include "deck/checked_deck.hpp"
 #include "deck/fault_list.hpp"
-#include "deck/mesh/mesh_files.hpp"
-#include "deck/mesh/rod_net.hpp"
 #include "deck/point.hpp"
+#include "mesh/mesh_files.hpp"
+#include "mesh/rod_net.hpp"
 #include "model/deck_record.hpp"
 
 namespace gxrod {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "model/printable.hpp"
+#include "machine/printable.hpp"
 
 namespace gxrod {
 namespace {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "deck/array_reading.hpp"
 #include "deck/word_reading.hpp"
-#include "model/printable.hpp"
+#include "machine/printable.hpp"
 
 namespace gxrod {
 namespace {

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "loads/kronrod_rule.hpp"
 #include "model/evaluation_error.hpp"
+#include "numerics/kronrod_rule.hpp"
 
 namespace gxrod {
 

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "machine/digest.hpp"
 #include "report/case_pages.hpp"
 #include "report/script_json.hpp"
-#include "results/digest.hpp"
 
 namespace gxrod {
 

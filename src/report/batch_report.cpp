@@ -8,7 +8,7 @@
 
 #include "batch/batch_record.hpp"
 #include "batch/case_table.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "report/batch_json.hpp"
 #include "report/page_file.hpp"
 #include "report/page_template.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "report/report.hpp"
 
 namespace gxrod {

@@ -3,7 +3,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod {
 

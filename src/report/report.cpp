@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "report/data_blocks.hpp"
 #include "report/frame_blocks.hpp"
 #include "report/page_file.hpp"

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <system_error>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "results/results_access.hpp"
 #include "results/rod_line.hpp"
 

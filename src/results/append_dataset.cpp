@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "results/checksum.hpp"
+#include "machine/checksum.hpp"
 #include "results/text_heap.hpp"
 
 namespace gxrod {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "results/energy_jump.hpp"
+#include "state/energy_jump.hpp"
 
 namespace gxrod {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "results/hdf5_reader.hpp"
-#include "results/restart_record.hpp"
+#include "state/restart_record.hpp"
 
 namespace gxrod {
 

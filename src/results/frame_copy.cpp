@@ -9,7 +9,7 @@
 #include <fstream>
 #include <system_error>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod {
 namespace {

@@ -4,7 +4,7 @@
 #include "model/settings.hpp"
 #include "results/append_dataset.hpp"
 #include "results/frame_mesh.hpp"
-#include "results/step_record.hpp"
+#include "state/step_record.hpp"
 
 namespace gxrod {
 

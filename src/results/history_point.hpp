@@ -6,7 +6,7 @@
 #include "model/model.hpp"
 #include "model/settings.hpp"
 #include "results/point_kind.hpp"
-#include "results/step_record.hpp"
+#include "state/step_record.hpp"
 
 namespace gxrod {
 

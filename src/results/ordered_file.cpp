@@ -10,7 +10,7 @@
 #include <new>
 #include <system_error>
 
-#include "results/descriptor_io.hpp"
+#include "machine/descriptor_io.hpp"
 
 namespace gxrod {
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 #include <system_error>
 
-#include "results/checksum.hpp"
-#include "results/descriptor_io.hpp"
+#include "machine/checksum.hpp"
+#include "machine/descriptor_io.hpp"
 
 namespace gxrod {
 namespace {

@@ -6,9 +6,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "results/checksum.hpp"
+#include "machine/checksum.hpp"
 #include "results/hdf5_objects.hpp"
-#include "results/restart_record.hpp"
+#include "state/restart_record.hpp"
 
 // How a state to go on from lies in a slot of /restart: for what writes and what reads it.
 namespace gxrod {

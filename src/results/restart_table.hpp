@@ -5,7 +5,7 @@
 
 #include "results/hdf5_objects.hpp"
 #include "results/hdf5_reader.hpp"
-#include "results/restart_record.hpp"
+#include "state/restart_record.hpp"
 
 namespace gxrod {
 

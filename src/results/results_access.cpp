@@ -4,7 +4,7 @@
 #include <system_error>
 #include <thread>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "results/survey.hpp"
 
 namespace gxrod {

@@ -4,7 +4,7 @@
 #include <set>
 #include <system_error>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "results/results_writer.hpp"
 
 namespace gxrod {

@@ -10,9 +10,9 @@
 #include "model/model.hpp"
 #include "model/settings.hpp"
 #include "results/output_file.hpp"
-#include "results/restart_record.hpp"
 #include "results/resumable_file.hpp"
-#include "results/step_record.hpp"
+#include "state/restart_record.hpp"
+#include "state/step_record.hpp"
 
 namespace gxrod {
 

@@ -6,11 +6,11 @@
 #include <set>
 #include <stdexcept>
 
+#include "machine/digest.hpp"
+#include "machine/memory_reserve.hpp"
 #include "model/version.hpp"
 #include "results/deck_reading.hpp"
-#include "results/digest.hpp"
 #include "results/file_seal.hpp"
-#include "results/memory_reserve.hpp"
 #include "results/ordered_driver.hpp"
 #include "results/structure_sum.hpp"
 

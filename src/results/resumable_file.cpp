@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "results/deck_reading.hpp"
 #include "results/find_changes.hpp"
 #include "results/output_file.hpp"

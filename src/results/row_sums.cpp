@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "results/checksum.hpp"
+#include "machine/checksum.hpp"
 #include "results/hdf5_objects.hpp"
 
 namespace gxrod {

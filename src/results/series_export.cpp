@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "results/frame_copy.hpp"
 #include "results/results_access.hpp"
 

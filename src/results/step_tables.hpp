@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "results/append_dataset.hpp"
-#include "results/step_record.hpp"
+#include "state/step_record.hpp"
 
 namespace gxrod {
 

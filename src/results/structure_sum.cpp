@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "results/checksum.hpp"
+#include "machine/checksum.hpp"
 #include "results/file_seal.hpp"
 #include "results/object_walk.hpp"
 #include "results/row_sums.hpp"

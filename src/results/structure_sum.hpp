@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "results/restart_record.hpp"
+#include "state/restart_record.hpp"
 
 namespace gxrod {
 

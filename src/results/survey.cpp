@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "machine/child_process.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "results/chunk_check.hpp"
 #include "results/hdf5_objects.hpp"
 #include "results/hdf5_reader.hpp"

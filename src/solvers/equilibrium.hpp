@@ -7,8 +7,8 @@
 
 #include "assembly/system.hpp"
 #include "integrators/integrator.hpp"
-#include "solvers/linear_solver.hpp"
-#include "solvers/phase_timer.hpp"
+#include "linear/linear_solver.hpp"
+#include "machine/phase_timer.hpp"
 
 namespace gxrod {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "verification/deck_run.hpp"
+#include "study/deck_run.hpp"
 #include "verification/example_texts.hpp"
 
 namespace gxrod {

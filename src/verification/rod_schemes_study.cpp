@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "rotation/types.hpp"
-#include "verification/deck_run.hpp"
+#include "study/deck_run.hpp"
 #include "verification/example_texts.hpp"
 
 namespace gxrod::rod_schemes {

@@ -3,7 +3,7 @@
 #include <fstream>
 #include <optional>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "rotation/rotation_map.hpp"
 #include "verification/rubin2007_study.hpp"
 

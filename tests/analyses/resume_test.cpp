@@ -1,10 +1,10 @@
 #include <catch2/catch.hpp>
 
-#include "analyses/run.hpp"
 #include "deck/decks.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "results/hdf5_reader.hpp"
 #include "results/sample.hpp"
+#include "run/run.hpp"
 #include "solvers/step_control.hpp"
 
 // A run that was stopped and goes on, against the same run in one piece: equal to the last bit.

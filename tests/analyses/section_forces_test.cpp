@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 
 #include "deck/decks.hpp"
+#include "study/deck_run.hpp"
 #include "tools/run.hpp"
 #include "tools/static_run.hpp"
-#include "verification/deck_run.hpp"
 
 // Section forces and strains of histories, at nodes and between, against equilibrium.
 

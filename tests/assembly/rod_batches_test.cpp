@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "assembly/node_groups.hpp"
 #include "assembly/rotary_batches.hpp"
 #include "rotation/rotation_map.hpp"
 #include "tools/random_values.hpp"

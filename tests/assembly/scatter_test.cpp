@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "assembly/held_nodes.hpp"
+#include "assembly/node_groups.hpp"
 #include "assembly/sample_model.hpp"
 
 using namespace gxrod;

@@ -4,7 +4,7 @@
 
 #include "batch/batch.hpp"
 #include "batch/plans.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -8,7 +8,7 @@
 #include "batch/batch_folder.hpp"
 #include "batch/gathering.hpp"
 #include "batch/plans.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "analyses/run.hpp"
 #include "batch/batch.hpp"
 #include "batch/plans.hpp"
+#include "run/run.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "batch/batch.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod::test {
 

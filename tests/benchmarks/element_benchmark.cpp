@@ -4,7 +4,7 @@
 #include "assembly/system.hpp"
 #include "benchmarks/problems.hpp"
 #include "elements/rod/rod_element.hpp"
-#include "elements/rod/shape_functions.hpp"
+#include "numerics/lagrange.hpp"
 #include "state/increment.hpp"
 #include "tools/random_values.hpp"
 

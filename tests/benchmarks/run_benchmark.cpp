@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-#include "analyses/run.hpp"
 #include "benchmarks/block_tridiagonal.hpp"
 #include "benchmarks/memory_peak.hpp"
 #include "benchmarks/problems.hpp"
+#include "run/run.hpp"
 
 namespace gxrod::speed {
 namespace {

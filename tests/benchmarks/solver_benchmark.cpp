@@ -4,8 +4,8 @@
 #include "assembly/system.hpp"
 #include "benchmarks/block_tridiagonal.hpp"
 #include "benchmarks/problems.hpp"
-#include "solvers/linear_solver.hpp"
-#include "solvers/phase_timer.hpp"
+#include "linear/linear_solver.hpp"
+#include "machine/phase_timer.hpp"
 
 namespace gxrod::speed {
 namespace {

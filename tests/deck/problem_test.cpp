@@ -11,7 +11,7 @@
 
 #include "deck/decks.hpp"
 #include "deck/fault.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "deck/decks.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod::test {
 namespace {

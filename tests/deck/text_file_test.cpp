@@ -7,7 +7,7 @@
 #include <fstream>
 #include <thread>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "results/sample.hpp"
 
 using namespace gxrod;

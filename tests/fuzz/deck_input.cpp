@@ -6,8 +6,8 @@
 #include "deck/validation.hpp"
 #include "fuzz/expectation.hpp"
 #include "fuzz/inputs.hpp"
+#include "machine/file_error.hpp"
 #include "model/evaluation_error.hpp"
-#include "model/file_error.hpp"
 
 namespace gxrod::fuzz {
 namespace {

@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <cstring>
 
-#include "deck/mesh/line_mesh_bytes.hpp"
-#include "deck/mesh/rod_net.hpp"
 #include "fuzz/expectation.hpp"
 #include "fuzz/inputs.hpp"
 #include "fuzz/scratch_folder.hpp"
+#include "mesh/line_mesh_bytes.hpp"
+#include "mesh/rod_net.hpp"
 
 namespace gxrod::fuzz {
 namespace {

@@ -6,7 +6,7 @@
 #include "fuzz/expectation.hpp"
 #include "fuzz/inputs.hpp"
 #include "fuzz/scratch_folder.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 namespace gxrod::fuzz {
 namespace {

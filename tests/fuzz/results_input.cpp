@@ -5,7 +5,7 @@
 #include "fuzz/inputs.hpp"
 #include "fuzz/results_sample.hpp"
 #include "fuzz/scratch_folder.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "report/report.hpp"
 #include "results/csv_export.hpp"
 #include "results/results_file.hpp"

@@ -10,7 +10,7 @@
 #include "deck/text_file.hpp"
 #include "fuzz/results_sample.hpp"
 #include "fuzz/scratch_folder.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "results/hdf5_reader.hpp"
 #include "results/list_changes.hpp"
 #include "results/results_access.hpp"

@@ -2,11 +2,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "analyses/item_list.hpp"
-#include "analyses/model_examination.hpp"
-#include "analyses/model_summary.hpp"
-#include "analyses/rod_lines.hpp"
-#include "analyses/unconnected_points.hpp"
+#include "check/item_list.hpp"
+#include "check/model_examination.hpp"
+#include "check/model_summary.hpp"
+#include "check/rod_lines.hpp"
+#include "check/unconnected_points.hpp"
 #include "deck/decks.hpp"
 
 // Right decks that were refused or warned of, and what must be all the same.

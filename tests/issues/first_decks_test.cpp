@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 
-#include "analyses/static_scale.hpp"
 #include "batch/plans.hpp"
+#include "check/static_scale.hpp"
 #include "deck/decks.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 
 // What goes wrong with somebody's first decks and plans, and is explained in one round.
 

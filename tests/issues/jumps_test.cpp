@@ -2,10 +2,10 @@
 // with their load factors.
 #include <catch2/catch.hpp>
 
-#include "analyses/run.hpp"
 #include "deck/decks.hpp"
 #include "model/energy_round_off.hpp"
-#include "verification/motion_trace.hpp"
+#include "run/run.hpp"
+#include "study/motion_trace.hpp"
 
 namespace gxrod::test {
 namespace {

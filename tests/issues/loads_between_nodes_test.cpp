@@ -1,8 +1,8 @@
 // Loads and motions that change between nodes and between steps: once sampled there, lost, or taken as blows.
 #include <catch2/catch.hpp>
 
-#include "analyses/model_examination.hpp"
 #include "assembly/system.hpp"
+#include "check/model_examination.hpp"
 #include "deck/decks.hpp"
 #include "tools/static_run.hpp"
 

@@ -1,8 +1,8 @@
 // Damped structures in fast rotation: what damping dissipates never falls, and is what they lose.
 #include <catch2/catch.hpp>
 
-#include "analyses/run.hpp"
 #include "deck/decks.hpp"
+#include "run/run.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -1,11 +1,11 @@
 #include <catch2/catch.hpp>
 
 #include "analyses/dynamic.hpp"
-#include "analyses/model_examination.hpp"
-#include "analyses/run.hpp"
+#include "check/model_examination.hpp"
 #include "deck/decks.hpp"
+#include "run/run.hpp"
+#include "study/deck_variants.hpp"
 #include "tools/tops.hpp"
-#include "verification/deck_variants.hpp"
 
 // Newton's tolerance was 1e-8 however small an error the steps were to have.
 

@@ -4,8 +4,8 @@
 
 #include "analyses/static.hpp"
 #include "deck/decks.hpp"
-#include "verification/deck_study.hpp"
-#include "verification/deck_study_text.hpp"
+#include "study/deck_study.hpp"
+#include "study/deck_study_text.hpp"
 
 // Equilibria that no structure would stay at came out as results without a word.
 

@@ -4,7 +4,8 @@
 #include <catch2/catch.hpp>
 
 #include "assembly/system.hpp"
-#include "elements/rod/shape_functions.hpp"
+#include "numerics/gauss_legendre.hpp"
+#include "numerics/lagrange.hpp"
 #include "state/increment.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"

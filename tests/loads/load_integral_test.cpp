@@ -5,9 +5,10 @@
 #include <catch2/catch.hpp>
 
 #include "assembly/system.hpp"
-#include "elements/rod/shape_functions.hpp"
 #include "loads/distributed_load.hpp"
 #include "model/evaluation_error.hpp"
+#include "numerics/gauss_legendre.hpp"
+#include "numerics/lagrange.hpp"
 #include "tools/random_values.hpp"
 #include "tools/rod_models.hpp"
 

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "batch/case_table.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "report/batch_json.hpp"
 #include "report/page_template.hpp"
 #include "report/script_json.hpp"

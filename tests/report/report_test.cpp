@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "deck/problem.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "results/results_file.hpp"
 #include "results/sample.hpp"
 

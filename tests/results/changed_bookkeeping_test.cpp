@@ -3,7 +3,7 @@
 #include <fstream>
 
 #include "deck/text_file.hpp"
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "results/hdf5_reader.hpp"
 #include "results/written_file.hpp"
 #include "tools/let_hdf5_leak.hpp"

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "results/find_changes.hpp"
 #include "results/hdf5_reader.hpp"
 #include "results/restart_table.hpp"

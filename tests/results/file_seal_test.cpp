@@ -9,8 +9,8 @@
 #include <system_error>
 
 #include "deck/text_file.hpp"
-#include "model/file_error.hpp"
-#include "results/checksum.hpp"
+#include "machine/checksum.hpp"
+#include "machine/file_error.hpp"
 #include "results/traced_writer.hpp"
 #include "results/written_file.hpp"
 #include "tools/let_hdf5_leak.hpp"

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <new>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "results/hdf5_objects.hpp"
 #include "results/hdf5_reader.hpp"
 #include "results/ordered_driver.hpp"

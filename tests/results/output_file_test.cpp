@@ -6,7 +6,7 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "results/sample.hpp"
 
 using namespace gxrod;

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <thread>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "model/version.hpp"
 #include "results/deck_reading.hpp"
 #include "results/hdf5_reader.hpp"

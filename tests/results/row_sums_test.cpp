@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "machine/checksum.hpp"
 #include "results/append_dataset.hpp"
-#include "results/checksum.hpp"
 #include "results/sample.hpp"
 
 using namespace gxrod;

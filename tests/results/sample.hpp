@@ -7,8 +7,8 @@
 #include "model/deck_record.hpp"
 #include "model/model.hpp"
 #include "model/settings.hpp"
-#include "results/restart_record.hpp"
-#include "results/step_record.hpp"
+#include "state/restart_record.hpp"
+#include "state/step_record.hpp"
 
 // A made-up model and motion, known at every time, to write results of.
 namespace gxrod::sample {

@@ -2,7 +2,8 @@
 
 #include <Eigen/Core>
 
-#include "solvers/linear_solver.hpp"
+#include "assembly/node_groups.hpp"
+#include "linear/linear_solver.hpp"
 
 // Matrices for the tests of linear solvers.
 namespace gxrod::tools {

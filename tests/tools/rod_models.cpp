@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "elements/rod/shape_functions.hpp"
+#include "numerics/lagrange.hpp"
 
 namespace gxrod::tools {
 

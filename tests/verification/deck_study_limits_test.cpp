@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "verification/deck_study_text.hpp"
+#include "study/deck_study_text.hpp"
 #include "verification/studied_decks.hpp"
 
 using namespace gxrod;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "verification/deck_study_text.hpp"
+#include "study/deck_study_text.hpp"
 
 // Studies that were made up, to be judged.
 namespace gxrod::test {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "model/file_error.hpp"
+#include "machine/file_error.hpp"
 #include "tools/run.hpp"
 
 using namespace gxrod;

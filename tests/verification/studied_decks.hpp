@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "model/temporary_folder.hpp"
-#include "verification/deck_study.hpp"
+#include "machine/temporary_folder.hpp"
+#include "study/deck_study.hpp"
 
 // Decks that are studied, and how.
 namespace gxrod::test {

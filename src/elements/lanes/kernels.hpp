@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-#include "elements/lanes/instruction_set.hpp"
+#include "machine/instruction_set.hpp"
 
 // Kernels that work on several elements or nodes at once, a lane each. Except where it is said, what they
 // read and write are rows with an entry for each of `width` lanes; quaternions are x, y, z, w, matrices

@@ -3,7 +3,8 @@
 #include "elements/element.hpp"
 #include "elements/rod/rod_section.hpp"
 #include "elements/rod/section_strain.hpp"
-#include "elements/rod/shape_functions.hpp"
+#include "numerics/gauss_legendre.hpp"
+#include "numerics/lagrange.hpp"
 
 namespace gxrod {
 

@@ -3,8 +3,9 @@
 #include "elements/element.hpp"
 #include "elements/rod/rod_geometry.hpp"
 #include "elements/rod/rod_section.hpp"
-#include "elements/rod/shape_functions.hpp"
 #include "elements/rotary_inertia.hpp"
+#include "numerics/gauss_legendre.hpp"
+#include "numerics/lagrange.hpp"
 
 namespace gxrod {
 

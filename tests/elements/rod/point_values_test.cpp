@@ -1,7 +1,8 @@
 #include <catch2/catch.hpp>
 
 #include "elements/element_samples.hpp"
-#include "elements/rod/shape_functions.hpp"
+#include "numerics/gauss_legendre.hpp"
+#include "numerics/lagrange.hpp"
 #include "rotation/rotation_map.hpp"
 
 using namespace gxrod;

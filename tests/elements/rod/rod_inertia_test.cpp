@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <catch2/catch.hpp>
 
-#include "elements/rod/shape_functions.hpp"
+#include "numerics/lagrange.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 

@@ -1,0 +1,54 @@
+#include "analyses/cut_warning.hpp"
+
+#include <fmt/format.h>
+
+#include "model/newton_choice.hpp"
+
+namespace gxrod {
+namespace {
+
+constexpr std::int64_t few = 5;
+// From here on a ratio of stiffnesses is worth a word. One of 100 was seen to cut a step in ten.
+constexpr double notable_ratio = 30.0;
+
+std::string describe_ratio(const Model& model) {
+    const std::optional<StiffnessRatio> ratio = find_stiffness_ratio(model);
+    if (!ratio || ratio->ratio < notable_ratio) return "";
+    return "; " + describe(*ratio, model);
+}
+
+std::string advise_on_motion(const Model& model, const DynamicSettings& settings) {
+    const std::string steps = settings.adaptive ? "a smaller max_step" : "a smaller time_step";
+    if (settings.scheme == Scheme::runge_kutta_4) return ". Try " + steps + ".";
+    std::string remedy = ". Try " + steps;
+    if (choose_tangent(model, settings).tangent != TangentKind::mixed && !model.rods.empty()) {
+        remedy = ". Try newton.tangent = \"mixed\", which bears longer steps, or " + steps;
+    }
+    const bool is_newmark =
+        settings.scheme == Scheme::newmark_simplified || settings.scheme == Scheme::newmark_ibrahimbegovic;
+    if (is_newmark) remedy += ", or generalized-alpha, which damps what is too fast for the steps";
+    return describe_ratio(model) + remedy + ".";
+}
+
+}  // namespace
+
+bool are_worth_telling(const StepCuts& cuts) {
+    constexpr double tolerable = 0.2;  // of the steps
+    const bool is_often_wrong =
+        static_cast<double>(cuts.by_error) > tolerable * static_cast<double>(cuts.steps);
+    return cuts.cuts - cuts.by_error > few || (cuts.by_error > few && is_often_wrong);
+}
+
+std::string count_cuts(const StepCuts& cuts) {
+    return fmt::format("{} of {} steps were cut, {} times in all", cuts.cut_steps, cuts.steps, cuts.cuts);
+}
+
+std::string advise_on_cuts(const Model& model, const AnalysisSettings& analysis) {
+    if (const auto* dynamic = std::get_if<DynamicSettings>(&analysis))
+        return advise_on_motion(model, *dynamic);
+    const bool is_consistent = choose_tangent(model, analysis).tangent == TangentKind::consistent;
+    return std::string(". Try more steps") +
+           (is_consistent ? ", or newton.tangent = \"mixed\", which bears larger ones." : ".");
+}
+
+}  // namespace gxrod

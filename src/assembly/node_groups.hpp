@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "assembly/equation_numbers.hpp"
+#include "assembly/node_groups.hpp"
+#include "linear/sparse_pattern.hpp"
+
+namespace gxrod {
+
+// The nodes that an element ties together.
+using NodeGroup = std::vector<int>;
+
+// The pattern in which all unknowns of a group's nodes are coupled to each other.
+SparsePattern compute_pattern(const EquationNumbers& equations, std::span<const NodeGroup> groups);
+
+}  // namespace gxrod

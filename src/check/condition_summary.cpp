@@ -1,0 +1,111 @@
+#include "check/condition_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace gxrod {
+namespace {
+
+constexpr double round_off = 1e-15;  // of a component of a direction
+constexpr std::array<const char*, 3> frames{"spatial", "follower", "body"};
+
+std::string describe(const Vec3& v) {
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0] + 0.0, v[1] + 0.0, v[2] + 0.0);
+}
+
+// Nodes that several rods share.
+ItemList list_connections(const Model& model) {
+    std::vector<std::vector<int>> rods(model.nodes.size());
+    for (int i = 0; i < static_cast<int>(model.rods.size()); ++i) {
+        for (const int node : model.rods[i].nodes) rods[node].push_back(i);
+    }
+    ItemList list{"connections", {}};
+    for (std::size_t node = 0; node < rods.size(); ++node) {
+        if (rods[node].size() < 2) continue;
+        std::vector<std::string> names;
+        for (const int rod : rods[node]) names.push_back(model.rods[rod].name);
+        list.items.push_back(fmt::format(
+            "connection: {} is one node of rods {}\n", model.nodes[node].name, fmt::join(names, ", ")));
+    }
+    return list;
+}
+
+std::string describe_support(const Model& model, const Support& support) {
+    std::string fixed, moved;
+    for (std::size_t i = 0; i < component_names.size(); ++i) {
+        if (support.fixed[i]) fixed.append(" ").append(component_names[i]);
+        if (support.moved[i]) moved.append(" ").append(component_names[i]);
+    }
+    std::string text = fmt::format("support at {}:", model.nodes[support.node].name);
+    if (!fixed.empty()) text += " fixes" + fixed;
+    if (!moved.empty()) text += (fixed.empty() ? " moves" : ", moves") + moved;
+    if (!support.axes.isApprox(Quat::Identity(), 0.0)) {
+        const Mat3 axes = support.axes.toRotationMatrix().unaryExpr(
+            [](double x) { return std::abs(x) < round_off ? 0.0 : x; });
+        text += fmt::format(
+            "; x {}, y {}, z {}", describe(axes.col(0)), describe(axes.col(1)), describe(axes.col(2)));
+    }
+    return text + "\n";
+}
+
+std::string describe_load(const Model& model, const NodalLoad& load) {
+    return fmt::format("{} at {}:{}{}, {}\n",
+                       load.key,
+                       model.nodes[load.node].name,
+                       is_zero(load.force) ? "" : " force",
+                       is_zero(load.moment) ? "" : " moment",
+                       frames[static_cast<std::size_t>(load.frame)]);
+}
+
+std::string describe_load(const Model& model, const DistributedLoad& load) {
+    return fmt::format("{} on rod {}:{}{}, {}\n",
+                       load.key,
+                       model.rods[load.rod].name,
+                       is_zero(load.force) ? "" : " force per length",
+                       is_zero(load.moment) ? "" : " moment per length",
+                       frames[static_cast<std::size_t>(load.frame)]);
+}
+
+// The largest velocities of some nodes; "" if all are at rest.
+std::string describe_velocities(const Model& model, const std::string& name, const std::vector<int>& nodes) {
+    double velocity = 0.0;
+    double spin = 0.0;
+    for (const int node : nodes) {
+        velocity = std::max(velocity, model.nodes[node].velocity.norm());
+        spin = std::max(spin, model.nodes[node].angular_velocity.norm());
+    }
+    if (velocity == 0.0 && spin == 0.0) return "";
+    return fmt::format(
+        "initial velocities of {}: up to {:.6g}, angular velocities up to {:.6g}\n", name, velocity, spin);
+}
+
+std::string describe_gravity(const Model& model) {
+    if (model.gravity.is_constant()) return fmt::format("gravity {}\n", describe(model.gravity(0.0)));
+    return fmt::format("gravity changes with t; at t = 1 it is {}\n", describe(model.gravity(1.0)));
+}
+
+}  // namespace
+
+std::vector<ItemList> list_conditions(const Model& model) {
+    ItemList supports{"supports", {}};
+    for (const Support& support : model.supports) supports.items.push_back(describe_support(model, support));
+    ItemList velocities{"initial velocities", {}};
+    const auto add_velocities = [&](const std::string& name, const std::vector<int>& nodes) {
+        const std::string text = describe_velocities(model, name, nodes);
+        if (!text.empty()) velocities.items.push_back(text);
+    };
+    for (const Rod& rod : model.rods) add_velocities("rod " + rod.name, rod.nodes);
+    for (const Body& body : model.bodies) add_velocities("body " + body.name, {body.node});
+    ItemList loads{"loads", {}};
+    for (const NodalLoad& load : model.loads) loads.items.push_back(describe_load(model, load));
+    for (const DistributedLoad& load : model.distributed_loads) {
+        loads.items.push_back(describe_load(model, load));
+    }
+    ItemList gravity{"fields", {}};
+    if (!model.gravity.is_zero()) gravity.items.push_back(describe_gravity(model));
+    return {list_connections(model), supports, velocities, loads, gravity};
+}
+
+}  // namespace gxrod

@@ -1,0 +1,214 @@
+#include "check/model_examination.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "check/function_examination.hpp"
+#include "check/stability.hpp"
+#include "check/stiffness_contrast.hpp"
+#include "check/unconnected_points.hpp"
+#include "check/unsupported_motions.hpp"
+#include "model/body_moments.hpp"
+#include "model/newton_choice.hpp"
+#include "model/parts.hpp"
+
+namespace gxrod {
+namespace {
+
+// "move along x, turn about …", or in short if nothing holds the part at all.
+std::string list_motions(const Model& model,
+                         const ModelPart& part,
+                         const std::vector<UnsupportedMotion>& motions) {
+    if (motions.size() == 6) return "move and turn in every direction";
+    std::vector<std::string> texts;
+    for (const UnsupportedMotion& motion : motions)
+        texts.push_back(describe_unsupported_motion(model, part, motion));
+    std::string text = texts[0];
+    for (std::size_t i = 1; i < texts.size(); ++i) {
+        text += (i + 1 == texts.size() ? " and " : ", ") + texts[i];
+    }
+    return text;
+}
+
+// Equilibrium does not say where a part is that can move without being strained.
+void find_drifting_parts(const Model& model,
+                         const std::vector<ModelPart>& parts,
+                         std::vector<Finding>& findings) {
+    for (const ModelPart& part : parts) {
+        const std::vector<UnsupportedMotion> motions = find_unsupported_motions(model, part);
+        if (motions.empty()) continue;
+        findings.push_back({Severity::error,
+                            fmt::format("{} can {}; a static analysis needs supports that prevent it",
+                                        name_part(part, model),
+                                        list_motions(model, part, motions))});
+    }
+}
+
+// Explicit schemes invert no stiffness.
+bool solves_equilibria(const AnalysisSettings& analysis) {
+    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
+    return !dynamic || dynamic->scheme != Scheme::runge_kutta_4;
+}
+
+void warn_of_contrasts(const Model& model,
+                       const std::vector<ModelPart>& parts,
+                       std::vector<Finding>& findings) {
+    for (const StiffnessContrast& contrast : find_stiffness_contrasts(model, parts)) {
+        findings.push_back({Severity::warning, describe(contrast, model) + "; expected " + advise(contrast)});
+    }
+}
+
+// Says which tangent motions take, where the model decides it.
+void note_tangent(const Model& model, const AnalysisSettings& analysis, std::vector<Finding>& findings) {
+    const TangentChoice choice = choose_tangent(model, analysis);
+    if (!choice.reason) return;
+    findings.push_back({Severity::note,
+                        describe(*choice.reason, model) +
+                            "; newton.tangent is \"mixed\", so that steps need not be cut for that"});
+}
+
+void warn_of_newton_tolerance(const AnalysisSettings& analysis, std::vector<Finding>& findings) {
+    const std::optional<double> given = newton_of(analysis).tolerance;
+    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
+    if (!given || dynamic == nullptr || !dynamic->adaptive) return;
+    if (*given <= tolerable_newton_part * dynamic->adaptive->tolerance) return;
+    findings.push_back({Severity::warning,
+                        fmt::format("newton.tolerance, {:.3g}, limits the accuracy that adaptive.tolerance, "
+                                    "{:.3g}, asks for; expected at most {:.2g}, or none: then it follows",
+                                    *given,
+                                    dynamic->adaptive->tolerance,
+                                    derive_newton_tolerance(analysis))});
+}
+
+void describe_parts(const Model& model, const std::vector<ModelPart>& parts, std::vector<Finding>& findings) {
+    constexpr std::size_t most = 10;
+    if (parts.size() < 2) return;
+    std::string text = fmt::format("nothing connects these {} parts: ", parts.size());
+    for (std::size_t i = 0; i < std::min(parts.size(), most); ++i) {
+        text += (i == 0 ? "" : "; ") + name_part(parts[i], model);
+    }
+    findings.push_back({Severity::note, parts.size() > most ? text + " …" : text});
+}
+
+void find_idle_loads(const Model& model, std::vector<Finding>& findings) {
+    for (const NodalLoad& load : model.loads) {
+        const bool is_idle =
+            std::any_of(model.supports.begin(), model.supports.end(), [&](const Support& support) {
+                return support.node == load.node && (is_zero(load.force) || support.holds_all(0)) &&
+                       (is_zero(load.moment) || support.holds_all(3));
+            });
+        if (!is_idle) continue;
+        findings.push_back({Severity::warning,
+                            fmt::format("{} acts at {}, where a support holds all that it drives; only the "
+                                        "reaction feels it",
+                                        load.key,
+                                        model.nodes[load.node].name)});
+    }
+}
+
+void note_lack_of_potential(const Model& model, std::vector<Finding>& findings) {
+    const std::string load = find_load_without_potential(model);
+    if (load.empty()) return;
+    findings.push_back({Severity::note,
+                        load +
+                            ", so it has no potential and the tangent's negative pivots do not count "
+                            "unstable shapes: the run reports only where the tangent's determinant changes "
+                            "its sign. A dynamic analysis shows whether the structure stays there"});
+}
+
+double compute_mass(const Model& model) {
+    double mass = 0.0;
+    for (const Rod& rod : model.rods) mass += model.sections[rod.section].mass(0, 0) * rod.length;
+    for (const Body& body : model.bodies) mass += body.mass;
+    return mass;
+}
+
+bool any_load(const Model& model) {
+    const auto pushes = [](const auto& load) { return !is_zero(load.force) || !is_zero(load.moment); };
+    const auto moves = [](const Support& support) { return support.moved != std::array<bool, 6>{}; };
+    return !model.gravity.is_zero() || std::any_of(model.loads.begin(), model.loads.end(), pushes) ||
+           std::any_of(model.distributed_loads.begin(), model.distributed_loads.end(), pushes) ||
+           std::any_of(model.supports.begin(), model.supports.end(), moves);
+}
+
+bool any_velocity(const Model& model) {
+    return std::any_of(model.nodes.begin(), model.nodes.end(), [](const Node& node) {
+        return !node.velocity.isZero(0.0) || !node.angular_velocity.isZero(0.0);
+    });
+}
+
+void find_missing_causes(const Model& model,
+                         const AnalysisSettings& analysis,
+                         std::vector<Finding>& findings) {
+    if (!model.gravity.is_zero() && compute_mass(model) == 0.0) {
+        findings.push_back({Severity::warning, "gravity acts on nothing: the model has no mass"});
+    }
+    if (any_load(model)) return;
+    if (std::holds_alternative<StaticSettings>(analysis)) {
+        findings.push_back({Severity::warning, "nothing loads the model: it has no load, gravity or move"});
+    } else if (!any_velocity(model)) {
+        findings.push_back({Severity::warning,
+                            "nothing sets the model in motion: it has no load, gravity, move or velocity"});
+    }
+}
+
+// Moments that are rounded or roughly known; others are refused by the reader.
+void find_odd_bodies(const Model& model, std::vector<Finding>& findings) {
+    for (const Body& body : model.bodies) {
+        const Eigen::SelfAdjointEigenSolver<Mat3> solver(body.inertia, Eigen::EigenvaluesOnly);
+        const Vec3& moments = solver.eigenvalues();
+        if (!exceed_sum(moments)) continue;
+        findings.push_back(
+            {Severity::warning,
+             fmt::format(
+                 "body {} has the principal moments {:.6g}, {:.6g}, {:.6g}, the largest above the sum of the "
+                 "others: no body of mass has them, and it is moved as they say; {:.6g} would be the most",
+                 body.name,
+                 moments[0],
+                 moments[1],
+                 moments[2],
+                 moments[0] + moments[1])});
+    }
+}
+
+}  // namespace
+
+std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& analysis) {
+    const std::vector<ModelPart> parts = find_parts(model);
+    std::vector<Finding> findings;
+    if (std::holds_alternative<StaticSettings>(analysis)) {
+        find_drifting_parts(model, parts, findings);
+        note_lack_of_potential(model, findings);
+    }
+    if (solves_equilibria(analysis)) {
+        warn_of_contrasts(model, parts, findings);
+        note_tangent(model, analysis, findings);
+        warn_of_newton_tolerance(analysis, findings);
+    }
+    for (const std::string& sentence : find_unconnected_points(model)) {
+        findings.push_back({Severity::warning, sentence});
+    }
+    find_odd_bodies(model, findings);
+    if (const auto* dynamic = std::get_if<DynamicSettings>(&analysis)) {
+        for (const Finding& finding : examine_functions(model, *dynamic)) findings.push_back(finding);
+    }
+    find_idle_loads(model, findings);
+    find_missing_causes(model, analysis, findings);
+    describe_parts(model, parts, findings);
+    return findings;
+}
+
+bool has_error(const std::vector<Finding>& findings) {
+    return std::any_of(findings.begin(), findings.end(), [](const Finding& finding) {
+        return finding.severity == Severity::error;
+    });
+}
+
+std::string describe(const Finding& finding) {
+    static constexpr std::array<const char*, 3> words{"note", "warning", "error"};
+    return fmt::format("{}: {}", words[static_cast<std::size_t>(finding.severity)], finding.message);
+}
+
+}  // namespace gxrod

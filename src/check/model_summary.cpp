@@ -1,0 +1,153 @@
+#include "check/model_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <limits>
+
+#include "assembly/system.hpp"
+#include "check/condition_summary.hpp"
+#include "check/rod_summary.hpp"
+#include "model/frame_interval.hpp"
+
+namespace gxrod {
+
+namespace {
+
+std::string describe(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]); }
+
+std::string describe_body(const Model& model, const Body& body) {
+    const Eigen::SelfAdjointEigenSolver<Mat3> principal(body.inertia, Eigen::EigenvaluesOnly);
+    return fmt::format(
+        "body {}: mass {:.6g}, principal inertia {}, node {} at {}, centre of mass {} from it\n",
+        body.name,
+        body.mass,
+        describe(principal.eigenvalues()),
+        model.nodes[body.node].name,
+        describe(model.nodes[body.node].position),
+        describe(body.attitude * body.centre_of_mass));
+}
+
+}  // namespace
+
+const char* name_of(Scheme scheme) {
+    switch (scheme) {
+        case Scheme::newmark_simplified:
+            return "newmark-simplified";
+        case Scheme::newmark_ibrahimbegovic:
+            return "newmark-ibrahimbegovic";
+        case Scheme::generalized_alpha:
+            return "generalized-alpha";
+        case Scheme::sdirk_4:
+            return "sdirk-4";
+        case Scheme::runge_kutta_4:
+            break;
+    }
+    return "runge-kutta-4";
+}
+
+namespace {
+
+ItemList list_rods(const Model& model) {
+    ItemList list{"rods", {}};
+    double shortest = std::numeric_limits<double>::infinity();
+    double longest = 0.0;
+    double length = 0.0;
+    for (const Rod& rod : model.rods) {
+        list.items.push_back(describe_rod(model, rod));
+        shortest = std::min(shortest, rod.length);
+        longest = std::max(longest, rod.length);
+        length += rod.length;
+    }
+    list.sum = fmt::format("length {:.6g} to {:.6g}, together {:.6g}", shortest, longest, length);
+    return list;
+}
+
+double sum_mass(const Model& model) {
+    double mass = 0.0;
+    for (const Rod& rod : model.rods) mass += model.sections[rod.section].mass(0, 0) * rod.length;
+    for (const Body& body : model.bodies) mass += body.mass;
+    return mass;
+}
+
+}  // namespace
+
+std::vector<ItemList> list_model(const Model& model) {
+    ItemList sections{"sections", {}};
+    for (const Section& section : model.sections) sections.items.push_back(describe_section(section));
+    ItemList bodies{"bodies", {}};
+    for (const Body& body : model.bodies) bodies.items.push_back(describe_body(model, body));
+    std::vector<ItemList> lists{sections, list_rods(model), bodies};
+    for (ItemList& list : list_conditions(model)) lists.push_back(std::move(list));
+    return lists;
+}
+
+std::string describe_total(const Model& model) {
+    const System system(model);
+    return fmt::format("total: mass {:.6g}, {} nodes, {} elements, {} unknowns\n",
+                       sum_mass(model),
+                       model.nodes.size(),
+                       system.element_count(),
+                       system.equations().count());
+}
+
+namespace {
+
+std::string describe_dynamic(const DynamicSettings& settings) {
+    std::string parameters;
+    if (settings.scheme == Scheme::newmark_simplified || settings.scheme == Scheme::newmark_ibrahimbegovic) {
+        parameters = fmt::format(" (beta {:.6g}, gamma {:.6g})", settings.beta, settings.gamma);
+    } else if (settings.scheme == Scheme::generalized_alpha) {
+        parameters = fmt::format(" (spectral radius {:.6g})", settings.spectral_radius);
+    }
+    if (settings.adaptive) {
+        return fmt::format(
+            "dynamic analysis: {}, steps by their error, tolerance {:.6g}, first step {:.6g}, to t = "
+            "{:.6g}\n",
+            name_of(settings.scheme),
+            settings.adaptive->tolerance,
+            settings.end_time / static_cast<double>(settings.steps),
+            settings.end_time);
+    }
+    return fmt::format("dynamic analysis: {}{}, {} steps of {:.6g} to t = {:.6g}\n",
+                       name_of(settings.scheme),
+                       parameters,
+                       settings.steps,
+                       settings.end_time / static_cast<double>(settings.steps),
+                       settings.end_time);
+}
+
+}  // namespace
+
+namespace {
+
+std::string describe_frames(const AnalysisSettings& settings, long every) {
+    if (every == 0) {
+        return fmt::format(
+            "{} frames at most, one in each {}th part of the time", default_frames + 1, default_frames);
+    }
+    const auto* dynamic = std::get_if<DynamicSettings>(&settings);
+    const std::string interval = every == 1 ? "one every step" : fmt::format("one every {} steps", every);
+    if (dynamic != nullptr && dynamic->adaptive) return "frames, " + interval;
+    const long steps = std::visit([](const auto& analysis) { return analysis.steps; }, settings);
+    return fmt::format("{} frames, {}", 1 + steps / every + (steps % every == 0 ? 0 : 1), interval);
+}
+
+}  // namespace
+
+std::string describe_analysis(const AnalysisSettings& settings) {
+    if (const auto* dynamic = std::get_if<DynamicSettings>(&settings)) return describe_dynamic(*dynamic);
+    return fmt::format("static analysis: {} steps of the load factor t from 0 to 1\n",
+                       std::get<StaticSettings>(settings).steps);
+}
+
+std::string describe_output(const AnalysisSettings& settings, const OutputSettings& output) {
+    std::string text = "output: " + describe_frames(settings, output.every);
+    for (const HistoryRequest& history : output.histories) {
+        text += fmt::format(", history {} at {}", history.name, history.at);
+    }
+    return text + "\n";
+}
+
+}  // namespace gxrod

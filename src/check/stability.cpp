@@ -1,0 +1,142 @@
+#include "check/stability.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "check/direction_words.hpp"
+
+namespace gxrod {
+
+namespace {
+
+constexpr double round_off = 100.0 * std::numeric_limits<double>::epsilon();
+
+// Whether supports leave the node at most one rotation, about an axis that does not turn: then a moment about
+// it has a potential.
+bool is_hinge(const Model& model, int node) {
+    for (const Support& support : model.supports) {
+        if (support.node != node) continue;
+        return support.holds(3) + support.holds(4) + support.holds(5) >= 2;
+    }
+    return false;
+}
+
+std::string count_pivots(std::int64_t count) {
+    return fmt::format("{} negative pivot{}", count, count == 1 ? "" : "s");
+}
+
+std::string describe_with_potential(const StabilityChange& change) {
+    const std::string between = fmt::format("between t = {:.10g} and {:.10g}", change.from, change.until);
+    if (change.after == 0) return between + " the equilibrium became stable again";
+    if (change.after < change.before) {
+        return fmt::format("{} the equilibrium stayed unstable, with {} instead of {}",
+                           between,
+                           count_pivots(change.after),
+                           change.before);
+    }
+    return fmt::format(
+        "{} the equilibrium became {}unstable (the tangent has {}). The shape that gives way: {}",
+        between,
+        change.before > 0 ? "more " : "",
+        count_pivots(change.after),
+        change.shape);
+}
+
+std::string describe_without_potential(const StabilityChange& change) {
+    const std::string between = fmt::format("between t = {:.10g} and {:.10g}", change.from, change.until);
+    if (change.after == 0) return between + " the determinant of the tangent became positive again";
+    return fmt::format(
+        "{} the determinant of the tangent became negative: from one of these equilibria the structure "
+        "diverges. "
+        "The shape: {}. Loads that follow the structure may make it flutter as well, which a dynamic "
+        "analysis "
+        "shows",
+        between,
+        change.shape);
+}
+
+}  // namespace
+
+std::string find_load_without_potential(const Model& model) {
+    for (const NodalLoad& load : model.loads) {
+        const bool has_moment = !is_zero(load.moment);
+        if (load.frame != Frame::spatial && !(is_zero(load.force) && !has_moment))
+            return load.key + " follows its point";
+        if (has_moment && !is_hinge(model, load.node))
+            return load.key + " is a moment whose axis does not turn with its point";
+    }
+    for (const DistributedLoad& load : model.distributed_loads) {
+        if (load.frame != Frame::spatial && !(is_zero(load.force) && is_zero(load.moment)))
+            return load.key + " follows its rod";
+        if (!is_zero(load.moment)) return load.key + " is a moment whose axis does not turn with its rod";
+    }
+    return "";
+}
+
+void PivotCounter::compute_tangent(const Integrator& integrator,
+                                   const Stage& stage,
+                                   SolverWorkspace& workspace,
+                                   State& state) const {
+    // Without them the tangent is the consistent one.
+    std::vector<Vec6> resultants;
+    resultants.swap(state.resultants);
+    integrator.linearize(state, stage, workspace.linearizations, system_->team());
+    system_->compute_tangent(state, integrator.stage_time(stage), workspace.linearizations, workspace.values);
+    resultants.swap(state.resultants);
+}
+
+std::int64_t PivotCounter::count(const Integrator& integrator,
+                                 const Stage& stage,
+                                 SolverWorkspace& workspace,
+                                 State& state) {
+    const PhaseTimer timer(workspace.seconds.solve);
+    compute_tangent(integrator, stage, workspace, state);
+    const SparsePattern& pattern = system_->pattern();
+    for (std::int64_t i = 0; i < pattern.size(); ++i) {
+        double& entry = workspace.values[pattern.slot(i, i)];
+        entry += round_off * std::abs(entry);
+    }
+    const bool counts = workspace.linear_solver->kind() == LinearSolverKind::chains;
+    if (!counts && !chains_) chains_ = make_linear_solver(LinearSolverKind::chains, pattern, system_->team());
+    LinearSolver& solver = counts ? *workspace.linear_solver : *chains_;
+    return solver.factorize(workspace.values).negative_pivots;
+}
+
+std::string PivotCounter::describe_shape(const Integrator& integrator,
+                                         const Stage& stage,
+                                         SolverWorkspace& workspace,
+                                         State& state) const {
+    compute_tangent(integrator, stage, workspace, state);
+    const std::optional<Weakness> weakness = describe_weakness(*system_, state, workspace.values);
+    return weakness ? weakness->words : "";
+}
+
+std::vector<std::string> describe_stability(const std::vector<StabilityChange>& changes,
+                                            std::int64_t pivots_at_end,
+                                            double end,
+                                            bool has_potential) {
+    constexpr std::size_t most = 6;
+    std::vector<std::string> sentences;
+    for (std::size_t i = 0; i < std::min(most, changes.size()); ++i) {
+        sentences.push_back(has_potential ? describe_with_potential(changes[i])
+                                          : describe_without_potential(changes[i]));
+    }
+    if (changes.size() > most) {
+        sentences.push_back(
+            fmt::format("stability changed {} more times (/solver/negative_pivots)", changes.size() - most));
+    }
+    if (has_potential && pivots_at_end > 0) {
+        sentences.push_back(fmt::format(
+            "the state at t = {:.10g} is unstable ({}): a structure leaves it at a touch. A small "
+            "imperfection "
+            "or side load in the shape that gives way shows where it goes, a dynamic analysis how",
+            end,
+            count_pivots(pivots_at_end)));
+    }
+    return sentences;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "linear/chains/chain_kernels.hpp"
+#include "linear/chains/chain_layout.hpp"
+#include "linear/fronts/front_solver.hpp"
+#include "linear/linear_solver.hpp"
+#include "parallel/work_phases.hpp"
+
+namespace gxrod {
+
+// Eliminates the insides of chains block by block, by the order that EliminationOrder finds, and leaves the
+// system of the junctions, if there are any, to fronts. Pivots are sought within no block; instead
+// each solution is checked against the system, refined once if it is not good to round-off, and where that
+// does not suffice, as where a pivot vanishes, the whole system goes to a general solver, which also says
+// what is singular. The values that were factorized must stay until the last solution.
+class ChainSolver : public LinearSolver {
+  public:
+    explicit ChainSolver(const SparsePattern& pattern, const ThreadTeam& team = ThreadTeam::alone());
+
+    Factorization factorize(const std::vector<double>& values) override;
+    void solve(Eigen::VectorXd& right_hand_side) override;
+    LinearSolverKind kind() const override { return LinearSolverKind::chains; }
+
+    // False of a pattern without its diagonal, whose systems all go to a general solver.
+    bool works_by_blocks() const { return !steps_.empty() || junction_solver_; }
+    // The unknowns that are in no chain.
+    std::int64_t count_kept() const { return steps_.empty() ? pattern_->size() : junctions_.size(); }
+
+  private:
+    void lay_out_junctions(const BlockPartition& partition,
+                           const EliminationOrder& order,
+                           const ChainLayout& layout);
+    ChainSteps steps_of(const ChainTask& task) const {
+        return {steps_.data() + task.steps.first,
+                task.steps.count,
+                couplings_.data() + task.couplings.first,
+                task.couplings.count,
+                copies_.data() + task.copies.first};
+    }
+    bool eliminate();
+    bool eliminate(const ChainTask& task, std::int64_t& negative_pivots);
+    void go_forward(const ChainTask& task, double* x);
+    bool factorize_junctions();
+    Factorization factorize_generally();
+    void solve_by_blocks(Eigen::VectorXd& x);
+    void compute_residual(const Eigen::VectorXd& right_hand_side);
+    bool is_solved(double tolerance) const;
+
+    const SparsePattern* pattern_;
+    const ThreadTeam* team_;
+    const std::vector<double>* values_ = nullptr;
+    ChainKernels kernels_;
+    std::vector<ChainStep> steps_;
+    std::vector<ChainCoupling> couplings_;
+    std::vector<BlockCopy> copies_;
+    std::vector<ChainTask> tasks_;
+    std::vector<std::size_t> level_starts_;
+    std::vector<BlockCopy> first_copies_;
+    std::vector<BlockMerge> merges_;
+    std::vector<VectorMerge> vector_merges_;
+    std::vector<EntryRun> runs_;
+    WorkPhases run_phases_;
+    std::vector<double> blocks_;
+    std::vector<double> apart_;  // of right-hand sides
+    Eigen::VectorXd solution_;
+    Eigen::VectorXd residual_;    // b − A x
+    Eigen::VectorXd magnitudes_;  // |A| |x| + |b|
+
+    SparsePattern junctions_;
+    struct JunctionBlock {
+        std::int64_t block, slot, stride;  // from column to column
+        int rows, columns;
+    };
+    std::vector<JunctionBlock> junction_blocks_;
+    std::vector<std::int64_t> junction_rows_;  // of each unknown of the junctions, that of the whole system
+    std::vector<double> junction_values_;
+    Eigen::VectorXd junction_vector_;
+    std::unique_ptr<FrontSolver> junction_solver_;
+
+    std::unique_ptr<LinearSolver> general_;
+    bool is_general_ = false;           // whether it has the last factorization
+    std::int64_t negative_pivots_ = 0;  // of the last elimination of blocks
+};
+
+}  // namespace gxrod

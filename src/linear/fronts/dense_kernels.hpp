@@ -1,0 +1,181 @@
+#pragma once
+
+#include <cstdint>
+
+#include "linear/chains/block_kernels.hpp"
+
+// Arithmetic of dense matrices of any size, for sources that are compiled for one instruction set, on tiles
+// of 6 × 6 by BlockKernels. From each entry the products are subtracted one by one, in the order of
+// elimination, so that the bits depend neither on the instruction set nor on how the work is cut.
+namespace gxrod {
+
+template <class Arch>
+struct DenseKernels : BlockKernels<Arch> {
+    using Blocks = BlockKernels<Arch>;
+    using View = typename Blocks::View;
+    using Target = typename Blocks::Target;
+#ifdef __AVX__
+    using Vector = FourNumbers;
+#else
+    using Vector = TwoNumbers;
+#endif
+    static constexpr int lanes = sizeof(Vector) / sizeof(double);
+    static constexpr int high = 3;  // vectors of a column of C that are kept in registers
+    static constexpr int wide = 3;  // columns of it
+    static constexpr int high_rows = high * lanes;
+    // Of A and B at a time: rows of A then stay in the nearest cache, and B in the next.
+    static constexpr std::int64_t deep = 96;
+    static constexpr std::int64_t broad = 192;
+    static constexpr std::int64_t many_columns = 12;  // for which rows of A are first put side by side
+
+    static View at(const View& A, std::int64_t row, std::int64_t column) {
+        return {A.entries + row + column * A.stride, A.stride};
+    }
+    static Target at(const Target& A, std::int64_t row, std::int64_t column) {
+        return {A.entries + row + column * A.stride, A.stride};
+    }
+    static std::int64_t smaller(std::int64_t a, std::int64_t b) { return a < b ? a : b; }
+    static View view(const Target& A) { return {A.entries, A.stride}; }
+
+    // C ← C − A B of so many rows and columns that C stays in registers.
+    template <class Numbers, int Rows, int Columns>
+    static void subtract_tile(std::int64_t depth, const View& A, const View& B, const Target& C) {
+        constexpr int step = sizeof(Numbers) / sizeof(double);
+        Numbers c[Columns][Rows];
+        for (int j = 0; j < Columns; ++j) {
+            for (int i = 0; i < Rows; ++i)
+                c[j][i] = *reinterpret_cast<const Numbers*>(C.entries + j * C.stride + i * step);
+        }
+        const double* a = A.entries;
+        for (std::int64_t k = 0; k < depth; ++k, a += A.stride) {
+            Numbers column[Rows];
+            for (int i = 0; i < Rows; ++i) column[i] = *reinterpret_cast<const Numbers*>(a + i * step);
+            for (int j = 0; j < Columns; ++j) {
+                const double b = B.entries[j * B.stride + k];
+                for (int i = 0; i < Rows; ++i) c[j][i] -= column[i] * b;
+            }
+        }
+        for (int j = 0; j < Columns; ++j) {
+            for (int i = 0; i < Rows; ++i)
+                *reinterpret_cast<Numbers*>(C.entries + j * C.stride + i * step) = c[j][i];
+        }
+    }
+    template <class Numbers, int Rows>
+    static void subtract_rows(
+        std::int64_t columns, std::int64_t depth, const View& A, const View& B, const Target& C) {
+        std::int64_t j = 0;
+        for (; j + wide <= columns; j += wide) {
+            // Processors do not see soon enough what is read across columns.
+            for (std::int64_t next = j + wide; next < smaller(j + 2 * wide, columns); ++next) {
+                __builtin_prefetch(C.entries + next * C.stride);
+                __builtin_prefetch(C.entries + next * C.stride + Rows * sizeof(Numbers) / sizeof(double) - 1);
+            }
+            subtract_tile<Numbers, Rows, wide>(depth, A, at(B, 0, j), at(C, 0, j));
+        }
+        for (; j < columns; ++j) subtract_tile<Numbers, Rows, 1>(depth, A, at(B, 0, j), at(C, 0, j));
+    }
+
+    static void put_side_by_side(std::int64_t depth, const View& A, double* rows) {
+        for (std::int64_t k = 0; k < depth; ++k) {
+            for (int i = 0; i < high_rows; i += lanes)
+                *reinterpret_cast<Vector*>(rows + k * high_rows + i) =
+                    *reinterpret_cast<const Vector*>(A.entries + k * A.stride + i);
+        }
+    }
+
+    // C ← C − A B of rows × depth and depth × columns. C is apart from both.
+    static void subtract_large_product(std::int64_t rows,
+                                       std::int64_t columns,
+                                       std::int64_t depth,
+                                       const View& A,
+                                       const View& B,
+                                       const Target& C) {
+        for (std::int64_t j = 0; j < columns; j += broad) {
+            const std::int64_t some_columns = smaller(broad, columns - j);
+            for (std::int64_t k = 0; k < depth; k += deep)
+                subtract_slice(
+                    rows, some_columns, smaller(deep, depth - k), at(A, 0, k), at(B, k, j), at(C, 0, j));
+        }
+    }
+    // The same with a depth that is not too large.
+    static void subtract_slice(std::int64_t rows,
+                               std::int64_t columns,
+                               std::int64_t depth,
+                               const View& A,
+                               const View& B,
+                               const Target& C) {
+        std::int64_t i = 0;
+        double side_by_side[deep * high_rows];
+        for (; i + high_rows <= rows; i += high_rows) {
+            View some_rows = at(A, i, 0);
+            if (columns >= many_columns) {
+                put_side_by_side(depth, some_rows, side_by_side);
+                some_rows = {side_by_side, high_rows};
+            }
+            subtract_rows<Vector, high>(columns, depth, some_rows, B, at(C, i, 0));
+        }
+        for (; i + lanes <= rows; i += lanes)
+            subtract_rows<Vector, 1>(columns, depth, at(A, i, 0), B, at(C, i, 0));
+        for (; i + 2 <= rows; i += 2)
+            subtract_rows<TwoNumbers, 1>(columns, depth, at(A, i, 0), B, at(C, i, 0));
+        for (; i < rows; ++i) subtract_rows<double, 1>(columns, depth, at(A, i, 0), B, at(C, i, 0));
+    }
+
+    // Where a range of rows or columns is cut in two: between tiles.
+    static std::int64_t halve(std::int64_t count) {
+        constexpr std::int64_t tile = Blocks::tile;
+        return (count / 2 + tile - 1) / tile * tile;
+    }
+
+    // A ← L and U of a matrix of rows × columns, rows ≥ columns, with A = L U, in tiles; on the diagonal the
+    // inverses of L's tiles, those of U are 1. Without pivoting; false if a pivot vanishes.
+    static bool factorize_columns(std::int64_t rows,
+                                  std::int64_t columns,
+                                  const Target& A,
+                                  std::int64_t& negative_pivots) {
+        if (columns <= Blocks::tile) return invert(static_cast<int>(columns), A, negative_pivots);
+        const std::int64_t half = halve(columns);
+        const Target right = at(A, 0, half);
+        if (!factorize_columns(rows, half, A, negative_pivots)) return false;
+        solve_lower(half, columns - half, view(A), right);
+        subtract_large_product(
+            rows - half, columns - half, half, at(view(A), half, 0), view(right), at(right, half, 0));
+        return factorize_columns(rows - half, columns - half, at(A, half, half), negative_pivots);
+    }
+
+    // B ← L⁻¹ B of n × columns.
+    static void solve_lower(std::int64_t n, std::int64_t columns, const View& L, const Target& B) {
+        if (n <= Blocks::tile) return multiply(static_cast<int>(n), columns, L, B);
+        const std::int64_t half = halve(n);
+        solve_lower(half, columns, L, B);
+        subtract_large_product(n - half, columns, half, at(L, half, 0), view(B), at(B, half, 0));
+        solve_lower(n - half, columns, at(L, half, half), at(B, half, 0));
+    }
+
+    // A ← A⁻¹ of a tile or less.
+    static bool invert(int n, const Target& A, std::int64_t& negative_pivots) {
+        if (n == Blocks::tile) return Blocks::invert_tile(A, negative_pivots);
+        double inverse[Blocks::tile * Blocks::tile];
+        Blocks::copy(n, n, view(A), inverse);
+        const bool is_regular = Blocks::invert_any(n, inverse, negative_pivots);
+        for (int j = 0; j < n; ++j) {
+            for (int i = 0; i < n; ++i) A.entries[j * A.stride + i] = inverse[j * n + i];
+        }
+        return is_regular;
+    }
+    // B ← A B with a tile or less.
+    static void multiply(int n, std::int64_t columns, const View& A, const Target& B) {
+        if (n == Blocks::tile) return Blocks::multiply_tile(A, view(B), B, static_cast<int>(columns));
+        for (std::int64_t j = 0; j < columns; ++j) {
+            double b[Blocks::tile];
+            double* product = B.entries + j * B.stride;
+            for (int i = 0; i < n; ++i) b[i] = product[i];
+            for (int i = 0; i < n; ++i) product[i] = A.entries[i] * b[0];
+            for (int k = 1; k < n; ++k) {
+                for (int i = 0; i < n; ++i) product[i] += A.entries[k * A.stride + i] * b[k];
+            }
+        }
+    }
+};
+
+}  // namespace gxrod

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "mesh/gmsh_library.hpp"
+#include "mesh/line_mesh.hpp"
+
+namespace gxrod {
+
+// An array that Gmsh has allocated.
+template <class Value>
+class GmshArray {
+  public:
+    explicit GmshArray(const GmshLibrary& gmsh) : gmsh_(&gmsh) {}
+    ~GmshArray() { gmsh_->release(data); }
+    GmshArray(const GmshArray&) = delete;
+    GmshArray& operator=(const GmshArray&) = delete;
+
+    std::span<const Value> values() const { return {data, count}; }
+
+    Value* data = nullptr;
+    std::size_t count = 0;
+
+  private:
+    const GmshLibrary* gmsh_;
+};
+
+// The elements of one type in an entity.
+struct GmshElements {
+    int type = 0;
+    std::vector<std::size_t> nodes;
+};
+
+// A model in Gmsh's memory. Gmsh has one memory a process, so that one session at a time can live; with its
+// end all options are back at their defaults. Nothing is printed; what fails throws MeshError with Gmsh's own
+// messages.
+class GmshSession {
+  public:
+    explicit GmshSession(const GmshLibrary& gmsh);
+    ~GmshSession();
+    GmshSession(const GmshSession&) = delete;
+    GmshSession& operator=(const GmshSession&) = delete;
+
+    void open(const std::filesystem::path& file);
+    void generate_lines();
+
+    struct Group {
+        int dimension, number;
+        std::string name;
+    };
+    struct Nodes {
+        std::vector<std::size_t> numbers;
+        std::vector<Vec3> positions;
+    };
+    std::vector<Group> groups() const;
+    Nodes nodes() const;
+    std::vector<std::size_t> nodes_of(const Group& group) const;
+    std::vector<GmshElements> elements_of(const Group& group) const;
+
+  private:
+    // Throws if there is an error or Gmsh has told of one.
+    void check(int error, const std::string& failure) const;
+    // The first errors that Gmsh has told of.
+    std::string messages() const;
+    std::vector<GmshElements> elements_of_entity(int dimension, int entity) const;
+
+    const GmshLibrary& gmsh_;
+};
+
+}  // namespace gxrod

@@ -1,9 +1,0 @@
-#include "solvers/chain_kernels.hpp"
-
-namespace gxrod {
-
-ChainKernels find_chain_kernels(InstructionSet set) {
-    return set == InstructionSet::avx2 ? make_chain_kernels_avx2() : make_chain_kernels_baseline();
-}
-
-}  // namespace gxrod

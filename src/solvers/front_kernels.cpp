@@ -1,9 +1,0 @@
-#include "solvers/front_kernels.hpp"
-
-namespace gxrod {
-
-FrontKernels find_front_kernels(InstructionSet set) {
-    return set == InstructionSet::avx2 ? make_front_kernels_avx2() : make_front_kernels_baseline();
-}
-
-}  // namespace gxrod

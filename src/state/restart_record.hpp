@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "state/energy_jump.hpp"
+#include "state/state.hpp"
+#include "state/step_memory.hpp"
+
+namespace gxrod {
+
+// The books of a run at an accepted step.
+struct LedgerMemory {
+    double initial_energy = 0.0;     // kinetic and strain
+    double initial_potential = 0.0;  // of gravity
+    double work = 0.0;               // of loads and moving supports
+    double dissipated = 0.0;
+    double dissipated_by_scheme = 0.0;
+    // Schemes of several stages: the powers at the end of the last step.
+    double driving_power = 0.0;
+    double damping_power = 0.0;
+    // Schemes of one stage: forces and moments per node that do work, at the end of the last step.
+    std::vector<Vec6> forces;
+    // In statics after the first step: the last one's changes of these forces, its movements, its length.
+    std::vector<Vec6> force_change, movement;
+    double load_step = 0.0;
+    double strain_energy = 0.0;   // in statics, at the end of that step
+    double largest_energy = 0.0;  // in statics: strain energy or work, so far
+};
+
+// What a run has done so far.
+struct RunTotals {
+    std::int64_t steps = 0;  // accepted
+    std::int64_t rejected_steps = 0;
+    std::int64_t newton_iterations = 0;
+    double largest_energy = 0.0;        // kinetic and strain, or external work
+    double largest_energy_error = 0.0;  // of the ledger
+    EnergyJumps jumps;                  // in statics
+};
+
+// All that a run needs to go on from an accepted step as if it had never stopped.
+struct RestartRecord {
+    std::vector<NodeMotion> nodes;                     // there, theta zero
+    std::vector<SectionHistory> sections;              // State::sections
+    std::vector<AlgorithmicAcceleration> algorithmic;  // State::algorithmic_previous; may be empty
+    LedgerMemory ledger;
+    StepMemory steps;
+    RunTotals totals;
+    std::int64_t negative_pivots = -1;  // of the tangent there, in statics
+    bool is_framed = false;             // whether the last frame shows this state
+};
+
+// Checksums of all rows up to a place, or of all there are.
+struct PlaceSums {
+    std::uint32_t steps = 0;  // of histories, ledger and solver
+    std::uint32_t frames = 0;
+};
+
+// Where in a results file a restart record belongs.
+struct RestartPlace {
+    RestartRecord record;
+    std::uint64_t steps = 0;   // rows of the histories up to it
+    std::uint64_t frames = 0;  // frames up to it
+    PlaceSums sums = {};
+};
+
+}  // namespace gxrod

@@ -1,0 +1,239 @@
+#include "study/motion_trace.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analyses/static.hpp"
+#include "deck/choices.hpp"
+#include "machine/phase_timer.hpp"
+#include "model/energy_round_off.hpp"
+#include "model/evaluation_error.hpp"
+#include "results/energy_warning.hpp"
+#include "study/trace_sampler.hpp"
+
+namespace gxrod {
+
+namespace {
+
+std::string word_of(Quantity quantity) {
+    for (const Choice<Quantity>& choice : quantity_choices) {
+        if (choice.value == quantity) return std::string(choice.word);
+    }
+    return "";
+}
+
+double total_mass(const Model& model) {
+    double mass = 0.0;
+    for (const Rod& rod : model.rods) {
+        mass += rod.length * model.sections[static_cast<std::size_t>(rod.section)].mass(0, 0);
+    }
+    for (const Body& body : model.bodies) mass += body.mass;
+    return mass;
+}
+
+// Adds up what acts from outside and compares it with the momenta.
+class MomentumBooks {
+  public:
+    MomentumBooks(const System& system, double mass) : mass_(mass), length_(system.length_scale()) {}
+
+    void add(double time, const LedgerRow& ledger, const Resultant& resultant, TraceBooks& books) {
+        if (!is_begun_) {
+            start_ = {ledger.linear_momentum, ledger.angular_momentum};
+            is_begun_ = true;
+        } else {
+            const double half_step = 0.5 * (time - time_);
+            impulse_.force += half_step * (last_.force + resultant.force);
+            impulse_.moment += half_step * (last_.moment + resultant.moment);
+        }
+        time_ = time;
+        last_ = resultant;
+        const double scale = std::sqrt(2.0 * mass_ * std::fmax(0.0, ledger.kinetic_energy));
+        const Vec3 linear = ledger.linear_momentum - start_.force - impulse_.force;
+        const Vec3 angular = ledger.angular_momentum - start_.moment - impulse_.moment;
+        books.momentum_scale = std::fmax(books.momentum_scale, scale);
+        books.angular_scale =
+            std::fmax(books.angular_scale, std::fmax(scale * length_, ledger.angular_momentum.norm()));
+        books.linear_imbalance = std::fmax(books.linear_imbalance, linear.norm());
+        books.angular_imbalance = std::fmax(books.angular_imbalance, angular.norm());
+    }
+
+  private:
+    double mass_;
+    double length_;
+    bool is_begun_ = false;
+    double time_ = 0.0;
+    Resultant start_;    // momenta
+    Resultant impulse_;  // ∫ F dt, ∫ M dt
+    Resultant last_;
+};
+
+class Tracer {
+  public:
+    Tracer(const Problem& problem, const TraceRequest& request)
+        : request_(&request),
+          is_dynamic_(std::holds_alternative<DynamicSettings>(problem.analysis)),
+          analysis_(make_analysis(problem.model, problem.analysis, request.threads)),
+          mass_(total_mass(problem.model)),
+          round_off_(compute_energy_round_off(problem.model)),
+          momenta_(analysis_->system(), mass_),
+          sampler_(request.sample_times, request.sample_times.back()),
+          reader_(problem, request.series) {
+        analysis_->watch(list_rod_places(problem.output.histories));
+    }
+
+    MotionTrace trace() {
+        MotionTrace trace;
+        trace.unknowns = analysis_->system().equations().count();
+        trace.length = analysis_->system().length_scale();
+        trace.mass = mass_;
+        trace.elements = static_cast<long>(analysis_->system().element_count());
+        {
+            const PhaseTimer timer(trace.seconds);
+            try {
+                run(trace);
+            } catch (const EvaluationError& error) {
+                trace.failure = error.what();
+            }
+        }
+        trace.warnings = analysis_->list_warnings();
+        const std::string jump = is_dynamic_ ? "" : describe_imbalance(survey_, round_off_);
+        if (!jump.empty()) trace.warnings.push_back(jump);
+        trace.is_unstable = analysis_->is_unstable() || !jump.empty();
+        trace.samples = sampler_.samples().size();
+        trace.rows.resize(request_->series.size());
+        for (std::size_t k = 0; k < trace.rows.size(); ++k) {
+            for (const TraceSampler::Rows& sample : sampler_.samples()) trace.rows[k].push_back(sample[k]);
+        }
+        return trace;
+    }
+
+  private:
+    void run(MotionTrace& trace) {
+        if (!accept(analysis_->start(), trace)) return;
+        visit(trace);
+        while (!analysis_->finished()) {
+            if (request_->is_interrupted()) throw StudyInterrupted();
+            if (!accept(analysis_->advance(), trace)) return;
+            ++trace.steps;
+            trace.newton_iterations += analysis_->solver_row().newton_iterations;
+            visit(trace);
+        }
+    }
+
+    bool accept(const EquilibriumReport& report, MotionTrace& trace) {
+        trace.rejected_at.insert(trace.rejected_at.end(), analysis_->solver_row().rejected_steps, reached_);
+        if (!report.converged()) trace.failure = describe_failure(analysis_->explain(report));
+        return report.converged();
+    }
+
+    void visit(MotionTrace& trace) {
+        const Snapshot snapshot = analysis_->snapshot(false);
+        reached_ = snapshot.time;
+        sampler_.add(snapshot.time, reader_.read(snapshot));
+        trace.steps_at.resize(sampler_.samples().size(), trace.steps);
+        const LedgerRow ledger = analysis_->ledger_row();
+        TraceBooks& books = trace.books;
+        const double energy = ledger.kinetic_energy + ledger.strain_energy;
+        books.largest_energy = std::max({books.largest_energy, energy, std::abs(ledger.external_work)});
+        books.largest_strain_energy = std::fmax(books.largest_strain_energy, ledger.strain_energy);
+        books.largest_energy_error = std::fmax(books.largest_energy_error, std::abs(ledger.energy_error));
+        if (!is_dynamic_) watch_jumps(snapshot.time, ledger, books.largest_energy);
+        if (is_dynamic_) momenta_.add(snapshot.time, ledger, analysis_->outer_resultant(), books);
+    }
+
+    // Between equilibria of different branches.
+    void watch_jumps(double load_factor, const LedgerRow& ledger, double largest_energy) {
+        const EnergyPoint point{
+            load_factor, ledger.strain_energy, ledger.external_work, ledger.work_uncertainty};
+        if (load_factor > 0.0) {
+            const std::optional<EnergyJump> jump = find_jump(last_point_, point, largest_energy);
+            if (jump) add_jump(*jump, survey_.jumps);
+        }
+        survey_.largest = largest_energy;
+        last_point_ = point;
+    }
+
+    const TraceRequest* request_;
+    bool is_dynamic_;
+    std::unique_ptr<SteppedAnalysis> analysis_;
+    double mass_;
+    double round_off_;  // of energies
+    EnergySurvey survey_{.is_static = true, .jumps = {}};
+    EnergyPoint last_point_;
+    MomentumBooks momenta_;
+    TraceSampler sampler_;
+    SeriesReader reader_;
+    double reached_ = 0.0;  // the time of the last step that was accepted
+};
+
+HistoryRequest make_end(const Model& model, int index, bool at_end) {
+    const Rod& rod = model.rods[static_cast<std::size_t>(index)];
+    HistoryRequest request;
+    request.name = rod.name + (at_end ? ".end" : ".start");
+    request.at = request.name;
+    request.node = at_end ? rod.element_nodes.back() : rod.element_nodes.front();
+    request.place = RodPlace{index, at_end ? rod.element_count() - 1 : 0, at_end ? 1.0 : -1.0};
+    request.quantities = {Quantity::position, Quantity::orientation};
+    return request;
+}
+
+}  // namespace
+
+std::vector<Series> list_series(const OutputSettings& output) {
+    std::vector<Series> series;
+    for (std::size_t i = 0; i < output.histories.size(); ++i) {
+        const HistoryRequest& request = output.histories[i];
+        const auto asks = [&](Quantity quantity) {
+            return std::find(request.quantities.begin(), request.quantities.end(), quantity) !=
+                   request.quantities.end();
+        };
+        for (const Quantity quantity : request.quantities) {
+            const bool is_vector = quantity == Quantity::rotation_vector;
+            if (is_vector && asks(Quantity::quaternion)) continue;
+            const Quantity followed = is_vector ? Quantity::quaternion : quantity;
+            const std::string name = is_vector ? "rotation" : word_of(quantity);
+            series.push_back({request.name, name, i, followed, turning_of(followed, request)});
+        }
+    }
+    return series;
+}
+
+std::vector<HistoryRequest> make_end_histories(const Model& model) {
+    std::vector<HistoryRequest> requests;
+    for (int i = 0; i < static_cast<int>(model.rods.size()); ++i) {
+        requests.push_back(make_end(model, i, false));
+        requests.push_back(make_end(model, i, true));
+    }
+    for (int i = 0; i < static_cast<int>(model.bodies.size()); ++i) {
+        const Body& body = model.bodies[static_cast<std::size_t>(i)];
+        HistoryRequest request;
+        request.name = body.name;
+        request.at = body.name;
+        request.node = body.node;
+        request.body = i;
+        request.quantities = {Quantity::position, Quantity::orientation};
+        requests.push_back(request);
+    }
+    return requests;
+}
+
+SeriesReader::SeriesReader(const Problem& problem, const std::vector<Series>& series) : series_(&series) {
+    for (std::size_t i = 0; i < problem.output.histories.size(); ++i) {
+        points_.emplace_back(problem.model, problem.output.histories, i);
+    }
+}
+
+std::vector<HistoryPoint::Row> SeriesReader::read(const Snapshot& snapshot) {
+    std::vector<HistoryPoint::Row> rows;
+    rows.reserve(series_->size());
+    for (const Series& series : *series_) {
+        rows.push_back(points_[series.history].compute(series.quantity, snapshot));
+    }
+    return rows;
+}
+
+MotionTrace trace_motion(const Problem& problem, const TraceRequest& request) {
+    return Tracer(problem, request).trace();
+}
+
+}  // namespace gxrod

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "deck/problem.hpp"
+#include "results/history_point.hpp"
+#include "study/turned_problem.hpp"
+
+namespace gxrod {
+
+// A quantity of a point that is followed through several runs of a model.
+struct Series {
+    std::string point;  // the history's name
+    std::string name;   // of the quantity; "rotation" of a rotation_vector, which is followed as a quaternion
+    std::size_t history;  // in OutputSettings::histories
+    Quantity quantity;
+    Turning turning;
+
+    // Of rotations rows are unit quaternions (w x y z), and differences angles.
+    bool is_rotation() const { return quantity == Quantity::quaternion || quantity == Quantity::orientation; }
+    bool is_length() const {
+        return quantity == Quantity::position || quantity == Quantity::displacement ||
+               quantity == Quantity::centre_of_mass;
+    }
+    std::string title() const { return point + " " + name; }
+};
+
+// All quantities that the problem's histories record. Of a rotation's two forms, one is followed.
+std::vector<Series> list_series(const OutputSettings& output);
+
+// Histories of rods' ends and bodies, for a problem without any.
+std::vector<HistoryRequest> make_end_histories(const Model& model);
+
+// Reads the series of a snapshot.
+class SeriesReader {
+  public:
+    // Of a problem with the histories of these series; all must outlive the reader.
+    SeriesReader(const Problem& problem, const std::vector<Series>& series);
+
+    std::vector<HistoryPoint::Row> read(const Snapshot& snapshot);
+
+  private:
+    const std::vector<Series>* series_;
+    std::vector<HistoryPoint> points_;
+};
+
+// How well the books of a run close, over all of its steps.
+struct TraceBooks {
+    double largest_energy = 0.0;  // kinetic and strain energy, or work
+    double largest_strain_energy = 0.0;
+    double largest_energy_error = 0.0;
+    // Of the momenta: the largest of what is left of p(t) − p(0) − ∫ F dt, by the trapezoidal rule.
+    double linear_imbalance = 0.0;
+    double angular_imbalance = 0.0;
+    double momentum_scale = 0.0;  // √(2 m T), the most that all mass at the kinetic energy could have
+    double angular_scale = 0.0;   // the same times the model's length
+};
+
+// What one run of a model gave.
+struct MotionTrace {
+    std::vector<std::vector<HistoryPoint::Row>> rows;  // of each series, at the sample times
+    std::size_t samples = 0;                           // that were reached
+    TraceBooks books;
+    double length = 0.0;  // of the model, as System has it
+    double mass = 0.0;
+    long unknowns = 0;
+    long elements = 0;
+    long steps = 0;
+    std::vector<long> steps_at;       // those that were taken up to each sample
+    std::vector<double> rejected_at;  // of each trial that was cut, the time it began at
+    long newton_iterations = 0;
+    double seconds = 0.0;
+    std::string failure;                // or why it ended before its end
+    std::vector<std::string> warnings;  // as SteppedAnalysis lists them
+    bool is_unstable = false;           // whether equilibria were accepted that no structure would stay at
+
+    bool is_whole() const { return failure.empty(); }
+};
+
+// Thrown where the user ends a study.
+struct StudyInterrupted : std::runtime_error {
+    StudyInterrupted() : std::runtime_error("interrupted") {}
+};
+
+struct TraceRequest {
+    const std::vector<Series>& series;
+    const std::vector<double>& sample_times;  // ascending; from 0
+    int threads = 1;
+    std::function<bool()> is_interrupted = [] { return false; };
+};
+
+// Runs the problem in memory. Values between steps are those of a cubic through four of them. Not converging
+// is a trace with a failure. Throws StudyInterrupted.
+MotionTrace trace_motion(const Problem& problem, const TraceRequest& request);
+
+}  // namespace gxrod

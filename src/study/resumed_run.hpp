@@ -1,0 +1,23 @@
+#pragma once
+
+#include "study/motion_trace.hpp"
+
+namespace gxrod {
+
+// What came of stopping a run midway and resuming it.
+struct ResumedRun {
+    double stopped_at = 0.0;
+    std::vector<double> times;                         // of accepted steps after that
+    std::vector<std::vector<HistoryPoint::Row>> rows;  // of all series, of each of these
+    long steps = 0;
+    long rejected_steps = 0;
+    long newton_iterations = 0;
+    double seconds = 0.0;
+    std::string failure;
+};
+
+// Runs the problem into a file in a folder for temporary files until half of `end_time`, and goes on from
+// this file. Throws FileError, StudyInterrupted.
+ResumedRun run_with_stop(const Problem& problem, double end_time, const TraceRequest& request);
+
+}  // namespace gxrod

@@ -1,0 +1,142 @@
+#include "study/turned_problem.hpp"
+
+#include <memory>
+
+namespace gxrod {
+
+namespace {
+
+using Functions = std::array<TimeFunction, 3>;
+using LineFunctions = std::array<LineFunction, 3>;
+
+// Those of all three.
+template <class FunctionVector>
+std::shared_ptr<const Switches> join_switches(const FunctionVector& functions) {
+    auto all = std::make_shared<Switches>();
+    for (const auto& function : functions) {
+        if (function.switches() == nullptr) continue;
+        all->insert(all->end(), function.switches()->begin(), function.switches()->end());
+    }
+    return all->empty() ? nullptr : all;
+}
+
+// Of a sum of all three.
+LineForm join_forms(const LineFunctions& functions) {
+    LineForm form = functions[0].form();
+    for (const LineFunction& function : functions) {
+        form.is_even = form.is_even && function.form().is_even;
+        if (function.form().in_time != form.in_time) form.in_time = InTime::varying;
+    }
+    return form;
+}
+
+// The components of R f. Where f varies, each calls all three of f.
+Functions turn(const Quat& rotation, const Functions& functions) {
+    const Mat3 R = rotation.toRotationMatrix();
+    Functions turned;
+    if (functions[0].is_constant() && functions[1].is_constant() && functions[2].is_constant()) {
+        const Vec3 value = R * Vec3(functions[0](0.0), functions[1](0.0), functions[2](0.0));
+        return {value.x(), value.y(), value.z()};
+    }
+    const auto all = std::make_shared<const Functions>(functions);
+    const auto switches = join_switches(functions);
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 row = R.row(i);
+        turned[static_cast<std::size_t>(i)] = TimeFunction(
+            [all, row](double time) {
+                return row.dot(Vec3((*all)[0](time), (*all)[1](time), (*all)[2](time)));
+            },
+            switches);
+    }
+    return turned;
+}
+
+LineFunctions turn(const Quat& rotation, const LineFunctions& functions) {
+    if (is_zero(functions)) return functions;
+    const Mat3 R = rotation.toRotationMatrix();
+    LineFunctions turned;
+    const auto all = std::make_shared<const LineFunctions>(functions);
+    const auto switches = join_switches(functions);
+    const LineForm form = join_forms(functions);
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 row = R.row(i);
+        turned[static_cast<std::size_t>(i)] = LineFunction(
+            [all, row](double time, double s) {
+                return row.dot(Vec3((*all)[0](time, s), (*all)[1](time, s), (*all)[2](time, s)));
+            },
+            switches,
+            form);
+    }
+    return turned;
+}
+
+TimeVector turn(const Quat& rotation, const TimeVector& vector) {
+    if (vector.is_constant()) return TimeVector(rotation * vector(0.0));
+    return TimeVector(turn(rotation, vector.components()));
+}
+
+}  // namespace
+
+void turn_model(const Quat& rotation, Model& model) {
+    model.gravity = turn(rotation, model.gravity);
+    for (Node& node : model.nodes) {
+        node.position = rotation * node.position;
+        node.velocity = rotation * node.velocity;
+        node.angular_velocity = rotation * node.angular_velocity;
+    }
+    for (Rod& rod : model.rods) {
+        for (Quat& triad : rod.triads) triad = rotation * triad;
+    }
+    for (Body& body : model.bodies) body.attitude = rotation * body.attitude;
+    for (Support& support : model.supports) support.axes = rotation * support.axes;
+    for (NodalLoad& load : model.loads) {
+        load.axes = rotation * load.axes;
+        if (load.frame == Frame::body) continue;
+        load.force = turn(rotation, load.force);
+        load.moment = turn(rotation, load.moment);
+    }
+    for (DistributedLoad& load : model.distributed_loads) {
+        if (load.frame == Frame::body) continue;
+        load.force = turn(rotation, load.force);
+        load.moment = turn(rotation, load.moment);
+    }
+}
+
+void turn_problem(const Quat& rotation, Problem& problem) {
+    turn_model(rotation, problem.model);
+    for (HistoryRequest& request : problem.output.histories) {
+        request.relative_axes = rotation * request.relative_axes;
+    }
+}
+
+Turning turning_of(Quantity quantity, const HistoryRequest& request) {
+    if (request.relative_node >= 0) return Turning::none;
+    switch (quantity) {
+        case Quantity::angular_velocity_material:
+        case Quantity::force:
+        case Quantity::moment:
+        case Quantity::strain:
+        case Quantity::curvature:
+            return Turning::none;
+        case Quantity::orientation:
+            return Turning::attitude;
+        case Quantity::rotation_vector:
+        case Quantity::quaternion:
+            return request.body >= 0 ? Turning::attitude : Turning::rotation_since_start;
+        default:
+            return Turning::vector;
+    }
+}
+
+HistoryPoint::Row turn_row(Turning turning, const Quat& rotation, const HistoryPoint::Row& row) {
+    if (turning == Turning::none) return row;
+    if (turning == Turning::vector) {
+        const Vec3 turned = rotation * Vec3(row[0], row[1], row[2]);
+        return {turned.x(), turned.y(), turned.z(), 0.0};
+    }
+    Quat turned = rotation * Quat(row[0], row[1], row[2], row[3]);
+    if (turning == Turning::rotation_since_start) turned = turned * rotation.conjugate();
+    return {turned.w(), turned.x(), turned.y(), turned.z()};
+}
+
+}  // namespace gxrod

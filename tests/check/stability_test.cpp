@@ -1,0 +1,181 @@
+#include "check/stability.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "analyses/static.hpp"
+#include "tools/rod_models.hpp"
+#include "tools/static_run.hpp"
+
+using namespace gxrod;
+using namespace gxrod::tools;
+using Catch::Matchers::Contains;
+
+namespace {
+
+constexpr double length = 10.0;
+constexpr double soft = 500.0;    // EIz
+constexpr double stiff = 4000.0;  // EIy
+constexpr double euler = std::numbers::pi * std::numbers::pi * soft / (4.0 * length * length);
+
+// A force that grows from nothing, and no moment.
+void push(Model& model, int node, const Vec3& force, Frame frame = Frame::spatial) {
+    NodalLoad load;
+    load.key = "load[0]";
+    load.node = node;
+    load.frame = frame;
+    for (int i = 0; i < 3; ++i) load.force[i] = force[i] == 0.0 ? TimeFunction() : ramp(force[i]);
+    model.loads.push_back(load);
+}
+
+// Clamped at its start, with hardly any extension and shear; a dead load pushes its end by `factor` times the
+// first Euler load, and one sideways along y by `side` of it.
+Model make_column(double factor, double side, const Mesh& mesh = {20, 2}) {
+    Model model = make_rod_model(along_x, length, mesh, make_section({1e7, 1e7, 1e7, 2000.0, stiff, soft}));
+    clamp(model, 0);
+    push(model, last_node(model), {-factor * euler, side * euler, 0.0});
+    return model;
+}
+
+struct Watched {
+    std::vector<std::string> warnings;
+    std::vector<std::int64_t> pivots;  // of each step
+    std::vector<double> times;
+    State state;
+    bool is_unstable = false;
+    long rejected_steps = 0;
+
+    // The load factor at which the count first came to this.
+    double first_with(std::int64_t count) const {
+        for (std::size_t i = 0; i < pivots.size(); ++i) {
+            if (pivots[i] >= count) return times[i];
+        }
+        return 0.0;
+    }
+};
+
+Watched watch(const Model& model, const StaticSettings& settings) {
+    StaticAnalysis analysis(model, settings);
+    Watched watched;
+    REQUIRE(analysis.start().converged());
+    while (!analysis.finished()) {
+        const EquilibriumReport report = analysis.advance();
+        if (!report.converged()) FAIL(describe_failure(analysis.explain(report)));
+        watched.pivots.push_back(analysis.solver_row().negative_pivots);
+        watched.rejected_steps += analysis.solver_row().rejected_steps;
+        watched.times.push_back(analysis.state().time);
+    }
+    watched.warnings = analysis.list_warnings();
+    watched.is_unstable = analysis.is_unstable();
+    watched.state = analysis.state();
+    return watched;
+}
+
+StaticSettings settings_of(LinearSolverKind solver) {
+    StaticSettings settings = make_static_settings(10, 1e-10);
+    settings.linear_solver = solver;
+    return settings;
+}
+
+}  // namespace
+
+TEST_CASE("a straight column loses stability at each Euler load", "[analyses]") {
+    // In units of the first one: 1 and 9 about z, 8 about y, where it is eight times as stiff.
+    for (const LinearSolverKind solver :
+         {LinearSolverKind::automatic, LinearSolverKind::klu, LinearSolverKind::cholmod}) {
+        for (const ElementKind kind : {ElementKind::objective, ElementKind::simo}) {
+            CAPTURE(static_cast<int>(solver), static_cast<int>(kind));
+            const Watched run = watch(make_column(9.5, 0.0, {20, 2, kind}), settings_of(solver));
+            CHECK(run.first_with(1) * 9.5 == Approx(1.0).margin(9.5 / 2560.0 + 1e-3));
+            CHECK(run.first_with(2) * 9.5 == Approx(8.0).margin(9.5 / 2560.0 + 8e-3));
+            CHECK(run.first_with(3) * 9.5 == Approx(9.0).margin(9.5 / 2560.0 + 9e-3));
+            CHECK(run.pivots.back() == 3);
+            CHECK(run.is_unstable);
+            REQUIRE(run.warnings.size() == 4);
+            CHECK_THAT(run.warnings[0], Contains("became unstable (the tangent has 1 negative pivot)"));
+            CHECK_THAT(run.warnings[0], Contains("bending about z"));
+            CHECK_THAT(run.warnings[1], Contains("became more unstable (the tangent has 2 negative pivots)"));
+            CHECK_THAT(run.warnings[1], Contains("bending about y"));
+            CHECK_THAT(run.warnings[2], Contains("bending about z"));
+            CHECK_THAT(run.warnings[3], Contains("the state at t = 1 is unstable (3 negative pivots)"));
+        }
+    }
+}
+
+TEST_CASE("below its Euler load a column is stable", "[analyses]") {
+    const Watched run = watch(make_column(0.99, 0.0), make_static_settings(10, 1e-10));
+    CHECK(run.warnings.empty());
+    CHECK_FALSE(run.is_unstable);
+    CHECK(run.rejected_steps == 0);
+    CHECK(run.pivots == std::vector<std::int64_t>(10, 0));
+}
+
+TEST_CASE("with a little load sideways a column goes where the elastica is", "[analyses]") {
+    // P = 1.5 P_E: K(k) = √1.5 π/2, the end moves sideways by 2 k L / K (Timoshenko & Gere 1961, 2.7).
+    const double K = std::sqrt(1.5) * std::numbers::pi / 2.0;
+    double low = 0.0, high = 1.0;
+    while (high - low > 1e-14) (std::comp_ellint_1(0.5 * (low + high)) < K ? low : high) = 0.5 * (low + high);
+    const double sideways = 2.0 * low * length / K;
+    for (const long steps : {5, 10, 50}) {
+        for (const double side : {1e-4, -1e-4}) {
+            CAPTURE(steps, side);
+            const Watched run = watch(make_column(1.5, side), make_static_settings(steps, 1e-10));
+            CHECK(run.warnings.empty());
+            CHECK_FALSE(run.is_unstable);
+            CHECK(run.state.trial.back().r.y() == Approx(side > 0.0 ? sideways : -sideways).epsilon(1e-3));
+        }
+    }
+}
+
+TEST_CASE("a load that follows tells of divergence alone", "[analyses]") {
+    // Hinged at both ends and pushed along its axis there (Pflüger's column): it diverges at π² EI / L², four
+    // times the load of the clamped column.
+    Model model =
+        make_rod_model(along_x, length, {20, 2}, make_section({1e7, 1e7, 1e7, 2000.0, stiff, soft}));
+    Support start, end;
+    start.fixed = {true, true, true, true, true, false};
+    end.node = last_node(model);
+    end.fixed = {false, true, true, true, true, false};
+    model.supports = {start, end};
+    push(model, end.node, {-6.0 * euler, 0.0, 0.0}, Frame::follower);
+    CHECK(find_load_without_potential(model) == "load[0] follows its point");
+    const Watched run = watch(model, make_static_settings(10, 1e-10));
+    CHECK(run.first_with(1) * 6.0 == Approx(4.0).margin(6.0 / 2560.0 + 4e-3));
+    CHECK(run.is_unstable);
+    REQUIRE(run.warnings.size() == 1);
+    CHECK_THAT(run.warnings[0], Contains("the determinant of the tangent became negative"));
+}
+
+TEST_CASE("loads without potential are those that turn, and moments that do not", "[analyses]") {
+    Model model = make_column(1.0, 0.0);
+    CHECK(find_load_without_potential(model).empty());
+    model.loads.back().moment[2] = 1.0;
+    CHECK_THAT(find_load_without_potential(model), Contains("load[0] is a moment"));
+    Support hinge;
+    hinge.node = last_node(model);
+    hinge.fixed = {false, false, true, true, true, false};
+    model.supports.push_back(hinge);
+    CHECK(find_load_without_potential(model).empty());
+    DistributedLoad along;
+    along.key = "load[1]";
+    along.frame = Frame::body;
+    model.distributed_loads.push_back(along);
+    CHECK(find_load_without_potential(model).empty());
+    model.distributed_loads.back().force[1] = LineFunction(1.0);
+    CHECK(find_load_without_potential(model) == "load[1] follows its rod");
+}
+
+TEST_CASE("where round-off hides what bends, no pivots are counted", "[analyses]") {
+    // Of a string that hangs, EI is so small that the pivots of bending are below the round-off of EA.
+    Model model = make_rod_model(along_x, length, {50, 1}, make_section({1e8, 1e8, 1e8, 1e-4, 1e-4, 1e-4}));
+    clamp(model, 0);
+    Support end;
+    end.node = last_node(model);
+    end.fixed = {true, true, true, false, false, false};
+    model.supports.push_back(end);
+    for (int node = 1; node < end.node; ++node) push(model, node, {0.0, 0.0, -10.0});
+    const Watched run = watch(model, make_static_settings(10, 1e-8));
+    CHECK(run.warnings == std::vector<std::string>{});
+    CHECK(run.pivots == std::vector<std::int64_t>(run.pivots.size(), -1));
+}

@@ -1,0 +1,40 @@
+#include "machine/instruction_set.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <stdexcept>
+
+using namespace gxrod;
+
+namespace {
+
+// Sets the variable for as long as it lives.
+class Wanted {
+  public:
+    explicit Wanted(const char* set) { setenv(name, set, 1); }
+    ~Wanted() { unsetenv(name); }
+
+  private:
+    static constexpr const char* name = "GXROD_INSTRUCTION_SET";
+};
+
+}  // namespace
+
+TEST_CASE("The instruction set is the machine's unless the environment names another", "[elements]") {
+    const InstructionSet widest = find_instruction_set();
+    {
+        const Wanted wanted("baseline");
+        CHECK(find_instruction_set() == InstructionSet::baseline);
+    }
+    {
+        const Wanted wanted("avx2");
+        if (widest == InstructionSet::avx2) {
+            CHECK(find_instruction_set() == InstructionSet::avx2);
+        } else {
+            CHECK_THROWS_WITH(find_instruction_set(),
+                              "GXROD_INSTRUCTION_SET: this machine does not have avx2");
+        }
+    }
+    const Wanted wanted("avx9");
+    CHECK_THROWS_WITH(find_instruction_set(), "GXROD_INSTRUCTION_SET: expected \"baseline\" or \"avx2\"");
+}

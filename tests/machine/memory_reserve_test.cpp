@@ -1,0 +1,12 @@
+#include "machine/memory_reserve.hpp"
+
+#include <catch2/catch.hpp>
+#include <limits>
+#include <new>
+
+using namespace gxrod;
+
+TEST_CASE("Memory that a process cannot have is refused before it is needed", "[results]") {
+    CHECK_NOTHROW(require_memory(hdf5_reserve));
+    CHECK_THROWS_AS(require_memory(std::numeric_limits<std::size_t>::max() / 4), std::bad_alloc);
+}
