@@ -4,9 +4,7 @@ add_library(gxrod_compiler INTERFACE)
 target_compile_options(gxrod_compiler INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
   # g++ 12 sees overlapping copies in "text" + std::string where there are none (GCC bug 105651).
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
-  # Equal decks give equal bits: no contraction that depends on how the compiler inlines.
-  -ffp-contract=off)
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 if(GXROD_WARNINGS_AS_ERRORS)
   target_compile_options(gxrod_compiler INTERFACE -Werror)
 endif()

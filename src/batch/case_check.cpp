@@ -38,14 +38,14 @@ void check_parameters(const CaseContext& context, FaultList& faults) {
 }
 
 // Where a fault was found: in the deck of a case, or in the model that it makes and what is collected of it.
-enum class Stage { reading, examining };
+enum class CheckStage { reading, examining };
 
 // Faults of many cases, each once.
 class CaseFaults {
   public:
     explicit CaseFaults(const CaseContext& context) : context_(context) {}
 
-    void add(const DeckError& error, Stage stage, long number) {
+    void add(const DeckError& error, CheckStage stage, long number) {
         ++faulty_cases_;
         for (const DeckFault& fault : error.faults) add(place(fault, number), stage, number);
     }
@@ -57,7 +57,7 @@ class CaseFaults {
         for (const Found& found : found_) {
             faults.push_back(found.fault);
             // What all cases have is not the fault of one.
-            if (found.cases < (found.stage == Stage::reading ? examined : built))
+            if (found.cases < (found.stage == CheckStage::reading ? examined : built))
                 faults.back().message += describe(found);
         }
         return faults;
@@ -66,12 +66,12 @@ class CaseFaults {
   private:
     struct Found {
         DeckFault fault;
-        Stage stage;
+        CheckStage stage;
         long first = 0;
         long cases = 1;
     };
 
-    void add(const DeckFault& fault, Stage stage, long number) {
+    void add(const DeckFault& fault, CheckStage stage, long number) {
         const auto same = std::find_if(found_.begin(), found_.end(), [&](const Found& found) {
             const DeckFault& other = found.fault;
             return other.file == fault.file && other.line == fault.line && other.column == fault.column &&
@@ -175,11 +175,11 @@ CheckedCases check_cases(const CaseContext& context,
     long examined = 0;
     long built = 0;
     const auto check = [&](long number) {
-        Stage stage = Stage::reading;
+        CheckStage stage = CheckStage::reading;
         try {
             const Problem problem = context.build(number);
             ++built;
-            stage = Stage::examining;
+            stage = CheckStage::examining;
             if (number == 1) checked.title = problem.record.title;
             checked.meshes[context.cases.deck(number)].merge(digest_meshes(problem.record.meshes));
             examine(context, problem, number);

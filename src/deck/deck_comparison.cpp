@@ -45,9 +45,9 @@ std::string describe(const DeckNode& node) {
     return text.size() <= longest && !holds_tables(node) ? text : "another one";
 }
 
-class Comparison {
+class TreeComparison {
   public:
-    Comparison(const ComparisonRules& rules, FaultList& faults) : rules_(rules), faults_(faults) {}
+    TreeComparison(const ComparisonRules& rules, FaultList& faults) : rules_(rules), faults_(faults) {}
 
     void compare(const DeckNode& before, const DeckNode& now, const std::string& path) {
         if (is_free(path)) return;
@@ -99,7 +99,7 @@ void compare_decks(const DeckNode& before,
                    const ComparisonRules& rules,
                    FaultList& faults,
                    const std::string& path) {
-    Comparison(rules, faults).compare(before, now, path);
+    TreeComparison(rules, faults).compare(before, now, path);
 }
 
 }  // namespace gxrod

@@ -26,7 +26,7 @@ constexpr std::size_t fine_points = 7;
 constexpr std::size_t most_moments = most_element_nodes * (most_element_nodes + 1) / 2;
 
 // What the load and an element give at a point.
-struct Sample {
+struct LoadSample {
     Vec6 q;         // of the load
     double weight;  // ds/dξ of the line through the nodes
     std::array<double, most_element_nodes> shape;
@@ -123,9 +123,9 @@ class ElementIntegral {
         }
     }
 
-    Sample sample(double xi) const {
+    LoadSample sample(double xi) const {
         const ShapeValues shapes = element_.shapes(xi);
-        Sample at{Vec6::Zero(), 0.0, shapes.value};
+        LoadSample at{Vec6::Zero(), 0.0, shapes.value};
         double arc_length = 0.0;
         Vec3 tangent = Vec3::Zero();
         for (std::size_t i = 0; i < own_points(); ++i) {
@@ -137,13 +137,13 @@ class ElementIntegral {
         return at;
     }
 
-    double share(const Sample& at, std::size_t i, std::size_t j) const {
+    double share(const LoadSample& at, std::size_t i, std::size_t j) const {
         return is_turned() ? at.shape[i] * at.shape[j] : at.shape[i];
     }
     bool is_turned() const { return element_.load->frame != Frame::spatial; }
 
     // Adds the point to the integral and to its difference to Gauss' own.
-    void add(const Sample& at,
+    void add(const LoadSample& at,
              double half,
              const KronrodPoint& point,
              Piece& piece,

@@ -61,7 +61,9 @@ GmshLibrary load_gmsh(std::span<const char* const> names) {
     void* library = open_library(names, reason);
     if (library == nullptr) {
         throw MeshError(
-            fmt::format("reading a mesh needs libgmsh; on Debian: apt install libgmsh4.8 ({})", reason));
+            fmt::format("reading a mesh needs libgmsh: apt install libgmsh4.8 on Debian 12, libgmsh4.13 on "
+                        "Debian 13 ({})",
+                        reason));
     }
     GmshLibrary gmsh{};
     find_function(library, "gmshInitialize", gmsh.initialize);
@@ -83,7 +85,8 @@ GmshLibrary load_gmsh(std::span<const char* const> names) {
 }
 
 const GmshLibrary& gmsh_library() {
-    static constexpr std::array names{"libgmsh.so.4.8", "libgmsh.so.4", "libgmsh.so"};
+    static constexpr std::array names{
+        "libgmsh.so.4.8", "libgmsh.so.4.12", "libgmsh.so.4.13", "libgmsh.so.4", "libgmsh.so"};
     static const GmshLibrary library = load_gmsh(names);
     return library;
 }

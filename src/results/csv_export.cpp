@@ -17,7 +17,7 @@ namespace {
 constexpr hsize_t most_rows_at_once = 4096;
 
 // One dataset of a group, which makes one or more columns.
-struct Column {
+struct CsvColumn {
     std::string path;
     std::string name;
     hsize_t width = 1;
@@ -36,8 +36,8 @@ struct Column {
 };
 
 // The datasets of a group, time first.
-std::vector<Column> find_columns(const Hdf5Reader& file, const std::string& group) {
-    std::vector<Column> columns{{"/histories/time", "time"}};
+std::vector<CsvColumn> find_columns(const Hdf5Reader& file, const std::string& group) {
+    std::vector<CsvColumn> columns{{"/histories/time", "time"}};
     if (file.text_attribute("/histories/time", "dimension") == "1") columns[0].name = "load_factor";
     for (const std::string& name : file.members(group)) {
         if (name == "time") continue;
@@ -48,12 +48,13 @@ std::vector<Column> find_columns(const Hdf5Reader& file, const std::string& grou
 }
 
 void append_rows(const Hdf5Reader& file,
-                 const std::vector<Column>& columns,
+                 const std::vector<CsvColumn>& columns,
                  hsize_t first,
                  hsize_t count,
                  fmt::memory_buffer& text) {
     std::vector<std::vector<double>> values;
-    for (const Column& column : columns) values.push_back(file.rows(column.path, first, count, column.width));
+    for (const CsvColumn& column : columns)
+        values.push_back(file.rows(column.path, first, count, column.width));
     for (hsize_t row = 0; row < count; ++row) {
         const char* separator = "";
         for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -69,11 +70,11 @@ void append_rows(const Hdf5Reader& file,
 
 void write_table(const Hdf5Reader& file, const std::string& group, const std::filesystem::path& path) {
     std::ofstream out(path, std::ios::binary);
-    const std::vector<Column> columns = find_columns(file, group);
+    const std::vector<CsvColumn> columns = find_columns(file, group);
     // The times are written last: their number is that of complete steps.
     const hsize_t rows = file.size("/histories/time").at(0);
     std::string headings;
-    for (const Column& column : columns) headings += (headings.empty() ? "" : ",") + column.heading();
+    for (const CsvColumn& column : columns) headings += (headings.empty() ? "" : ",") + column.heading();
     out << headings << '\n';
     for (hsize_t first = 0; first < rows && out; first += most_rows_at_once) {
         fmt::memory_buffer text;
@@ -84,13 +85,13 @@ void write_table(const Hdf5Reader& file, const std::string& group, const std::fi
     if (!out) throw FileError(path, "cannot be written", std::generic_category().message(errno));
 }
 
-struct Table {
+struct CsvTable {
     std::string group;
     std::filesystem::path path;
 };
 
-std::vector<Table> list_tables(const Hdf5Reader& file, const std::filesystem::path& folder) {
-    std::vector<Table> tables{{"/ledger", folder / "ledger.csv"}, {"/solver", folder / "solver.csv"}};
+std::vector<CsvTable> list_tables(const Hdf5Reader& file, const std::filesystem::path& folder) {
+    std::vector<CsvTable> tables{{"/ledger", folder / "ledger.csv"}, {"/solver", folder / "solver.csv"}};
     for (const std::string& name : file.members("/histories")) {
         if (name != "time") tables.push_back({"/histories/" + name, folder / ("history_" + name + ".csv")});
     }
@@ -104,12 +105,12 @@ std::vector<std::filesystem::path> export_csv(const std::filesystem::path& resul
                                               Existing existing) {
     std::vector<std::filesystem::path> written;
     read_results(results, [&](const Hdf5Reader& file) {
-        const std::vector<Table> tables = list_tables(file, folder);
+        const std::vector<CsvTable> tables = list_tables(file, folder);
         written.clear();
-        for (const Table& table : tables) written.push_back(table.path);
+        for (const CsvTable& table : tables) written.push_back(table.path);
         prepare_export(folder, written, existing);
         existing = Existing::replace;  // what a further attempt finds is ours
-        for (const Table& table : tables) write_table(file, table.group, table.path);
+        for (const CsvTable& table : tables) write_table(file, table.group, table.path);
     });
     return written;
 }

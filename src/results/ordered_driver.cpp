@@ -113,6 +113,10 @@ herr_t write_bytes(
 
 H5FD_class_t make_driver() {
     H5FD_class_t driver{};
+#if H5_VERSION_GE(1, 13, 2)
+    driver.version = H5FD_CLASS_VERSION;
+    driver.value = 512;  // the first of those left for drivers that are not registered with the HDF Group
+#endif
     driver.name = "gxrod ordered file";
     driver.maxaddr = HADDR_MAX;
     driver.fc_degree = H5F_CLOSE_WEAK;

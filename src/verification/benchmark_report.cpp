@@ -12,7 +12,7 @@ namespace {
 
 constexpr double order_tolerance = 0.3;
 
-struct Row {
+struct CheckRow {
     std::string overrides;
     BenchmarkRun run;
     std::optional<double> order;  // none of the first of a refinement, nor below the floor
@@ -24,10 +24,10 @@ std::optional<double> find_order(const Refinement& refinement, double before, do
     return std::log2(before / now);
 }
 
-std::vector<Row> run_rows(const Benchmark& benchmark, const Refinement& refinement) {
-    std::vector<Row> rows;
+std::vector<CheckRow> run_rows(const Benchmark& benchmark, const Refinement& refinement) {
+    std::vector<CheckRow> rows;
     for (const std::vector<std::string>& overrides : refinement.rows) {
-        Row row{
+        CheckRow row{
             fmt::format("{}", fmt::join(overrides, " ")), run_benchmark(benchmark, overrides), std::nullopt};
         if (!rows.empty()) row.order = find_order(refinement, rows.back().run.error, row.run.error);
         rows.push_back(std::move(row));
@@ -36,9 +36,9 @@ std::vector<Row> run_rows(const Benchmark& benchmark, const Refinement& refineme
 }
 
 // The finest pair of rows above the floor shows the order.
-std::optional<double> finest_order(const std::vector<Row>& rows) {
+std::optional<double> finest_order(const std::vector<CheckRow>& rows) {
     std::optional<double> order;
-    for (const Row& row : rows) {
+    for (const CheckRow& row : rows) {
         if (row.order) order = row.order;
     }
     return order;
@@ -50,14 +50,16 @@ std::string describe(const BenchmarkValue& value) {
 }
 
 // The order of one value's error, by the last two rows.
-std::optional<double> value_order(const Refinement& refinement, const std::vector<Row>& rows, std::size_t i) {
+std::optional<double> value_order(const Refinement& refinement,
+                                  const std::vector<CheckRow>& rows,
+                                  std::size_t i) {
     if (rows.size() < 2 || refinement.order == 0.0) return std::nullopt;
     return find_order(refinement, (rows.end() - 2)->run.values[i].error, rows.back().run.values[i].error);
 }
 
 void add_value_checks(const Benchmark& benchmark,
                       const Refinement& refinement,
-                      const std::vector<Row>& rows,
+                      const std::vector<CheckRow>& rows,
                       std::vector<Check>& checks) {
     for (std::size_t i = 0; i < benchmark.values.size(); ++i) {
         const BenchmarkValue& value = benchmark.values[i];
@@ -74,7 +76,7 @@ void add_value_checks(const Benchmark& benchmark,
 
 bool add_checks(const Benchmark& benchmark,
                 const Refinement& refinement,
-                const std::vector<Row>& rows,
+                const std::vector<CheckRow>& rows,
                 StudyResult& result) {
     std::vector<Check> checks;
     if (refinement.tolerance > 0.0) add_value_checks(benchmark, refinement, rows, checks);
@@ -85,7 +87,7 @@ bool add_checks(const Benchmark& benchmark,
     return std::all_of(checks.begin(), checks.end(), [](const Check& check) { return check.passed(); });
 }
 
-nlohmann::ordered_json to_json(const std::string& refinement, const Row& row) {
+nlohmann::ordered_json to_json(const std::string& refinement, const CheckRow& row) {
     return {{"refinement", refinement},
             {"set", row.overrides},
             {"unknowns", row.run.unknowns},
@@ -97,7 +99,7 @@ nlohmann::ordered_json to_json(const std::string& refinement, const Row& row) {
             {"energy_error", row.run.energy_error}};
 }
 
-std::string to_line(const std::string& refinement, const Row& row) {
+std::string to_line(const std::string& refinement, const CheckRow& row) {
     return fmt::format("{:>9}{:>7}{:>8}{:>11.2e}{:>7}  {}: {}\n",
                        row.run.unknowns,
                        row.run.steps,
@@ -116,9 +118,9 @@ StudyResult report_benchmark(const Benchmark& benchmark) {
     result.table = fmt::format(
         "{:>9}{:>7}{:>8}{:>11}{:>7}  {}\n", "unknowns", "steps", "Newton", "error", "order", "refinement");
     for (const Refinement& refinement : benchmark.refinements) {
-        const std::vector<Row> rows = run_rows(benchmark, refinement);
+        const std::vector<CheckRow> rows = run_rows(benchmark, refinement);
         const bool matches = add_checks(benchmark, refinement, rows, result);
-        for (const Row& row : rows) {
+        for (const CheckRow& row : rows) {
             const bool is_missed = !matches && &row == &rows.back();
             const std::string name = refinement.name + (is_missed ? " MISSED" : "");
             result.json.push_back(to_json(name, row));

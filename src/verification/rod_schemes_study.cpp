@@ -55,7 +55,7 @@ const std::vector<std::string>& schemes() {
     return all;
 }
 
-struct Outcome {
+struct SchemeRun {
     std::vector<Vec3> positions;
     std::vector<Quat> orientations;
     double energy_error = 0.0;  // the largest imbalance of the ledger, by the largest energy
@@ -74,13 +74,13 @@ const std::string& find_deck(const std::string& name) {
     throw std::runtime_error("no example " + name);
 }
 
-Outcome run_case(const Case& it, const std::string& scheme, long steps) {
+SchemeRun run_case(const Case& it, const std::string& scheme, long steps) {
     std::vector<std::string> overrides = it.overrides;
     overrides.push_back("analysis.integrator=" + scheme);
     const double end_time = DeckRun(it.example, find_deck(it.example), overrides).end_time();
     overrides.push_back(fmt::format("analysis.time_step={:.17g}", end_time / static_cast<double>(steps)));
     DeckRun run(it.example, find_deck(it.example), overrides);
-    Outcome outcome;
+    SchemeRun outcome;
     outcome.length = run.analysis().system().length_scale();
     double largest_energy = 0.0;
     try {
@@ -108,19 +108,19 @@ Outcome run_case(const Case& it, const std::string& scheme, long steps) {
     return outcome;
 }
 
-struct Row {
+struct SchemeRow {
     std::string name;
     std::string scheme;
     long steps;
-    Outcome outcome;
+    SchemeRun outcome;
     double position = 0.0;     // by the model's length
     double orientation = 0.0;  // rad
     double momentum = 0.0;     // angular, by its own size
     double order = 0.0;        // of the orientation
 };
 
-Row compare(const Case& it, const std::string& scheme, long steps, const Outcome& reference) {
-    Row row{it.name, scheme, steps, run_case(it, scheme, steps)};
+SchemeRow compare(const Case& it, const std::string& scheme, long steps, const SchemeRun& reference) {
+    SchemeRow row{it.name, scheme, steps, run_case(it, scheme, steps)};
     if (row.outcome.failed) return row;
     for (std::size_t i = 0; i < reference.positions.size(); ++i) {
         row.position = std::max(
@@ -133,16 +133,16 @@ Row compare(const Case& it, const std::string& scheme, long steps, const Outcome
     return row;
 }
 
-std::vector<Row> compute_rows() {
-    std::vector<Row> rows;
+std::vector<SchemeRow> compute_rows() {
+    std::vector<SchemeRow> rows;
     for (const Case& it : cases()) {
-        const Outcome reference = run_case(it, "sdirk-4", it.reference_steps);
+        const SchemeRun reference = run_case(it, "sdirk-4", it.reference_steps);
         if (reference.failed)
             throw std::runtime_error("rod_schemes: the reference of " + it.name + " failed");
         for (const std::string& scheme : schemes()) {
             double before = 0.0;
             for (const long steps : it.steps) {
-                Row row = compare(it, scheme, steps, reference);
+                SchemeRow row = compare(it, scheme, steps, reference);
                 if (before > 0.0 && row.orientation > 0.0) row.order = std::log2(before / row.orientation);
                 before = row.orientation;
                 rows.push_back(row);
@@ -152,7 +152,7 @@ std::vector<Row> compute_rows() {
     return rows;
 }
 
-std::string to_line(const Row& row) {
+std::string to_line(const SchemeRow& row) {
     if (row.outcome.failed) {
         return fmt::format("{:<32}{:<24}{:>6}  did not converge\n", row.name, row.scheme, row.steps);
     }
@@ -170,9 +170,9 @@ std::string to_line(const Row& row) {
 }
 
 // The schemes' orders show on the finest pair of the first case, whose error is all of smooth time.
-std::vector<Check> check_orders(const std::vector<Row>& rows) {
+std::vector<Check> check_orders(const std::vector<SchemeRow>& rows) {
     std::vector<Check> checks;
-    for (const Row& row : rows) {
+    for (const SchemeRow& row : rows) {
         if (row.name != cases().front().name || row.steps != cases().front().steps.back()) continue;
         const bool is_fourth = row.scheme == "sdirk-4";
         checks.push_back(make_order_check(
@@ -184,7 +184,7 @@ std::vector<Check> check_orders(const std::vector<Row>& rows) {
 }  // namespace
 
 StudyResult report(const StudyOptions&) {
-    const std::vector<Row> rows = compute_rows();
+    const std::vector<SchemeRow> rows = compute_rows();
     StudyResult result;
     result.checks = check_orders(rows);
     result.json = nlohmann::ordered_json::array();
@@ -199,7 +199,7 @@ StudyResult report(const StudyOptions&) {
                                "momentum",
                                "Newton",
                                "s");
-    for (const Row& row : rows) {
+    for (const SchemeRow& row : rows) {
         result.table += to_line(row);
         result.json.push_back({{"case", row.name},
                                {"scheme", row.scheme},

@@ -1,8 +1,8 @@
 // Free vibrations of one element whose motion is that of one mass on a spring, at any amplitude: along its
 // axis and in twist. Damping ratios are tau w/2 (Kelvin & Voigt) and c/(2 w) (mass-proportional).
-#include <catch2/catch.hpp>
 
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/run.hpp"
 

@@ -1,10 +1,10 @@
 // Supports that move in time: bodies and rods that are carried along, their reactions and the work of those.
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "integrators/scheme_samples.hpp"
 #include "rotation/rates.hpp"
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 #include "tools/rod_models.hpp"

@@ -1,10 +1,10 @@
 #include "analyses/dynamic.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
 
 #include "integrators/scheme_samples.hpp"
 #include "model/evaluation_error.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/free_flight.hpp"
 #include "tools/run.hpp"

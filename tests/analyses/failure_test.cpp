@@ -1,8 +1,8 @@
 // What a reader is told of a step that fails.
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "analyses/dynamic.hpp"
+#include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/run.hpp"
 #include "tools/static_run.hpp"

@@ -1,13 +1,13 @@
 // Rotations of exactly half turns and whole turns, and of a few units of the last place more or less.
 #include <fmt/format.h>
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "deck/decks.hpp"
 #include "model/energy_round_off.hpp"
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/run.hpp"
 #include "tools/static_run.hpp"
 #include "tools/tops.hpp"

@@ -1,9 +1,9 @@
 #include "analyses/ledger.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
 
 #include "integrators/scheme_samples.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/free_flight.hpp"
 #include "tools/run.hpp"

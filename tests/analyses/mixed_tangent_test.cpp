@@ -1,10 +1,10 @@
 // What the mixed tangent is for: large steps in few iterations, to the same equilibria.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "analyses/dynamic.hpp"
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/static_run.hpp"
 

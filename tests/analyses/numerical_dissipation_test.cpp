@@ -1,8 +1,8 @@
 // What schemes dissipate themselves, of a motion that is one mass on a spring: a bar of one element, clamped,
 // that swings along its axis and in twist. There the discrete balance of energy is known in closed form
 // (docs/theory/energy.md).
-#include <catch2/catch.hpp>
 
+#include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/run.hpp"
 

@@ -1,8 +1,8 @@
 // A loaded rod whose clamp turns: after whole turns it must be where it was, by any way.
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/static_run.hpp"
 

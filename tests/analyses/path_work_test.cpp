@@ -1,7 +1,8 @@
 #include "analyses/path_work.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

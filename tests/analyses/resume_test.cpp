@@ -1,4 +1,3 @@
-#include <catch2/catch.hpp>
 
 #include "deck/decks.hpp"
 #include "machine/file_error.hpp"
@@ -6,6 +5,7 @@
 #include "results/sample.hpp"
 #include "run/run.hpp"
 #include "solvers/step_control.hpp"
+#include "tools/catch.hpp"
 
 // A run that was stopped and goes on, against the same run in one piece: equal to the last bit.
 

@@ -1,8 +1,8 @@
 // Tops and free bodies against reference motions.
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/run.hpp"
 #include "tools/tops.hpp"

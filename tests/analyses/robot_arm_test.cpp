@@ -1,8 +1,8 @@
 // D5: a flexible arm of length 10 whose root is turned by 1.5 rad in 2.5 and then held.
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/run.hpp"
 

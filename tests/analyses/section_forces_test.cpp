@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 
 #include "deck/decks.hpp"
 #include "study/deck_run.hpp"
+#include "tools/catch.hpp"
 #include "tools/run.hpp"
 #include "tools/static_run.hpp"
 

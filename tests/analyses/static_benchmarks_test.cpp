@@ -1,8 +1,8 @@
 // Static rods against exact solutions: rates of order 2p in the mesh, and the digits.
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/static_run.hpp"
 

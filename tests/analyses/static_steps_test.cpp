@@ -1,8 +1,8 @@
 // How static runs get through: steps that fail are cut, elements that turn too far are told, the books close.
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/static_run.hpp"
 

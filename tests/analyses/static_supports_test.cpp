@@ -1,7 +1,7 @@
 // Hinges, rollers and moves in axes of their own; what reactions carry.
-#include <catch2/catch.hpp>
 #include <numbers>
 
+#include "tools/catch.hpp"
 #include "tools/random_values.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/static_run.hpp"

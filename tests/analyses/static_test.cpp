@@ -1,8 +1,8 @@
 #include "analyses/static.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
 
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 #include "tools/rod_models.hpp"

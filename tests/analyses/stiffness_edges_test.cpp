@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 
 #include "analyses/dynamic.hpp"
 #include "deck/decks.hpp"
+#include "tools/catch.hpp"
 #include "tools/static_run.hpp"
 
 using namespace gxrod;

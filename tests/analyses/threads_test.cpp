@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 
 #include "deck/decks.hpp"
 #include "run/run.hpp"
+#include "tools/catch.hpp"
 
 // A run that several threads share, against the same run by one: equal to the last bit.
 

@@ -2,13 +2,13 @@
 // last place more or less, are free of strain, force and motion.
 #include <fmt/format.h>
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "deck/decks.hpp"
 #include "model/energy_round_off.hpp"
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/run.hpp"
 #include "tools/static_run.hpp"
 

@@ -1,8 +1,7 @@
 #include "assembly/equation_numbers.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "assembly/held_nodes.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 

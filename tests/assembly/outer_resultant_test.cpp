@@ -1,10 +1,10 @@
 // What acts on a model from outside is the rate of its momenta, in equilibrium or with what is missing from
 // it.
-#include <catch2/catch.hpp>
 
 #include "assembly/sample_model.hpp"
 #include "assembly/system.hpp"
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 

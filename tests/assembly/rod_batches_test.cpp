@@ -1,10 +1,9 @@
 #include "assembly/rod_batches.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "assembly/node_groups.hpp"
 #include "assembly/rotary_batches.hpp"
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/random_values.hpp"
 #include "tools/rod_models.hpp"
 

@@ -1,8 +1,7 @@
 #include "assembly/scale_groups.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "assembly/system.hpp"
+#include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 
 using namespace gxrod;

@@ -1,10 +1,9 @@
 #include "assembly/scatter.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "assembly/held_nodes.hpp"
 #include "assembly/node_groups.hpp"
 #include "assembly/sample_model.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 using namespace gxrod::tools;

@@ -1,6 +1,5 @@
 // Tangents of whole models, own axes of supports, distributed loads and damping included, for every kind and
 // order of rod.
-#include <catch2/catch.hpp>
 
 #include "assembly/sample_model.hpp"
 #include "integrators/generalized_alpha.hpp"
@@ -9,6 +8,7 @@
 #include "solvers/difference_tangent.hpp"
 #include "solvers/trial_rates.hpp"
 #include "state/increment.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

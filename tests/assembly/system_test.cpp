@@ -1,6 +1,5 @@
 #include "assembly/system.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "assembly/sample_model.hpp"
@@ -10,6 +9,7 @@
 #include "solvers/difference_tangent.hpp"
 #include "solvers/trial_rates.hpp"
 #include "state/increment.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

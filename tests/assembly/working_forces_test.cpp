@@ -1,11 +1,11 @@
 // Which forces do work: loads, gravity that changes with time, what moving supports exert, damping.
-#include <catch2/catch.hpp>
 
 #include "assembly/sample_model.hpp"
 #include "assembly/system.hpp"
 #include "loads/nodal_load.hpp"
 #include "solvers/equilibrium.hpp"
 #include "state/increment.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 

@@ -1,9 +1,8 @@
 #include "batch/batch_lock.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "batch/plans.hpp"
 #include "machine/file_error.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 

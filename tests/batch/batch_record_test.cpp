@@ -1,10 +1,9 @@
 #include "batch/batch_record.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "batch/batch.hpp"
 #include "batch/plans.hpp"
 #include "machine/file_error.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

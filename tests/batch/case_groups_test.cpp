@@ -1,6 +1,6 @@
 #include "batch/case_groups.hpp"
 
-#include <catch2/catch.hpp>
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

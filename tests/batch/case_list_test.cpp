@@ -1,9 +1,9 @@
 #include "batch/case_list.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 
 #include "batch/plans.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

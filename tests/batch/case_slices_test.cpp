@@ -1,7 +1,8 @@
 #include "batch/case_slices.hpp"
 
-#include <catch2/catch.hpp>
 #include <numeric>
+
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -1,6 +1,5 @@
 #include "batch/case_table.hpp"
 
-#include <catch2/catch.hpp>
 #include <chrono>
 #include <fstream>
 
@@ -9,6 +8,7 @@
 #include "batch/gathering.hpp"
 #include "batch/plans.hpp"
 #include "machine/file_error.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

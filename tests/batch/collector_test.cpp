@@ -1,12 +1,12 @@
 #include "batch/collector.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "batch/batch.hpp"
 #include "batch/plans.hpp"
 #include "run/run.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -1,9 +1,10 @@
 #include "batch/latin_hypercube.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -1,11 +1,11 @@
 #include "batch/plan_schema.hpp"
 
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "batch/plans.hpp"
 #include "deck/csv_reading.hpp"
 #include "deck/text_file.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 

@@ -1,9 +1,9 @@
 #include "batch/plan.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
 
 #include "batch/plans.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -1,6 +1,6 @@
 #include "batch/program_output.hpp"
 
-#include <catch2/catch.hpp>
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 

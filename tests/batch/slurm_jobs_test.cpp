@@ -1,10 +1,10 @@
 #include "batch/slurm_jobs.hpp"
 
-#include <catch2/catch.hpp>
 #include <filesystem>
 
 #include "batch/plans.hpp"
 #include "machine/file_error.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

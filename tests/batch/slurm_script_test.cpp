@@ -1,9 +1,8 @@
 #include "batch/slurm_script.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "batch/program_output.hpp"
 #include "machine/file_error.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

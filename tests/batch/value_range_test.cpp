@@ -1,6 +1,6 @@
 #include "batch/value_range.hpp"
 
-#include <catch2/catch.hpp>
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 

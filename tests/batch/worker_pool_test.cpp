@@ -3,12 +3,13 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <csignal>
 #include <map>
 #include <set>
 #include <system_error>
 #include <thread>
+
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -1,6 +1,5 @@
 #include "check/direction_words.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
 #include <numbers>
 
@@ -10,6 +9,7 @@
 #include "rotation/rotation_map.hpp"
 #include "solvers/mechanisms.hpp"
 #include "state/increment.hpp"
+#include "tools/catch.hpp"
 #include "tools/tops.hpp"
 
 using namespace gxrod;

@@ -1,6 +1,6 @@
 #include "check/failure_advice.hpp"
 
-#include <catch2/catch.hpp>
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -1,9 +1,9 @@
 #include "check/memory_estimate.hpp"
 
-#include <catch2/catch.hpp>
 #include <string>
 
 #include "deck/decks.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "assembly/system.hpp"
 #include "integrators/load_stepping.hpp"
+#include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 
 using namespace gxrod;

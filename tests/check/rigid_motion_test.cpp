@@ -1,7 +1,6 @@
 #include "check/rigid_motion.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tools/catch.hpp"
 #include "tools/random_values.hpp"
 
 using namespace gxrod;

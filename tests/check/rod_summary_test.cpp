@@ -1,10 +1,10 @@
 #include "check/rod_summary.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "check/rod_lines.hpp"
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

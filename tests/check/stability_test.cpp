@@ -1,10 +1,10 @@
 #include "check/stability.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "analyses/static.hpp"
+#include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/static_run.hpp"
 

@@ -1,8 +1,9 @@
 #include "check/step_impulse.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+
+#include "tools/catch.hpp"
 
 namespace gxrod {
 

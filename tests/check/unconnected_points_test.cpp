@@ -1,8 +1,7 @@
 #include "check/unconnected_points.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "deck/decks.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

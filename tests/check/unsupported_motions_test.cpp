@@ -1,8 +1,7 @@
 #include "check/unsupported_motions.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/random_values.hpp"
 
 namespace gxrod {

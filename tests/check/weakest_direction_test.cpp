@@ -1,10 +1,10 @@
 #include "check/weakest_direction.hpp"
 
 #include <Eigen/SVD>
-#include <catch2/catch.hpp>
 
 #include "assembly/sample_model.hpp"
 #include "solvers/mechanisms.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 using namespace gxrod::tools;

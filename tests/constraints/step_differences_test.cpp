@@ -1,8 +1,9 @@
 #include "constraints/step_differences.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
+
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -1,10 +1,10 @@
 #include "constraints/supports.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "rotation/rates.hpp"
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 

@@ -1,6 +1,7 @@
-#include <catch2/catch.hpp>
 
 #include "deck/decks.hpp"
+
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 

@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "deck/decks.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

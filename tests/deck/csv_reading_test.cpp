@@ -1,9 +1,8 @@
 #include "deck/csv_reading.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "deck/text_file.hpp"
 #include "machine/file_error.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -1,6 +1,6 @@
 #include "deck/deck_tree.hpp"
 
-#include <catch2/catch.hpp>
+#include "tools/catch.hpp"
 
 namespace gxrod {
 namespace {

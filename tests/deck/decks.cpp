@@ -1,11 +1,11 @@
 #include "deck/decks.hpp"
 
 #include <stdlib.h>
-#include <catch2/catch.hpp>
 
 #include <fstream>
 
 #include "deck/fault.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 

@@ -1,8 +1,7 @@
 #include "deck/expression_switches.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "model/breaks.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod {
 

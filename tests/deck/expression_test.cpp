@@ -1,12 +1,12 @@
 #include "deck/expression.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
 #include "deck/expression_built_ins.hpp"
 #include "deck/suggestion.hpp"
 #include "model/evaluation_error.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod {
 namespace {

@@ -1,9 +1,9 @@
 #include "deck/function_files.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
 
 #include "deck/decks.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 

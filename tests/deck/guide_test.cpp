@@ -1,8 +1,8 @@
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
 
 #include "deck/decks.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

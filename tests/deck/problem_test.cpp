@@ -1,7 +1,6 @@
 #include "deck/problem.hpp"
 
 #include <unistd.h>
-#include <catch2/catch.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -12,6 +11,7 @@
 #include "deck/decks.hpp"
 #include "deck/fault.hpp"
 #include "machine/file_error.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -1,9 +1,9 @@
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
 
 #include "deck/decks.hpp"
 #include "deck/fault.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

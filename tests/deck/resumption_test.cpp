@@ -1,9 +1,8 @@
 #include "deck/resumption.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "deck/decks.hpp"
 #include "machine/file_error.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

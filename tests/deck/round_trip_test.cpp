@@ -1,4 +1,3 @@
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -6,6 +5,7 @@
 #include "deck/choices.hpp"
 #include "deck/decks.hpp"
 #include "deck/schema.hpp"
+#include "tools/catch.hpp"
 
 // Every key of the schema, set to a value that is not its default, is seen in the problem that the reader
 // builds.

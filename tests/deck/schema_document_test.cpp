@@ -1,9 +1,9 @@
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
 
 #include "deck/decks.hpp"
 #include "deck/schema.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "deck/schema.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod {
 namespace {

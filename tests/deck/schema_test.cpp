@@ -1,8 +1,7 @@
 #include "deck/schema.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "deck/schema_tables.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod {
 namespace {

@@ -1,8 +1,7 @@
 #include "deck/section_matrices.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -1,9 +1,9 @@
 #include "deck/section_shape.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "deck/cross_section.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

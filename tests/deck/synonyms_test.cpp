@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <map>
 
 #include "batch/plan_schema.hpp"
 #include "deck/decks.hpp"
 #include "deck/schema.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

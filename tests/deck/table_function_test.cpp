@@ -1,8 +1,9 @@
 #include "deck/table_function.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+
+#include "tools/catch.hpp"
 
 namespace gxrod {
 

@@ -1,10 +1,11 @@
 #include "deck/toml_writing.hpp"
 
 #include <bit>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <random>
+
+#include "tools/catch.hpp"
 
 namespace gxrod {
 namespace {

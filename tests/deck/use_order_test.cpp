@@ -1,6 +1,6 @@
 #include "deck/use_order.hpp"
 
-#include <catch2/catch.hpp>
+#include "tools/catch.hpp"
 
 namespace gxrod {
 

@@ -1,8 +1,8 @@
-#include <catch2/catch.hpp>
 
 #include "deck/choices.hpp"
 #include "deck/decks.hpp"
 #include "deck/suggestion.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 

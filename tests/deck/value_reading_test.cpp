@@ -1,8 +1,8 @@
-#include <catch2/catch.hpp>
 
 #include "deck/decks.hpp"
 #include "deck/expression_built_ins.hpp"
 #include "deck/suggestion.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 

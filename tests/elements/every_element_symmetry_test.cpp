@@ -1,9 +1,9 @@
 // What every element owes to the symmetries of space, checked for one of each kind: rigid motions, frame
 // indifference, mirrors.
-#include <catch2/catch.hpp>
 
 #include "elements/element_samples.hpp"
 #include "state/increment.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

@@ -1,9 +1,9 @@
 // Properties that every element has, checked for one of each kind: forces are gradients of energies, tangents
 // are derivatives of forces, momenta and energies balance.
-#include <catch2/catch.hpp>
 
 #include "elements/element_samples.hpp"
 #include "rotation/rates.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

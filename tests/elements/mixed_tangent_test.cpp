@@ -1,8 +1,8 @@
 // The tangent whose geometric part is made of independent resultants, of every kind of element.
-#include <catch2/catch.hpp>
 
 #include "elements/element_samples.hpp"
 #include "state/increment.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

@@ -1,9 +1,9 @@
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "fuzz/inputs.hpp"
+#include "tools/catch.hpp"
 #include "tools/let_hdf5_leak.hpp"
 
 // What libFuzzer found worth keeping, and what once broke a reader, through the same functions. Each input is

@@ -1,10 +1,9 @@
 #include "geometry/centreline.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "geometry/helix_curve.hpp"
 #include "geometry/line_curve.hpp"
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "geometry/curve.hpp"
+#include "tools/catch.hpp"
 
 // What every curve must satisfy.
 namespace gxrod::test {

@@ -1,10 +1,10 @@
 #include "geometry/helix_curve.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 
 #include "geometry/curve_samples.hpp"
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

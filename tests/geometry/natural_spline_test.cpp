@@ -1,9 +1,9 @@
 #include "geometry/natural_spline.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "geometry/helix_curve.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

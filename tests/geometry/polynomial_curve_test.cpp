@@ -1,9 +1,8 @@
 #include "geometry/polynomial_curve.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "geometry/curve_samples.hpp"
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

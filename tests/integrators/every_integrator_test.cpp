@@ -1,10 +1,10 @@
 // Properties that every scheme has: its linearization is the derivative of its update, motions that a scheme
 // must follow exactly, and its order, measured.
-#include <catch2/catch.hpp>
 
 #include "integrators/scheme_samples.hpp"
 #include "rotation/rotation_map.hpp"
 #include "state/increment.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/run.hpp"
 #include "tools/tops.hpp"

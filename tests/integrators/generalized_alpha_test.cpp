@@ -1,10 +1,9 @@
 #include "integrators/generalized_alpha.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "integrators/newmark_simplified.hpp"
 #include "integrators/scheme_samples.hpp"
 #include "rotation/tangent_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

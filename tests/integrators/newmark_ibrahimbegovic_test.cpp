@@ -1,11 +1,10 @@
 #include "integrators/newmark_ibrahimbegovic.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "integrators/newmark_simplified.hpp"
 #include "integrators/scheme_samples.hpp"
 #include "rotation/rotation_map.hpp"
 #include "rotation/tangent_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

@@ -1,11 +1,10 @@
 #include "integrators/newmark_simplified.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "integrators/scheme_samples.hpp"
 #include "rotation/rotation_map.hpp"
 #include "rotation/tangent_map.hpp"
 #include "state/increment.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

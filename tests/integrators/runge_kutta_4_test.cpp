@@ -1,9 +1,8 @@
 #include "integrators/runge_kutta_4.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "integrators/scheme_samples.hpp"
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

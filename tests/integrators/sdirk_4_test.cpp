@@ -1,10 +1,10 @@
 #include "integrators/sdirk_4.hpp"
 
 #include <Eigen/LU>
-#include <catch2/catch.hpp>
 
 #include "integrators/scheme_samples.hpp"
 #include "rotation/tangent_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/run.hpp"
 #include "tools/tops.hpp"

@@ -1,10 +1,9 @@
 #include <fmt/format.h>
 
-#include <catch2/catch.hpp>
-
 #include "deck/check_memory.hpp"
 #include "deck/decks.hpp"
 #include "deck/validation.hpp"
+#include "tools/catch.hpp"
 
 // Decks that are too deep, too slow to evaluate, too large or not to be shown.
 

@@ -1,7 +1,6 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cstring>
 #include <functional>
 #include <string>
@@ -15,6 +14,7 @@
 #include "results/list_changes.hpp"
 #include "results/results_access.hpp"
 #include "results/resumable_file.hpp"
+#include "tools/catch.hpp"
 
 // What reads results of files in which what HDF5 keeps of its own is damaged.
 

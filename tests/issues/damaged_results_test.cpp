@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <hdf5.h>
-#include <catch2/catch.hpp>
 #include <functional>
 #include <limits>
 
@@ -17,6 +16,7 @@
 #include "results/results_file.hpp"
 #include "results/resumable_file.hpp"
 #include "results/series_export.hpp"
+#include "tools/catch.hpp"
 
 // What reads results of files whose objects are not what gxrod writes.
 

@@ -1,13 +1,12 @@
 #include <fmt/format.h>
 
-#include <catch2/catch.hpp>
-
 #include "check/item_list.hpp"
 #include "check/model_examination.hpp"
 #include "check/model_summary.hpp"
 #include "check/rod_lines.hpp"
 #include "check/unconnected_points.hpp"
 #include "deck/decks.hpp"
+#include "tools/catch.hpp"
 
 // Right decks that were refused or warned of, and what must be all the same.
 

@@ -1,9 +1,9 @@
-#include <catch2/catch.hpp>
 
 #include "batch/plans.hpp"
 #include "check/static_scale.hpp"
 #include "deck/decks.hpp"
 #include "machine/file_error.hpp"
+#include "tools/catch.hpp"
 
 // What goes wrong with somebody's first decks and plans, and is explained in one round.
 

@@ -1,11 +1,11 @@
 // Statics along paths of equilibria are silent, however slack the structure is at first; jumps are reported
 // with their load factors.
-#include <catch2/catch.hpp>
 
 #include "deck/decks.hpp"
 #include "model/energy_round_off.hpp"
 #include "run/run.hpp"
 #include "study/motion_trace.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -1,9 +1,9 @@
 // Loads and motions that change between nodes and between steps: once sampled there, lost, or taken as blows.
-#include <catch2/catch.hpp>
 
 #include "assembly/system.hpp"
 #include "check/model_examination.hpp"
 #include "deck/decks.hpp"
+#include "tools/catch.hpp"
 #include "tools/static_run.hpp"
 
 namespace gxrod::test {

@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 
 #include "analyses/dynamic.hpp"
 #include "deck/decks.hpp"
+#include "tools/catch.hpp"
 
 // Motions of rods that are nearly rigid against bending or twist in one direction: Newton's method cut
 // thousands of steps for them.

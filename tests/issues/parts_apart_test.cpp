@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 
 #include "analyses/static.hpp"
 #include "deck/decks.hpp"
+#include "tools/catch.hpp"
 
 // Weakly loaded parts beside strongly loaded ones were not solved: tolerances were those of the whole model.
 

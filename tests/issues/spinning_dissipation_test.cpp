@@ -1,8 +1,8 @@
 // Damped structures in fast rotation: what damping dissipates never falls, and is what they lose.
-#include <catch2/catch.hpp>
 
 #include "deck/decks.hpp"
 #include "run/run.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

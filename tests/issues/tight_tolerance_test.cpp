@@ -1,10 +1,10 @@
-#include <catch2/catch.hpp>
 
 #include "analyses/dynamic.hpp"
 #include "check/model_examination.hpp"
 #include "deck/decks.hpp"
 #include "run/run.hpp"
 #include "study/deck_variants.hpp"
+#include "tools/catch.hpp"
 #include "tools/tops.hpp"
 
 // Newton's tolerance was 1e-8 however small an error the steps were to have.

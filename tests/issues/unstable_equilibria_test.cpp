@@ -1,11 +1,10 @@
 #include <fmt/format.h>
 
-#include <catch2/catch.hpp>
-
 #include "analyses/static.hpp"
 #include "deck/decks.hpp"
 #include "study/deck_study.hpp"
 #include "study/deck_study_text.hpp"
+#include "tools/catch.hpp"
 
 // Equilibria that no structure would stay at came out as results without a word.
 

@@ -1,9 +1,9 @@
 #include "linear/chains/chain_kernels.hpp"
 
 #include <Eigen/LU>
-#include <catch2/catch.hpp>
 #include <numeric>
 
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 

@@ -1,10 +1,10 @@
 #include "linear/chains/chain_solver.hpp"
 
-#include <catch2/catch.hpp>
 #include <numeric>
 
 #include "assembly/node_groups.hpp"
 #include "solvers/sparse_samples.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

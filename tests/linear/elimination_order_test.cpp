@@ -1,9 +1,9 @@
 #include "linear/fronts/elimination_order.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 
 #include "solvers/sparse_samples.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 using namespace gxrod::tools;

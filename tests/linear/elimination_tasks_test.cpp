@@ -1,8 +1,7 @@
 #include "linear/chains/elimination_tasks.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "solvers/sparse_samples.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 using namespace gxrod::tools;

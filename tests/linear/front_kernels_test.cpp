@@ -1,8 +1,8 @@
 #include "linear/fronts/front_kernels.hpp"
 
 #include <Eigen/LU>
-#include <catch2/catch.hpp>
 
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 

@@ -1,12 +1,12 @@
 #include "linear/fronts/front_solver.hpp"
 
 #include <Eigen/LU>
-#include <catch2/catch.hpp>
 #include <limits>
 #include <set>
 
 #include "assembly/node_groups.hpp"
 #include "solvers/sparse_samples.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 

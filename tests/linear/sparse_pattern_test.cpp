@@ -1,7 +1,7 @@
 #include "linear/sparse_pattern.hpp"
 #include "assembly/node_groups.hpp"
+#include "tools/catch.hpp"
 
-#include <catch2/catch.hpp>
 #include <set>
 
 #include "assembly/held_nodes.hpp"

@@ -1,12 +1,11 @@
 // Forces and moments along rods: what they put on nodes, against integrals known exactly.
 #include "loads/distributed_load.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "assembly/system.hpp"
 #include "numerics/gauss_legendre.hpp"
 #include "numerics/lagrange.hpp"
 #include "state/increment.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 #include "tools/rod_models.hpp"

@@ -1,8 +1,8 @@
 // Every frame of nodal load: its value on a turned node, its derivative, its work.
-#include <catch2/catch.hpp>
 
 #include "loads/nodal_load.hpp"
 #include "state/increment.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 

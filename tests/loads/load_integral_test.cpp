@@ -2,13 +2,12 @@
 // exactly.
 #include "loads/load_integral.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "assembly/system.hpp"
 #include "loads/distributed_load.hpp"
 #include "model/evaluation_error.hpp"
 #include "numerics/gauss_legendre.hpp"
 #include "numerics/lagrange.hpp"
+#include "tools/catch.hpp"
 #include "tools/random_values.hpp"
 #include "tools/rod_models.hpp"
 

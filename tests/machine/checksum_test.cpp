@@ -1,7 +1,8 @@
 #include "machine/checksum.hpp"
 
-#include <catch2/catch.hpp>
 #include <string_view>
+
+#include "tools/catch.hpp"
 
 using gxrod::checksum;
 

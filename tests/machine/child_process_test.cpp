@@ -2,13 +2,14 @@
 
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <new>
 #include <thread>
+
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 

@@ -1,6 +1,6 @@
 #include "machine/digest.hpp"
 
-#include <catch2/catch.hpp>
+#include "tools/catch.hpp"
 
 // Examples of FIPS 180-2, appendix B.
 TEST_CASE("SHA-256 of the standard's examples", "[results]") {

@@ -1,8 +1,9 @@
 #include "machine/instruction_set.hpp"
 
-#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <stdexcept>
+
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -1,8 +1,9 @@
 #include "machine/memory_reserve.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
 #include <new>
+
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -1,7 +1,8 @@
 #include "mesh/chains.hpp"
 
-#include <catch2/catch.hpp>
 #include <sstream>
+
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -1,10 +1,10 @@
 #include "mesh/line_mesh.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <set>
 
 #include "deck/decks.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -1,9 +1,10 @@
 #include "mesh/rod_mesh.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <numeric>
 #include <random>
+
+#include "tools/catch.hpp"
 
 namespace gxrod {
 namespace {

@@ -1,7 +1,8 @@
 #include "mesh/rod_net.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include "tools/catch.hpp"
 
 namespace gxrod::test {
 namespace {

@@ -1,9 +1,10 @@
 #include "model/breaks.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "tools/catch.hpp"
 
 namespace gxrod {
 

@@ -1,9 +1,8 @@
 #include "model/energy_round_off.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "analyses/static.hpp"
 #include "deck/decks.hpp"
+#include "tools/catch.hpp"
 #include "tools/static_run.hpp"
 
 using namespace gxrod;

@@ -1,7 +1,8 @@
 #include "model/frame_interval.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
+
+#include "tools/catch.hpp"
 
 namespace gxrod {
 namespace {

@@ -1,8 +1,7 @@
 #include "model/newton_choice.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "deck/decks.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

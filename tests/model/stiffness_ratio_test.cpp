@@ -1,8 +1,7 @@
 #include "model/stiffness_ratio.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

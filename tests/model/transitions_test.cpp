@@ -1,8 +1,9 @@
 #include "model/transitions.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <memory>
+
+#include "tools/catch.hpp"
 
 namespace gxrod {
 

@@ -1,7 +1,8 @@
 #include "numerics/gauss_legendre.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -1,7 +1,8 @@
 #include "numerics/kronrod_rule.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include "tools/catch.hpp"
 
 namespace gxrod {
 

@@ -1,7 +1,6 @@
 #include "numerics/lagrange.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

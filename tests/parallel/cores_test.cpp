@@ -2,7 +2,7 @@
 
 #include <sched.h>
 
-#include <catch2/catch.hpp>
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <catch2/catch.hpp>
 #include <numeric>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
+
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -1,9 +1,9 @@
 #include "parallel/work_phases.hpp"
 
-#include <catch2/catch.hpp>
 #include <mutex>
 #include <set>
 
+#include "tools/catch.hpp"
 #include "tools/random_values.hpp"
 
 using namespace gxrod;

@@ -1,11 +1,11 @@
 // Random frames under random dead loads: whatever a static run accepts without a warning, a dynamic run that
 // starts there does not leave.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
 
 #include "analyses/dynamic.hpp"
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/random_values.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/static_run.hpp"

@@ -1,7 +1,8 @@
 #include "report/base64.hpp"
 
-#include <catch2/catch.hpp>
 #include <sstream>
+
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -1,9 +1,8 @@
 #include "report/drawn_cells.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "results/results_file.hpp"
 #include "results/sample.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

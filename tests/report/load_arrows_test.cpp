@@ -1,10 +1,10 @@
 #include "report/load_arrows.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "deck/problem.hpp"
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -1,7 +1,8 @@
 #include "report/report_plan.hpp"
 
-#include <catch2/catch.hpp>
 #include <stdexcept>
+
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -12,6 +11,7 @@
 #include "machine/file_error.hpp"
 #include "results/results_file.hpp"
 #include "results/sample.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 using Json = nlohmann::json;

@@ -1,8 +1,9 @@
 #include "report/script_json.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
+
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 using Json = nlohmann::ordered_json;

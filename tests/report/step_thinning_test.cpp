@@ -1,9 +1,10 @@
 #include "report/step_thinning.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

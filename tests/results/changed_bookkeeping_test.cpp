@@ -1,11 +1,11 @@
 #include <array>
-#include <catch2/catch.hpp>
 #include <fstream>
 
 #include "deck/text_file.hpp"
 #include "machine/file_error.hpp"
 #include "results/hdf5_reader.hpp"
 #include "results/written_file.hpp"
+#include "tools/catch.hpp"
 #include "tools/let_hdf5_leak.hpp"
 
 // Of changed bits in what HDF5 keeps of its own.

@@ -1,7 +1,6 @@
 #include "results/chunk_check.hpp"
 
 #include <array>
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <numeric>
 #include <string>
@@ -10,6 +9,7 @@
 #include "deck/text_file.hpp"
 #include "results/hdf5_objects.hpp"
 #include "results/sample.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -1,6 +1,5 @@
 #include <sys/resource.h>
 
-#include <catch2/catch.hpp>
 #include <random>
 
 #include "machine/file_error.hpp"
@@ -11,6 +10,7 @@
 #include "results/sample.hpp"
 #include "results/survey.hpp"
 #include "results/traced_writer.hpp"
+#include "tools/catch.hpp"
 
 // What is left of a results file whose writer is killed, or whose disk is full.
 

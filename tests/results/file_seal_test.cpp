@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <sys/resource.h>
 
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <random>
 #include <system_error>
@@ -13,6 +12,7 @@
 #include "machine/file_error.hpp"
 #include "results/traced_writer.hpp"
 #include "results/written_file.hpp"
+#include "tools/catch.hpp"
 #include "tools/let_hdf5_leak.hpp"
 
 using namespace gxrod;

@@ -1,11 +1,11 @@
 #include "results/find_changes.hpp"
 
 #include <array>
-#include <catch2/catch.hpp>
 
 #include "results/restart_table.hpp"
 #include "results/resumable_file.hpp"
 #include "results/written_file.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -1,10 +1,9 @@
 #include "results/frame_mesh.hpp"
 
-#include <catch2/catch.hpp>
-
 #include <numeric>
 
 #include "results/sample.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <catch2/catch.hpp>
-
 #include "results/hdf5_reader.hpp"
 #include "results/results_file.hpp"
 #include "results/sample.hpp"
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 using sample::Motion;

@@ -1,9 +1,8 @@
 #include "results/history_point.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "results/sample.hpp"
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 using sample::Motion;

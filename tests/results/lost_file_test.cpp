@@ -1,7 +1,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <new>
 
 #include "machine/file_error.hpp"
@@ -10,6 +9,7 @@
 #include "results/ordered_driver.hpp"
 #include "results/results_file.hpp"
 #include "results/sample.hpp"
+#include "tools/catch.hpp"
 
 // Results files that others take away, and files whose writer has to give up.
 

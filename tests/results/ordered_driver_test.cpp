@@ -3,7 +3,6 @@
 #include <fcntl.h>
 
 #include <array>
-#include <catch2/catch.hpp>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -14,6 +13,7 @@
 #include "results/append_dataset.hpp"
 #include "results/hdf5_objects.hpp"
 #include "results/sample.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -5,13 +5,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <csignal>
 #include <fstream>
 #include <string_view>
 #include <system_error>
 
 #include "results/sample.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 using Part = OrderedFile::Part;

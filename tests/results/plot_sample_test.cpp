@@ -1,4 +1,3 @@
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
@@ -6,6 +5,7 @@
 
 #include "results/results_file.hpp"
 #include "results/sample.hpp"
+#include "tools/catch.hpp"
 
 // A made-up motion that is worth drawing: a helical rod that sways and unwinds, and a spinning top beside it.
 

@@ -1,9 +1,8 @@
 #include "results/restart_table.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "results/results_file.hpp"
 #include "results/sample.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -1,6 +1,5 @@
 #include "results/results_file.hpp"
 
-#include <catch2/catch.hpp>
 #include <chrono>
 #include <fstream>
 #include <thread>
@@ -10,6 +9,7 @@
 #include "results/deck_reading.hpp"
 #include "results/hdf5_reader.hpp"
 #include "results/sample.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 using sample::Motion;

@@ -1,11 +1,11 @@
 #include "results/rod_line.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "results/hdf5_objects.hpp"
 #include "results/results_file.hpp"
 #include "results/sample.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -1,8 +1,7 @@
 #include "results/rod_places.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "results/sample.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

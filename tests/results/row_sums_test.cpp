@@ -1,11 +1,11 @@
 #include "results/row_sums.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
 
 #include "machine/checksum.hpp"
 #include "results/append_dataset.hpp"
 #include "results/sample.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

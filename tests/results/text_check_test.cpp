@@ -1,7 +1,6 @@
 #include "results/text_check.hpp"
 
 #include <array>
-#include <catch2/catch.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -11,6 +10,7 @@
 #include "deck/text_file.hpp"
 #include "results/hdf5_objects.hpp"
 #include "results/sample.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -3,7 +3,6 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cstring>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "deck/text_file.hpp"
 #include "results/hdf5_objects.hpp"
 #include "results/sample.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -5,8 +5,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <csignal>
+
+#include "tools/catch.hpp"
 
 // A process that writes a results file, and what its file is like at each moment.
 namespace gxrod::test {

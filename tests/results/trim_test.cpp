@@ -1,10 +1,10 @@
-#include <catch2/catch.hpp>
 #include <csignal>
 #include <filesystem>
 
 #include "results/hdf5_objects.hpp"
 #include "results/traced_writer.hpp"
 #include "results/written_file.hpp"
+#include "tools/catch.hpp"
 
 // What becomes of steps and frames beyond the state from which a run goes on.
 

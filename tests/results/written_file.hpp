@@ -1,6 +1,5 @@
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -11,6 +10,7 @@
 #include "results/list_changes.hpp"
 #include "results/results_file.hpp"
 #include "results/sample.hpp"
+#include "tools/catch.hpp"
 
 // A results file to be changed, and what is told of that.
 namespace gxrod::sample {

@@ -1,13 +1,13 @@
 #include "rotation/coefficients.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "rotation/samples.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 namespace k = gxrod::coefficients;

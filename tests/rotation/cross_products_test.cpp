@@ -1,8 +1,7 @@
 #include "rotation/cross_products.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "rotation/types.hpp"
+#include "tools/catch.hpp"
 #include "tools/random_values.hpp"
 
 using namespace gxrod;

@@ -1,12 +1,12 @@
 #include "rotation/rates.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "rotation/rotation_map.hpp"
 #include "rotation/samples.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

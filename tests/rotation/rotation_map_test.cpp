@@ -1,11 +1,11 @@
 #include "rotation/rotation_map.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "rotation/samples.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

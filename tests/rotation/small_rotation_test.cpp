@@ -1,9 +1,8 @@
 #include "rotation/small_rotation.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "rotation/rotation_map.hpp"
 #include "rotation/tangent_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/random_values.hpp"
 
 using namespace gxrod;

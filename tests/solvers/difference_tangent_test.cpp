@@ -1,11 +1,11 @@
 #include "solvers/difference_tangent.hpp"
 
-#include <catch2/catch.hpp>
 #include <set>
 
 #include "assembly/sample_model.hpp"
 #include "integrators/scheme_samples.hpp"
 #include "solvers/trial_rates.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

@@ -1,11 +1,11 @@
 #include "solvers/equilibrium.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
 #include <numbers>
 
 #include "assembly/sample_model.hpp"
 #include "integrators/scheme_samples.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/tops.hpp"
 

@@ -1,7 +1,8 @@
 #include "solvers/error_control.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
+
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

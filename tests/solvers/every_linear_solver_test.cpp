@@ -1,10 +1,10 @@
 // Properties that every linear solver has.
 #include <Eigen/LU>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
 #include "solvers/sparse_samples.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 

@@ -1,9 +1,9 @@
 // By Sylvester's law of inertia a symmetric matrix has as many negative pivots as negative eigenvalues, in
 // whatever order it is eliminated.
 #include <Eigen/Eigenvalues>
-#include <catch2/catch.hpp>
 
 #include "solvers/sparse_samples.hpp"
+#include "tools/catch.hpp"
 #include "tools/random_values.hpp"
 
 using namespace gxrod;

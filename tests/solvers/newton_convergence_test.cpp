@@ -1,9 +1,9 @@
 // How Newton's method converges: the order of its residuals, and the iterations that the paper's problem
 // takes.
-#include <catch2/catch.hpp>
 
 #include "integrators/scheme_samples.hpp"
 #include "solvers/equilibrium.hpp"
+#include "tools/catch.hpp"
 #include "tools/free_flight.hpp"
 #include "tools/run.hpp"
 #include "tools/tops.hpp"

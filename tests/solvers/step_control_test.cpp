@@ -1,6 +1,6 @@
 #include "solvers/step_control.hpp"
 
-#include <catch2/catch.hpp>
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -1,7 +1,8 @@
 #include "solvers/step_grid.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
+
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -1,6 +1,6 @@
 // A deck in other units is the same problem: the same steps, iterations and cuts, the same motion.
-#include <catch2/catch.hpp>
 
+#include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/run.hpp"
 #include "tools/static_run.hpp"

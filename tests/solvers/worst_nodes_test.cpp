@@ -1,9 +1,9 @@
 #include "solvers/worst_nodes.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
 
 #include "solvers/mechanisms.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 using namespace gxrod::tools;

@@ -1,9 +1,9 @@
 #include "state/increment.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "rotation/tangent_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 

@@ -1,8 +1,8 @@
 #include "study/deck_advice.hpp"
 
-#include <catch2/catch.hpp>
 #include <limits>
 
+#include "tools/catch.hpp"
 #include "verification/made_studies.hpp"
 
 using namespace gxrod;

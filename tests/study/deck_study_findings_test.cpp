@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
 #include <limits>
 
+#include "tools/catch.hpp"
 #include "verification/made_studies.hpp"
 
 using namespace gxrod;

@@ -1,6 +1,6 @@
 #include "study/method_traits.hpp"
 
-#include <catch2/catch.hpp>
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

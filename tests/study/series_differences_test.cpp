@@ -1,7 +1,8 @@
 #include "study/series_differences.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -1,6 +1,6 @@
 #include "study/trace_sampler.hpp"
 
-#include <catch2/catch.hpp>
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

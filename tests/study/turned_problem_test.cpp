@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "study/deck_study_text.hpp"
+#include "tools/catch.hpp"
 #include "verification/studied_decks.hpp"
 
 using namespace gxrod;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
 #include "analyses/dynamic.hpp"
+#include "tools/catch.hpp"
 
 namespace gxrod::tools {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <catch2/catch.hpp>
-
 #include "analyses/static.hpp"
+
+#include "tools/catch.hpp"
 
 namespace gxrod::tools {
 

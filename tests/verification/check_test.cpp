@@ -1,8 +1,9 @@
 #include "verification/check.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 

@@ -1,8 +1,8 @@
 // What a study tells where runs cannot be made, fail, are cut or end early, or show nothing.
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "study/deck_study_text.hpp"
+#include "tools/catch.hpp"
 #include "verification/studied_decks.hpp"
 
 using namespace gxrod;

@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "deck/fault.hpp"
+#include "tools/catch.hpp"
 #include "verification/benchmark.hpp"
 
 using namespace gxrod;

@@ -1,9 +1,9 @@
 #include "verification/rubin2007_problem.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
 
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "verification/rubin2007_matrix_rk4.hpp"
 

@@ -2,11 +2,11 @@
 
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 
 #include "machine/file_error.hpp"
+#include "tools/catch.hpp"
 #include "tools/run.hpp"
 
 using namespace gxrod;

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <string>
 #include <vector>
 
 #include "machine/temporary_folder.hpp"
 #include "study/deck_study.hpp"
+#include "tools/catch.hpp"
 
 // Decks that are studied, and how.
 namespace gxrod::test {

@@ -1,9 +1,9 @@
 // Kelvin & Voigt's damping: resultants C (E + τ Ė), of the very strains that the element makes. And damping
 // by the momenta.
-#include <catch2/catch.hpp>
 
 #include "elements/element_samples.hpp"
 #include "elements/rod/rod_run.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

@@ -1,11 +1,10 @@
 // Strains that neither rigid rotations nor the path change, from curved and twisted stress-free shapes too.
 #include "elements/rod/objective_map.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "elements/element_samples.hpp"
 #include "elements/rigid_body.hpp"
 #include "elements/rod/rod_run.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

@@ -1,9 +1,9 @@
-#include <catch2/catch.hpp>
 
 #include "elements/element_samples.hpp"
 #include "numerics/gauss_legendre.hpp"
 #include "numerics/lagrange.hpp"
 #include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
 
 using namespace gxrod;
 using namespace gxrod::tools;

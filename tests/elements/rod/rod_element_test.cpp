@@ -1,10 +1,9 @@
 // Constant strains, along a whole run of elements of every kind and order.
 #include "elements/rod/rod_element.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "elements/element_samples.hpp"
 #include "elements/rod/rod_run.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

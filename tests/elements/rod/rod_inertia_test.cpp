@@ -2,9 +2,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <catch2/catch.hpp>
 
 #include "numerics/lagrange.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 

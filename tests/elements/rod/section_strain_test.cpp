@@ -1,7 +1,6 @@
 #include "elements/rod/section_strain.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 

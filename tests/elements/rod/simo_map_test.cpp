@@ -2,10 +2,9 @@
 // began, by how much and of which order.
 #include "elements/rod/simo_map.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "elements/element_samples.hpp"
 #include "elements/rod/rod_run.hpp"
+#include "tools/catch.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

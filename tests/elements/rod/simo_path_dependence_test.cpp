@@ -1,5 +1,5 @@
-#include <catch2/catch.hpp>
 
+#include "tools/catch.hpp"
 #include "tools/free_flight.hpp"
 #include "tools/run.hpp"
 

@@ -1,0 +1,16 @@
+# find_package(gxrod): target gxrod::gxrod, the library with all that it links to.
+include(CMakeFindDependencyMacro)
+
+list(APPEND CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")
+find_dependency(Eigen3 3.4 NO_MODULE)
+find_dependency(fmt)
+find_dependency(tomlplusplus)
+find_dependency(nlohmann_json)
+find_dependency(SuiteSparse COMPONENTS KLU UMFPACK CHOLMOD BTF AMD COLAMD SuiteSparseConfig)
+find_dependency(muparser)
+find_dependency(HDF5 COMPONENTS C)
+find_dependency(Nettle)
+find_dependency(Libdeflate)
+find_dependency(Libcsv)
+list(REMOVE_ITEM CMAKE_MODULE_PATH "${CMAKE_CURRENT_LIST_DIR}")
+include("${CMAKE_CURRENT_LIST_DIR}/gxrod-targets.cmake")
