@@ -52,16 +52,7 @@ void ResultsTables::append_frame(const Snapshot& snapshot) {
 }
 
 void ResultsTables::set_restart(RestartRecord record) {
-    restart_.write({std::move(record), step_count_, frame_count_, sum()});
-}
-
-PlaceSums ResultsTables::sum() {
-    std::vector<RowSum> steps{times_.sum()}, frames;
-    histories_.add_sums(steps);
-    ledger_.add_sums(steps);
-    solver_.add_sums(steps);
-    frames_.add_sums(frames);
-    return {combine(std::move(steps)), combine(std::move(frames))};
+    restart_.write({std::move(record), step_count_, frame_count_});
 }
 
 void ResultsTables::flush_rows() {

@@ -31,11 +31,6 @@ class ResultsTables {
     void flush_times();
     // … and last which state to go on from.
     void switch_restart();
-    // Of all that there is but rows.
-    void write_structure_sum(std::uint32_t sum) { restart_.write_structure_sum(sum); }
-    // Of all rows so far.
-    PlaceSums sum();
-    void write_end_sum(std::uint32_t sum) { restart_.write_end_sum(sum); }
     // Takes away what an earlier run wrote beyond the last row: of the times, or of all.
     void trim_times();
     void trim();

@@ -10,9 +10,7 @@
 #include "machine/memory_reserve.hpp"
 #include "model/version.hpp"
 #include "results/deck_reading.hpp"
-#include "results/file_seal.hpp"
 #include "results/ordered_driver.hpp"
-#include "results/structure_sum.hpp"
 
 namespace gxrod {
 namespace {
@@ -22,25 +20,14 @@ using namespace std::chrono_literals;
 constexpr auto flush_interval = 200ms;
 constexpr std::size_t most_buffered_bytes = std::size_t{16} << 20;
 
-Hdf5Handle create_hdf5(OrderedFile& file) {
-    require_memory(2 * hdf5_reserve);  // for the library and for the tables
-    silence_hdf5();
-    const Hdf5Handle access = make_ordered_access(file);
-    // The name matters to messages only.
-    return {H5Fcreate("results", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "creating the file"};
-}
-
 Hdf5Handle open_root(const Hdf5Handle& file) {
     return {H5Gopen2(file.id(), "/", H5P_DEFAULT), H5Gclose, "opening the root"};
 }
 
-Hdf5Handle open_hdf5(OrderedFile& file) {
+// For the library and for the tables.
+OrderedFile& require_memory_for(OrderedFile& file) {
     require_memory(2 * hdf5_reserve);
-    silence_hdf5();
-    const Hdf5Handle access = make_ordered_access(file);
-    Hdf5Handle hdf5(H5Fopen("results", H5F_ACC_RDWR, access.id()), H5Fclose, "opening the file");
-    file.adopt();
-    return hdf5;
+    return file;
 }
 
 // What HDF5 may keep of a frame: two chunks of each of its fields.
@@ -113,13 +100,13 @@ ResultsWriter::ResultsWriter(int descriptor,
                              const DeckRecord& deck,
                              const Model& model,
                              const OutputSettings& output)
-    : file_(std::make_shared<OrderedFile>(descriptor)), hdf5_(create_hdf5(*file_)), root_(open_root(hdf5_)) {
+    : file_(std::make_shared<OrderedFile>(descriptor)),
+      hdf5_(create_hdf5(require_memory_for(*file_))),
+      root_(open_root(hdf5_)) {
     frame_bytes_ = count_frame_bytes(model);
     write_provenance(root_, deck);
     tables_.emplace(root_, deck, model, output, 0, 0);
     commit();
-    file_->keep_seal(find_seal(require_group(root_, "restart")));
-    write_structure_sum();
     file_->seal();
     next_flush_ = Clock::now() + flush_interval;
 }
@@ -129,12 +116,9 @@ ResultsWriter::ResultsWriter(ResumableFile file,
                              const Model& model,
                              const OutputSettings& output)
     : file_(std::make_shared<OrderedFile>(file.release())),
-      hdf5_(open_hdf5(*file_)),
+      hdf5_(open_hdf5(require_memory_for(*file_))),
       root_(open_root(hdf5_)) {
     frame_bytes_ = count_frame_bytes(model);
-    file_->keep_seal(find_seal(require_group(root_, "restart")));
-    clear_file_sums(root_);
-    commit();
     const auto open_tables = [&] {
         tables_.emplace(root_, deck, model, output, file.place().steps, file.place().frames);
         commit();
@@ -149,16 +133,11 @@ ResultsWriter::ResultsWriter(ResumableFile file,
     tables_->trim();
     commit(OrderedFile::Order::shrinking);
     close_hdf5();
-    hdf5_ = open_hdf5(*file_);
+    hdf5_ = open_hdf5(require_memory_for(*file_));
     root_ = open_root(hdf5_);
     write_resumption(root_, file.deck(), deck);
     open_tables();
-    // Once more, with checksums of histories that are new.
-    set_restart(file.take_record());
     commit();
-    tables_->switch_restart();
-    commit();
-    write_structure_sum();
     file_->seal();
     next_flush_ = Clock::now() + flush_interval;
 }
@@ -228,11 +207,6 @@ void ResultsWriter::commit(OrderedFile::Order order) {
     file_->commit(order);
 }
 
-void ResultsWriter::write_structure_sum() {
-    attempt(0, [&] { tables_->write_structure_sum(sum_structure(root_.id())); });
-    commit();
-}
-
 void ResultsWriter::close_hdf5() {
     tables_.reset();
     check_hdf5(root_.reset(), "closing the root");
@@ -251,7 +225,6 @@ void ResultsWriter::close(const std::string& status,
         if (!warnings.empty()) rewrite_attribute(root_.id(), "warnings", warnings);
         rewrite_attribute(root_.id(), "status", status);
         commit();
-        tables_->write_end_sum(sum_end(root_.id(), tables_->sum()));
         close_hdf5();
         file_->seal();
         check_name(*file_);

@@ -55,7 +55,6 @@ class ResultsWriter {
     using Clock = std::chrono::steady_clock;
 
     void commit(OrderedFile::Order order = OrderedFile::Order::growing);
-    void write_structure_sum();
     void close_hdf5();
     template <class Action>
     void attempt(std::size_t bytes, Action&& action);

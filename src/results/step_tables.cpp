@@ -75,10 +75,6 @@ void LedgerTable::trim() {
     for (AppendDataset<double>* column : columns()) column->trim();
 }
 
-void LedgerTable::add_sums(std::vector<RowSum>& sums) {
-    for (AppendDataset<double>* column : columns()) sums.push_back(column->sum());
-}
-
 SolverTable::SolverTable(const Hdf5Handle& solver, bool is_static, hsize_t rows)
     : time_step_(
           solver, {"time_step", "length of the step that ended here", "none", "time"}, scalar_row, rows),
@@ -130,10 +126,6 @@ void SolverTable::flush() {
 
 void SolverTable::trim() {
     for_each_column([](auto& column) { column.trim(); });
-}
-
-void SolverTable::add_sums(std::vector<RowSum>& sums) {
-    for_each_column([&](auto& column) { sums.push_back(column.sum()); });
 }
 
 }  // namespace gxrod

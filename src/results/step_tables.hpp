@@ -15,8 +15,6 @@ class LedgerTable {
     void append(const LedgerRow& row);
     void flush();
     void trim();
-    // Adds those of all its rows.
-    void add_sums(std::vector<RowSum>& sums);
 
   private:
     std::array<AppendDataset<double>*, 9> columns();
@@ -33,8 +31,6 @@ class SolverTable {
     void append(const SolverRow& row);
     void flush();
     void trim();
-    // Adds those of all its rows.
-    void add_sums(std::vector<RowSum>& sums);
 
   private:
     template <class Action>
