@@ -16,7 +16,7 @@ namespace gxrod {
 namespace {
 
 constexpr const char* failure = "cannot be resumed: ";
-constexpr const char* anew = "gxrod run --force begins its run anew";
+constexpr const char* anew = "if its run was stopped before it first wrote, gxrod run --force begins it anew";
 
 struct Contents {
     RestartPlace place;
@@ -34,29 +34,28 @@ Contents read_contents(const std::filesystem::path& path) {
     return {*std::move(place), read_deck_record(file), file.text_attribute("/", "status") == "complete"};
 }
 
-Contents read_sealed_contents(const std::filesystem::path& path) {
-    const SealState seal = look_at_seal(path);
-    if (seal == SealState::missing)
-        throw std::runtime_error("it is not a results file of this version of gxrod");
-    if (seal == SealState::violated) throw std::runtime_error(describe_doubt(seal));
-    if (seal == SealState::open) {
-        read_in_child(path, [&] {
-            try {
-                read_contents(path);
-            } catch (const std::runtime_error&) {
-                // As it will be here.
-            }
-            return std::string();
-        });
-    }
-    return read_contents(path);
+// Whether HDF5 comes back from a file of a run that was killed while it wrote. Throws FileError if not.
+void try_contents(const std::filesystem::path& path) {
+    read_in_child(path, [&] {
+        try {
+            read_contents(path);
+        } catch (const std::runtime_error&) {
+            // As it will be here.
+        }
+        return std::string();
+    });
 }
 
-Contents explain_contents(const std::filesystem::path& path) {
+Contents check_contents(const std::filesystem::path& path) {
+    const SealState seal = look_at_seal(path);
+    if (seal == SealState::missing)
+        throw FileError(
+            path, failure + std::string("it is not a results file of gxrod, or of an earlier version"), anew);
+    if (seal == SealState::violated)
+        throw FileError(path, failure + describe_doubt(seal), "gxrod run --force begins it anew");
+    if (seal == SealState::open) try_contents(path);
     try {
-        return read_sealed_contents(path);
-    } catch (const FileError&) {
-        throw;
+        return read_contents(path);
     } catch (const std::runtime_error& error) {
         throw FileError(path, failure + std::string(error.what()), anew);
     }
@@ -67,7 +66,7 @@ Contents explain_contents(const std::filesystem::path& path) {
 ResumableFile::ResumableFile(const std::filesystem::path& path)
     : path_(path), descriptor_(open_output_file(path)) {
     try {
-        Contents contents = explain_contents(path);
+        Contents contents = check_contents(path);
         place_ = std::move(contents.place);
         deck_ = std::move(contents.deck);
         is_complete_ = contents.is_complete;

@@ -202,8 +202,8 @@ TEST_CASE("A state has a checksum of its own, for files of runs that were killed
             damaged.change_number((std::string(slot) + table).c_str(), 3);
         damaged.open_seal();
         CHECK(damaged.resume_fault() ==
-              "cannot be resumed: its state is not the one that was written (gxrod run --force begins its "
-              "run anew)");
+              "cannot be resumed: its state is not the one that was written (if its run was stopped "
+              "before it first wrote, gxrod run --force begins it anew)");
     }
 }
 
@@ -212,8 +212,8 @@ TEST_CASE("A state of another version is not gone on from", "[results]") {
     damaged.replace_attribute("/restart", "version", {}, 99.0);
     damaged.open_seal();
     CHECK(damaged.resume_fault() ==
-          "cannot be resumed: its state was written in another form, by another version of gxrod (gxrod run "
-          "--force begins its run anew)");
+          "cannot be resumed: its state was written in another form, by another version of gxrod (if its run "
+          "was stopped before it first wrote, gxrod run --force begins it anew)");
 }
 
 // To cut them off, HDF5 looks for each of their chunks.
