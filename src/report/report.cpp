@@ -28,8 +28,8 @@ constexpr double bytes_in_megabyte = 1e6;
 
 // Frames that the file counts and has times of.
 std::size_t count_frames(const Hdf5Reader& file) {
-    const long long counted = file.integer_attribute("/VTKHDF/Steps", "NSteps");
-    return std::min(static_cast<std::size_t>(std::max(counted, 0LL)),
+    const std::int64_t counted = file.integer_attribute("/VTKHDF/Steps", "NSteps");
+    return std::min(static_cast<std::size_t>(std::max<std::int64_t>(counted, 0)),
                     static_cast<std::size_t>(file.size("/VTKHDF/Steps/Values").at(0)));
 }
 

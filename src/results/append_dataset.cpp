@@ -53,22 +53,11 @@ ChunkForm read_chunk_form(const Hdf5Handle& group, const std::string& name) {
     return {std::max<hsize_t>(1, chunk[0]), chunk[0] * chunk[1] * H5Tget_size(type.id())};
 }
 
-// Most chunks that the file of a dataset can have: on disk, where each takes more than its entry in the
-// index, and of a last flush that was cut short.
-hsize_t most_chunks(const Hdf5Handle& dataset) {
-    constexpr hsize_t entry_bytes = 32;
-    constexpr hsize_t unwritten = 65536;
-    const Hdf5Handle file(H5Iget_file_id(dataset.id()), H5Fclose, "file of a dataset");
-    hsize_t bytes = 0;
-    check_hdf5(H5Fget_filesize(file.id(), &bytes), "size of the file");
-    return bytes / entry_bytes + unwritten;
-}
-
 // Rows up to the end of the last chunk on disk.
 hsize_t find_chunk_end(const Hdf5Handle& dataset, const ChunkForm& chunk) {
     if (chunk.bytes == 0) return 0;
-    const std::optional<ChunkEnds> chunks = find_chunk_ends(dataset.id());
-    return chunks ? chunks->last.row + chunk.rows : 0;
+    const std::optional<hsize_t> last = find_last_chunk(dataset.id());
+    return last ? *last + chunk.rows : 0;
 }
 
 // Rows of a dataset on disk, and as many in memory.
@@ -118,10 +107,6 @@ void AppendDataset<Number>::open(const Hdf5Handle& group, const DatasetLabel& la
     // A process killed within trim() has cut off rows, but not all of their chunks yet.
     const hsize_t end = find_chunk_end(dataset_, chunk);
     extent_ = end < size[0] + chunk.rows ? size[0] : end;
-    // HDF5 looks for each chunk that it is to cut off, whether it is there or not.
-    if ((extent_ - rows_) / chunk.rows > most_chunks(dataset_)) {
-        throw std::runtime_error(label.name + " has more rows than its file can hold");
-    }
 }
 
 template <class Number>

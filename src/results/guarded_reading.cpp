@@ -46,7 +46,7 @@ std::string read_in_child(const std::filesystem::path& path, const std::function
             },
             limits);
     } catch (const ChildMemoryError&) {
-        throw std::bad_alloc();
+        throw FileError(path, "cannot be read: there is no memory for it");
     } catch (const ChildError& error) {
         throw FileError(path, std::string("is damaged: where HDF5's library reads it, ") + error.what());
     }

@@ -17,8 +17,8 @@ class GuardedReading {
 
     // What speaks against trusting the file, a clause; "" if nothing does, and of one that is being written.
     const std::string& doubt() const { return doubt_; }
-    // Does `work`, which reads the file and may write others, and returns what it returns. Throws FileError
-    // where it does, where HDF5 breaks down, and of other exceptions; std::bad_alloc where it does.
+    // Does `work`, which reads the file and may write others, and returns what it returns. Throws what it
+    // throws; in a process of its own that, and what else ends it, is FileError.
     std::string read(const std::function<std::string()>& work) const;
 
   private:

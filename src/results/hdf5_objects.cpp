@@ -188,21 +188,15 @@ bool grows(hid_t dataset) {
     return !most.empty() && most[0] == H5S_UNLIMITED;
 }
 
-std::optional<ChunkEnds> find_chunk_ends(hid_t dataset) {
+std::optional<hsize_t> find_last_chunk(hid_t dataset) {
     const Hdf5Handle space(H5Dget_space(dataset), H5Sclose, "dataspace");
     hsize_t chunks = 0;
     check_hdf5(H5Dget_num_chunks(dataset, space.id(), &chunks), "counting chunks");
     if (chunks == 0) return std::nullopt;
-    const auto look_at = [&](hsize_t index) {
-        std::array<hsize_t, H5S_MAX_RANK> first{};
-        ChunkPlace place;
-        check_hdf5(
-            H5Dget_chunk_info(dataset, space.id(), index, first.data(), nullptr, &place.address, nullptr),
-            "looking at a chunk");
-        place.row = first[0];
-        return place;
-    };
-    return ChunkEnds{look_at(0), look_at(chunks - 1)};
+    std::array<hsize_t, H5S_MAX_RANK> first{};
+    check_hdf5(H5Dget_chunk_info(dataset, space.id(), chunks - 1, first.data(), nullptr, nullptr, nullptr),
+               "looking at a chunk");
+    return first[0];
 }
 
 double most_bytes_of(hid_t object) {

@@ -37,16 +37,8 @@ std::vector<hsize_t> extent_of(hid_t dataset);
 // Whether a dataset may have more rows.
 bool grows(hid_t dataset);
 
-// A chunk of rows: the first of them, and where they lie in the file.
-struct ChunkPlace {
-    hsize_t row = 0;
-    haddr_t address = HADDR_UNDEF;
-};
-struct ChunkEnds {
-    ChunkPlace first, last;
-};
-// Of the chunks that a dataset has, those with the lowest and the highest rows; nothing if it has none.
-std::optional<ChunkEnds> find_chunk_ends(hid_t dataset);
+// The first row of the chunk with the highest rows; nothing if there is no chunk.
+std::optional<hsize_t> find_last_chunk(hid_t dataset);
 
 // Bytes that a dataset, or another object, can have in its file: deflate makes of a byte a thousand at most.
 // Small files may have rows that were never written.

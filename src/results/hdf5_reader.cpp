@@ -146,14 +146,10 @@ std::string Hdf5Reader::text_attribute(const std::string& path, const std::strin
     return read_text_attribute(object.id(), name);
 }
 
-long long Hdf5Reader::integer_attribute(const std::string& path, const std::string& name) const {
-    const Hdf5Handle attribute(
-        H5Aopen_by_name(file_.id(), path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
-        H5Aclose,
-        "opening an attribute");
-    long long value = 0;
-    check_hdf5(H5Aread(attribute.id(), H5T_NATIVE_LLONG, &value), "reading an attribute");
-    return value;
+std::int64_t Hdf5Reader::integer_attribute(const std::string& path, const std::string& name) const {
+    const std::vector<std::int64_t> values = integers_attribute(path, name);
+    if (values.size() != 1) throw std::runtime_error(path + "@" + name + " is not one value");
+    return values[0];
 }
 
 std::vector<std::int64_t> Hdf5Reader::integers_attribute(const std::string& path,
@@ -163,10 +159,7 @@ std::vector<std::int64_t> Hdf5Reader::integers_attribute(const std::string& path
         H5Aclose,
         "opening an attribute");
     const Hdf5Handle space(H5Aget_space(attribute.id()), H5Sclose, "dataspace");
-    constexpr hssize_t most = 1 << 20;  // an attribute has less than 64 KiB
-    const hssize_t count = H5Sget_simple_extent_npoints(space.id());
-    if (count < 0 || count > most) throw std::runtime_error(path + "@" + name + " is too long");
-    std::vector<std::int64_t> values(static_cast<std::size_t>(count));
+    std::vector<std::int64_t> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space.id())));
     if (values.empty()) return values;
     check_hdf5(H5Aread(attribute.id(), H5T_NATIVE_INT64, values.data()), "reading an attribute");
     return values;

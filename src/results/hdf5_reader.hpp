@@ -38,7 +38,7 @@ class Hdf5Reader {
     std::string bytes(const std::string& dataset) const;
     // Attributes of the object at `path`.
     std::string text_attribute(const std::string& path, const std::string& name) const;
-    long long integer_attribute(const std::string& path, const std::string& name) const;
+    std::int64_t integer_attribute(const std::string& path, const std::string& name) const;
     // A list of any length.
     std::vector<std::int64_t> integers_attribute(const std::string& path, const std::string& name) const;
     bool has_attribute(const std::string& path, const std::string& name) const;

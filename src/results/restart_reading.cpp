@@ -36,7 +36,7 @@ Table read_numbers(const Hdf5Reader& file, const std::string& slot) {
 
 std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
     if (!file.has("/restart")) return std::nullopt;
-    const long long number = file.integer_attribute("/restart", "slot");
+    const std::int64_t number = file.integer_attribute("/restart", "slot");
     if (number == no_slot) return std::nullopt;
     if (file.integer_attribute("/restart", "version") != form_version) {
         throw std::runtime_error("its state was written in another form, by another version of gxrod");

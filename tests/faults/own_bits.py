@@ -28,6 +28,7 @@ def flip_bit(content, bit):
     return changed
 
 
-def is_sealed(path):
-    """Whether a file has the checksum of its bytes: no run was killed while it wrote it."""
-    return path.read_bytes()[12:16] == b"SEAL"
+def count_sealed_bytes(path):
+    """How many bytes the seal of a file stands for; 0 if a run was killed while it wrote them."""
+    seal = path.read_bytes()[:24]
+    return int.from_bytes(seal[16:], "little") if seal[12:16] == b"SEAL" else 0

@@ -5,7 +5,7 @@ import subprocess
 import sys
 
 from bench import NOTHING_TO_RESUME, Trial, describe_end
-from own_bits import find_own_bytes, flip_bit, is_sealed
+from own_bits import count_sealed_bytes, find_own_bytes, flip_bit
 
 
 def readers(bench, name):
@@ -63,10 +63,10 @@ def describe_forms(bench, name):
     return forms
 
 
-def choose_bit(path, random):
-    """Anywhere, or, every other time, in what HDF5 keeps of its own."""
-    own_bytes = find_own_bytes(path) if random.random() < 0.5 else []
-    return 8 * (random.choice(own_bytes) if own_bytes else random.randrange(path.stat().st_size)) + random.randrange(8)
+def choose_bit(path, sealed, random):
+    """Anywhere in so many bytes, or, every other time, in what HDF5 keeps of its own there."""
+    own_bytes = [at for at in find_own_bytes(path) if at < sealed] if random.random() < 0.5 else []
+    return 8 * (random.choice(own_bytes) if own_bytes else random.randrange(sealed)) + random.randrange(8)
 
 
 def flipped(bench, deck, random):
@@ -80,10 +80,11 @@ def flipped(bench, deck, random):
     except subprocess.TimeoutExpired:
         process.kill()
     process.communicate(timeout=300)
-    if not path.exists() or path.stat().st_size == 0 or not is_sealed(path):
+    sealed = count_sealed_bytes(path) if path.exists() else 0
+    if sealed == 0:
         return bench.recover(deck, Trial(describe_end(process.returncode), ""), is_long=True)
     before = describe_forms(bench, path.name)
-    bit = choose_bit(path, random)
+    bit = choose_bit(path, sealed, random)
     path.write_bytes(flip_bit(path.read_bytes(), bit))
     trial = Trial("", "")
     for reader, (done, written) in describe_forms(bench, path.name).items():
