@@ -31,7 +31,7 @@ Vec3 supported_place(const std::string& deck) {
 
 }  // namespace
 
-TEST_CASE("A curved cable from a mesh follows its circle", "[deck][mesh]") {
+TEST_CASE("A curved cable from a mesh follows its circle", "[deck]") {
     const Model model = read(mesh_deck("cable.geo", "\"cable\"")).model;
     const Rod& rod = model.rods[0];
     CHECK(rod.order == 3);
@@ -56,7 +56,7 @@ TEST_CASE("A curved cable from a mesh follows its circle", "[deck][mesh]") {
     CHECK(model.nodes[7].name == "r node 7");
 }
 
-TEST_CASE("A corner of a mesh has one node and two triads", "[deck][mesh]") {
+TEST_CASE("A corner of a mesh has one node and two triads", "[deck]") {
     const Model model = read(mesh_deck("l_frame.geo", "\"frame\"")).model;
     const Rod& rod = model.rods[0];
     CHECK(rod.order == 2);
@@ -71,7 +71,7 @@ TEST_CASE("A corner of a mesh has one node and two triads", "[deck][mesh]") {
     CHECK(rod.length == Approx(3.5).epsilon(1e-14));
 }
 
-TEST_CASE("A truss with a loop and branches is the same in every format", "[deck][mesh]") {
+TEST_CASE("A truss with a loop and branches is the same in every format", "[deck]") {
     for (const std::string file : {"truss.geo", "truss_2.2.msh", "truss_4.1.msh"}) {
         INFO(file);
         const Problem problem = read(mesh_deck(file, "\"truss\""));
@@ -98,7 +98,7 @@ TEST_CASE("A truss with a loop and branches is the same in every format", "[deck
     }
 }
 
-TEST_CASE("Section y is projected at the start of every line of a net", "[deck][mesh]") {
+TEST_CASE("Section y is projected at the start of every line of a net", "[deck]") {
     const std::string deck =
         replaced(mesh_deck("truss.geo", "\"truss\""), "element = \"simo\"", "y_axis = [0, 2, 0]");
     const Problem problem = read(deck);
@@ -114,7 +114,7 @@ TEST_CASE("Section y is projected at the start of every line of a net", "[deck][
           "x.toml:7:10: rod.r.y_axis: expected a direction, found a vector of zero length");
 }
 
-TEST_CASE("A mesh's rod can be twisted", "[deck][mesh]") {
+TEST_CASE("A mesh's rod can be twisted", "[deck]") {
     const std::string deck =
         replaced(mesh_deck("l_frame.geo", "\"frame\""), "element = \"simo\"", "twist = 1.5");
     const Rod rod = read(deck).model.rods[0];
@@ -124,7 +124,7 @@ TEST_CASE("A mesh's rod can be twisted", "[deck][mesh]") {
     }
 }
 
-TEST_CASE("A line from a mesh has its ends, its named points and fractions where nodes are", "[deck][mesh]") {
+TEST_CASE("A line from a mesh has its ends, its named points and fractions where nodes are", "[deck]") {
     const std::string deck = mesh_deck("l_frame.geo", "\"frame\"");
     CHECK(supported_place(with_point(deck, "r.start")) == Vec3(0, 0, 0));
     CHECK(supported_place(with_point(deck, "r.end")) == Vec3(1.5, 0, 2));
@@ -145,7 +145,7 @@ TEST_CASE("A line from a mesh has its ends, its named points and fractions where
           "r.corner");
 }
 
-TEST_CASE("A history looks between the nodes of a line from a mesh", "[deck][mesh]") {
+TEST_CASE("A history looks between the nodes of a line from a mesh", "[deck]") {
     const auto history = [](double fraction) {
         return "[[history]]\nname = \"h" + std::to_string(static_cast<int>(1000 * fraction)) +
                "\"\nat = \"r@" + std::to_string(fraction) + "\"\nquantities = \"moment\"\n";
@@ -170,7 +170,7 @@ TEST_CASE("A history looks between the nodes of a line from a mesh", "[deck][mes
     }
 }
 
-TEST_CASE("A net has the points that its mesh names, and no others", "[deck][mesh]") {
+TEST_CASE("A net has the points that its mesh names, and no others", "[deck]") {
     const std::string deck = mesh_deck("truss.geo", "\"truss\"");
     CHECK(faults_of(with_point(deck, "r@0.5")) ==
           "x.toml:13:6: support[0].at: rod r is no single line with two ends, along which a fraction has a "
@@ -186,12 +186,12 @@ TEST_CASE("A net has the points that its mesh names, and no others", "[deck][mes
           "r.left_foot, r.right_foot");
 }
 
-TEST_CASE("Points of a rod whose mesh is at fault are not faults too", "[deck][mesh]") {
+TEST_CASE("Points of a rod whose mesh is at fault are not faults too", "[deck]") {
     CHECK(faults_of(with_point(mesh_deck("truss.geo", "\"x\""), "r.top")).find("support") ==
           std::string::npos);
 }
 
-TEST_CASE("A mesh decides the number and the order of elements", "[deck][mesh]") {
+TEST_CASE("A mesh decides the number and the order of elements", "[deck]") {
     const std::string deck =
         replaced(mesh_deck("cable.geo", "\"cable\""), "element = \"simo\"", "elements = 8\norder = 3");
     CHECK(faults_of(deck) ==
@@ -199,7 +199,7 @@ TEST_CASE("A mesh decides the number and the order of elements", "[deck][mesh]")
           "x.toml:8:9: rod.r.order: comes from the mesh; leave it out");
 }
 
-TEST_CASE("A line of a mesh that goes straight back is refused", "[deck][mesh]") {
+TEST_CASE("A line of a mesh that goes straight back is refused", "[deck]") {
     const ScratchFile back(
         "back.msh",
         "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 2 0 0\n3 1 0 0\n$EndNodes\n"

@@ -11,7 +11,7 @@ using Texts = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("Rows of CSV have their fields and the line where they begin", "[batch]") {
+TEST_CASE("Rows of CSV have their fields and the line where they begin", "[deck]") {
     const std::vector<CsvRow> rows = read_csv(
         "\xEF\xBB\xBF"
         "a,b\r\n\r\n1,\"x, \"\"y\"\"\"\n\"two\n\nlines\",\n  3 , 4\n5,6",
@@ -30,7 +30,7 @@ TEST_CASE("Rows of CSV have their fields and the line where they begin", "[batch
     CHECK(read_csv("", "f.csv").empty());
 }
 
-TEST_CASE("A quote out of place is an error with its line", "[batch]") {
+TEST_CASE("A quote out of place is an error with its line", "[deck]") {
     const std::string message =
         ": no CSV: a quote that is out of place (a field with a quote is quoted itself, and the quote "
         "doubled)";
@@ -38,7 +38,7 @@ TEST_CASE("A quote out of place is an error with its line", "[batch]") {
     CHECK_THROWS_WITH(read_csv("a\n\"b", "f.csv"), "f.csv:3" + message);
 }
 
-TEST_CASE("A field that is written is read back", "[batch]") {
+TEST_CASE("A field that is written is read back", "[deck]") {
     for (const std::string& field :
          Texts{"plain", "", "a,b", "say \"no\"", "two\nlines", " spaced ", "0.5"}) {
         const std::vector<CsvRow> rows = read_csv("x," + write_csv_field(field) + "\n", "f.csv");
@@ -47,7 +47,7 @@ TEST_CASE("A field that is written is read back", "[batch]") {
     }
 }
 
-TEST_CASE("Files that cannot be read are told", "[batch]") {
+TEST_CASE("Files that cannot be read are told", "[deck]") {
     CHECK_THROWS_WITH(read_text_file("/nowhere/x.csv"),
                       "/nowhere/x.csv: cannot be read (No such file or directory)");
     CHECK_THROWS_WITH(read_text_file("/tmp"), "/tmp: is a folder, expected a file");

@@ -40,7 +40,7 @@ std::string message_of(const std::string& deck) {
 
 }  // namespace
 
-TEST_CASE("A group goes by its name or its number", "[deck][mesh]") {
+TEST_CASE("A group goes by its name or its number", "[deck]") {
     CHECK(read(mesh_deck("truss.geo", "\"truss\"")).model.rods[0].element_count() == 12);
     CHECK(read(mesh_deck("truss.geo", "21")).model.rods[0].element_count() == 12);
     CHECK(read(mesh_deck("truss.geo", "22")).model.rods[0].element_count() == 2);
@@ -48,7 +48,7 @@ TEST_CASE("A group goes by its name or its number", "[deck][mesh]") {
     CHECK(read(mesh_deck("truss.geo", "\"22\"")).model.rods[0].element_count() == 2);
 }
 
-TEST_CASE("A problem is rebuilt from its record when the mesh is gone", "[deck][mesh]") {
+TEST_CASE("A problem is rebuilt from its record when the mesh is gone", "[deck]") {
     std::optional<Problem> problem;
     {
         const ScratchFile file("net.msh", read_bytes(meshes + "truss_4.1.msh"));
@@ -66,7 +66,7 @@ TEST_CASE("A problem is rebuilt from its record when the mesh is gone", "[deck][
     CHECK(rebuild_problem(problem->record, {"analysis.steps=7"}).record.text != problem->record.text);
 }
 
-TEST_CASE("A geometry script of a record is not run, and no other file read", "[deck][mesh]") {
+TEST_CASE("A geometry script of a record is not run, and no other file read", "[deck]") {
     DeckRecord script = read(mesh_deck("truss.geo", "\"truss\"")).record;
     CHECK_THROWS_WITH(rebuild_problem(script), Catch::Contains("is not run from a results file"));
     DeckRecord missing = read(mesh_deck("truss_4.1.msh", "\"truss\"")).record;
@@ -74,7 +74,7 @@ TEST_CASE("A geometry script of a record is not run, and no other file read", "[
     CHECK_THROWS_WITH(rebuild_problem(missing), Catch::Contains("is not kept in the results file"));
 }
 
-TEST_CASE("Rods may be groups of one mesh, whose bytes are kept once", "[deck][mesh]") {
+TEST_CASE("Rods may be groups of one mesh, whose bytes are kept once", "[deck]") {
     const Problem problem =
         read(mesh_deck("truss.geo", "\"truss\"") + "[rod.q]\nsection = \"s\"\nmesh = { file = \"" + meshes +
              "truss.geo\", group = 22 }\n[rod.c]\nsection = \"s\"\nmesh = { file = \"" + meshes +
@@ -89,7 +89,7 @@ TEST_CASE("Rods may be groups of one mesh, whose bytes are kept once", "[deck][m
     CHECK(read(rod_deck).record.meshes.empty());
 }
 
-TEST_CASE("A mesh is found from the folder of its deck", "[deck][mesh]") {
+TEST_CASE("A mesh is found from the folder of its deck", "[deck]") {
     const ScratchFile mesh(
         "line.geo",
         "Point(1) = {0,0,0};\nPoint(2) = {1,0,0};\nLine(1) = {1, 2};\nPhysical Curve(\"a\") = {1};\n");
@@ -98,7 +98,7 @@ TEST_CASE("A mesh is found from the folder of its deck", "[deck][mesh]") {
     CHECK(message_of(deck) == "line.geo: cannot be read (No such file or directory)");
 }
 
-TEST_CASE("What is wrong with a mesh or its group is told", "[deck][mesh]") {
+TEST_CASE("What is wrong with a mesh or its group is told", "[deck]") {
     CHECK(faults_of(deck_of("no.msh", "\"a\"")) ==
           "x.toml:6:17: rod.r.mesh.file: no.msh: cannot be read (No such file or directory)");
     CHECK(message_of(mesh_deck("truss.geo", "\"trus\"")) ==
@@ -127,7 +127,7 @@ TEST_CASE("What is wrong with a mesh or its group is told", "[deck][mesh]") {
           "physical group edge has elements of order 4; expected order 1 to 3");
 }
 
-TEST_CASE("A group without elements, or with elements of two orders, is told", "[deck][mesh]") {
+TEST_CASE("A group without elements, or with elements of two orders, is told", "[deck]") {
     const std::string nodes = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 1.5 0 0\n$EndNodes\n";
     const std::string head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
     const ScratchFile mixed("mixed.msh",

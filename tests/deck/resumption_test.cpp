@@ -109,7 +109,7 @@ TEST_CASE("An override that differs is named as it was given", "[deck][resume]")
     CHECK(dynamic_of(longer).end_time == 5.0);
 }
 
-TEST_CASE("A run does not go on with another mesh", "[deck][mesh][resume]") {
+TEST_CASE("A run does not go on with another mesh", "[deck][resume]") {
     const std::string line =
         "Point(1) = {0, 0, 0};\nPoint(2) = {10, 0, 0};\nLine(1) = {1, 2};\n"
         "Transfinite Curve {1} = 4;\nPhysical Curve(\"cable\") = {1};\n";

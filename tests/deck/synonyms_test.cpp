@@ -48,7 +48,7 @@ void collect_choices(const TableSpec& table, std::vector<std::vector<std::string
 
 }  // namespace
 
-TEST_CASE("Every synonym of a key leads to a key that there is", "[deck][batch]") {
+TEST_CASE("Every synonym of a key leads to a key that there is", "[deck]") {
     const auto of_deck = all_tables(deck_schema());
     const auto of_plan = all_tables(plan_schema());
     for (const KeySynonyms& synonyms : key_synonyms()) {
@@ -72,7 +72,7 @@ TEST_CASE("Every synonym of a key leads to a key that there is", "[deck][batch]"
     }
 }
 
-TEST_CASE("Every synonym of a word leads to a word of some key", "[deck][batch]") {
+TEST_CASE("Every synonym of a word leads to a word of some key", "[deck]") {
     std::vector<std::vector<std::string>> choices;
     for (const TableSpec* root : {&deck_schema(), &plan_schema(), &variation_table()}) {
         for (const auto& [path, table] : all_tables(*root)) collect_choices(*table, choices);

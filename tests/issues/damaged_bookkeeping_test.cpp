@@ -52,7 +52,7 @@ void check_group_trees(const std::function<void(std::string&, std::size_t)>& cha
 }  // namespace
 
 // A reader asks by name, and may come to what a survey that lists all does not get to.
-TEST_CASE("A file whose objects or attributes cannot be listed is an error", "[results]") {
+TEST_CASE("A file whose objects or attributes cannot be listed is an error", "[issues]") {
     const ScratchFolder folder;
     const std::string& sound = results_sample();
     const auto told = [&](std::size_t place) {
@@ -80,7 +80,7 @@ TEST_CASE("A file whose objects or attributes cannot be listed is an error", "[r
 
 // The tree of a group leads from a name to where it is kept, but its leaves have all names. Where a run that
 // goes on put a group that it did not find, HDF5 ended the process.
-TEST_CASE("A file whose names are listed, but not found, is an error", "[results]") {
+TEST_CASE("A file whose names are listed, but not found, is an error", "[issues]") {
     constexpr std::size_t second_key = 24 + 16;  // the greatest name of the first leaf
     check_group_trees([](std::string& bytes, std::size_t tree) {
         std::fill_n(bytes.begin() + static_cast<std::ptrdiff_t>(tree + second_key), 8, '\0');
@@ -88,14 +88,14 @@ TEST_CASE("A file whose names are listed, but not found, is an error", "[results
 }
 
 // HDF5 lists names from parents to children; other programs that visit a file go from leaf to leaf.
-TEST_CASE("A file in which a leaf of a group's names does not lead to the next is an error", "[results]") {
+TEST_CASE("A file in which a leaf of a group's names does not lead to the next is an error", "[issues]") {
     constexpr std::size_t next_leaf = 16;
     check_group_trees([](std::string& bytes, std::size_t tree) { bytes[tree + next_leaf + 2] ^= 0x20; });
 }
 
 // A heap of texts says that it is longer than it is: HDF5 takes what lies behind for more of its texts, and a
 // text that a resumed run writes there goes over the heap's end in memory.
-TEST_CASE("A file whose texts would be written beyond their heap is an error", "[results]") {
+TEST_CASE("A file whose texts would be written beyond their heap is an error", "[issues]") {
     const ScratchFolder folder;
     const std::string sound = results_sample();
     const std::vector<std::size_t> heaps = places_of(sound, "GCOL");
@@ -114,7 +114,7 @@ TEST_CASE("A file whose texts would be written beyond their heap is an error", "
 }
 
 // HDF5 takes memory of a text's length as the reference has it, and copies into it what the heap has.
-TEST_CASE("A file whose texts are not of the length that is told is an error", "[results]") {
+TEST_CASE("A file whose texts are not of the length that is told is an error", "[issues]") {
     const ScratchFolder folder;
     const std::string sound = results_sample();
     int references = 0;
@@ -144,7 +144,7 @@ TEST_CASE("A file whose texts are not of the length that is told is an error", "
 }
 
 // HDF5 keeps as many bytes of a text's reference as its type has, and writes them where there is room for 16.
-TEST_CASE("A file whose attributes keep texts in another room is an error", "[results]") {
+TEST_CASE("A file whose attributes keep texts in another room is an error", "[issues]") {
     const ScratchFolder folder;
     const std::string& sound = results_sample();
     const std::string type("\x19\x01\x01\0\x10\0\0\0", 8);
@@ -170,7 +170,7 @@ TEST_CASE("A file whose attributes keep texts in another room is an error", "[re
 }
 
 // HDF5 converts bits of characters that there are not, when a run that goes on writes another text.
-TEST_CASE("A file whose characters have bits beyond their bytes is an error", "[results]") {
+TEST_CASE("A file whose characters have bits beyond their bytes is an error", "[issues]") {
     const ScratchFolder folder;
     const std::string& sound = results_sample();
     const std::string character("\x10\0\0\0\x01\0\0\0\0\0\x08\0", 12);
@@ -188,7 +188,7 @@ TEST_CASE("A file whose characters have bits beyond their bytes is an error", "[
 }
 
 // HDF5 writes nodes of the size that the file's beginning tells, over what lies behind them.
-TEST_CASE("A file whose trees have another size is an error", "[results]") {
+TEST_CASE("A file whose trees have another size is an error", "[issues]") {
     const ScratchFolder folder;
     for (const auto& [place, bit] : {std::pair{16, 1}, {18, 4}}) {
         std::string changed = results_sample();
@@ -200,7 +200,7 @@ TEST_CASE("A file whose trees have another size is an error", "[results]") {
 
 // The first entry of a heap of texts is one without an end and without a length: HDF5 1.10 looks for the next
 // for ever.
-TEST_CASE("A file over which HDF5 does not come back is an error", "[results]") {
+TEST_CASE("A file over which HDF5 does not come back is an error", "[issues]") {
     const ScratchFolder folder;
     std::string bytes = results_sample();
     const std::size_t heap = bytes.find("GCOL");
@@ -215,7 +215,7 @@ TEST_CASE("A file over which HDF5 does not come back is an error", "[results]") 
 
 // HDF5 takes memory of a chunk's length as its index has it, or of what comes out of a compressed one, and
 // goes through as many rows as a chunk should have.
-TEST_CASE("A file whose chunks are not of the length that is told is an error", "[results]") {
+TEST_CASE("A file whose chunks are not of the length that is told is an error", "[issues]") {
     const ScratchFolder folder;
     const std::string sound = results_sample();
     constexpr std::size_t level = 5, length = 24, skipped_filters = 28;
@@ -241,7 +241,7 @@ TEST_CASE("A file whose chunks are not of the length that is told is an error", 
 }
 
 // A dataset that leads to the rows of another, of equal ones until a run goes on, say.
-TEST_CASE("A file in which two datasets have the same rows is an error", "[results]") {
+TEST_CASE("A file in which two datasets have the same rows is an error", "[issues]") {
     const ScratchFolder folder;
     const std::string& sound = results_sample();
     const std::vector<std::size_t> trees = places_of(sound, "TREE\x01");

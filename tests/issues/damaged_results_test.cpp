@@ -147,7 +147,7 @@ std::string unreadable(const std::string& why) { return "cannot be read as resul
 
 }  // namespace
 
-TEST_CASE("The sample that is damaged can be read", "[results]") {
+TEST_CASE("The sample that is damaged can be read", "[issues]") {
     CHECK(Damaged().report_fault() == "");
     CHECK(Damaged().csv_fault() == "");
     CHECK(Damaged().series_fault() == "");
@@ -155,7 +155,7 @@ TEST_CASE("The sample that is damaged can be read", "[results]") {
     CHECK(Damaged().go_on_fault() == "");
 }
 
-TEST_CASE("Two fields of one name make no frame", "[results]") {
+TEST_CASE("Two fields of one name make no frame", "[issues]") {
     const ScratchFolder folder;
     std::string bytes = results_sample();
     const std::size_t at = bytes.find("axis_y");
@@ -167,7 +167,7 @@ TEST_CASE("Two fields of one name make no frame", "[results]") {
         Catch::Contains("damaged_0000.hdf: cannot be made of the results (creating a dataset: "));
 }
 
-TEST_CASE("Rows of another width are an error, not what lies behind them", "[results]") {
+TEST_CASE("Rows of another width are an error, not what lies behind them", "[issues]") {
     for (const char* name :
          {"/VTKHDF/PointData/axis_x", "/VTKHDF/PointData/displacement", "/VTKHDF/Points"}) {
         Damaged damaged;
@@ -179,7 +179,7 @@ TEST_CASE("Rows of another width are an error, not what lies behind them", "[res
     CHECK(damaged.report_fault() == unreadable("/histories/time has rows of another width"));
 }
 
-TEST_CASE("Counts that are none are an error", "[results]") {
+TEST_CASE("Counts that are none are an error", "[issues]") {
     for (const double count : {-1.0, 0.5, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
         Damaged damaged;
         damaged.replace_dataset("/VTKHDF/NumberOfPoints", {1}, count);
@@ -195,7 +195,7 @@ TEST_CASE("Counts that are none are an error", "[results]") {
     }
 }
 
-TEST_CASE("A state of numbers that are none is an error", "[results]") {
+TEST_CASE("A state of numbers that are none is an error", "[issues]") {
     Damaged damaged;
     damaged.replace_state_numbers(-1e300, 0.0);
     CHECK(damaged.resume_fault() == "cannot be resumed: its state is not the one that was written");
@@ -205,20 +205,20 @@ TEST_CASE("A state of numbers that are none is an error", "[results]") {
     CHECK(forged.resume_fault() == "cannot be resumed: its state has a count that is none");
 }
 
-TEST_CASE("A state of another version is not gone on from", "[results]") {
+TEST_CASE("A state of another version is not gone on from", "[issues]") {
     Damaged damaged;
     damaged.replace_attribute("/restart", "version", {}, 99.0);
     CHECK(damaged.resume_fault() ==
           "cannot be resumed: its state was written in another form, by another version of gxrod");
 }
 
-TEST_CASE("No other state is read where none of the two is named", "[results]") {
+TEST_CASE("No other state is read where none of the two is named", "[issues]") {
     Damaged damaged;
     damaged.replace_attribute("/restart", "slot", {}, 2.0);
     CHECK(damaged.resume_fault() == "cannot be resumed: /restart@slot is damaged");
 }
 
-TEST_CASE("A list where one value belongs is an error", "[results]") {
+TEST_CASE("A list where one value belongs is an error", "[issues]") {
     Damaged slots;
     slots.replace_attribute("/restart", "slot", {1000});
     CHECK(slots.resume_fault() == "cannot be resumed: /restart@slot is not one value");
@@ -237,7 +237,7 @@ TEST_CASE("A list where one value belongs is an error", "[results]") {
 }
 
 // A run that goes on would write into them.
-TEST_CASE("A file that would lead to others is an error", "[results]") {
+TEST_CASE("A file that would lead to others is an error", "[issues]") {
     const std::string told = "is damaged: where HDF5's library reads it, it would go to other files";
     Damaged linked;
     linked.change([](hid_t file) {
@@ -275,7 +275,7 @@ TEST_CASE("A file that would lead to others is an error", "[results]") {
     CHECK(soft.csv_fault() == "");
 }
 
-TEST_CASE("A dataset that the file is too small for takes no memory", "[results]") {
+TEST_CASE("A dataset that the file is too small for takes no memory", "[issues]") {
     Damaged damaged;
     damaged.replace_dataset("/VTKHDF/Connectivity", {1'000'000'000'000});
     CHECK(damaged.report_fault() ==
@@ -284,7 +284,7 @@ TEST_CASE("A dataset that the file is too small for takes no memory", "[results]
           unreadable("/VTKHDF/Connectivity would have 8e+12 bytes, more than its file can hold"));
 }
 
-TEST_CASE("Rows of more numbers than there are make no columns", "[results]") {
+TEST_CASE("Rows of more numbers than there are make no columns", "[issues]") {
     Damaged damaged;
     damaged.replace_dataset("/ledger/strain_energy", {1, 1ull << 50});
     const std::string told = unreadable("/ledger/strain_energy has rows of 1125899906842624 numbers");
@@ -293,7 +293,7 @@ TEST_CASE("Rows of more numbers than there are make no columns", "[results]") {
 }
 
 // To cut them off, HDF5 looks for each of their chunks.
-TEST_CASE("A run does not go on from rows that the file is too small for", "[results]") {
+TEST_CASE("A run does not go on from rows that the file is too small for", "[issues]") {
     for (const hsize_t rows : {hsize_t{1'000'000}, hsize_t{1} << 40}) {
         Damaged damaged;
         damaged.replace_dataset("/ledger/strain_energy", {rows});

@@ -6,7 +6,7 @@
 using namespace gxrod;
 using namespace gxrod::tools;
 
-TEST_CASE("the symmetric part is the half of the matrix and its transpose", "[solvers]") {
+TEST_CASE("the symmetric part is the half of the matrix and its transpose", "[linear]") {
     const Eigen::MatrixXd dense = make_unsymmetric_matrix(25, 8);
     const Sparse sparse = make_sparse(dense);
     const SymmetricPart part(sparse.pattern);
