@@ -61,7 +61,7 @@ void note_first_step(const DynamicSettings& settings,
                      const CheckedTable& table,
                      const BuildContext& context) {
     const AdaptiveSettings& adaptive = *settings.adaptive;
-    const double first = settings.end_time / static_cast<double>(settings.steps);
+    const double first = settings.time_step();
     if (first >= adaptive.min_step && first <= adaptive.max_step) return;
     const bool is_short = first < adaptive.min_step;
     context.notes.push_back(fmt::format("{}: the first step, {}, is {} adaptive.{}; it will be {}",
@@ -132,45 +132,12 @@ StaticSettings build_static(const CheckedTable& table, const BuildContext& conte
     return settings;
 }
 
-// Why the load makes the tangent unsymmetric, or "".
-template <class Load>
-std::string explain_asymmetry(const Load& load) {
-    if (!is_zero(load.moment)) return load.key + " is a moment";
-    if (load.frame != Frame::spatial && !is_zero(load.force)) return load.key + " follows the rotation";
-    return "";
-}
-
-// The first thing that makes the tangent unsymmetric, or "".
-std::string find_asymmetry(const BuildContext& context) {
-    if (!context.is_static()) return "this one is dynamic";
-    for (const NodalLoad& load : context.model.loads) {
-        if (std::string reason = explain_asymmetry(load); !reason.empty()) return reason;
-    }
-    for (const DistributedLoad& load : context.model.distributed_loads) {
-        if (std::string reason = explain_asymmetry(load); !reason.empty()) return reason;
-    }
-    return "";
-}
-
 }  // namespace
 
 AnalysisSettings build_analysis(const BuildContext& context) {
     const CheckedTable& table = context.deck.tables("analysis").front();
     if (table.get<std::string>("kind") == "static") return build_static(table, context);
     return build_dynamic(table, context);
-}
-
-void check_linear_solver(const BuildContext& context) {
-    const CheckedTable& table = context.deck.tables("analysis").front();
-    if (find_linear_solver(table) != LinearSolverKind::cholmod) return;
-    const std::string reason = find_asymmetry(context);
-    if (reason.empty()) return;
-    context.add_fault(table,
-                      "linear_solver",
-                      fmt::format("\"{}\" is for symmetric tangents, of static analyses whose loads are dead "
-                                  "forces; {}",
-                                  table.get<std::string>("linear_solver"),
-                                  reason));
 }
 
 }  // namespace gxrod

@@ -19,7 +19,7 @@ constexpr double rate_step = 1e-3;
 // quotient.
 double compute_start_rate(const TimeFunction& function, const BuildContext& context) {
     const auto& analysis = std::get<DynamicSettings>(context.analysis);
-    const double step = rate_step * analysis.end_time / static_cast<double>(analysis.steps);
+    const double step = rate_step * analysis.time_step();
     return (4.0 * function(0.5 * step) - function(step) - 3.0 * function(0.0)) / step;
 }
 

@@ -44,12 +44,11 @@ inline constexpr std::array<Choice<TangentKind>, 5> tangent_choices{
      {"paper", TangentKind::paper},
      {"difference", TangentKind::difference}}};
 
-inline constexpr std::array<Choice<LinearSolverKind>, 5> linear_solver_choices{
+inline constexpr std::array<Choice<LinearSolverKind>, 4> linear_solver_choices{
     {{"auto", LinearSolverKind::automatic},
      {"chains", LinearSolverKind::chains},
      {"klu", LinearSolverKind::klu},
-     {"umfpack", LinearSolverKind::umfpack},
-     {"cholmod", LinearSolverKind::cholmod}}};
+     {"umfpack", LinearSolverKind::umfpack}}};
 
 inline constexpr std::array<Choice<Compression>, 2> compression_choices{
     {{"none", Compression::none}, {"deflate", Compression::deflate}}};

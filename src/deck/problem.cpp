@@ -57,7 +57,6 @@ Problem build_problem(const CheckedTable& deck, const MeshFiles& files, FaultLis
     check_velocities(context);
     build_loads(context);
     check_functions(context);
-    check_linear_solver(context);
     problem.analysis = context.analysis;
     problem.output = build_output(context);
     problem.record.is_static = std::holds_alternative<StaticSettings>(problem.analysis);

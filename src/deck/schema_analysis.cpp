@@ -135,8 +135,7 @@ std::vector<KeySpec> scheme_keys() {
          .sentence =
              "chains: by blocks of the unknowns of nodes, the insides of rods first, then their junctions by "
              "dense fronts. klu: sparse LU, entry by entry. umfpack: LU by dense fronts, which exchanges "
-             "equations to find pivots. cholmod: L D Lᵀ of the symmetric part, where the tangent is "
-             "symmetric. auto: chains.",
+             "equations to find pivots. auto: chains.",
          .choices = words_of(linear_solver_choices)}};
 }
 

@@ -84,15 +84,6 @@ TEST_CASE("in dynamics a singular system lacks inertia", "[check]") {
           "the initial accelerations cannot be found: the system of equations is singular. Try " + inertia);
 }
 
-TEST_CASE("cholmod is doubted first", "[check]") {
-    Failure failure = make_failure(Phase::load_step, Outcome::out_of_iterations);
-    failure.linear_solver = LinearSolverKind::cholmod;
-    CHECK(advise(failure)[0] == "linear_solver = \"auto\": cholmod takes the tangent for symmetric");
-    failure.outcome = Outcome::singular;
-    CHECK(advise(failure)[0] ==
-          "linear_solver = \"auto\": cholmod does not exchange equations to find a pivot");
-}
-
 TEST_CASE("an explicit scheme that blows up is told from a bad load", "[check]") {
     Failure failure = make_failure(Phase::explicit_step, Outcome::not_finite);
     failure.places = {"tip (z)"};

@@ -87,23 +87,6 @@ TEST_CASE("Every integrator, tangent and solver has its word", "[deck]") {
     CHECK(analysis("linear_solver = \"auto\"").linear_solver == LinearSolverKind::automatic);
     CHECK(analysis("linear_solver = \"klu\"").linear_solver == LinearSolverKind::klu);
     CHECK(analysis("linear_solver = \"umfpack\"").linear_solver == LinearSolverKind::umfpack);
-    const Problem symmetric = read(static_rod_deck + "linear_solver = \"cholmod\"");
-    CHECK(std::get<StaticSettings>(symmetric.analysis).linear_solver == LinearSolverKind::cholmod);
-}
-
-TEST_CASE("cholmod is for symmetric tangents", "[deck]") {
-    const std::string said =
-        ": analysis.linear_solver: \"cholmod\" is for symmetric tangents, of static analyses whose loads "
-        "are dead forces; ";
-    const std::string cholmod = "linear_solver = \"cholmod\"\n";
-    CHECK(faults_of(rod_deck + cholmod) == "x.toml:13:17" + said + "this one is dynamic");
-    CHECK(faults_of(static_rod_deck + cholmod + "[[load]]\nat = \"r.end\"\nmoment = [0, 0, 1]") ==
-          "x.toml:11:17" + said + "load[0] is a moment");
-    CHECK(faults_of(static_rod_deck + cholmod +
-                    "[[load]]\nat = \"r.end\"\nframe = \"follower\"\nforce = [0, 0, 1]") ==
-          "x.toml:11:17" + said + "load[0] follows the rotation");
-    CHECK(faults_of(static_rod_deck + cholmod + "[[load]]\non = \"r\"\nmoment_per_length = [0, 0, 1]") ==
-          "x.toml:11:17" + said + "load[0] is a moment");
 }
 
 TEST_CASE("Steps by their error are for sdirk-4", "[deck]") {
