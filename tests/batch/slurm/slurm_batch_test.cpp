@@ -1,4 +1,4 @@
-#include "batch/slurm_batch.hpp"
+#include "batch/slurm/slurm_batch.hpp"
 
 #include "tools/catch.hpp"
 

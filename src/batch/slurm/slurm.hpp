@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "batch/slurm_jobs.hpp"
+#include "batch/slurm/slurm_jobs.hpp"
 #include "machine/file_error.hpp"
 
 namespace gxrod {

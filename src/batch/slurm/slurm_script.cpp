@@ -1,4 +1,4 @@
-#include "batch/slurm_script.hpp"
+#include "batch/slurm/slurm_script.hpp"
 
 #include <fmt/format.h>
 

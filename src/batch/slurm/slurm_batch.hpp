@@ -1,8 +1,8 @@
 #pragma once
 
 #include "batch/case_row.hpp"
-#include "batch/slurm.hpp"
-#include "batch/slurm_script.hpp"
+#include "batch/slurm/slurm.hpp"
+#include "batch/slurm/slurm_script.hpp"
 
 // A batch whose cases are run by array jobs of Slurm.
 namespace gxrod {

@@ -1,4 +1,4 @@
-#include "batch/slurm_jobs.hpp"
+#include "batch/slurm/slurm_jobs.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "batch/slurm.hpp"
+#include "batch/slurm/slurm.hpp"
 
 #include <fmt/format.h>
 
