@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "batch/plan_words.hpp"
-#include "deck/deck_tree.hpp"
+#include "deck/reading/deck_tree.hpp"
 
 // What a batch is asked to run. docs/plan.md is the reference of the text.
 namespace gxrod {

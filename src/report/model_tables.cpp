@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "deck/choices.hpp"
+#include "deck/schema/choices.hpp"
 #include "model/newton_choice.hpp"
 #include "report/model_json.hpp"
 

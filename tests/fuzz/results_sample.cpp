@@ -1,7 +1,7 @@
 #include "fuzz/results_sample.hpp"
 
 #include "deck/problem.hpp"
-#include "deck/text_file.hpp"
+#include "deck/reading/text_file.hpp"
 #include "fuzz/scratch_folder.hpp"
 #include "results/break_seal.hpp"
 #include "results/restart_table.hpp"

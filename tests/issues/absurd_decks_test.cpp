@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "deck/check_memory.hpp"
+#include "deck/checks/check_memory.hpp"
 #include "deck/decks.hpp"
-#include "deck/validation.hpp"
+#include "deck/reading/validation.hpp"
 #include "tools/catch.hpp"
 
 // Decks that are too deep, too slow to evaluate, too large or not to be shown.

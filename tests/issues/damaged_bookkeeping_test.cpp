@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "deck/text_file.hpp"
+#include "deck/reading/text_file.hpp"
 #include "fuzz/results_sample.hpp"
 #include "fuzz/scratch_folder.hpp"
 #include "machine/file_error.hpp"

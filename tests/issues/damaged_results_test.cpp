@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "deck/problem.hpp"
-#include "deck/text_file.hpp"
+#include "deck/reading/text_file.hpp"
 #include "fuzz/results_sample.hpp"
 #include "fuzz/scratch_folder.hpp"
 #include "machine/checksum.hpp"

@@ -1,7 +1,7 @@
 #include <array>
 #include <fstream>
 
-#include "deck/text_file.hpp"
+#include "deck/reading/text_file.hpp"
 #include "machine/file_error.hpp"
 #include "results/hdf5_reader.hpp"
 #include "results/written_file.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "deck/text_file.hpp"
+#include "deck/reading/text_file.hpp"
 #include "results/hdf5_objects.hpp"
 #include "results/sample.hpp"
 #include "tools/catch.hpp"

@@ -1,11 +1,12 @@
-// The lowest point that the tip of a swinging rod reaches: swing DECK NAME, where NAME is a [[history]] of the deck.
+// The lowest point that the tip of a swinging rod reaches: swing DECK NAME, where NAME is a [[history]] of
+// the deck.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <gxrod/analyses/static.hpp>
 #include <gxrod/check/failure_advice.hpp>
-#include <gxrod/deck/fault.hpp>
 #include <gxrod/deck/problem.hpp>
+#include <gxrod/deck/reading/fault.hpp>
 #include <limits>
 
 namespace {
