@@ -313,6 +313,8 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(reader.functions(node, path, &ValueReader::place_function));
         case ValueType::time_table:
             return wrap(reader.time_table(node, path));
+        case ValueType::columns:
+            return std::monostate{};  // read with their file, which is a table then
         default:
             assert(false);
             return std::monostate{};
