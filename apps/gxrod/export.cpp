@@ -1,11 +1,11 @@
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "exit_code.hpp"
-#include "machine/printable.hpp"
 #include "results/along_export.hpp"
 #include "results/csv_export.hpp"
-#include "results/list_changes.hpp"
+#include "results/guarded_reading.hpp"
 #include "results/series_export.hpp"
 #include "say.hpp"
 #include "verbs.hpp"
@@ -25,31 +25,40 @@ struct ExportArguments {
     bool force = false;
 };
 
-void export_along_rod(const ExportArguments& arguments, Existing existing) {
+// Returns the names of what it wrote, a line each.
+std::string export_along_rod(const ExportArguments& arguments, Existing existing) {
     const AlongExport done = export_along(
         arguments.results, arguments.folder, {arguments.along, arguments.time, arguments.all}, existing);
-    for (const auto& path : done.files) say(stdout, "{}\n", path.lexically_normal().string());
+    std::string written;
+    for (const auto& path : done.files) written += path.lexically_normal().string() + "\n";
     // Where it was asked for another moment than that of a frame.
     if (arguments.time && done.times.size() == 1 && done.times[0] != *arguments.time)
         say(stderr, "the frame nearest to {:.10g} is that at {:.10g}\n", *arguments.time, done.times[0]);
+    return written;
 }
 
 int export_results(const ExportArguments& arguments) {
     if (arguments.csv.empty() && arguments.series.empty() && arguments.along.empty()) {
         throw CLI::ValidationError("export", "give --csv DIR, --series DIR, --along ROD, or several of them");
     }
-    for (const std::string& change : list_changes(arguments.results))
-        say(stderr, "warning: {}: {}\n", arguments.results, printable(change));
+    const GuardedReading reading(arguments.results);
+    if (!reading.doubt().empty()) say(stderr, "warning: {}: {}\n", arguments.results, reading.doubt());
     const Existing existing = arguments.force ? Existing::replace : Existing::refuse;
+    const auto write = [&](const std::function<std::string()>& form) {
+        say_text(stdout, reading.read(form));
+    };
     if (!arguments.csv.empty()) {
-        for (const auto& path : export_csv(arguments.results, arguments.csv, existing)) {
-            say(stdout, "{}\n", path.string());
-        }
+        write([&] {
+            std::string written;
+            for (const auto& path : export_csv(arguments.results, arguments.csv, existing))
+                written += path.string() + "\n";
+            return written;
+        });
     }
     if (!arguments.series.empty()) {
-        say(stdout, "{}\n", export_series(arguments.results, arguments.series, existing).string());
+        write([&] { return export_series(arguments.results, arguments.series, existing).string() + "\n"; });
     }
-    if (!arguments.along.empty()) export_along_rod(arguments, existing);
+    if (!arguments.along.empty()) write([&] { return export_along_rod(arguments, existing); });
     return exit_done;
 }
 

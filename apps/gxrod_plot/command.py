@@ -9,6 +9,7 @@ from .errors import FileFault, PlotError, UsageError
 from .page import draw_page
 from .results import read_results
 from .rubin2007 import draw_figures
+from .seal import doubt_of
 
 FORMATS = (".png", ".svg", ".pdf")
 EPILOG = """\
@@ -41,6 +42,7 @@ def main(arguments):
 def draw(request):
     """Draws the results that are asked for; gives the picture's path."""
     output = output_path(request)
+    warn_of_doubt(request.results)
     if is_comparison(request):
         if request.what == "shapes" or request.times or request.frames or request.view:
             raise UsageError("shapes are drawn of one file, without --x and --y")
@@ -51,6 +53,12 @@ def draw(request):
     else:
         read_results(request.results[0], lambda results: save(draw_page(results, request), output))
     return output
+
+
+def warn_of_doubt(paths):
+    for path in paths:
+        if Path(path).is_file() and (doubt := doubt_of(path)):
+            print(f"warning: {path}: {doubt}", file=sys.stderr)
 
 
 def is_comparison(request):

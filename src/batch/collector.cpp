@@ -18,33 +18,9 @@ struct Values {
     int width = 1;
 };
 
-int width_of(LedgerEntry entry) {
-    return entry == LedgerEntry::linear_momentum || entry == LedgerEntry::angular_momentum ? 3 : 1;
-}
-
-Values scalar(double value) { return {{value}, 1}; }
-Values vector(const Vec3& value) { return {{value[0], value[1], value[2]}, 3}; }
-
-Values values_of(LedgerEntry entry, const LedgerRow& row) {
-    switch (entry) {
-        case LedgerEntry::kinetic_energy:
-            return scalar(row.kinetic_energy);
-        case LedgerEntry::strain_energy:
-            return scalar(row.strain_energy);
-        case LedgerEntry::external_work:
-            return scalar(row.external_work);
-        case LedgerEntry::dissipated_energy:
-            return scalar(row.dissipated_energy);
-        case LedgerEntry::numerical_dissipation:
-            return scalar(row.numerical_dissipation);
-        case LedgerEntry::energy_error:
-            return scalar(row.energy_error);
-        case LedgerEntry::linear_momentum:
-            return vector(row.linear_momentum);
-        case LedgerEntry::angular_momentum:
-            break;
-    }
-    return vector(row.angular_momentum);
+Values values_of(const LedgerColumn& column, const LedgerRow& row) {
+    const std::array<double, 3> numbers = numbers_of(column, row);
+    return {{numbers[0], numbers[1], numbers[2]}, column.width()};
 }
 
 int width_of(Quantity quantity) { return quantity_form(quantity, PointKind::rod).shape.columns; }
@@ -128,11 +104,11 @@ void check_collections(const std::vector<Collection>& collections,
         if (!collection.history.empty()) {
             check_history(collection, problem, faults);
         } else {
-            const std::string wrong = explain_component(collection, width_of(collection.ledger));
+            const std::string wrong = explain_component(collection, collection.ledger->width());
             if (!wrong.empty()) {
                 faults.add(collection.place,
                            collection.path() + ".component",
-                           word_of(ledger_choices, collection.ledger) + " " + wrong);
+                           std::string(collection.ledger->name) + " " + wrong);
             }
         }
         const double end = end_of(problem.analysis);
@@ -149,7 +125,7 @@ std::string describe(const Collection& collection) {
         collection.at ? "" : fmt::format("{} ", words[static_cast<std::size_t>(collection.take)]);
     if (collection.component) text += word_of(component_choices, *collection.component) + " of ";
     if (collection.history.empty()) {
-        text += word_of(ledger_choices, collection.ledger);
+        text += std::string(collection.ledger->name);
     } else {
         text += fmt::format("{} of {}", word_of(quantity_choices, collection.quantity), collection.history);
     }
@@ -219,7 +195,7 @@ void Collector::add(const Snapshot& snapshot, const LedgerRow& ledger) {
         const Collection& collection = column.collection;
         const Values values = column.point ? Values{column.point->compute(collection.quantity, snapshot),
                                                     width_of(collection.quantity)}
-                                           : values_of(collection.ledger, ledger);
+                                           : values_of(*collection.ledger, ledger);
         column.number.add(snapshot.time, take_component(values, collection.component));
     }
 }

@@ -60,7 +60,11 @@ std::optional<Collection> read_collection(const CheckedTable& table, FaultList& 
         take_word("quantity",
                   [&](const std::string& word) { collection.quantity = value_of(quantity_choices, word); });
     }
-    take_word("ledger", [&](const std::string& word) { collection.ledger = value_of(ledger_choices, word); });
+    take_word("ledger", [&](const std::string& word) {
+        collection.ledger = std::find_if(ledger_columns.begin(),
+                                         ledger_columns.end(),
+                                         [&](const auto& column) { return column.name == word; });
+    });
     take_word("component",
               [&](const std::string& word) { collection.component = value_of(component_choices, word); });
     take_word("take", [&](const std::string& word) { collection.take = value_of(take_choices, word); });

@@ -9,6 +9,8 @@
 
 #include "batch/plan_words.hpp"
 #include "deck/reading/deck_tree.hpp"
+#include "model/settings.hpp"
+#include "results/step_columns.hpp"
 
 // What a batch is asked to run. docs/plan.md is the reference of the text.
 namespace gxrod {
@@ -46,10 +48,10 @@ struct Variation {
 struct Collection {
     std::string name;
     Place place;  // in the plan
-    // Either a quantity of a history or an entry of the ledger.
+    // Either a quantity of a history or a column of the ledger.
     std::string history;
     Quantity quantity = Quantity::position;
-    LedgerEntry ledger = LedgerEntry::energy_error;
+    const LedgerColumn* ledger = nullptr;
     std::optional<Component> component;
     Take take = Take::last;
     std::optional<double> at;  // a time, instead of `take`

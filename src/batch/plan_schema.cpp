@@ -3,6 +3,7 @@
 #include "batch/plan_words.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
+#include "results/step_columns.hpp"
 
 namespace gxrod {
 namespace {
@@ -23,6 +24,12 @@ the reader itself checks a plan with; `gxrod schema --plan` writes the same as a
   the deck's parameters.
 
 )md";
+
+std::vector<std::string> ledger_words() {
+    std::vector<std::string> words;
+    for (const LedgerColumn& column : ledger_columns) words.emplace_back(column.name);
+    return words;
+}
 
 const TableSpec& uniform_table() {
     static const TableSpec table{.path = "vary.KEY.uniform",
@@ -108,7 +115,7 @@ const TableSpec& collect_table() {
                  {.name = "ledger",
                   .type = ValueType::choice,
                   .sentence = "Of the whole model.",
-                  .choices = words_of(ledger_choices)},
+                  .choices = ledger_words()},
                  {.name = "component",
                   .type = ValueType::choice,
                   .sentence = "Of a vector or quaternion, which need one; `magnitude` of vectors only.",

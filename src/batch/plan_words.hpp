@@ -10,16 +10,6 @@ enum class Spacing { linear, log };
 enum class Keeping { all, failed, none };
 enum class Take { least, largest, mean, rms, last, largest_absolute };
 enum class Component { x, y, z, w, magnitude };
-enum class LedgerEntry {
-    kinetic_energy,
-    strain_energy,
-    external_work,
-    dissipated_energy,
-    numerical_dissipation,
-    energy_error,
-    linear_momentum,
-    angular_momentum
-};
 
 // `decks` has no word: it is what a list of decks is.
 inline constexpr std::array<Choice<Combination>, 4> combination_choices{
@@ -46,15 +36,5 @@ inline constexpr std::array<Choice<Component>, 5> component_choices{{{"x", Compo
                                                                      {"z", Component::z},
                                                                      {"w", Component::w},
                                                                      {"magnitude", Component::magnitude}}};
-
-inline constexpr std::array<Choice<LedgerEntry>, 8> ledger_choices{
-    {{"kinetic_energy", LedgerEntry::kinetic_energy},
-     {"strain_energy", LedgerEntry::strain_energy},
-     {"external_work", LedgerEntry::external_work},
-     {"dissipated_energy", LedgerEntry::dissipated_energy},
-     {"numerical_dissipation", LedgerEntry::numerical_dissipation},
-     {"energy_error", LedgerEntry::energy_error},
-     {"linear_momentum", LedgerEntry::linear_momentum},
-     {"angular_momentum", LedgerEntry::angular_momentum}}};
 
 }  // namespace gxrod

@@ -67,7 +67,7 @@ Problem build_problem(const CheckedTable& deck, const MeshFiles& files, FaultLis
 
 std::string read_deck_file(const std::filesystem::path& path) {
     std::string text = read_text_file(path, "a deck", most_deck_bytes);
-    if (text.starts_with("\x89HDF")) {
+    if (text.starts_with("gxrod\r\n\x1a") || text.starts_with("\x89HDF")) {
         throw FileError(path, "is a results file, not a deck", "gxrod resume, report and export read those");
     }
     return text;

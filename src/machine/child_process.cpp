@@ -25,6 +25,8 @@ constexpr int done = 0;
 constexpr int has_thrown = 3;
 constexpr int cannot_be_confined = 4;
 
+int own_processor_seconds = 0;  // of a child
+
 [[noreturn]] void fail(const char* action) {
     throw std::system_error(errno, std::generic_category(), action);
 }
@@ -94,7 +96,8 @@ void prepare_child(const ChildLimits& limits) {
     }
     const rlimit none{0, 0};
     ::setrlimit(RLIMIT_CORE, &none);
-    restart_processor_clock(limits);
+    own_processor_seconds = limits.processor_seconds;
+    restart_processor_clock();
 }
 
 // The exit code of the child.
@@ -163,9 +166,10 @@ std::string run_in_child(const std::function<std::string()>& work, const ChildLi
     return bytes;
 }
 
-void restart_processor_clock(const ChildLimits& limits) {
+void restart_processor_clock() {
+    if (own_processor_seconds == 0) return;
     itimerval timer{};
-    timer.it_value.tv_sec = limits.processor_seconds;
+    timer.it_value.tv_sec = own_processor_seconds;
     ::setitimer(ITIMER_PROF, &timer, nullptr);
 }
 

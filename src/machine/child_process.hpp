@@ -8,7 +8,8 @@ namespace gxrod {
 
 // What a child process may do.
 struct ChildLimits {
-    // After which it is ended, counted from its start or from the last restart_processor_clock; 0: no limit.
+    // After which it is ended, counted from its start or from the last restart_processor_clock(); 0: no
+    // limit.
     int processor_seconds = 0;
     // After which it is ended if it computed next to nothing in that time: it waits for what does not come.
     // 0: no limit, as where a disk may be slow.
@@ -33,7 +34,7 @@ class ChildMemoryError : public ChildError {
 // where the work throws; std::system_error if there can be no child.
 std::string run_in_child(const std::function<std::string()>& work, const ChildLimits& limits);
 
-// Within such work: it comes along, and has all of its time again.
-void restart_processor_clock(const ChildLimits& limits);
+// Within such work: it comes along, and has all of its time again. Elsewhere nothing.
+void restart_processor_clock();
 
 }  // namespace gxrod

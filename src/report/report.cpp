@@ -15,7 +15,7 @@
 #include "report/run_story.hpp"
 #include "report/script_json.hpp"
 #include "report/step_blocks.hpp"
-#include "results/list_changes.hpp"
+#include "results/guarded_reading.hpp"
 #include "results/output_file.hpp"
 #include "results/results_access.hpp"
 
@@ -36,7 +36,7 @@ std::size_t count_frames(const Hdf5Reader& file) {
 // A page in the making, of results that are open.
 class Page {
   public:
-    Page(const Hdf5Reader& file, const ReportOptions& options)
+    Page(const Hdf5Reader& file, const ReportOptions& options, const std::string& doubt)
         : file_(file),
           options_(options),
           story_(read_run_story(file)),
@@ -49,8 +49,7 @@ class Page {
         content_.arrows = story_.arrows.size();
         content_.is_static = story_.is_static;
         warnings_ = list_warnings(file, story_, content_.steps);
-        for (const std::string& change : list_changes(options.results))
-            warnings_.push_back("This file is in doubt: " + change + ".");
+        if (!doubt.empty()) warnings_.push_back("This file is in doubt: " + doubt + ".");
     }
 
     ReportSummary write(std::ostream& out) {
@@ -125,9 +124,7 @@ void check_page(const ReportOptions& options) {
     check_export_file(options.page, options.existing);
 }
 
-}  // namespace
-
-ReportSummary write_report(const ReportOptions& options) {
+ReportSummary write_page(const ReportOptions& options, const std::string& doubt) {
     ReportSummary summary;
     read_results(options.results, [&](const Hdf5Reader& file) {
         check_page(options);
@@ -135,10 +132,28 @@ ReportSummary write_report(const ReportOptions& options) {
             throw FileError(options.results, "has no frame yet, so there is nothing to show");
         }
         PageFile page(options.page);
-        summary = Page(file, options).write(page.out());
+        summary = Page(file, options, doubt).write(page.out());
         page.finish();
     });
     return summary;
+}
+
+// A summary as text and back, from a process that read the results.
+std::string text_of(const ReportSummary& summary) {
+    const nlohmann::json json{summary.bytes, summary.left_out, summary.warnings};
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+ReportSummary summary_of(const std::string& text) {
+    const nlohmann::json json = nlohmann::json::parse(text);
+    return {json.at(0), json.at(1), json.at(2)};
+}
+
+}  // namespace
+
+ReportSummary write_report(const ReportOptions& options) {
+    const GuardedReading reading(options.results);
+    return summary_of(reading.read([&] { return text_of(write_page(options, reading.doubt())); }));
 }
 
 }  // namespace gxrod

@@ -7,8 +7,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "machine/checksum.hpp"
-#include "results/text_heap.hpp"
+#include "results/ordered_driver.hpp"
 
 namespace gxrod {
 namespace {
@@ -100,7 +99,6 @@ AppendDataset<Number>::AppendDataset(
         create(group, label, chunks);
         if (rows > 0) set_extent(rows);
     }
-    sum_ = {address_of(dataset_.id()), sum_rows(dataset_.id(), {0, rows})};
 }
 
 template <class Number>
@@ -191,13 +189,6 @@ std::vector<Number> AppendDataset<Number>::last_row() const {
 }
 
 template <class Number>
-RowSum AppendDataset<Number>::sum() {
-    sum_.sum = checksum(std::span<const Number>(buffer_).subspan(summed_), sum_.sum);
-    summed_ = buffer_.size();
-    return sum_;
-}
-
-template <class Number>
 void AppendDataset<Number>::flush() {
     const hsize_t new_rows = buffer_.size() / static_cast<hsize_t>(shape_.columns);
     if (new_rows == 0) return;
@@ -210,10 +201,8 @@ void AppendDataset<Number>::flush() {
                         H5P_DEFAULT,
                         buffer_.data()),
                "writing rows");
-    sum();
     rows_ += new_rows;
     buffer_.clear();
-    summed_ = 0;
 }
 
 template class AppendDataset<double>;

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "results/hdf5_objects.hpp"
-#include "results/row_sums.hpp"
 
 namespace gxrod {
 
@@ -32,8 +31,7 @@ template <class Number>
 class AppendDataset {
   public:
     // Appends after the first `rows` rows of the dataset that the group has by that name; what follows them
-    // is replaced. If it has none, a new one, whose first `rows` rows are NaN (0 of whole numbers). The rows
-    // that are there are read, for their checksum.
+    // is replaced. If it has none, a new one, whose first `rows` rows are NaN (0 of whole numbers).
     AppendDataset(const Hdf5Handle& group,
                   const DatasetLabel& label,
                   RowShape shape,
@@ -51,9 +49,6 @@ class AppendDataset {
     // The last row that was there already, empty if there was none.
     std::vector<Number> last_row() const;
 
-    // Of all rows so far, those that are still in memory too.
-    RowSum sum();
-
     std::size_t buffered_bytes() const { return buffer_.size() * sizeof(Number); }
     hid_t id() const { return dataset_.id(); }
 
@@ -67,8 +62,6 @@ class AppendDataset {
     hsize_t rows_;        // written
     hsize_t extent_ = 0;  // rows on disk, those to be replaced too, and of chunks beyond
     std::vector<Number> buffer_;
-    RowSum sum_;
-    std::size_t summed_ = 0;  // of the buffer
 };
 
 }  // namespace gxrod

@@ -1,25 +1,35 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
 
-#include "results/hdf5_objects.hpp"
-#include "results/hdf5_reader.hpp"
-
-// A results file's seal: the checksum of all its bytes but its own, /restart/checksum_of_file.
+// A results file's seal: the checksum of all its bytes behind the first 512, which are its own (a "user
+// block" of HDF5). It is read without HDF5, before HDF5 reads anything.
 namespace gxrod {
 
-inline const DatasetLabel seal_label{"checksum_of_file",
-                                     "of all bytes of the file but these eight; -1 while it is being changed",
-                                     "none",
-                                     "1"};
+inline constexpr std::size_t seal_block_bytes = 512;
+using SealBlock = std::array<std::byte, seal_block_bytes>;
 
-// Its place in the file, by the group /restart. Throws Hdf5Error, and std::runtime_error if it has none.
-std::uint64_t find_seal(const Hdf5Handle& restart);
+struct FileSeal {
+    bool is_open = true;      // the file is being changed, or was when its writer was killed
+    std::uint64_t bytes = 0;  // of the file, when it was sealed
+    std::uint32_t sum = 0;    // of them, as PageSums has it
+};
 
-// `kept`: the file is, to the bit, the one that was sealed; `violated`: it is not. One whose writer was
-// killed while it changed the file is `broken`, which says nothing of its bits.
-enum class SealState { kept, violated, broken };
-// Reads the whole file. Throws like Hdf5Reader, and std::system_error.
-SealState look_at_seal(const Hdf5Reader& file);
+SealBlock write_seal(const FileSeal& seal);
+// Nothing if these bytes are not such as write_seal makes.
+std::optional<FileSeal> read_seal(const SealBlock& block);
+// Whether a block at least begins like one with a seal.
+bool begins_like_seal(const SealBlock& block);
+
+// `kept`: the file is, to the bit, the one that was sealed; `violated`: it is not. `open` says nothing of its
+// bits, and `missing` that another program wrote it, or an earlier version.
+enum class SealState { kept, violated, open, missing };
+// Reads the whole file. What a writer does meanwhile makes it `kept` or `open`. Throws std::system_error.
+SealState look_at_seal(const std::filesystem::path& path);
 
 }  // namespace gxrod

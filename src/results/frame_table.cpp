@@ -221,11 +221,6 @@ void FrameTable::trim() {
     for_each_of_rows([](auto& dataset) { dataset.trim(); });
 }
 
-void FrameTable::add_sums(std::vector<RowSum>& sums) {
-    sums.push_back(times_.sum());
-    for_each_of_rows([&](auto& dataset) { sums.push_back(dataset.sum()); });
-}
-
 void FrameTable::flush_count() {
     check_hdf5(H5Awrite(frame_count_.id(), H5T_NATIVE_INT64, &frames_), "counting the frames");
 }

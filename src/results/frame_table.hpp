@@ -28,8 +28,6 @@ class FrameTable {
     // Ends each dataset with its last frame.
     void trim_times();
     void trim();
-    // Adds those of all its rows.
-    void add_sums(std::vector<RowSum>& sums);
     std::size_t buffered_bytes() const;
 
   private:

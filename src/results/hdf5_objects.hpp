@@ -37,9 +37,6 @@ std::vector<hsize_t> extent_of(hid_t dataset);
 // Whether a dataset may have more rows.
 bool grows(hid_t dataset);
 
-// Where an object lies in its file, by which its names are told to be of the same one.
-haddr_t address_of(hid_t object);
-
 // A chunk of rows: the first of them, and where they lie in the file.
 struct ChunkPlace {
     hsize_t row = 0;
@@ -51,27 +48,14 @@ struct ChunkEnds {
 // Of the chunks that a dataset has, those with the lowest and the highest rows; nothing if it has none.
 std::optional<ChunkEnds> find_chunk_ends(hid_t dataset);
 
-// Bytes, messages and parts of an object's header.
-std::array<hsize_t, 3> header_form(hid_t object);
-
-// Bytes that deflate makes of one, at most.
-inline constexpr double most_inflated = 1100.0;
-
 // Bytes that a dataset, or another object, can have in its file: deflate makes of a byte a thousand at most.
 // Small files may have rows that were never written.
 double most_bytes_of(hid_t object);
 
-// How many texts a dataset may have: that many are looked at before they are read.
+// A dataset of texts has at most so many.
 inline constexpr std::size_t most_texts = std::size_t{1} << 16;
-// All texts of a dataset of such. Throws std::runtime_error if they are more, or not of variable length.
-std::vector<std::string> read_texts(hid_t dataset, const std::string& name);
 // A string of any kind; `read` reads it as a type into a buffer.
 std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t, void*)>& read);
-// Throws std::runtime_error, with the name, if a dataset or an attribute is of a type that gxrod does not
-// write: bits of a value alone do not tell what it is.
-void check_type(hid_t type, const std::string& name);
-// The same if it does not hold one value.
-void check_single(const Hdf5Handle& space, const std::string& name);
 std::string read_text_attribute(hid_t object, const std::string& name);
 
 // A variable-length UTF-8 string, which h5py reads as str.

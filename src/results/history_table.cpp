@@ -114,10 +114,6 @@ void HistoryTable::trim() {
     for_each_dataset([](AppendDataset<double>& values) { values.trim(); });
 }
 
-void HistoryTable::add_sums(std::vector<RowSum>& sums) {
-    for_each_dataset([&](AppendDataset<double>& values) { sums.push_back(values.sum()); });
-}
-
 std::size_t HistoryTable::buffered_bytes() const {
     std::size_t bytes = 0;
     for (const History& history : histories_) {

@@ -22,8 +22,6 @@ class HistoryTable {
     void append(const Snapshot& snapshot);
     void flush();
     void trim();
-    // Adds those of all its rows.
-    void add_sums(std::vector<RowSum>& sums);
     std::size_t buffered_bytes() const;
 
   private:

@@ -4,7 +4,7 @@
 #include <new>
 #include <type_traits>
 
-#include "results/text_heap.hpp"
+#include "results/file_seal.hpp"
 
 // The callbacks through which HDF5 reaches an OrderedFile (a "virtual file driver"). No exception may pass
 // through the library, and to the library no write fails: it goes to memory.
@@ -70,9 +70,9 @@ herr_t set_allocated(H5FD_t* base, H5FD_mem_t, haddr_t end) {
 // Bytes after a piece that keep HDF5 from making it longer when it is the last of the file.
 constexpr haddr_t hedge = 8;
 
-// A heap of texts and the file's seal are raw data to a file driver; by their sizes they are known.
+// A heap of texts is raw data to a file driver; by its size it is known.
 bool is_within_page(H5FD_mem_t type, hsize_t size) {
-    return type != H5FD_MEM_DRAW || size == text_heap_bytes || size == sizeof(broken_seal);
+    return type != H5FD_MEM_DRAW || size == text_heap_bytes;
 }
 
 // New room at the end. A killed write ends between two pages of memory, so what HDF5 needs whole, metadata
@@ -153,6 +153,23 @@ Hdf5Handle make_ordered_access(OrderedFile& file) {
     check_hdf5(H5Pset_driver(access.id(), find_driver(), &information), "choosing the file driver");
     check_hdf5(H5Pset_libver_bounds(access.id(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "file format");
     return access;
+}
+
+Hdf5Handle create_hdf5(OrderedFile& file) {
+    silence_hdf5();
+    const Hdf5Handle access = make_ordered_access(file);
+    const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "file properties");
+    check_hdf5(H5Pset_userblock(creation.id(), seal_block_bytes), "room for the seal");
+    // The name matters to messages only.
+    return {H5Fcreate("results", H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose, "creating the file"};
+}
+
+Hdf5Handle open_hdf5(OrderedFile& file) {
+    silence_hdf5();
+    const Hdf5Handle access = make_ordered_access(file);
+    Hdf5Handle hdf5(H5Fopen("results", H5F_ACC_RDWR, access.id()), H5Fclose, "opening the file");
+    file.adopt();
+    return hdf5;
 }
 
 }  // namespace gxrod

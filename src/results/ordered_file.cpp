@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "machine/descriptor_io.hpp"
+#include "results/file_seal.hpp"
 
 namespace gxrod {
 namespace {
@@ -93,7 +94,7 @@ void OrderedFile::resize(std::uint64_t size) {
 
 void OrderedFile::commit(Order direction) {
     if (is_abandoned_) throw std::bad_alloc();
-    break_seal();
+    open_seal();
     if (size_ > disk_size_) resize(size_);
 
     // Rank of each write: 0 new places, 1 superblock, 2 heaps, then trees from the root down, then headers.
@@ -113,7 +114,7 @@ void OrderedFile::commit(Order direction) {
         order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [unused, write] : order) {
         // Before: what is half written when an error comes has changed, too.
-        if (seal_) seal_->sums.mark_changed(write->offset, write->bytes.size());
+        sums_.mark_changed(write->offset, write->bytes.size());
         write_at(descriptor_, write->offset, write->bytes);
     }
 
@@ -124,26 +125,21 @@ void OrderedFile::commit(Order direction) {
     pending_metadata_.clear();
     if (size_ < disk_size_) resize(size_);
     // There, other bytes may be before the next seal.
-    if (seal_ && size_ < committed_) seal_->sums.mark_changed(size_, committed_ - size_);
+    if (size_ < committed_) sums_.mark_changed(size_, committed_ - size_);
     committed_ = end_ = size_;
 }
 
-void OrderedFile::keep_seal(std::uint64_t place) { seal_.emplace(place); }
-
-void OrderedFile::write_seal(std::int64_t number) {
-    write_at(descriptor_, seal_->place, std::as_bytes(std::span(&number, 1)));
-}
-
-void OrderedFile::break_seal() {
-    if (!seal_ || seal_->is_broken) return;
-    write_seal(broken_seal);
-    seal_->is_broken = true;
+void OrderedFile::open_seal() {
+    if (is_seal_open_) return;
+    write_at(descriptor_, 0, write_seal({}));
+    disk_size_ = std::max<std::uint64_t>(disk_size_, seal_block_bytes);
+    is_seal_open_ = true;
 }
 
 void OrderedFile::seal() {
     if (is_abandoned_) throw std::bad_alloc();
-    write_seal(seal_->sums.compute(descriptor_, committed_));
-    seal_->is_broken = false;
+    write_at(descriptor_, 0, write_seal({false, committed_, sums_.compute(descriptor_, committed_)}));
+    is_seal_open_ = false;
 }
 
 void OrderedFile::abandon() noexcept {

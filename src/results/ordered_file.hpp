@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <span>
 #include <unordered_map>
 #include <unordered_set>
@@ -13,9 +12,6 @@
 #include "results/page_sums.hpp"
 
 namespace gxrod {
-
-// In place of the seal of a file that is being changed, or was when its writer was killed.
-inline constexpr std::int64_t broken_seal = -1;
 
 // The bytes of an HDF5 file that change on disk in commits only, and within a commit in an order that leaves
 // a valid file wherever the writer is killed or the disk fills up:
@@ -52,14 +48,12 @@ class OrderedFile : public std::enable_shared_from_this<OrderedFile> {
     void set_size(std::uint64_t size) { size_ = size; }
     // End of the file as it was last committed, or of the last byte written since.
     std::uint64_t end() const { return end_; }
-    // In the order above, or, of a file from which rows are only taken away, in the reverse one: sizes before
-    // what is no longer within them. Throws std::system_error, for instance when the disk is full.
+    // Opens the file's seal, then writes in the order above, or, of a file from which rows are only taken
+    // away, in the reverse one: sizes before what is no longer within them. Throws std::system_error, for
+    // instance when the disk is full.
     enum class Order { growing, shrinking };
     void commit(Order order = Order::growing);
-    // From here on the file has a seal: a checksum of its bytes as they were last committed, in eight bytes
-    // at `place`, which are on disk and nobody else writes. A commit breaks it before it changes anything …
-    void keep_seal(std::uint64_t place);
-    // … and this renews it, once commits that belong together are done. Both throw std::system_error.
+    // Closes the seal, once commits that belong together are done. Throws std::system_error.
     void seal();
     // Forgets what is not committed, and whatever is written from here on: HDF5 can then be closed without
     // memory or room on the disk. A commit throws std::bad_alloc.
@@ -76,18 +70,10 @@ class OrderedFile : public std::enable_shared_from_this<OrderedFile> {
         std::vector<std::byte> bytes;
     };
 
-    struct Seal {
-        explicit Seal(std::uint64_t at) : place(at), sums(at) {}
-        std::uint64_t place;
-        PageSums sums;
-        bool is_broken = false;
-    };
-
     bool is_on_disk(const Write& write) const;
     bool try_to_write_now(std::uint64_t offset, std::span<const std::byte> bytes);
     void resize(std::uint64_t size);
-    void write_seal(std::int64_t number);
-    void break_seal();
+    void open_seal();
 
     int descriptor_;
     std::uint64_t size_ = 0;       // wanted
@@ -98,7 +84,8 @@ class OrderedFile : public std::enable_shared_from_this<OrderedFile> {
     std::vector<Write> pending_;                                       // in the order of writing
     std::unordered_map<std::uint64_t, std::size_t> pending_metadata_;  // offset → index of the last image
     std::unordered_set<std::uint64_t> metadata_on_disk_;               // offsets of tree nodes and headers
-    std::optional<Seal> seal_;
+    PageSums sums_;
+    bool is_seal_open_ = false;
     bool is_abandoned_ = false;
 };
 

@@ -1,13 +1,13 @@
 #include "results/page_sums.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <span>
 #include <system_error>
 
 #include "machine/checksum.hpp"
 #include "machine/descriptor_io.hpp"
+#include "results/file_seal.hpp"
 
 namespace gxrod {
 namespace {
@@ -15,18 +15,23 @@ namespace {
 constexpr std::uint64_t page_bytes = 4096;
 constexpr std::uint64_t pages_at_once = 64;
 
-std::uint64_t count_pages(std::uint64_t bytes) { return (bytes + page_bytes - 1) / page_bytes; }
+// The page of a place in the file; of places in the seal, the first.
+std::uint64_t page_of(std::uint64_t place) {
+    return (std::max<std::uint64_t>(place, seal_block_bytes) - seal_block_bytes) / page_bytes;
+}
+
+std::uint64_t count_pages(std::uint64_t size) { return page_of(size + page_bytes - 1); }
 
 }  // namespace
 
 void PageSums::mark_changed(std::uint64_t offset, std::size_t count) {
-    changed_.emplace_back(offset / page_bytes, count_pages(offset + count));
+    changed_.emplace_back(page_of(offset), count_pages(offset + count));
 }
 
 std::uint32_t PageSums::compute(int descriptor, std::uint64_t size) {
     const std::uint64_t pages = count_pages(size);
     if (size != size_) {
-        changed_.emplace_back(std::min(size, size_) / page_bytes, pages);
+        changed_.emplace_back(page_of(std::min(size, size_)), pages);
         size_ = size;
     }
     sums_.resize(pages);
@@ -40,18 +45,14 @@ std::uint32_t PageSums::compute(int descriptor, std::uint64_t size) {
         }
     }
     changed_.clear();
-    return checksum(std::span<const std::uint32_t>(sums_),
-                    checksum(std::span<const std::uint64_t>(std::array{size})));
+    return checksum(std::span<const std::uint32_t>(sums_));
 }
 
 void PageSums::read_pages(int descriptor, std::uint64_t first, std::uint64_t last) {
-    const std::uint64_t begin = first * page_bytes;
-    std::vector<std::byte> bytes(std::min(last * page_bytes, size_) - begin);
+    const std::uint64_t begin = seal_block_bytes + first * page_bytes;
+    std::vector<std::byte> bytes(std::min(seal_block_bytes + last * page_bytes, size_) - begin);
     if (read_at(descriptor, begin, bytes) < bytes.size())
         throw std::system_error(EIO, std::generic_category());
-    for (std::uint64_t at = left_out_; at < left_out_ + 8; ++at) {
-        if (at >= begin && at < begin + bytes.size()) bytes[at - begin] = std::byte{0};
-    }
     for (std::uint64_t page = first; page < last; ++page) {
         const std::uint64_t at = (page - first) * page_bytes;
         const std::span<const std::byte> rest = std::span(bytes).subspan(at);

@@ -7,22 +7,18 @@
 
 namespace gxrod {
 
-// The checksum of a file's bytes, made of those of its pages, so that while the file changes only pages that
-// did are read again.
+// The checksum of a file's bytes behind its seal, made of those of its pages, so that while the file changes
+// only pages that did are read again: CRC-32 of the CRC-32s, as they lie in memory, of 4096 bytes each.
 class PageSums {
   public:
-    // Eight bytes of the file that count as zeros: where its checksum stands.
-    explicit PageSums(std::uint64_t left_out) : left_out_(left_out) {}
-
     // Bytes that are not what they were, or may not be.
     void mark_changed(std::uint64_t offset, std::size_t count);
-    // Of the first `size` bytes. Throws std::system_error if they cannot be read.
+    // Of a file of `size` bytes. Throws std::system_error if they cannot be read.
     std::uint32_t compute(int descriptor, std::uint64_t size);
 
   private:
     void read_pages(int descriptor, std::uint64_t first, std::uint64_t last);
 
-    std::uint64_t left_out_;
     std::uint64_t size_ = 0;
     std::vector<std::uint32_t> sums_;                               // by page
     std::vector<std::pair<std::uint64_t, std::uint64_t>> changed_;  // pages, from one to before another

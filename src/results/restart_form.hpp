@@ -14,8 +14,7 @@
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t no_sum = -1;       // which no damaged sum is, read as 0 say
-inline constexpr std::int64_t form_version = 5;  // of what is in /restart; raise it with every change
+inline constexpr std::int64_t form_version = 6;  // of what is in /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 // Calls visit(vector) for each vector of a row, const or not.
@@ -83,7 +82,7 @@ std::vector<Row> rows_of(const Table& table) {
 // Calls visit(name, member) for each single number of a place.
 template <class Place, class Visitor>
 void visit_numbers(Place& place, Visitor&& visit) {
-    auto& [record, steps, frames, sums] = place;
+    auto& [record, steps, frames] = place;
     visit("steps", steps);
     visit("frames", frames);
     visit("time", record.steps.time);
@@ -113,8 +112,6 @@ void visit_numbers(Place& place, Visitor&& visit) {
     visit("jump_from", record.totals.jumps.largest.from);
     visit("jump_to", record.totals.jumps.largest.to);
     visit("jump_energy", record.totals.jumps.largest.energy);
-    visit("checksum_of_steps", sums.steps);
-    visit("checksum_of_frames", sums.frames);
 }
 
 inline DatasetLabel numbers_label() {

@@ -5,8 +5,6 @@
 #include <span>
 #include <stdexcept>
 
-#include "results/file_seal.hpp"
-#include "results/ordered_file.hpp"
 #include "results/restart_form.hpp"
 
 namespace gxrod {
@@ -53,43 +51,27 @@ void put(const Hdf5Handle& group, const DatasetLabel& label, std::span<const Row
     }
 }
 
-Hdf5Handle open_attribute(const Hdf5Handle& group, const char* name) {
-    return {H5Aopen(group.id(), name, H5P_DEFAULT), H5Aclose, "opening an attribute"};
-}
-
 void write_number(const Hdf5Handle& attribute, std::int64_t number) {
     check_hdf5(H5Awrite(attribute.id(), H5T_NATIVE_INT64, &number), "writing an attribute");
-}
-
-Hdf5Handle create_number(const Hdf5Handle& group, const char* name, std::int64_t number) {
-    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "scalar dataspace");
-    Hdf5Handle attribute(H5Acreate2(group.id(), name, H5T_STD_I64LE, space.id(), H5P_DEFAULT, H5P_DEFAULT),
-                         H5Aclose,
-                         "creating an attribute");
-    write_number(attribute, number);
-    return attribute;
 }
 
 }  // namespace
 
 RestartTable::RestartTable(const Hdf5Handle& root) : group_(require_group(root, "restart")) {
     if (H5Aexists(group_.id(), "slot") > 0) {
-        slot_attribute_ = open_attribute(group_, "slot");
-        structure_attribute_ = open_attribute(group_, "structure");
-        end_attribute_ = open_attribute(group_, "end");
+        slot_attribute_ =
+            Hdf5Handle(H5Aopen(group_.id(), "slot", H5P_DEFAULT), H5Aclose, "opening an attribute");
         check_hdf5(H5Aread(slot_attribute_.id(), H5T_NATIVE_INT64, &slot_), "reading an attribute");
         return;
     }
-    slot_attribute_ = create_number(group_, "slot", no_slot);
-    structure_attribute_ = create_number(group_, "structure", no_sum);
-    end_attribute_ = create_number(group_, "end", no_sum);
+    const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "scalar dataspace");
+    slot_attribute_ =
+        Hdf5Handle(H5Acreate2(group_.id(), "slot", H5T_STD_I64LE, space.id(), H5P_DEFAULT, H5P_DEFAULT),
+                   H5Aclose,
+                   "creating an attribute");
+    write_number(slot_attribute_, no_slot);
     write_attribute(group_.id(), "version", std::array{form_version});
-    write_dataset(group_, seal_label, std::array{broken_seal});
 }
-
-void RestartTable::write_structure_sum(std::uint32_t sum) { write_number(structure_attribute_, sum); }
-
-void RestartTable::write_end_sum(std::uint32_t sum) { write_number(end_attribute_, sum); }
 
 void RestartTable::write(const RestartPlace& place) {
     const Hdf5Handle slot = require_group(group_, slot_name(slot_ == 0 ? 1 : 0));
@@ -114,12 +96,6 @@ void RestartTable::switch_slot() {
     slot_ = slot_ == 0 ? 1 : 0;
     is_written_ = false;
     write_number(slot_attribute_, slot_);
-}
-
-void clear_file_sums(const Hdf5Handle& root) {
-    const Hdf5Handle group = require_group(root, "restart");
-    write_number(open_attribute(group, "structure"), no_sum);
-    write_number(open_attribute(group, "end"), no_sum);
 }
 
 }  // namespace gxrod

@@ -5,7 +5,6 @@
 #include <thread>
 
 #include "machine/file_error.hpp"
-#include "results/survey.hpp"
 
 namespace gxrod {
 
@@ -26,14 +25,6 @@ Hdf5Reader open_results(const std::filesystem::path& path) {
 }  // namespace
 
 void read_results(const std::filesystem::path& path, const std::function<void(const Hdf5Reader&)>& read) {
-    check_results_path(path);
-    // Of one that grows meanwhile a survey may see what does not fit together.
-    if (!is_being_written(path).value_or(false)) survey_file(path);
-    read_surveyed_results(path, read);
-}
-
-void read_surveyed_results(const std::filesystem::path& path,
-                           const std::function<void(const Hdf5Reader&)>& read) {
     for (int attempt = 1;; ++attempt) {
         const bool is_written = is_being_written(path).value_or(true);
         try {

@@ -16,10 +16,6 @@ namespace gxrod {
 // read; a FileError of `read` ends it.
 void read_results(const std::filesystem::path& path, const std::function<void(const Hdf5Reader&)>& read);
 
-// The same for a file that read_results has read already.
-void read_surveyed_results(const std::filesystem::path& path,
-                           const std::function<void(const Hdf5Reader&)>& read);
-
 // Makes the folder, if need be. Throws FileError if that fails, or as check_export_file does.
 void prepare_export(const std::filesystem::path& folder,
                     const std::vector<std::filesystem::path>& files,

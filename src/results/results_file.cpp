@@ -1,13 +1,19 @@
 #include "results/results_file.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <set>
+#include <stdexcept>
 #include <system_error>
 
 #include "machine/file_error.hpp"
-#include "results/results_writer.hpp"
+#include "machine/memory_reserve.hpp"
+#include "results/ordered_driver.hpp"
+#include "results/provenance.hpp"
+#include "results/results_tables.hpp"
 
 namespace gxrod {
+
 const char* name_of(RunStatus status) {
     switch (status) {
         case RunStatus::running:
@@ -24,6 +30,11 @@ const char* name_of(RunStatus status) {
 
 namespace {
 
+using namespace std::chrono_literals;
+
+constexpr auto flush_interval = 200ms;
+constexpr std::size_t most_buffered_bytes = std::size_t{16} << 20;
+
 // Runs a step of writing; its errors become those of the file.
 template <class Action>
 void writing(const std::filesystem::path& path, Action&& action) {
@@ -38,6 +49,12 @@ void writing(const std::filesystem::path& path, Action&& action) {
     }
 }
 
+// What HDF5 may keep of a frame: two chunks of each of its fields.
+std::size_t count_frame_bytes(const Model& model) {
+    constexpr std::size_t fields = 14;
+    return fields * std::min(model.nodes.size() * sizeof(Vec3), 2 * most_chunk_bytes);
+}
+
 [[maybe_unused]] bool has_valid_names(const OutputSettings& output) {
     std::set<std::string> names{"time"};
     for (const HistoryRequest& history : output.histories) {
@@ -47,60 +64,187 @@ void writing(const std::filesystem::path& path, Action&& action) {
     return true;
 }
 
+void check_name(const OrderedFile& file) {
+    if (!file.has_name()) throw std::runtime_error("it was removed while the run wrote it");
+}
+
 }  // namespace
+
+// The file as HDF5 has it open.
+struct ResultsFile::Hdf5File {
+    Hdf5File(OrderedFile& ordered, Hdf5Handle (*open)(OrderedFile&)) : file(ordered) {
+        require_memory(2 * hdf5_reserve);  // for the library and for the tables
+        hdf5 = open(file);
+        root = Hdf5Handle(H5Gopen2(hdf5.id(), "/", H5P_DEFAULT), H5Gclose, "opening the root");
+    }
+    Hdf5File(const Hdf5File&) = delete;
+    Hdf5File& operator=(const Hdf5File&) = delete;
+
+    void commit(OrderedFile::Order order = OrderedFile::Order::growing) const {
+        check_hdf5(H5Fflush(hdf5.id(), H5F_SCOPE_LOCAL), "flushing");
+        file.commit(order);
+    }
+    void close() {
+        check_hdf5(root.reset(), "closing the root");
+        check_hdf5(hdf5.reset(), "closing the file");
+        file.commit();
+    }
+
+    OrderedFile& file;
+    Hdf5Handle hdf5, root;
+};
 
 ResultsFile::ResultsFile(const ResultsFileOptions& options,
                          const DeckRecord& deck,
                          const Model& model,
                          const OutputSettings& output)
-    : path_(options.path) {
+    : path_(options.path), frame_bytes_(count_frame_bytes(model)) {
     assert(has_valid_names(output));
     const int descriptor = create_output_file(path_, options.existing);
     try {
-        writing(path_, [&] { writer_ = std::make_unique<ResultsWriter>(descriptor, deck, model, output); });
+        writing(path_, [&] {
+            take_over(descriptor);
+            hdf5_ = std::make_unique<Hdf5File>(*file_, create_hdf5);
+            write_provenance(hdf5_->root, deck);
+            open_tables(deck, model, output, {});
+            file_->seal();
+        });
     } catch (...) {
         remove_output_file(path_);
         throw;
     }
+    next_flush_ = Clock::now() + flush_interval;
 }
 
 ResultsFile::ResultsFile(const DeckRecord& deck,
                          const Model& model,
                          const OutputSettings& output,
                          ResumableFile file)
-    : path_(file.path()) {
+    : path_(file.path()), frame_bytes_(count_frame_bytes(model)) {
     assert(has_valid_names(output));
-    writing(path_, [&] { writer_ = std::make_unique<ResultsWriter>(std::move(file), deck, model, output); });
+    writing(path_, [&] { resume(deck, model, output, file); });
+    next_flush_ = Clock::now() + flush_interval;
 }
 
-ResultsFile::~ResultsFile() = default;
+ResultsFile::~ResultsFile() {
+    if (!tables_ || !is_sound_) return;
+    try {
+        flush();
+        close_hdf5();
+        file_->seal();
+    } catch (...) {
+        // The file on disk stays as it was last written. Closing HDF5 needs no disk.
+    }
+}
+
+void ResultsFile::take_over(int descriptor) {
+    file_ = std::make_shared<OrderedFile>(descriptor);
+    const auto abandon = [](OrderedFile* file) { file->abandon(); };
+    abandonment_ = std::shared_ptr<void>(file_.get(), abandon);
+}
+
+void ResultsFile::open_tables(const DeckRecord& deck,
+                              const Model& model,
+                              const OutputSettings& output,
+                              const RowCounts& after) {
+    tables_ = std::make_unique<ResultsTables>(hdf5_->root, deck, model, output, after.steps, after.frames);
+    hdf5_->commit();
+}
+
+void ResultsFile::resume(const DeckRecord& deck,
+                         const Model& model,
+                         const OutputSettings& output,
+                         ResumableFile& file) {
+    const RowCounts after{file.place().steps, file.place().frames};
+    take_over(file.release());
+    hdf5_ = std::make_unique<Hdf5File>(*file_, open_hdf5);
+    open_tables(deck, model, output, after);
+    tables_->trim_times();
+    hdf5_->commit(OrderedFile::Order::shrinking);
+    tables_->flush_frame_count();
+    hdf5_->commit();
+    // Compressed frames would be written over those that are there, which a kill in between would tear. What
+    // becomes free must not be used again, as if nothing on disk referred to it: HDF5 forgets it.
+    tables_->trim();
+    hdf5_->commit(OrderedFile::Order::shrinking);
+    close_hdf5();
+    hdf5_ = std::make_unique<Hdf5File>(*file_, open_hdf5);
+    write_resumption(hdf5_->root, file.deck(), deck);
+    open_tables(deck, model, output, after);
+    file_->seal();
+}
+
+// What is half done when an exception comes must not be written later: rows of some tables only, say.
+template <class Action>
+void ResultsFile::attempt(std::size_t bytes, Action&& action) {
+    assert(tables_ && is_sound_);
+    is_sound_ = false;
+    writing(path_, [&] {
+        if (bytes > 0) require_memory(bytes);
+        action();
+    });
+    is_sound_ = true;
+}
 
 void ResultsFile::record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver) {
-    writing(path_, [&] { writer_->record_step(snapshot, ledger, solver); });
+    // Nothing of HDF5 here: only rows are gathered.
+    attempt(0, [&] { tables_->append_step(snapshot, ledger, solver); });
 }
 
 void ResultsFile::write_frame(const Snapshot& snapshot) {
-    writing(path_, [&] { writer_->write_frame(snapshot); });
+    attempt(hdf5_reserve + frame_bytes_, [&] { tables_->append_frame(snapshot); });
 }
 
-bool ResultsFile::is_sound() const { return writer_->is_sound(); }
-
-bool ResultsFile::is_flush_due() const { return writer_->is_flush_due(); }
+bool ResultsFile::is_flush_due() const {
+    return Clock::now() >= next_flush_ || tables_->buffered_bytes() > most_buffered_bytes;
+}
 
 void ResultsFile::set_restart(RestartRecord record) {
-    writing(path_, [&] { writer_->set_restart(std::move(record)); });
+    attempt(hdf5_reserve, [&] { tables_->set_restart(std::move(record)); });
 }
 
 void ResultsFile::flush() {
-    writing(path_, [&] { writer_->flush(); });
+    const auto start = Clock::now();
+    attempt(hdf5_reserve + tables_->buffered_bytes() + frame_bytes_, [&] {
+        check_name(*file_);
+        tables_->flush_rows();
+        hdf5_->commit();
+        tables_->flush_frame_count();
+        hdf5_->commit();
+        tables_->flush_times();
+        hdf5_->commit();
+        tables_->switch_restart();
+        hdf5_->commit();
+        file_->seal();
+        H5garbage_collect();  // what HDF5 keeps for more frames of that size
+    });
+    // A slow disk takes at most a tenth of the time.
+    const auto end = Clock::now();
+    next_flush_ = end + std::max<Clock::duration>(flush_interval, 10 * (end - start));
+}
+
+void ResultsFile::close_hdf5() {
+    tables_.reset();
+    hdf5_->close();
 }
 
 void ResultsFile::close(RunStatus status,
                         const std::string& reason,
                         std::span<const std::int64_t> reason_nodes,
                         const std::string& warnings) {
-    writing(path_, [&] { writer_->close(name_of(status), reason, reason_nodes, warnings); });
-    if (!writer_->is_at(path_)) {
+    flush();
+    attempt(hdf5_reserve, [&] {
+        const hid_t root = hdf5_->root.id();
+        rewrite_attribute(root, "reason", reason);
+        if (!reason_nodes.empty()) rewrite_attribute(root, "reason_nodes", reason_nodes);
+        if (!warnings.empty()) rewrite_attribute(root, "warnings", warnings);
+        rewrite_attribute(root, "status", std::string(name_of(status)));
+        hdf5_->commit();
+        close_hdf5();
+        file_->seal();
+        check_name(*file_);
+    });
+    if (!file_->is_at(path_)) {
         throw FileError(path_, "was moved while the run wrote it", "it is complete, under its new name");
     }
 }

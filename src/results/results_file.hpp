@@ -1,5 +1,7 @@
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -16,7 +18,8 @@
 
 namespace gxrod {
 
-class ResultsWriter;
+class OrderedFile;
+class ResultsTables;
 
 enum class RunStatus { running, complete, failed, interrupted };
 // As files and summaries say it: "running" …
@@ -57,7 +60,7 @@ class ResultsFile {
     // Adds a frame to /VTKHDF.
     void write_frame(const Snapshot& snapshot);
     // Whether no call has failed so far. After one that did, only the destructor may be called.
-    bool is_sound() const;
+    bool is_sound() const { return is_sound_; }
     // Whether it is time to write what is gathered: five times a second, or when it is much.
     bool is_flush_due() const;
     // What a resumed run goes on from, once it is written: after the steps and frames added so far.
@@ -73,8 +76,35 @@ class ResultsFile {
                const std::string& warnings = "");
 
   private:
+    using Clock = std::chrono::steady_clock;
+    struct Hdf5File;
+    struct RowCounts {
+        std::uint64_t steps = 0;
+        std::uint64_t frames = 0;
+    };
+
+    void take_over(int descriptor);
+    void open_tables(const DeckRecord& deck,
+                     const Model& model,
+                     const OutputSettings& output,
+                     const RowCounts& after);
+    void resume(const DeckRecord& deck,
+                const Model& model,
+                const OutputSettings& output,
+                ResumableFile& file);
+    void close_hdf5();
+    template <class Action>
+    void attempt(std::size_t bytes, Action&& action);
+
     std::filesystem::path path_;
-    std::unique_ptr<ResultsWriter> writer_;
+    std::shared_ptr<OrderedFile> file_;
+    std::unique_ptr<Hdf5File> hdf5_;
+    std::unique_ptr<ResultsTables> tables_;  // none once closed
+    Clock::time_point next_flush_;
+    std::size_t frame_bytes_ = 0;
+    bool is_sound_ = true;
+    // Last, so that it goes first: whatever ends the writer, HDF5 can be closed after it.
+    std::shared_ptr<void> abandonment_;
 };
 
 }  // namespace gxrod

@@ -3,14 +3,14 @@
 #include <cmath>
 
 #include "model/frame_interval.hpp"
+#include "results/step_columns.hpp"
 
 namespace gxrod {
 namespace {
 
-// Numbers of a row of each table (results/frame_table, results/step_tables).
+// Numbers of a row of each table of frames (results/frame_table).
 constexpr double numbers_of_point = 8.0 * 3.0 + 1.0;
 constexpr double numbers_of_cell = 4.0 * 3.0 + 1.0;
-constexpr double numbers_of_step = 1.0 + 7.0 + 2.0 * 3.0 + 4.0;  // time, ledger, solver
 
 double count_frame_numbers(const Model& model) {
     double cells = static_cast<double>(model.bodies.size());
@@ -18,8 +18,9 @@ double count_frame_numbers(const Model& model) {
     return numbers_of_point * static_cast<double>(model.nodes.size()) + numbers_of_cell * cells;
 }
 
-double count_step_numbers(const OutputSettings& output) {
-    double numbers = numbers_of_step;
+double count_step_numbers(const OutputSettings& output, bool is_static) {
+    double numbers =
+        1.0 + count_numbers(ledger_columns, is_static) + count_numbers(solver_columns, is_static);
     for (const HistoryRequest& history : output.histories) {
         for (const Quantity quantity : history.quantities) {
             const bool is_quaternion = quantity == Quantity::quaternion || quantity == Quantity::orientation;
@@ -41,7 +42,7 @@ ResultsSize estimate_results_size(const Model& model,
         static_cast<double>(dynamic != nullptr ? dynamic->steps : std::get<StaticSettings>(analysis).steps);
     const long every = output.every > 0 ? output.every : choose_frame_interval(analysis);
     size.frames = 1.0 + std::ceil(size.steps / static_cast<double>(every));
-    double numbers = (size.steps + 1.0) * count_step_numbers(output);
+    double numbers = (size.steps + 1.0) * count_step_numbers(output, dynamic == nullptr);
     if (output.compression == Compression::none) numbers += size.frames * count_frame_numbers(model);
     size.bytes = numbers * sizeof(double);
     return size;

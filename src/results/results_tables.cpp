@@ -26,16 +26,16 @@ ResultsTables::ResultsTables(const Hdf5Handle& root,
       solver_group_(require_group(root, "solver")),
       times_(open_times(histories_group_, deck, steps)),
       histories_(histories_group_, model, output.histories, steps),
-      ledger_(ledger_group_, steps),
-      solver_(solver_group_, deck.is_static, steps),
+      ledger_(ledger_group_, ledger_columns, deck.is_static, steps),
+      solver_(solver_group_, solver_columns, deck.is_static, steps),
       frames_(root, model, output, frames),
       restart_(root),
       step_count_(steps),
-      frame_count_(frames) {
-    for (const Hdf5Handle* group : {&ledger_group_, &solver_group_}) {
-        if (has_link(*group, "time")) continue;
-        check_hdf5(H5Olink(times_.id(), group->id(), "time", H5P_DEFAULT, H5P_DEFAULT), "linking the times");
-    }
+      frame_count_(frames),
+      step_numbers_(1 + count_numbers(ledger_columns, deck.is_static) +
+                    count_numbers(solver_columns, deck.is_static)) {
+    for (const Hdf5Handle* group : {&ledger_group_, &solver_group_})
+        link_dataset(times_.id(), *group, "time");
 }
 
 void ResultsTables::append_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver) {
@@ -52,16 +52,7 @@ void ResultsTables::append_frame(const Snapshot& snapshot) {
 }
 
 void ResultsTables::set_restart(RestartRecord record) {
-    restart_.write({std::move(record), step_count_, frame_count_, sum()});
-}
-
-PlaceSums ResultsTables::sum() {
-    std::vector<RowSum> steps{times_.sum()}, frames;
-    histories_.add_sums(steps);
-    ledger_.add_sums(steps);
-    solver_.add_sums(steps);
-    frames_.add_sums(frames);
-    return {combine(std::move(steps)), combine(std::move(frames))};
+    restart_.write({std::move(record), step_count_, frame_count_});
 }
 
 void ResultsTables::flush_rows() {
@@ -94,8 +85,8 @@ void ResultsTables::trim() {
 }
 
 std::size_t ResultsTables::buffered_bytes() const {
-    constexpr std::size_t row_numbers = 18;  // of the ledger, the solver record and the time
-    return times_.buffered_bytes() * row_numbers + histories_.buffered_bytes() + frames_.buffered_bytes();
+    return times_.buffered_bytes() * static_cast<std::size_t>(step_numbers_) + histories_.buffered_bytes() +
+           frames_.buffered_bytes();
 }
 
 }  // namespace gxrod

@@ -4,7 +4,7 @@
 #include "results/frame_table.hpp"
 #include "results/history_table.hpp"
 #include "results/restart_table.hpp"
-#include "results/step_tables.hpp"
+#include "results/step_table.hpp"
 
 namespace gxrod {
 
@@ -31,11 +31,6 @@ class ResultsTables {
     void flush_times();
     // … and last which state to go on from.
     void switch_restart();
-    // Of all that there is but rows.
-    void write_structure_sum(std::uint32_t sum) { restart_.write_structure_sum(sum); }
-    // Of all rows so far.
-    PlaceSums sum();
-    void write_end_sum(std::uint32_t sum) { restart_.write_end_sum(sum); }
     // Takes away what an earlier run wrote beyond the last row: of the times, or of all.
     void trim_times();
     void trim();
@@ -45,11 +40,12 @@ class ResultsTables {
     Hdf5Handle histories_group_, ledger_group_, solver_group_;
     AppendDataset<double> times_;  // of the steps; /ledger/time and /solver/time are links to it
     HistoryTable histories_;
-    LedgerTable ledger_;
-    SolverTable solver_;
+    StepTable<LedgerRow> ledger_;
+    StepTable<SolverRow> solver_;
     FrameTable frames_;
     RestartTable restart_;
     hsize_t step_count_, frame_count_;
+    int step_numbers_;  // of a row of ledger, solver's record and time
 };
 
 }  // namespace gxrod

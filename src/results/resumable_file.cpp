@@ -1,16 +1,15 @@
 #include "results/resumable_file.hpp"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <utility>
 
 #include "machine/file_error.hpp"
 #include "results/deck_reading.hpp"
-#include "results/find_changes.hpp"
+#include "results/guarded_reading.hpp"
+#include "results/hdf5_reader.hpp"
 #include "results/output_file.hpp"
 #include "results/restart_table.hpp"
-#include "results/survey.hpp"
 
 namespace gxrod {
 
@@ -25,32 +24,41 @@ struct Contents {
     bool is_complete;
 };
 
+// Throws std::runtime_error if there is nothing to go on from.
 Contents read_contents(const std::filesystem::path& path) {
-    survey_file(path);
-    std::string reason;
-    std::string hint;
-    try {
-        if (H5Fis_hdf5(path.c_str()) == 0) hint = anew;
-        const Hdf5Reader file(path);
-        if (!file.has_attribute("/", "gxrod_version")) {
-            reason = "it is not a results file of gxrod";
-        } else if (std::optional<RestartPlace> place = read_restart(file)) {
-            const std::vector<std::string> changes = find_changes(file, *place);
-            if (changes.empty()) {
-                return {*std::move(place),
-                        read_deck_record(file),
-                        file.text_attribute("/", "status") == "complete"};
-            }
-            reason = fmt::format("{}", fmt::join(changes, "; "));
-            hint = "gxrod run --force begins it anew";
-        } else {
-            reason = "it has no state to go on from";
-            hint = anew;
+    const Hdf5Reader file(path);
+    if (!file.has_attribute("/", "gxrod_version"))
+        throw std::runtime_error("it is not a results file of gxrod");
+    std::optional<RestartPlace> place = read_restart(file);
+    if (!place) throw std::runtime_error("it has no state to go on from");
+    return {*std::move(place), read_deck_record(file), file.text_attribute("/", "status") == "complete"};
+}
+
+// Whether HDF5 comes back from a file of a run that was killed while it wrote. Throws FileError if not.
+void try_contents(const std::filesystem::path& path) {
+    read_in_child(path, [&] {
+        try {
+            read_contents(path);
+        } catch (const std::runtime_error&) {
+            // As it will be here.
         }
-    } catch (const std::exception& error) {
-        reason = error.what();
+        return std::string();
+    });
+}
+
+Contents check_contents(const std::filesystem::path& path) {
+    const SealState seal = look_at_seal(path);
+    if (seal == SealState::missing)
+        throw FileError(
+            path, failure + std::string("it is not a results file of gxrod, or of an earlier version"), anew);
+    if (seal == SealState::violated)
+        throw FileError(path, failure + describe_doubt(seal), "gxrod run --force begins it anew");
+    if (seal == SealState::open) try_contents(path);
+    try {
+        return read_contents(path);
+    } catch (const std::runtime_error& error) {
+        throw FileError(path, failure + std::string(error.what()), anew);
     }
-    throw FileError(path, failure + reason, hint);
 }
 
 }  // namespace
@@ -58,7 +66,7 @@ Contents read_contents(const std::filesystem::path& path) {
 ResumableFile::ResumableFile(const std::filesystem::path& path)
     : path_(path), descriptor_(open_output_file(path)) {
     try {
-        Contents contents = read_contents(path);
+        Contents contents = check_contents(path);
         place_ = std::move(contents.place);
         deck_ = std::move(contents.deck);
         is_complete_ = contents.is_complete;

@@ -20,8 +20,6 @@ class ResumableFile {
 
     const std::filesystem::path& path() const { return path_; }
     const RestartPlace& place() const { return place_; }
-    // The state, which is large, once; its place stays.
-    RestartRecord take_record() { return std::move(place_.record); }
     // Whether the run reached its end and closed the file.
     bool is_complete() const { return is_complete_; }
     // The deck and meshes that it was written with.

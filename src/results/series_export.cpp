@@ -89,7 +89,7 @@ std::filesystem::path export_series(const std::filesystem::path& results,
 
     for (std::size_t i = 0; i < files.size(); ++i) {
         FrameCopy frame;
-        read_surveyed_results(results, [&](const Hdf5Reader& file) { frame = read_frame(file, i); });
+        read_results(results, [&](const Hdf5Reader& file) { frame = read_frame(file, i); });
         write_frame(frame, files[i]);
     }
     write_series(series, files, times);

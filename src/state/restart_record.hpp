@@ -50,18 +50,11 @@ struct RestartRecord {
     bool is_framed = false;             // whether the last frame shows this state
 };
 
-// Checksums of all rows up to a place, or of all there are.
-struct PlaceSums {
-    std::uint32_t steps = 0;  // of histories, ledger and solver
-    std::uint32_t frames = 0;
-};
-
 // Where in a results file a restart record belongs.
 struct RestartPlace {
     RestartRecord record;
     std::uint64_t steps = 0;   // rows of the histories up to it
     std::uint64_t frames = 0;  // frames up to it
-    PlaceSums sums = {};
 };
 
 }  // namespace gxrod

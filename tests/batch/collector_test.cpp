@@ -130,8 +130,9 @@ TEST_CASE("What a column holds is said in words", "[batch]") {
     collection.reference = 3.0;
     CHECK(describe(collection) == "z of position of tip at t = 2.5, distance from 3");
     Collection energy;
+    energy.ledger = &ledger_columns.front();
     energy.take = Take::largest_absolute;
-    CHECK(describe(energy) == "largest absolute energy_error");
+    CHECK(describe(energy) == "largest absolute kinetic_energy");
 }
 
 }  // namespace gxrod::test

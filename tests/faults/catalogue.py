@@ -1,17 +1,13 @@
 """The faults that are tried, and how many trials of one are shared among decks and places."""
 
-import concurrent.futures
-import os
-
 from batch_faults import BATCH_FAULTS
 from bench import Trial, find_steps_back
 from folder_faults import FOLDER_FAULTS
 from memory_faults import limit_memory, let_allocations_fail
-from own_bits import count_own_bits, flip_own_bit
 from reading_faults import READING_FAULTS
 from writing_faults import CALL_FAULTS, RANDOM_FAULTS
 
-FAULTS = {**RANDOM_FAULTS, **CALL_FAULTS, **FOLDER_FAULTS, **READING_FAULTS, "flipped_own": flip_own_bit,
+FAULTS = {**RANDOM_FAULTS, **CALL_FAULTS, **FOLDER_FAULTS, **READING_FAULTS,
           "memory_limit": limit_memory, "allocation": let_allocations_fail, **BATCH_FAULTS}
 
 
@@ -21,10 +17,7 @@ def count_calls_in(log):
 
 
 # Faults in the n-th place of a run or a file: how the places are counted.
-COUNTED = {**{name: count_calls_in("FAULT_LOG") for name in CALL_FAULTS}, "allocation": count_calls_in("MEMORY_LOG"),
-           "flipped_own": count_own_bits}
-# Those with a file for each trial.
-CONCURRENT = {"flipped_own"}
+COUNTED = {**{name: count_calls_in("FAULT_LOG") for name in CALL_FAULTS}, "allocation": count_calls_in("MEMORY_LOG")}
 
 
 def choose_places(places, count, random):
@@ -40,15 +33,13 @@ def run_fault(name, bench, decks, count, random):
     trials = []
     if name not in COUNTED:
         return [disturb(bench, decks[number % len(decks)], random) for number in range(count)]
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count() if name in CONCURRENT else 1) as threads:
-        for deck in decks:
-            places = COUNTED[name](bench, deck)
-            share = -(-count // len(decks))
-            of_deck = list(threads.map(lambda at, deck=deck: disturb(bench, deck, at),
-                                       choose_places(places, share, random)))
-            # With one thread each run is the same up to the fault, and a later fault can but leave more.
-            step_back = find_steps_back(of_deck) if deck.threads == 1 and name in CALL_FAULTS else ""
-            if step_back:
-                of_deck.append(Trial("", "", lost=f"{deck.name}: {step_back}"))
-            trials += of_deck
+    for deck in decks:
+        places = COUNTED[name](bench, deck)
+        share = -(-count // len(decks))
+        of_deck = [disturb(bench, deck, at) for at in choose_places(places, share, random)]
+        # With one thread each run is the same up to the fault, and a later fault can but leave more.
+        step_back = find_steps_back(of_deck) if deck.threads == 1 and name in CALL_FAULTS else ""
+        if step_back:
+            of_deck.append(Trial("", "", lost=f"{deck.name}: {step_back}"))
+        trials += of_deck
     return trials

@@ -20,7 +20,7 @@ SANITIZED = os.environ["GXROD_SANITIZED"] == "1"
 COUNTS = {"kill": 3, "sigterm": 2, "ctrl_c_twice": 2, "file_size_limit": 3, "small_disk": 2, "kill_resumed": 2,
           "kill_in_write": 12, "torn_write": 3, "disk_full": 9, "disk_full_once": 3, "io_error": 3,
           "read_only": 1, "removed": 1, "moved": 1, "locked": 1, "clock_jumps": 1, "short_writes": 2,
-          "truncated": 3, "flipped": 6, "flipped_own": 60, "memory_limit": 0, "allocation": 20, "kill_batch": 1, "kill_worker": 1}
+          "truncated": 3, "flipped": 6, "memory_limit": 0, "allocation": 20, "kill_batch": 1, "kill_worker": 1}
 SANITIZED_COUNTS = {**dict.fromkeys(FAULTS, 0), "kill_in_write": 3, "disk_full": 3, "short_writes": 1, "truncated": 1}
 QUICK = [DECKS[name] for name in ("rod", "deflated", "body")]
 

@@ -5,7 +5,7 @@ import subprocess
 import sys
 
 from bench import NOTHING_TO_RESUME, Trial, describe_end
-from own_bits import find_own_bytes, flip_bit
+from own_bits import find_own_bytes, flip_bit, is_sealed
 
 
 def readers(bench, name):
@@ -46,7 +46,7 @@ def truncated(bench, deck, random):
             trial.lost = trial.lost or f"{reader} takes {size} bytes of {whole.stat().st_size} for a whole file"
     if path.read_bytes() != before:
         trial.lost = trial.lost or "the file was changed"
-    return bench.recover(deck, trial, refusal=NOTHING_TO_RESUME + "|truncated file")
+    return bench.recover(deck, trial, refusal=NOTHING_TO_RESUME + "|not all of its bytes")
 
 
 def describe_forms(bench, name):
@@ -70,8 +70,8 @@ def choose_bit(path, random):
 
 
 def flipped(bench, deck, random):
-    """One bit is another one in a file that a run left at a random moment or at its end. Whatever is made of the
-    file afterwards is told to be doubtful, or it is what would have been made before."""
+    """One bit is another one in a file that a run left, sealed, at a random moment or at its end. Whatever is made of the
+    file afterwards is said to be in doubt."""
     path = bench.path(deck)
     path.unlink(missing_ok=True)
     process = bench.start(*bench.arguments(deck, is_long=True), "--quiet")
@@ -80,7 +80,7 @@ def flipped(bench, deck, random):
     except subprocess.TimeoutExpired:
         process.kill()
     process.communicate(timeout=300)
-    if not path.exists() or path.stat().st_size == 0:
+    if not path.exists() or path.stat().st_size == 0 or not is_sealed(path):
         return bench.recover(deck, Trial(describe_end(process.returncode), ""), is_long=True)
     before = describe_forms(bench, path.name)
     bit = choose_bit(path, random)
@@ -88,11 +88,14 @@ def flipped(bench, deck, random):
     trial = Trial("", "")
     for reader, (done, written) in describe_forms(bench, path.name).items():
         was_well = before[reader][0].returncode == 0
-        if was_well and done.returncode == 0 and "warning: " not in done.stderr and written != before[reader][1]:
-            trial.lost = trial.lost or f"{reader} makes something else of bit {bit} and says nothing"
+        if was_well and done.returncode == 0 and "warning: " not in done.stderr:
+            trial.lost = trial.lost or f"{reader} says nothing of bit {bit}"
         trial.lost = trial.lost or judge_reading(reader, done, path.name)
         trial.end = describe_end(done.returncode)
-    return bench.go_on(deck, trial, is_long=True, refusal="cannot be resumed|is damaged")
+    trial = bench.go_on(deck, trial, is_long=True, refusal="cannot be resumed")
+    if trial.recovery != "begun anew":
+        trial.lost = trial.lost or f"a run goes on with bit {bit} changed"
+    return trial
 
 
 READING_FAULTS = {"truncated": truncated, "flipped": flipped}

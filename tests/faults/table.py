@@ -29,11 +29,8 @@ ROWS = {
     "clock_jumps": ("leaps of the wall clock", "no effect: not a bit of the results depends on it", "it leaps by up to three years whenever it is asked, in a run, and in one killed halfway and its `gxrod resume`"),
     "truncated": ("a results file that is cut short", "`resume`, `export`, `report` and `gxrod-plot` say so and change nothing",
                   "cut at a random length"),
-    "flipped": ("a bit of a results file that changed", "`export` and `report` say that the file is in doubt, or it changes nothing of what they make; "
-                "`resume` goes on to the last bit, or says what is not as it was written",
-                "one bit of the file, half of them anywhere, half in what HDF5 keeps of its own, of a run that was killed at a random moment or has ended"),
-    "flipped_own": ("a bit of what HDF5 keeps of its own that changed", "`gxrod resume` goes on to the last bit, or says that the file is damaged and changes nothing",
-                    "the n-th bit of what lies outside of rows and is not zero, of a run that was killed halfway, between two writes, and of one that has ended and is to last longer"),
+    "flipped": ("a bit of a results file that changed", "`export` and `report` say that the file is in doubt; `resume` refuses and changes nothing",
+                "one bit of the file, half of them anywhere, half in what HDF5 keeps of its own, of a run that was killed at a random moment, but not within a write, or has ended"),
     "kill_batch": ("`kill -9` of a batch", "no row of its table is lost; the same command goes on to the same table and results",
                    "its first process, at a random moment"),
     "kill_worker": ("`kill -9` of a worker of a batch", "the batch runs its case again by itself", "one of two workers, at a random moment"),

@@ -14,7 +14,5 @@ void try_plan(std::string_view input);
 void try_expression(std::string_view input);
 // Of input that starts with '$' a mesh file, of any other a list of line elements in binary.
 void try_mesh(std::string_view input);
-// Changes to a results file, as results_edits.hpp reads them; then it is resumed, shown and exported.
-void try_results(std::string_view input);
 
 }  // namespace gxrod::fuzz

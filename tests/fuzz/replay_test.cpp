@@ -4,7 +4,6 @@
 
 #include "fuzz/inputs.hpp"
 #include "tools/catch.hpp"
-#include "tools/let_hdf5_leak.hpp"
 
 // What libFuzzer found worth keeping, and what once broke a reader, through the same functions. Each input is
 // small.
@@ -12,11 +11,6 @@
 namespace {
 
 const std::filesystem::path tests = GXROD_SOURCE_DIR "/tests";
-
-void try_results_but_for_leaks(std::string_view input) {
-    const gxrod::test::LetHdf5Leak leaks;
-    gxrod::fuzz::try_results(input);
-}
 
 std::string read_bytes(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -54,8 +48,4 @@ TEST_CASE("Expressions that were tried are read or refused", "[fuzz]") {
 
 TEST_CASE("Meshes that were tried are read or refused", "[fuzz]") {
     CHECK(replay("mesh", gxrod::fuzz::try_mesh) > 10);
-}
-
-TEST_CASE("Results that were changed are read or refused", "[fuzz]") {
-    CHECK(replay("results", try_results_but_for_leaks) > 10);
 }

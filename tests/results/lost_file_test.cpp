@@ -67,9 +67,7 @@ TEST_CASE("An ordered file that is given up keeps what was committed, and HDF5 c
     const auto path = folder / "a";
     {
         const auto file = std::make_shared<OrderedFile>(::open(path.c_str(), O_RDWR | O_CREAT, 0600));
-        const Hdf5Handle access = make_ordered_access(*file);
-        Hdf5Handle hdf5(
-            H5Fcreate("results", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "creating the file");
+        Hdf5Handle hdf5 = create_hdf5(*file);
         require_group(hdf5, "kept");
         check_hdf5(H5Fflush(hdf5.id(), H5F_SCOPE_LOCAL), "flushing");
         file->commit();

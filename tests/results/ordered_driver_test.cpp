@@ -22,8 +22,7 @@ namespace {
 struct NewFile {
     explicit NewFile(const std::string& path)
         : file(std::make_shared<OrderedFile>(::open(path.c_str(), O_RDWR | O_CREAT, 0600))),
-          access(make_ordered_access(*file)),
-          hdf5(H5Fcreate("results", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "creating the file"),
+          hdf5(create_hdf5(*file)),
           root(H5Gopen2(hdf5.id(), "/", H5P_DEFAULT), H5Gclose, "opening the root") {}
     void commit() const {
         REQUIRE(H5Fflush(hdf5.id(), H5F_SCOPE_LOCAL) >= 0);
@@ -31,7 +30,7 @@ struct NewFile {
     }
 
     std::shared_ptr<OrderedFile> file;
-    Hdf5Handle access, hdf5, root;
+    Hdf5Handle hdf5, root;
 };
 
 }  // namespace
@@ -46,8 +45,7 @@ TEST_CASE("The file driver stays when its last file is closed", "[results]") {
             std::make_shared<OrderedFile>(::open((folder / name).c_str(), O_RDWR | O_CREAT, 0600));
         Hdf5Handle access = make_ordered_access(*file);
         driver = H5Pget_driver(access.id());
-        Hdf5Handle hdf5(
-            H5Fcreate("results", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "creating the file");
+        Hdf5Handle hdf5 = create_hdf5(*file);
         access.reset();
         CHECK(hdf5.reset() >= 0);
         CHECK(H5Iis_valid(driver) > 0);
@@ -112,23 +110,4 @@ TEST_CASE("A heap of texts keeps to one page, and is not made longer", "[results
         CHECK(size == page);
     }
     CHECK(heaps >= 4);
-}
-
-TEST_CASE("The place of a seal lies within a page", "[results]") {
-    silence_hdf5();
-    const sample::ScratchFolder folder;
-    const NewFile file(folder / "a");
-    constexpr haddr_t page = 4096;
-    int at_ends = 0;
-    for (int i = 0; i < 3000; ++i) {
-        const std::string number = std::to_string(i);
-        write_dataset(file.root, {"bytes" + number, "", "", ""}, std::vector<std::uint8_t>(997 + i % 17));
-        write_dataset(file.root, {"seal" + number, "", "", ""}, std::array{broken_seal});
-        const Hdf5Handle seal(
-            H5Dopen2(file.root.id(), ("seal" + number).c_str(), H5P_DEFAULT), H5Dclose, "opening");
-        const haddr_t in_page = H5Dget_offset(seal.id()) % page;
-        CHECK(in_page <= page - sizeof(broken_seal));
-        if (in_page == 0) ++at_ends;  // of the page before it had no room
-    }
-    CHECK(at_ends > 0);
 }

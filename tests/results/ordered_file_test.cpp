@@ -10,6 +10,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "results/file_seal.hpp"
 #include "results/sample.hpp"
 #include "tools/catch.hpp"
 
@@ -20,17 +21,21 @@ namespace {
 
 int create(const std::filesystem::path& path) { return ::open(path.c_str(), O_RDWR | O_CREAT, 0600); }
 
+// Places are counted from the end of the seal.
+constexpr std::size_t begin = seal_block_bytes;
+
 std::span<const std::byte> bytes(std::string_view text) { return std::as_bytes(std::span(text)); }
 
 std::string read(const OrderedFile& file, std::uint64_t offset, std::size_t size) {
     std::string text(size, '?');
-    file.read(offset, std::as_writable_bytes(std::span(text)));
+    file.read(begin + offset, std::as_writable_bytes(std::span(text)));
     return text;
 }
 
 std::string content(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
+    const std::string all{std::istreambuf_iterator<char>(stream), {}};
+    return all.substr(std::min(begin, all.size()));
 }
 
 }  // namespace
@@ -38,20 +43,20 @@ std::string content(const std::filesystem::path& path) {
 TEST_CASE("An ordered file shows its writes at once and stores them at the commit", "[results]") {
     const sample::ScratchFolder folder;
     OrderedFile file(create(folder / "a"));
-    file.write(Part::header, 2, bytes("abcdef"));
-    file.write(Part::data, 4, bytes("XY"));
-    file.set_size(10);
-    CHECK(file.end() == 8);
+    file.write(Part::header, begin + 2, bytes("abcdef"));
+    file.write(Part::data, begin + 4, bytes("XY"));
+    file.set_size(begin + 10);
+    CHECK(file.end() == begin + 8);
     CHECK(read(file, 0, 12) == std::string("\0\0abXYef\0\0\0\0", 12));
     CHECK(read(file, 5, 2) == "Ye");
     CHECK(content(folder / "a").empty());
     file.commit();
     CHECK(content(folder / "a") == std::string("\0\0abXYef\0\0", 10));
     CHECK(read(file, 0, 9) == std::string("\0\0abXYef\0", 9));
-    file.write(Part::header, 2, bytes("ABCDEF"));
-    file.write(Part::header, 2, bytes("ghijkl"));
+    file.write(Part::header, begin + 2, bytes("ABCDEF"));
+    file.write(Part::header, begin + 2, bytes("ghijkl"));
     CHECK(read(file, 2, 6) == "ghijkl");
-    file.set_size(6);
+    file.set_size(begin + 6);
     file.commit();
     CHECK(content(folder / "a") == std::string("\0\0ghij", 6));
 }
@@ -59,19 +64,19 @@ TEST_CASE("An ordered file shows its writes at once and stores them at the commi
 TEST_CASE("Data past what is committed are on disk at once, unless something is to be there", "[results]") {
     const sample::ScratchFolder folder;
     OrderedFile file(create(folder / "a"));
-    file.write(Part::header, 0, bytes("head"));
-    file.set_size(6);
+    file.write(Part::header, begin + 0, bytes("head"));
+    file.set_size(begin + 6);
     file.commit();
-    file.write(Part::data, 4, bytes("ab"));
+    file.write(Part::data, begin + 4, bytes("ab"));
     CHECK(content(folder / "a") == std::string("head\0\0", 6));
-    file.write(Part::data, 6, bytes("cdef"));
+    file.write(Part::data, begin + 6, bytes("cdef"));
     CHECK(content(folder / "a") == std::string("head\0\0cdef", 10));
-    file.write(Part::header, 12, bytes("ol"));
-    file.write(Part::data, 10, bytes("ghij"));
+    file.write(Part::header, begin + 12, bytes("ol"));
+    file.write(Part::data, begin + 10, bytes("ghij"));
     CHECK(content(folder / "a").size() == 10);
     CHECK(read(file, 0, 14) == "headabcdefghij");
-    CHECK(file.end() == 14);
-    file.set_size(14);
+    CHECK(file.end() == begin + 14);
+    file.set_size(begin + 14);
     file.commit();
     CHECK(content(folder / "a") == "headabcdefghij");
 }
@@ -79,20 +84,20 @@ TEST_CASE("Data past what is committed are on disk at once, unless something is 
 TEST_CASE("A commit that fails leaves what was there and may be tried again", "[results]") {
     const sample::ScratchFolder folder;
     OrderedFile file(create(folder / "a"));
-    file.write(Part::superblock, 0, bytes("S1"));
-    file.write(Part::header, 2, bytes("H1"));
-    file.set_size(4);
+    file.write(Part::superblock, begin + 0, bytes("S1"));
+    file.write(Part::header, begin + 2, bytes("H1"));
+    file.set_size(begin + 4);
     file.commit();
-    file.write(Part::superblock, 0, bytes("S2"));
-    file.write(Part::header, 2, bytes("H2"));
-    file.set_size(10004);
+    file.write(Part::superblock, begin + 0, bytes("S2"));
+    file.write(Part::header, begin + 2, bytes("H2"));
+    file.set_size(begin + 10004);
 
     const pid_t child = ::fork();
     if (child == 0) {
         std::signal(SIGXFSZ, SIG_IGN);
         const rlimit limit{5000, RLIM_INFINITY};
         ::setrlimit(RLIMIT_FSIZE, &limit);
-        file.write(Part::data, 4, bytes(std::string(10000, 'd')));
+        file.write(Part::data, begin + 4, bytes(std::string(10000, 'd')));
         try {
             file.commit();
         } catch (const std::system_error& error) {

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+#include <variant>
+
+#include "state/step_record.hpp"
+
+// The columns of /ledger and /solver, a row a step: stated here for all that writes or names them.
+namespace gxrod {
+
+template <class Row>
+struct StepColumn {
+    const char* name;
+    const char* description;
+    const char* dimension;
+    std::variant<double Row::*, Vec3 Row::*, int Row::*, std::int64_t Row::*> member;
+    bool is_of_statics = false;  // alone
+
+    constexpr int width() const { return std::holds_alternative<Vec3 Row::*>(member) ? 3 : 1; }
+    constexpr const char* frame() const { return width() == 3 ? "spatial" : "none"; }
+};
+
+using LedgerColumn = StepColumn<LedgerRow>;
+using SolverColumn = StepColumn<SolverRow>;
+
+inline constexpr std::array<LedgerColumn, 9> ledger_columns{{
+    {"kinetic_energy", "kinetic energy", "force·length", &LedgerRow::kinetic_energy},
+    {"strain_energy", "strain energy", "force·length", &LedgerRow::strain_energy},
+    {"external_work",
+     "work of loads, gravity and moved supports since t = 0",
+     "force·length",
+     &LedgerRow::external_work},
+    {"work_uncertainty",
+     "how far the work of the load step that ended here may be off; 0 in dynamics",
+     "force·length",
+     &LedgerRow::work_uncertainty},
+    {"dissipated_energy",
+     "energy lost to damping since t = 0",
+     "force·length",
+     &LedgerRow::dissipated_energy},
+    {"numerical_dissipation",
+     "energy that the time integration itself takes away since t = 0",
+     "force·length",
+     &LedgerRow::numerical_dissipation},
+    {"energy_error",
+     "(kinetic + strain energy) - its value at t = 0 - external work + dissipated energy + "
+     "numerical dissipation",
+     "force·length",
+     &LedgerRow::energy_error},
+    {"linear_momentum", "linear momentum", "mass·length/time", &LedgerRow::linear_momentum},
+    {"angular_momentum",
+     "angular momentum about the origin",
+     "mass·length²/time",
+     &LedgerRow::angular_momentum},
+}};
+
+inline constexpr std::array<SolverColumn, 5> solver_columns{{
+    {"time_step", "length of the step that ended here", "time", &SolverRow::time_step},
+    {"residual", "scaled residual of the step's last equilibrium", "1", &SolverRow::residual},
+    {"newton_iterations",
+     "Newton iterations over all stages of the step",
+     "1",
+     &SolverRow::newton_iterations},
+    {"rejected_steps", "trial steps cut before this one was accepted", "1", &SolverRow::rejected_steps},
+    {"negative_pivots",
+     "negative pivots of the tangent: 0 where the equilibrium is stable; with loads that follow, 1 where the "
+     "tangent's determinant is negative; -1 if not counted",
+     "1",
+     &SolverRow::negative_pivots,
+     true},
+}};
+
+// Numbers of a row of these columns.
+template <class Columns>
+constexpr int count_numbers(const Columns& columns, bool is_static) {
+    int numbers = 0;
+    for (const auto& column : columns) numbers += !column.is_of_statics || is_static ? column.width() : 0;
+    return numbers;
+}
+
+// The numbers of a column in a row; of a single number the first.
+template <class Row>
+std::array<double, 3> numbers_of(const StepColumn<Row>& column, const Row& row) {
+    return std::visit(
+        [&](auto member) -> std::array<double, 3> {
+            const auto& value = row.*member;
+            if constexpr (std::is_same_v<decltype(value), const Vec3&>) {
+                return {value[0], value[1], value[2]};
+            } else {
+                return {static_cast<double>(value)};
+            }
+        },
+        column.member);
+}
+
+}  // namespace gxrod
