@@ -4,7 +4,9 @@ add_library(gxrod_compiler INTERFACE)
 target_compile_options(gxrod_compiler INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Woverloaded-virtual
   # g++ 12 sees overlapping copies in "text" + std::string where there are none (GCC bug 105651).
-  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+  # g++ 13 and later see a reference into a temporary argument wherever one is returned.
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-dangling-reference>)
 if(GXROD_WARNINGS_AS_ERRORS)
   target_compile_options(gxrod_compiler INTERFACE -Werror)
 endif()

@@ -10,7 +10,7 @@
 
 using namespace gxrod;
 using namespace gxrod::tools;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 namespace {
 

@@ -11,8 +11,8 @@
 #include "tools/catch.hpp"
 
 using namespace gxrod;
-using Catch::Matchers::EndsWith;
-using Catch::Matchers::StartsWith;
+using Catch::EndsWith;
+using Catch::StartsWith;
 
 namespace {
 
