@@ -1,6 +1,6 @@
 #pragma once
 
-#include "batch/slurm_batch.hpp"
+#include "batch/slurm/slurm_batch.hpp"
 
 // What `gxrod batch --slurm` and `--gather` say, on standard output.
 namespace gxrod {

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "deck/fault.hpp"
-#include "deck/suggestion.hpp"
+#include "deck/reading/fault.hpp"
+#include "deck/schema/suggestion.hpp"
 #include "exit_code.hpp"
 #include "machine/file_error.hpp"
 #include "machine/instruction_set.hpp"

@@ -1,4 +1,4 @@
-#include "deck/schema.hpp"
+#include "deck/schema/schema.hpp"
 
 #include <memory>
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "deck/suggestion.hpp"
+#include "deck/schema/suggestion.hpp"
 #include "exit_code.hpp"
 #include "figures.hpp"
 #include "machine/phase_timer.hpp"

@@ -231,7 +231,6 @@ Failure SteppedAnalysis::explain(const EquilibriumReport& report) {
         failure.places.push_back(name_place(system_.model(), place.node, place.component));
         failure.nodes.push_back(place.node);
     }
-    failure.linear_solver = linear_solver_;
     try {
         if (may_come_from_weakness(report.outcome)) find_reason(failure);
     } catch (const std::exception&) {

@@ -11,7 +11,6 @@
 #include <system_error>
 
 #include "batch/batch_folder.hpp"
-#include "batch/batch_index.hpp"
 #include "batch/batch_lock.hpp"
 #include "batch/gathering.hpp"
 #include "batch/seconds_since.hpp"
@@ -200,18 +199,6 @@ class BatchRun {
             request_.report_failure(row);
         }
         rows_.insert_or_assign(row.number, std::move(row));
-        if (!is_slice()) refresh_index();
-    }
-
-    // As often as it costs little beside the cases.
-    void refresh_index() {
-        constexpr double least_pause = 2.0;
-        constexpr double pause_per_cost = 50.0;
-        if (seconds_since(index_written_) < std::max(least_pause, pause_per_cost * index_seconds_)) return;
-        const Clock::time_point begin = Clock::now();
-        write_batch_index(request_.folder, batch_.record(), list_rows());
-        index_written_ = Clock::now();
-        index_seconds_ = seconds_since(begin);
     }
 
     BatchSummary summarise(std::vector<CaseRow> rows) const {
@@ -237,8 +224,6 @@ class BatchRun {
     BatchProgress progress_;
     bool is_interrupted_ = false;
     Clock::time_point begin_ = Clock::now();
-    Clock::time_point index_written_ = begin_;
-    double index_seconds_ = 0.0;
 };
 
 }  // namespace

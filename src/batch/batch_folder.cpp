@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array files{"index.csv", "index.h5", "report.html"};
+constexpr std::array files{"index.csv", "report.html"};
 constexpr std::array folders{"parts", "cases", "reports", "slurm"};
 
 bool is_one_of(const std::string& name, const auto& names) {
@@ -30,7 +30,7 @@ bool is_own(const std::string& name) {
     return name == "lock" || name == "batch.json" || is_one_of(name, files) || is_one_of(name, folders);
 }
 
-// "index.h5.1234": written by process 1234, not yet moved to its place.
+// "index.csv.1234": written by process 1234, not yet moved to its place.
 bool is_leftover(const std::string& name) {
     const std::size_t dot = name.rfind('.');
     if (dot == std::string::npos || dot + 1 == name.size() || !is_own(name.substr(0, dot))) return false;

@@ -7,8 +7,8 @@
 #include "batch/case_groups.hpp"
 #include "batch/collector.hpp"
 #include "check/model_examination.hpp"
-#include "deck/override_key.hpp"
-#include "deck/suggestion.hpp"
+#include "deck/reading/override_key.hpp"
+#include "deck/schema/suggestion.hpp"
 #include "results/results_size.hpp"
 
 namespace gxrod {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "batch/batch_record.hpp"
-#include "deck/csv_reading.hpp"
+#include "deck/reading/csv_reading.hpp"
 
 namespace gxrod {
 

@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "batch/batch_folder.hpp"
-#include "deck/text_file.hpp"
+#include "deck/reading/text_file.hpp"
 #include "machine/file_error.hpp"
 
 namespace gxrod {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "deck/suggestion.hpp"
+#include "deck/schema/suggestion.hpp"
 #include "results/quantity.hpp"
 
 namespace gxrod {

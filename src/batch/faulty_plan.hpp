@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "batch/plan.hpp"
-#include "deck/fault.hpp"
+#include "deck/reading/fault.hpp"
 
 namespace gxrod {
 

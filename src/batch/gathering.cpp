@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <system_error>
 
-#include "batch/batch_index.hpp"
 #include "batch/case_table.hpp"
 #include "batch/plan_schema.hpp"
 
@@ -30,7 +29,6 @@ std::vector<CaseRow> gather_parts(const fs::path& folder, const BatchRecord& rec
     const std::vector<fs::path> idle_parts = list_idle_parts(folder, lock);
     std::vector<CaseRow> rows = read_case_rows(folder, record);
     write_case_table(folder, record, rows);
-    write_batch_index(folder, record, rows);
     std::error_code ignored;
     for (const fs::path& part : idle_parts) fs::remove(part, ignored);
     if (!lock.list_running({1, largest_case_count}).empty()) return rows;

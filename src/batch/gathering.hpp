@@ -12,7 +12,7 @@ namespace gxrod {
 // Whether there are parts that nobody writes but perhaps who holds `lock`.
 bool has_idle_parts(const std::filesystem::path& folder, const BatchLock& lock);
 
-// Makes index.csv and index.h5 of all rows that a folder has, and removes the parts that are idle as above.
+// Makes index.csv of all rows that a folder has, and removes the parts that are idle as above.
 // The table must be locked. Throws FileError.
 std::vector<CaseRow> gather_parts(const std::filesystem::path& folder,
                                   const BatchRecord& record,

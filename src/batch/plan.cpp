@@ -8,9 +8,9 @@
 #include "batch/faulty_plan.hpp"
 #include "batch/plan_schema.hpp"
 #include "batch/read_variations.hpp"
-#include "deck/csv_reading.hpp"
-#include "deck/text_file.hpp"
-#include "deck/validation.hpp"
+#include "deck/reading/csv_reading.hpp"
+#include "deck/reading/text_file.hpp"
+#include "deck/reading/validation.hpp"
 
 namespace gxrod {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "batch/plan_words.hpp"
-#include "deck/deck_tree.hpp"
+#include "deck/reading/deck_tree.hpp"
 #include "model/settings.hpp"
 #include "results/step_columns.hpp"
 

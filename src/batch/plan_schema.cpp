@@ -1,8 +1,8 @@
 #include "batch/plan_schema.hpp"
 
 #include "batch/plan_words.hpp"
-#include "deck/choices.hpp"
-#include "deck/schema_tables.hpp"
+#include "deck/schema/choices.hpp"
+#include "deck/schema/schema_tables.hpp"
 #include "results/step_columns.hpp"
 
 namespace gxrod {

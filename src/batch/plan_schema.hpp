@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "deck/schema.hpp"
+#include "deck/schema/schema.hpp"
 
 // The keys of a plan, declared as those of a deck are.
 namespace gxrod {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "deck/choices.hpp"
+#include "deck/schema/choices.hpp"
 
 // The words of a plan and what they stand for.
 namespace gxrod {

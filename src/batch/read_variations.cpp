@@ -9,12 +9,12 @@
 #include "batch/latin_hypercube.hpp"
 #include "batch/plan_schema.hpp"
 #include "batch/value_range.hpp"
-#include "deck/csv_reading.hpp"
-#include "deck/override_key.hpp"
-#include "deck/suggestion.hpp"
-#include "deck/text_file.hpp"
-#include "deck/toml_writing.hpp"
-#include "deck/validation.hpp"
+#include "deck/reading/csv_reading.hpp"
+#include "deck/reading/override_key.hpp"
+#include "deck/reading/text_file.hpp"
+#include "deck/reading/toml_writing.hpp"
+#include "deck/reading/validation.hpp"
+#include "deck/schema/suggestion.hpp"
 #include "machine/file_error.hpp"
 
 namespace gxrod {

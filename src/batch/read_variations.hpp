@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "batch/plan.hpp"
-#include "deck/fault_list.hpp"
+#include "deck/reading/fault_list.hpp"
 
 namespace gxrod {
 

@@ -26,9 +26,6 @@ void add_stability(const Failure& failure, Advice& advice) {
 }
 
 void advise_on_iterations(const Failure& failure, Advice& advice) {
-    if (failure.linear_solver == LinearSolverKind::cholmod) {
-        advice.push_back("linear_solver = \"auto\": cholmod takes the tangent for symmetric");
-    }
     advice.push_back(shorter_steps(failure));
     advice.push_back("a finer mesh (elements, order) there");
     advice.push_back("a larger newton.max_iterations");
@@ -40,9 +37,6 @@ void advise_on_iterations(const Failure& failure, Advice& advice) {
 }
 
 void advise_on_singularity(const Failure& failure, Advice& advice) {
-    if (failure.linear_solver == LinearSolverKind::cholmod) {
-        advice.push_back("linear_solver = \"auto\": cholmod does not exchange equations to find a pivot");
-    }
     if (failure.phase == Phase::load_step) {
         advice.push_back("a support that holds this motion, or stiffness against it");
         advice.push_back("a small load sideways, if the structure buckles here");

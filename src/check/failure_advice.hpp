@@ -26,7 +26,6 @@ struct Failure {
     // reason than a weakness, for which it would be taken. "" both if it does not.
     std::string contrast;
     std::string contrast_advice;
-    LinearSolverKind linear_solver = LinearSolverKind::klu;
 };
 
 // What to try, the likeliest first, in the words of a deck.

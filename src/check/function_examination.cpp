@@ -25,7 +25,7 @@ int sample_count(const DynamicSettings& settings) {
 
 // Steps that are chosen by their error may grow.
 double longest_step(const DynamicSettings& settings) {
-    const double first = settings.end_time / static_cast<double>(settings.steps);
+    const double first = settings.time_step();
     if (!settings.adaptive || !std::isfinite(settings.adaptive->max_step)) return first;
     return std::max(first, settings.adaptive->max_step);
 }
@@ -144,7 +144,7 @@ class FunctionExamination {
             return one.velocity.isZero(0.0) && one.angular_velocity.isZero(0.0);
         };
         if (model_.rods.empty() || !std::all_of(model_.nodes.begin(), model_.nodes.end(), is_at_rest)) return;
-        const double step = start_step * settings_.end_time / static_cast<double>(settings_.steps);
+        const double step = start_step * settings_.time_step();
         const double rate = (4.0 * motion(step) - motion(2.0 * step) - 3.0 * motion(0.0)) / (2.0 * step);
         double size = 0.0;
         for (const double part : {0.1, 0.3, 0.5, 0.7, 0.9}) {

@@ -206,7 +206,7 @@ std::string describe_frequencies(const Model& model, const DynamicSettings& sett
         found->lowest / cycle,
         found->rigid_motions == 0 ? "" : fmt::format(" (beside {} of rigid motions)", found->rigid_motions),
         found->highest / cycle);
-    const double step = settings.end_time / static_cast<double>(settings.steps);
+    const double step = settings.time_step();
     if (settings.scheme == Scheme::sdirk_4 && step * found->highest > resolved) {
         text +=
             "  sdirk-4 with these steps does not resolve the highest ones: if they are excited, reactions "

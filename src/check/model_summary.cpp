@@ -107,14 +107,14 @@ std::string describe_dynamic(const DynamicSettings& settings) {
             "{:.6g}\n",
             name_of(settings.scheme),
             settings.adaptive->tolerance,
-            settings.end_time / static_cast<double>(settings.steps),
+            settings.time_step(),
             settings.end_time);
     }
     return fmt::format("dynamic analysis: {}{}, {} steps of {:.6g} to t = {:.6g}\n",
                        name_of(settings.scheme),
                        parameters,
                        settings.steps,
-                       settings.end_time / static_cast<double>(settings.steps),
+                       settings.time_step(),
                        settings.end_time);
 }
 

@@ -2,25 +2,25 @@
 
 #include <algorithm>
 
-#include "deck/build_analysis.hpp"
-#include "deck/build_bodies.hpp"
-#include "deck/build_connections.hpp"
-#include "deck/build_initial.hpp"
-#include "deck/build_loads.hpp"
-#include "deck/build_output.hpp"
-#include "deck/build_rods.hpp"
-#include "deck/build_sections.hpp"
-#include "deck/build_supports.hpp"
-#include "deck/check_functions.hpp"
-#include "deck/check_memory.hpp"
-#include "deck/check_points.hpp"
-#include "deck/check_velocities.hpp"
-#include "deck/function_files.hpp"
-#include "deck/overrides.hpp"
-#include "deck/read_rod_nets.hpp"
-#include "deck/resumption.hpp"
-#include "deck/text_file.hpp"
-#include "deck/validation.hpp"
+#include "deck/build/build_analysis.hpp"
+#include "deck/build/build_bodies.hpp"
+#include "deck/build/build_connections.hpp"
+#include "deck/build/build_initial.hpp"
+#include "deck/build/build_loads.hpp"
+#include "deck/build/build_output.hpp"
+#include "deck/build/build_rods.hpp"
+#include "deck/build/build_supports.hpp"
+#include "deck/build/read_rod_nets.hpp"
+#include "deck/checks/check_functions.hpp"
+#include "deck/checks/check_memory.hpp"
+#include "deck/checks/check_points.hpp"
+#include "deck/checks/check_velocities.hpp"
+#include "deck/expressions/function_files.hpp"
+#include "deck/reading/overrides.hpp"
+#include "deck/reading/resumption.hpp"
+#include "deck/reading/text_file.hpp"
+#include "deck/reading/validation.hpp"
+#include "deck/sections/build_sections.hpp"
 #include "machine/file_error.hpp"
 #include "machine/machine_memory.hpp"
 
@@ -57,7 +57,6 @@ Problem build_problem(const CheckedTable& deck, const MeshFiles& files, FaultLis
     check_velocities(context);
     build_loads(context);
     check_functions(context);
-    check_linear_solver(context);
     problem.analysis = context.analysis;
     problem.output = build_output(context);
     problem.record.is_static = std::holds_alternative<StaticSettings>(problem.analysis);

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "deck/deck_tree.hpp"
+#include "deck/reading/deck_tree.hpp"
 #include "mesh/mesh_files.hpp"
 #include "model/deck_record.hpp"
 #include "model/model.hpp"
@@ -53,7 +53,7 @@ class DeckTemplate {
 };
 
 // The problem that goes on where a run of `before` stopped: its own deck, or the one in the file `deck`, with
-// overrides. Throws DeckError that names each key which differs and may not (deck/resumption.hpp).
+// overrides. Throws DeckError that names each key which differs and may not (deck/reading/resumption.hpp).
 Problem read_resumption(const DeckRecord& before,
                         const std::filesystem::path& deck,
                         const std::vector<std::string>& overrides);

@@ -1,7 +1,6 @@
 #include "linear/linear_solver.hpp"
 
 #include "linear/chains/chain_solver.hpp"
-#include "linear/suite_sparse/cholmod_solver.hpp"
 #include "linear/suite_sparse/klu_solver.hpp"
 #include "linear/suite_sparse/umfpack_solver.hpp"
 
@@ -50,8 +49,6 @@ std::unique_ptr<LinearSolver> make_linear_solver(LinearSolverKind kind,
             return std::make_unique<KluSolver>(pattern);
         case LinearSolverKind::umfpack:
             return std::make_unique<UmfpackSolver>(pattern);
-        case LinearSolverKind::cholmod:
-            return std::make_unique<CholmodSolver>(pattern);
         case LinearSolverKind::automatic:
             break;
     }

@@ -26,8 +26,7 @@ enum class LinearSolverKind {
     automatic,  // chooses by the matrix
     chains,     // by blocks, the insides of chains first, then their junctions by fronts
     klu,
-    umfpack,
-    cholmod  // static analyses whose tangent is symmetric in equilibrium
+    umfpack
 };
 
 // Newton's tolerance where nothing asks for a smaller one.
@@ -57,9 +56,11 @@ struct DynamicSettings {
     double beta = 0.25;
     double gamma = 0.5;
     double spectral_radius = 0.9;              // at infinite frequency, of generalized_alpha
-    std::optional<AdaptiveSettings> adaptive;  // then end_time / steps is the first step
+    std::optional<AdaptiveSettings> adaptive;  // then time_step() is the first step
     NewtonSettings newton;
     LinearSolverKind linear_solver = LinearSolverKind::automatic;
+
+    double time_step() const { return end_time / static_cast<double>(steps); }
 };
 
 // Equilibria while the load factor t runs from 0 to 1.

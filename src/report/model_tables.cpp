@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "deck/choices.hpp"
+#include "deck/schema/choices.hpp"
 #include "model/newton_choice.hpp"
 #include "report/model_json.hpp"
 
@@ -115,7 +115,7 @@ Json describe_analysis(const AnalysisSettings& analysis) {
         rows.push_back({"integrator", word_of(scheme_choices, dynamic->scheme)});
         rows.push_back({"end time", dynamic->end_time});
         if (dynamic->steps > 0) {
-            const double step = dynamic->end_time / static_cast<double>(dynamic->steps);
+            const double step = dynamic->time_step();
             rows.push_back({dynamic->adaptive ? "first step" : "time step", step});
         }
         if (dynamic->adaptive) rows.push_back({"tolerance of a step", dynamic->adaptive->tolerance});

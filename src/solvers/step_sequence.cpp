@@ -8,7 +8,7 @@ namespace gxrod {
 
 std::unique_ptr<StepSequence> make_step_sequence(const DynamicSettings& settings) {
     if (!settings.adaptive) return std::make_unique<StepControl>(settings.end_time, settings.steps);
-    const double first_step = settings.end_time / static_cast<double>(settings.steps);
+    const double first_step = settings.time_step();
     const int order = make_integrator(settings)->error_order();
     return std::make_unique<ErrorControl>(settings.end_time, first_step, order, *settings.adaptive);
 }

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "deck/choices.hpp"
+#include "deck/schema/choices.hpp"
 #include "machine/phase_timer.hpp"
 
 namespace gxrod {

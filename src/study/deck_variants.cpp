@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "deck/override_key.hpp"
+#include "deck/reading/override_key.hpp"
 #include "model/newton_choice.hpp"
 #include "study/method_traits.hpp"
 

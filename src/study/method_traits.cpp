@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "deck/sample_times.hpp"
+#include "deck/build/sample_times.hpp"
 
 namespace gxrod {
 

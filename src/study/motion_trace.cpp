@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "analyses/static.hpp"
-#include "deck/choices.hpp"
+#include "deck/schema/choices.hpp"
 #include "machine/phase_timer.hpp"
 #include "model/energy_round_off.hpp"
 #include "model/evaluation_error.hpp"

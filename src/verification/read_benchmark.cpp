@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "deck/deck_tree.hpp"
+#include "deck/reading/deck_tree.hpp"
 #include "verification/benchmark.hpp"
 
 // The keys of a reference.toml:

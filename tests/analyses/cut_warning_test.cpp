@@ -14,21 +14,21 @@ std::string advise(const std::string& deck) {
 
 }  // namespace
 
-TEST_CASE("A few cuts are not worth telling, more are", "[results]") {
+TEST_CASE("A few cuts are not worth telling, more are", "[analyses]") {
     CHECK_FALSE(are_worth_telling({100, 0, 0, 0}));
     CHECK_FALSE(are_worth_telling({100, 5, 5, 0}));
     CHECK(are_worth_telling({100, 5, 6, 0}));
     CHECK(count_cuts({1000, 412, 903, 0}) == "412 of 1000 steps were cut, 903 times in all");
 }
 
-TEST_CASE("Steps chosen by their error are cut for it as a matter of course", "[results]") {
+TEST_CASE("Steps chosen by their error are cut for it as a matter of course", "[analyses]") {
     CHECK_FALSE(are_worth_telling({100, 20, 20, 20}));
     CHECK(are_worth_telling({100, 21, 21, 21}));
     CHECK_FALSE(are_worth_telling({10, 4, 4, 4}));
     CHECK(are_worth_telling({100, 26, 26, 20}));
 }
 
-TEST_CASE("What is said of cuts is what the model and its settings make of them", "[results]") {
+TEST_CASE("What is said of cuts is what the model and its settings make of them", "[analyses]") {
     const std::string mixed =
         ". Try newton.tangent = \"mixed\", which bears longer steps, or a smaller time_step";
     const std::string newmark = ", or generalized-alpha, which damps what is too fast for the steps.";

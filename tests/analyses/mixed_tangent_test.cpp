@@ -147,17 +147,6 @@ TEST_CASE("mixed and consistent tangents find the same equilibria", "[analyses][
     }
 }
 
-TEST_CASE("the mixed tangent's symmetric part is enough where the consistent one's is",
-          "[analyses][static][mixed]") {
-    const Model model = make_bend({8, 2});
-    StaticSettings settings = with_tangent(TangentKind::mixed, 2);
-    const StaticRun expected = run_static(model, settings);
-    settings.linear_solver = LinearSolverKind::cholmod;
-    const StaticRun run = run_static(model, settings);
-    CHECK(run.rejected_steps == 0);
-    CHECK((run.tip().r - expected.tip().r).norm() < 1e-7);
-}
-
 TEST_CASE("the mixed tangent moves damped rods as the consistent one does", "[analyses][mixed]") {
     for (const Scheme scheme : {Scheme::newmark_simplified, Scheme::generalized_alpha, Scheme::sdirk_4}) {
         for (const ElementKind kind : kinds) {

@@ -211,7 +211,7 @@ TEST_CASE("A run that failed goes on as if it had been run so from the start", "
     }
 }
 
-TEST_CASE("After a failure within a step a whole one is tried first", "[solvers][resume]") {
+TEST_CASE("After a failure within a step a whole one is tried first", "[analyses][resume]") {
     StepControl control(1.0, 10);
     control.accept();
     while (control.reject()) {
@@ -336,7 +336,7 @@ TEST_CASE("Quaternions keep their sign where a run goes on", "[analyses][resume]
     CHECK(runner.differences("whole", "parts") == std::vector<std::string>{});
 }
 
-TEST_CASE("Two processes do not write one file", "[results][resume]") {
+TEST_CASE("Two processes do not write one file", "[analyses][resume]") {
     const Runner runner;
     runner.run(read(swinging), "parts", 7);
     const ResumableFile writer(runner.folder / "parts");
@@ -344,7 +344,7 @@ TEST_CASE("Two processes do not write one file", "[results][resume]") {
                       Catch::Contains("another process is writing it"));
 }
 
-TEST_CASE("What cannot be resumed is told", "[results][resume]") {
+TEST_CASE("What cannot be resumed is told", "[analyses][resume]") {
     const Runner runner;
     CHECK_THROWS_WITH(ResumableFile(runner.folder / "none"), Catch::Contains("there is no such file"));
     CHECK_THROWS_WITH(ResumableFile(runner.folder.path()), Catch::Contains("is a folder"));

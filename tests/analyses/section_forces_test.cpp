@@ -54,7 +54,7 @@ moment_per_length = ["0.3*s", 0, 0]
 
 }  // namespace
 
-TEST_CASE("Section forces at the ends of a rod are those of supports and loads", "[analyses][results]") {
+TEST_CASE("Section forces at the ends of a rod are those of supports and loads", "[analyses]") {
     const std::string element = GENERATE(as<std::string>{},
                                          "order = 1",
                                          "order = 2",
@@ -91,7 +91,7 @@ TEST_CASE("Section forces at the ends of a rod are those of supports and loads",
     }
 }
 
-TEST_CASE("Section forces follow loads that turn and supports that move", "[analyses][results]") {
+TEST_CASE("Section forces follow loads that turn and supports that move", "[analyses]") {
     const std::string integrator = GENERATE(as<std::string>{}, "newmark-simplified", "runge-kutta-4");
     const std::string frame = GENERATE(as<std::string>{}, "follower", "body");
     const std::string steps = integrator == "runge-kutta-4"
@@ -114,7 +114,7 @@ TEST_CASE("Section forces follow loads that turn and supports that move", "[anal
     CHECK((vector_of(run, "tip", "force_spatial") - Vec3(1, -2, 3)).norm() < 1e-7);
 }
 
-TEST_CASE("Strains of a point belong to its section forces", "[analyses][results]") {
+TEST_CASE("Strains of a point belong to its section forces", "[analyses]") {
     DeckRun run("clamped", clamped("order = 2", "kind = \"static\"\nsteps = 2\n"), {});
     run.run([] {});
     for (const char* point : {"root", "tip", "inside", "between"}) {
@@ -125,7 +125,7 @@ TEST_CASE("Strains of a point belong to its section forces", "[analyses][results
     }
 }
 
-TEST_CASE("Damping is no part of a point's strain", "[analyses][results]") {
+TEST_CASE("Damping is no part of a point's strain", "[analyses]") {
     // So strongly damped that the resultants are those of damping mostly; strains start from zero. Between
     // force points damping is interpolated.
     DeckRun run("clamped",
@@ -140,7 +140,7 @@ TEST_CASE("Damping is no part of a point's strain", "[analyses][results]") {
     CHECK(elastic.norm() < 2e-2 * moment.norm());
 }
 
-TEST_CASE("Section forces between nodes converge to those of equilibrium", "[analyses][results]") {
+TEST_CASE("Section forces between nodes converge to those of equilibrium", "[analyses]") {
     // A clamped rod bent far by a force at its tip: at any point the force is that one, and the moment its
     // moment about the point.
     const auto error = [](int order, int elements) {
@@ -179,7 +179,7 @@ newton = { tolerance = 1e-11 }
     }
 }
 
-TEST_CASE("A history places no node", "[deck][results]") {
+TEST_CASE("A history places no node", "[analyses]") {
     const std::string deck = clamped("order = 2", "kind = \"static\"\n");
     const Problem problem = read(deck);
     CHECK(problem.model.nodes.size() == 9);
@@ -198,7 +198,7 @@ TEST_CASE("A history places no node", "[deck][results]") {
           "r@0.6");
 }
 
-TEST_CASE("A point between nodes starts on the rod's line", "[analyses][results]") {
+TEST_CASE("A point between nodes starts on the rod's line", "[analyses]") {
     DeckRun run("still", clamped("order = 4", "kind = \"dynamic\"\nend_time = 1e-9\nsteps = 1\n"), {});
     run.run([] {});
     const Vec3 at = vector_of(run, "between", "position");

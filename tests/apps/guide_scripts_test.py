@@ -131,7 +131,7 @@ end = { history = "middle", quantity = "position", component = "y", take = "fina
         self.write("roll_up.toml", deck)
         self.write("plan.toml", self.BATCH)
         self.gxrod("batch", "plan.toml", "--quiet", code=3)
-        drawn = "python3 docs/guide/scripts/plot_batch.py plan/index.h5 -o plan.png --x rod.strip.elements --y end"
+        drawn = "python3 docs/guide/scripts/plot_batch.py plan -o plan.png --x rod.strip.elements --y end"
         printed = self.run_command(f"{drawn} --by rod.strip.order --log x y").stdout.splitlines()
         self.assertEqual(printed[-1], "5 cases drawn, 1 not done")
         slopes = dict(re.fullmatch(r"end, (\d): slope (-\S+)", line).groups() for line in printed[:-1])
@@ -151,9 +151,9 @@ end = { history = "middle", quantity = "position", component = "y", take = "fina
         self.write("roll_up.toml", (SOURCE / "docs/examples/roll_up/roll_up.toml").read_text(encoding="utf-8"))
         self.write("plan.toml", self.BATCH.replace("[1, 2]", "[2]").replace("[1, 10, 20]", "[10]"))
         self.gxrod("batch", "plan.toml", "--quiet")
-        done = self.run_command("python3 docs/guide/scripts/plot_batch.py plan/index.h5 -o plan.png --x elements "
+        done = self.run_command("python3 docs/guide/scripts/plot_batch.py plan -o plan.png --x elements "
                                 "--y end  # exit code 2")
-        self.assertIn("no column elements; there are case, end, newton_iterations, parameters.turns, ", done.stderr)
+        self.assertIn("no column elements; there are case, rod.strip.order, rod.strip.elements, parameters.turns, ", done.stderr)
 
 
 if __name__ == "__main__":

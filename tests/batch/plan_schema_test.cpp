@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "batch/plans.hpp"
-#include "deck/csv_reading.hpp"
-#include "deck/text_file.hpp"
+#include "deck/reading/csv_reading.hpp"
+#include "deck/reading/text_file.hpp"
 #include "tools/catch.hpp"
 
 namespace gxrod::test {

@@ -14,7 +14,7 @@ std::string describe_conditions(const Model& model) {
 
 }  // namespace
 
-TEST_CASE("The summary lists connections, supports, velocities, loads and gravity", "[analyses]") {
+TEST_CASE("The summary lists connections, supports, velocities, loads and gravity", "[check]") {
     const std::string deck = "gravity = [0, 0, -9.81]\n" + rod_deck + R"deck([rod.q]
 section = "s"
 line = { from = [10, 0, 0], to = [10, 5, 0] }

@@ -43,7 +43,7 @@ Model make_cantilever(const std::vector<int>& held, int order = 1) {
 
 }  // namespace
 
-TEST_CASE("a free rod moves and turns in every way", "[solvers]") {
+TEST_CASE("a free rod moves and turns in every way", "[check]") {
     Model model;
     add_rod(model, {"flyer", Vec3::Zero(), tip});
     CHECK(find_mechanism(model) == "the whole model moves along x, y or z, or turns about x, y or z");
@@ -53,7 +53,7 @@ TEST_CASE("a free rod moves and turns in every way", "[solvers]") {
     CHECK(find_mechanism(model) == "rod flyer moves along x, y or z, or turns about x, y or z");
 }
 
-TEST_CASE("a rod that is left one displacement says which", "[solvers]") {
+TEST_CASE("a rod that is left one displacement says which", "[check]") {
     CHECK(find_mechanism(make_cantilever({0, 2, 3, 4, 5})) == "the whole model moves along y");
     Model model;
     add_rod(model, {"slider", Vec3::Zero(), tip});
@@ -64,7 +64,7 @@ TEST_CASE("a rod that is left one displacement says which", "[solvers]") {
     CHECK(find_mechanism(model) == "the whole model moves along (0, 0.6, 0.8)");
 }
 
-TEST_CASE("a clamp reduced to a hinge or a ball joint says about what the rod turns", "[solvers]") {
+TEST_CASE("a clamp reduced to a hinge or a ball joint says about what the rod turns", "[check]") {
     CHECK(find_mechanism(make_cantilever({0, 1, 2, 3, 4})) ==
           "the whole model turns about z through cable.start");
     CHECK(find_mechanism(make_cantilever({0, 1, 2})) ==
@@ -76,7 +76,7 @@ TEST_CASE("a clamp reduced to a hinge or a ball joint says about what the rod tu
     CHECK(find_mechanism(model) == "the whole model turns about (0, 0.296, -0.955) through door.start");
 }
 
-TEST_CASE("a rod that spins between two ball joints turns about its own axis", "[solvers]") {
+TEST_CASE("a rod that spins between two ball joints turns about its own axis", "[check]") {
     Model model;
     add_rod(model, {"shaft", Vec3::Zero(), tip});
     add_support(model, 0, {0, 1, 2});
@@ -95,7 +95,7 @@ TEST_CASE("a rod that spins between two ball joints turns about its own axis", "
     CHECK(find_mechanism(bow) == "the whole model turns about (0.6, 0.8, 0) through arm.start");
 }
 
-TEST_CASE("an axis that meets no node is said by a point", "[solvers]") {
+TEST_CASE("an axis that meets no node is said by a point", "[check]") {
     // Two nodes slide along x and y: the rod turns about the corner of the rectangle.
     Model model;
     add_rod(model, {"ladder", Vec3(0.0, 4.0, 0.0), Vec3(3.0, 0.0, 0.0), 3});
@@ -104,7 +104,7 @@ TEST_CASE("an axis that meets no node is said by a point", "[solvers]") {
     CHECK(find_mechanism(model) == "the whole model turns about z through (3, 4, 0)");
 }
 
-TEST_CASE("a body without rods is named, and turns about its node", "[solvers]") {
+TEST_CASE("a body without rods is named, and turns about its node", "[check]") {
     Model model = make_free_body(Vec3(1.0, 2.0, 0.0), Vec3::Zero());
     add_rod(model, {"held", Vec3(9.0, 0.0, 0.0), Vec3(9.0, 9.0, 0.0)});
     add_support(model, 1, {0, 1, 2, 3, 4, 5});
@@ -116,7 +116,7 @@ TEST_CASE("a body without rods is named, and turns about its node", "[solvers]")
     CHECK(find_mechanism(model) == "body body moves along x, y or z, or turns about x, y or z");
 }
 
-TEST_CASE("a rod without one stiffness names the strain and the node that moves most", "[solvers]") {
+TEST_CASE("a rod without one stiffness names the strain and the node that moves most", "[check]") {
     const auto weaken = [](int component, int order) {
         Model model = make_cantilever({0, 1, 2, 3, 4, 5}, order);
         model.sections[0].stiffness(component, component) *= 1e-6;
@@ -137,14 +137,14 @@ TEST_CASE("a rod without one stiffness names the strain and the node that moves 
     }
 }
 
-TEST_CASE("a node within a rod is named by its number", "[solvers]") {
+TEST_CASE("a node within a rod is named by its number", "[check]") {
     Model model = make_cantilever({0, 1, 2, 3, 4, 5});
     add_support(model, 10, {0, 1, 2, 3, 4, 5});
     model.sections[0].stiffness(3, 3) = 1e-6;
     CHECK(find_weakness(model).words == "rod cable, node 5: twist");
 }
 
-TEST_CASE("what is weak is named, not what it carries", "[solvers]") {
+TEST_CASE("what is weak is named, not what it carries", "[check]") {
     Model model = make_cantilever({0, 1, 2, 3, 4, 5});
     model.sections[0].stiffness(3, 3) = 1e-6;
     add_rod(model, {"arm", Vec3(11.0, 0.0, 0.0), Vec3(11.0, 30.0, 0.0)});
@@ -155,7 +155,7 @@ TEST_CASE("what is weak is named, not what it carries", "[solvers]") {
     CHECK(words.ends_with(": twist"));
 }
 
-TEST_CASE("section axes turn with the rod", "[solvers]") {
+TEST_CASE("section axes turn with the rod", "[check]") {
     // Weak about the section's y, which stands along the global −x after a quarter turn of everything about
     // z.
     Model model = make_cantilever({0, 1, 2, 3, 4, 5});
@@ -171,13 +171,13 @@ TEST_CASE("section axes turn with the rod", "[solvers]") {
     CHECK(weakness->words == "rod cable, cable.end: bending about y");
 }
 
-TEST_CASE("a sound structure is not near singular", "[solvers]") {
+TEST_CASE("a sound structure is not near singular", "[check]") {
     const Weakness weakness = find_weakness(make_cantilever({0, 1, 2, 3, 4, 5}));
     CHECK(weakness.stiffness > 1e3 * singular_stiffness);
     CHECK(weakness.words.starts_with("rod cable, cable.end: bending about"));
 }
 
-TEST_CASE("without unknowns or finite values there is no weakness", "[solvers]") {
+TEST_CASE("without unknowns or finite values there is no weakness", "[check]") {
     Model model = make_free_body(Vec3::Ones(), Vec3::Zero());
     {
         const System system(model);
@@ -192,7 +192,7 @@ TEST_CASE("without unknowns or finite values there is no weakness", "[solvers]")
     CHECK_FALSE(describe_weakness(system, state, compute_static_tangent(system, state)));
 }
 
-TEST_CASE("a screw is none of the simple motions", "[solvers]") {
+TEST_CASE("a screw is none of the simple motions", "[check]") {
     const Model model = make_cantilever({});
     const System system(model);
     const State state = system.initial_state();

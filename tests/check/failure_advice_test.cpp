@@ -23,7 +23,7 @@ const std::string stability =
 
 }  // namespace
 
-TEST_CASE("a step without convergence names the time, the worst places and what to try", "[solvers]") {
+TEST_CASE("a step without convergence names the time, the worst places and what to try", "[check]") {
     Failure failure = make_failure(Phase::implicit_step, Outcome::out_of_iterations);
     failure.iterations = 20;
     failure.residual = 0.031;
@@ -35,7 +35,7 @@ TEST_CASE("a step without convergence names the time, the worst places and what 
           "order) there; or a larger newton.max_iterations");
 }
 
-TEST_CASE("a load step says load factor and thinks of jumps", "[solvers]") {
+TEST_CASE("a load step says load factor and thinks of jumps", "[check]") {
     Failure failure = make_failure(Phase::load_step, Outcome::out_of_iterations);
     failure.iterations = 7;
     failure.residual = 2.0;
@@ -48,7 +48,7 @@ TEST_CASE("a load step says load factor and thinks of jumps", "[solvers]") {
           "structure cannot bear without a jump to another shape");
 }
 
-TEST_CASE("beside a stiff rod round-off is the reason", "[solvers]") {
+TEST_CASE("beside a stiff rod round-off is the reason", "[check]") {
     Failure failure = make_failure(Phase::load_step, Outcome::singular);
     failure.places = {"q.end (z)"};
     failure.contrast = "rod q is too stiff beside what bends rod r";
@@ -62,7 +62,7 @@ TEST_CASE("beside a stiff rod round-off is the reason", "[solvers]") {
     CHECK(advise(failure) == std::vector<std::string>{"longer elements", "a larger newton.max_iterations"});
 }
 
-TEST_CASE("a singular system names the motion that nothing holds", "[solvers]") {
+TEST_CASE("a singular system names the motion that nothing holds", "[check]") {
     Failure failure = make_failure(Phase::load_step, Outcome::singular);
     failure.places = {"cable.start (rx)"};
     failure.weakness = "the whole model turns about its own axis";
@@ -73,7 +73,7 @@ TEST_CASE("a singular system names the motion that nothing holds", "[solvers]") 
           "the structure buckles here");
 }
 
-TEST_CASE("in dynamics a singular system lacks inertia", "[solvers]") {
+TEST_CASE("in dynamics a singular system lacks inertia", "[check]") {
     const std::string inertia =
         "inertia for this motion: rhoA, rhoJ, rhoIy, rhoIz of a section, mass and inertia of a body";
     const auto advice = [](Phase phase) { return advise(make_failure(phase, Outcome::singular)); };
@@ -84,16 +84,7 @@ TEST_CASE("in dynamics a singular system lacks inertia", "[solvers]") {
           "the initial accelerations cannot be found: the system of equations is singular. Try " + inertia);
 }
 
-TEST_CASE("cholmod is doubted first", "[solvers]") {
-    Failure failure = make_failure(Phase::load_step, Outcome::out_of_iterations);
-    failure.linear_solver = LinearSolverKind::cholmod;
-    CHECK(advise(failure)[0] == "linear_solver = \"auto\": cholmod takes the tangent for symmetric");
-    failure.outcome = Outcome::singular;
-    CHECK(advise(failure)[0] ==
-          "linear_solver = \"auto\": cholmod does not exchange equations to find a pivot");
-}
-
-TEST_CASE("an explicit scheme that blows up is told from a bad load", "[solvers]") {
+TEST_CASE("an explicit scheme that blows up is told from a bad load", "[check]") {
     Failure failure = make_failure(Phase::explicit_step, Outcome::not_finite);
     failure.places = {"tip (z)"};
     CHECK(describe_failure(failure) ==
@@ -106,7 +97,7 @@ TEST_CASE("an explicit scheme that blows up is told from a bad load", "[solvers]
           std::vector<std::string>{"a look at the values of the loads and functions at this time"});
 }
 
-TEST_CASE("too large rotations ask for shorter steps or elements", "[solvers]") {
+TEST_CASE("too large rotations ask for shorter steps or elements", "[check]") {
     const auto text = [](Phase phase, Outcome outcome) {
         return describe_failure(make_failure(phase, outcome));
     };
@@ -126,7 +117,7 @@ TEST_CASE("too large rotations ask for shorter steps or elements", "[solvers]") 
           std::vector<std::string>{"more elements", "more steps"});
 }
 
-TEST_CASE("a step whose error stays too large asks for its limits to be widened", "[solvers]") {
+TEST_CASE("a step whose error stays too large asks for its limits to be widened", "[check]") {
     Failure failure = make_failure(Phase::implicit_step, Outcome::error_too_large);
     failure.step_error = 3.2e-3;
     failure.places = {"top (rz)"};

@@ -45,7 +45,7 @@ Eigen::VectorXd compute_all(const Model& model) {
 
 }  // namespace
 
-TEST_CASE("the lowest frequency of a Timoshenko cantilever", "[analyses]") {
+TEST_CASE("the lowest frequency of a Timoshenko cantilever", "[check]") {
     // By transfer matrices, 12 digits.
     Model model = make_rod_model(along_x, 1.0, {10, 3}, make_steel());
     clamp(model, 0);
@@ -54,7 +54,7 @@ TEST_CASE("the lowest frequency of a Timoshenko cantilever", "[analyses]") {
     CHECK(found->lowest / cycle == Approx(41.6927962022).epsilon(1e-6));
 }
 
-TEST_CASE("the frequencies of a mesh are its lowest and highest eigenvalues", "[analyses]") {
+TEST_CASE("the frequencies of a mesh are its lowest and highest eigenvalues", "[check]") {
     for (const bool clamped : {true, false}) {
         INFO((clamped ? "clamped" : "free"));
         Model model = make_rod_model(along_x, 1.0, {6, 2}, make_steel());
@@ -70,7 +70,7 @@ TEST_CASE("the frequencies of a mesh are its lowest and highest eigenvalues", "[
     }
 }
 
-TEST_CASE("loads and initial velocities do not change a mesh's frequencies", "[analyses]") {
+TEST_CASE("loads and initial velocities do not change a mesh's frequencies", "[check]") {
     Model model = make_rod_model(along_x, 1.0, {4, 1}, make_steel());
     clamp(model, 0);
     const auto bare = find_mesh_frequencies(model);
@@ -92,7 +92,7 @@ TEST_CASE("loads and initial velocities do not change a mesh's frequencies", "[a
     CHECK(loaded->highest == bare->highest);
 }
 
-TEST_CASE("a motion without inertia has no frequency", "[analyses]") {
+TEST_CASE("a motion without inertia has no frequency", "[check]") {
     Section section = make_steel();
     section.mass(3, 3) = 0.0;
     Model model = make_rod_model(along_x, 1.0, {4, 1}, section);
@@ -100,7 +100,7 @@ TEST_CASE("a motion without inertia has no frequency", "[analyses]") {
     CHECK_FALSE(find_mesh_frequencies(model));
 }
 
-TEST_CASE("damping ratios and the longest explicit step are told", "[analyses]") {
+TEST_CASE("damping ratios and the longest explicit step are told", "[check]") {
     Model model = make_rod_model(along_x, 1.0, {4, 1}, make_steel());
     clamp(model, 0);
     model.sections[0].name = "bar";

@@ -21,7 +21,7 @@ const std::string clamp = "[[support]]\nat = \"r.start\"\nfix = \"all\"\n";
 
 }  // namespace
 
-TEST_CASE("A part that can drift in a static analysis is an error that names the motion", "[analyses]") {
+TEST_CASE("A part that can drift in a static analysis is an error that names the motion", "[check]") {
     CHECK(examine(static_rod_deck + load + clamp).empty());
     CHECK(examine(static_rod_deck + load) ==
           Lines{"error: rod r can move and turn in every direction; a static analysis needs supports that "
@@ -36,7 +36,7 @@ TEST_CASE("A part that can drift in a static analysis is an error that names the
     CHECK_FALSE(has_error({{Severity::warning, ""}, {Severity::note, ""}}));
 }
 
-TEST_CASE("Round-off beside what is soft is warned of where stiffnesses are solved with", "[analyses]") {
+TEST_CASE("Round-off beside what is soft is warned of where stiffnesses are solved with", "[check]") {
     const auto stiffened = [](const std::string& deck) {
         return replaced(deck, "EA = 1e4", "EA = 1e18") + load + clamp;
     };
@@ -49,9 +49,9 @@ TEST_CASE("Round-off beside what is soft is warned of where stiffnesses are solv
     CHECK(examine(stiffened(rod_deck + "integrator = \"runge-kutta-4\"\n")).empty());
 }
 
-TEST_CASE("A part may drift in a dynamic analysis", "[analyses]") { CHECK(examine(rod_deck + load).empty()); }
+TEST_CASE("A part may drift in a dynamic analysis", "[check]") { CHECK(examine(rod_deck + load).empty()); }
 
-TEST_CASE("Each part is examined, and parts are listed", "[analyses]") {
+TEST_CASE("Each part is examined, and parts are listed", "[check]") {
     const std::string other =
         "[rod.q]\nsection = \"s\"\nline = { from = [0, 5, 0], to = [5, 5, 0] }\nelements = 4\nelement = "
         "\"simo\"\n[[support]]\nat = \"q.end\"\nfix = [\"position\", \"rx\", \"ry\"]\n";
@@ -63,7 +63,7 @@ TEST_CASE("Each part is examined, and parts are listed", "[analyses]") {
             "note: nothing connects these 2 parts: rod r; rod q"});
 }
 
-TEST_CASE("Suspicious models are warned of", "[analyses]") {
+TEST_CASE("Suspicious models are warned of", "[check]") {
     CHECK(examine(static_rod_deck + clamp) ==
           Lines{"warning: nothing loads the model: it has no load, gravity or move"});
     CHECK(examine(rod_deck + clamp) ==
@@ -85,7 +85,7 @@ TEST_CASE("Suspicious models are warned of", "[analyses]") {
     CHECK(describe(findings[1]) == "warning: gravity acts on nothing: the model has no mass");
 }
 
-TEST_CASE("Ends at one place that nothing connects are warned of", "[analyses]") {
+TEST_CASE("Ends at one place that nothing connects are warned of", "[check]") {
     CHECK(examine(rod_deck + load + "[body.b]\nmass = 1\ninertia = [1, 1, 1]\nat = [10, 0, 0]\n") ==
           Lines{"warning: r.end and b are at one place and not connected; to fix body.b there write at = "
                 "\"r.end\"",

@@ -18,7 +18,7 @@ State make_state(std::size_t nodes) {
 
 }  // namespace
 
-TEST_CASE("a rigid motion is found again, whatever moves elsewhere", "[solvers]") {
+TEST_CASE("a rigid motion is found again, whatever moves elsewhere", "[check]") {
     RandomValues random(5);
     const State state = make_state(6);
     const ModelPart part{{1, 2, 4}, {}, {}};
@@ -38,7 +38,7 @@ TEST_CASE("a rigid motion is found again, whatever moves elsewhere", "[solvers]"
     CHECK(fit_rigid_motion(direction, part, state, 3.0).remainder > 0.01);
 }
 
-TEST_CASE("one node always moves rigidly", "[solvers]") {
+TEST_CASE("one node always moves rigidly", "[check]") {
     const State state = make_state(1);
     const std::vector<Vec6> direction{Vec6::LinSpaced(-1.0, 1.0)};
     const RigidFit fit = fit_rigid_motion(direction, {{0}, {}, {}}, state, 2.0);

@@ -53,7 +53,7 @@ bool has(const std::string& text, const std::string& part) { return text.find(pa
 
 }  // namespace
 
-TEST_CASE("The twist of a curved rod is that beyond carrying its axes along", "[analyses]") {
+TEST_CASE("The twist of a curved rod is that beyond carrying its axes along", "[check]") {
     for (const double twist : {0.0, 0.8, -5.0}) {
         const Model fine = make_helix(60, 3.0, twist);
         CHECK(compute_twist(fine, fine.rods[0]) == Approx(twist).margin(1e-4));
@@ -66,7 +66,7 @@ TEST_CASE("The twist of a curved rod is that beyond carrying its axes along", "[
     CHECK(std::log2(error(30) / error(60)) == Approx(4.0).margin(0.2));
 }
 
-TEST_CASE("The largest turn of the tangent in an element is an angle between its ends", "[analyses]") {
+TEST_CASE("The largest turn of the tangent in an element is an angle between its ends", "[check]") {
     const Model model = make_helix(24, 3.0, 0.0);
     // Tangents of a helix that climbs at an angle α, φ apart: cos(turn) = cos²α cos φ + sin²α.
     const double slope = 1.0 / M_PI;
@@ -74,7 +74,7 @@ TEST_CASE("The largest turn of the tangent in an element is an angle between its
     CHECK(compute_largest_turn(model.rods[0]) == Approx(std::acos(cosine)).epsilon(1e-12));
 }
 
-TEST_CASE("A corner between elements is not a turn in an element, nor a twist", "[analyses]") {
+TEST_CASE("A corner between elements is not a turn in an element, nor a twist", "[check]") {
     Model model;
     model.nodes.resize(3);
     model.nodes[1].position = Vec3(1, 0, 0);
@@ -87,7 +87,7 @@ TEST_CASE("A corner between elements is not a turn in an element, nor a twist", 
     CHECK(std::abs(compute_twist(model, rod)) < 1e-15);
 }
 
-TEST_CASE("A coarse mesh of a curve is warned of", "[analyses]") {
+TEST_CASE("A coarse mesh of a curve is warned of", "[check]") {
     const Model fine = make_helix(24, 2.0, 0.0);
     const std::string text = describe_rod(fine, fine.rods[0]);
     CHECK(has(text,
@@ -109,7 +109,7 @@ TEST_CASE("A coarse mesh of a curve is warned of", "[analyses]") {
     CHECK(has(warned, "  twist: "));
 }
 
-TEST_CASE("A section is described by its constants, or in full where they couple", "[analyses]") {
+TEST_CASE("A section is described by its constants, or in full where they couple", "[check]") {
     Section section = make_section();
     CHECK(describe_section(section) ==
           "section tube:\n"
@@ -131,7 +131,7 @@ TEST_CASE("A section is described by its constants, or in full where they couple
           "  damping: kelvin_voigt 0.001, mass_proportional 0\n");
 }
 
-TEST_CASE("A rod thicker than long is warned of", "[analyses]") {
+TEST_CASE("A rod thicker than long is warned of", "[check]") {
     Model model = make_helix(24, 2.0, 0.0);
     CHECK(describe_thick_rods(model).empty());
     model.sections[0].stiffness.diagonal().tail<3>().setConstant(model.sections[0].stiffness(0, 0) * 100.0);

@@ -10,7 +10,7 @@
 
 using namespace gxrod;
 using namespace gxrod::tools;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 namespace {
 
@@ -80,10 +80,9 @@ StaticSettings settings_of(LinearSolverKind solver) {
 
 }  // namespace
 
-TEST_CASE("a straight column loses stability at each Euler load", "[analyses]") {
+TEST_CASE("a straight column loses stability at each Euler load", "[check]") {
     // In units of the first one: 1 and 9 about z, 8 about y, where it is eight times as stiff.
-    for (const LinearSolverKind solver :
-         {LinearSolverKind::automatic, LinearSolverKind::klu, LinearSolverKind::cholmod}) {
+    for (const LinearSolverKind solver : {LinearSolverKind::automatic, LinearSolverKind::klu}) {
         for (const ElementKind kind : {ElementKind::objective, ElementKind::simo}) {
             CAPTURE(static_cast<int>(solver), static_cast<int>(kind));
             const Watched run = watch(make_column(9.5, 0.0, {20, 2, kind}), settings_of(solver));
@@ -103,7 +102,7 @@ TEST_CASE("a straight column loses stability at each Euler load", "[analyses]") 
     }
 }
 
-TEST_CASE("below its Euler load a column is stable", "[analyses]") {
+TEST_CASE("below its Euler load a column is stable", "[check]") {
     const Watched run = watch(make_column(0.99, 0.0), make_static_settings(10, 1e-10));
     CHECK(run.warnings.empty());
     CHECK_FALSE(run.is_unstable);
@@ -111,7 +110,7 @@ TEST_CASE("below its Euler load a column is stable", "[analyses]") {
     CHECK(run.pivots == std::vector<std::int64_t>(10, 0));
 }
 
-TEST_CASE("with a little load sideways a column goes where the elastica is", "[analyses]") {
+TEST_CASE("with a little load sideways a column goes where the elastica is", "[check]") {
     // P = 1.5 P_E: K(k) = √1.5 π/2, the end moves sideways by 2 k L / K (Timoshenko & Gere 1961, 2.7).
     const double K = std::sqrt(1.5) * std::numbers::pi / 2.0;
     double low = 0.0, high = 1.0;
@@ -128,7 +127,7 @@ TEST_CASE("with a little load sideways a column goes where the elastica is", "[a
     }
 }
 
-TEST_CASE("a load that follows tells of divergence alone", "[analyses]") {
+TEST_CASE("a load that follows tells of divergence alone", "[check]") {
     // Hinged at both ends and pushed along its axis there (Pflüger's column): it diverges at π² EI / L², four
     // times the load of the clamped column.
     Model model =
@@ -147,7 +146,7 @@ TEST_CASE("a load that follows tells of divergence alone", "[analyses]") {
     CHECK_THAT(run.warnings[0], Contains("the determinant of the tangent became negative"));
 }
 
-TEST_CASE("loads without potential are those that turn, and moments that do not", "[analyses]") {
+TEST_CASE("loads without potential are those that turn, and moments that do not", "[check]") {
     Model model = make_column(1.0, 0.0);
     CHECK(find_load_without_potential(model).empty());
     model.loads.back().moment[2] = 1.0;
@@ -166,7 +165,7 @@ TEST_CASE("loads without potential are those that turn, and moments that do not"
     CHECK(find_load_without_potential(model) == "load[1] follows its rod");
 }
 
-TEST_CASE("where round-off hides what bends, no pivots are counted", "[analyses]") {
+TEST_CASE("where round-off hides what bends, no pivots are counted", "[check]") {
     // Of a string that hangs, EI is so small that the pivots of bending are below the round-off of EA.
     Model model = make_rod_model(along_x, length, {50, 1}, make_section({1e8, 1e8, 1e8, 1e-4, 1e-4, 1e-4}));
     clamp(model, 0);

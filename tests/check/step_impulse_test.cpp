@@ -31,7 +31,7 @@ constexpr std::array schemes{Scheme::newmark_simplified,
 
 }  // namespace
 
-TEST_CASE("Every scheme misses a pulse between the times where it asks for loads", "[analyses]") {
+TEST_CASE("Every scheme misses a pulse between the times where it asks for loads", "[check]") {
     for (const Scheme scheme : schemes) {
         const auto lost = find(make_pulse(0.5031, 0.5039), scheme);
         INFO(static_cast<int>(scheme));
@@ -48,7 +48,7 @@ TEST_CASE("Every scheme misses a pulse between the times where it asks for loads
     }
 }
 
-TEST_CASE("What is given is what the scheme makes of a load", "[analyses]") {
+TEST_CASE("What is given is what the scheme makes of a load", "[check]") {
     // A peak of height 1 on a step, 0.002 wide: Newmark's trapezoids take it for one of two steps.
     const TimedLoad peak{[](double t) { return std::max(0.0, 1.0 - std::abs(t - 0.5) / 0.001); },
                          {0.499, 0.5, 0.501}};
@@ -58,7 +58,7 @@ TEST_CASE("What is given is what the scheme makes of a load", "[analyses]") {
     CHECK(newmark->exact == Approx(0.001));
 }
 
-TEST_CASE("Loads that are switched once, or resolved, lose nothing", "[analyses]") {
+TEST_CASE("Loads that are switched once, or resolved, lose nothing", "[check]") {
     for (const Scheme scheme : schemes) {
         INFO(static_cast<int>(scheme));
         for (const double at : {0.0, 0.5, 0.5001, 0.5049, 0.5099, 0.985, 0.9999}) {
@@ -77,8 +77,7 @@ TEST_CASE("Loads that are switched once, or resolved, lose nothing", "[analyses]
                Scheme::newmark_simplified));
 }
 
-TEST_CASE("sdirk-4 makes far too much of a jump between its stages at 1/2 and 11/20 of a step",
-          "[analyses]") {
+TEST_CASE("sdirk-4 makes far too much of a jump between its stages at 1/2 and 11/20 of a step", "[check]") {
     // Its weights there are −85/12 and 125/16: after both, 1/4 and −49/48 are left.
     const auto lost = find({[](double t) { return t > 0.5053 ? 1.0 : 0.0; }, {0.5053}}, Scheme::sdirk_4);
     REQUIRE(lost);

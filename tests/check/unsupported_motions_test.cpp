@@ -47,7 +47,7 @@ using Texts = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("Without supports, a part has six free motions", "[analyses]") {
+TEST_CASE("Without supports, a part has six free motions", "[check]") {
     CHECK(motions_of(make_straight_rod()) == Texts{"move along x",
                                                    "move along y",
                                                    "move along z",
@@ -56,7 +56,7 @@ TEST_CASE("Without supports, a part has six free motions", "[analyses]") {
                                                    "turn about an axis along z"});
 }
 
-TEST_CASE("A clamp leaves no free motion, fixed or moved, in any axes", "[analyses]") {
+TEST_CASE("A clamp leaves no free motion, fixed or moved, in any axes", "[check]") {
     Model model = make_straight_rod();
     hold(model, 0, all, exp_quaternion({0.3, -0.4, 0.9}));
     CHECK(motions_of(model).empty());
@@ -66,7 +66,7 @@ TEST_CASE("A clamp leaves no free motion, fixed or moved, in any axes", "[analys
     CHECK(motions_of(model).empty());
 }
 
-TEST_CASE("A straight rod on two ball joints can twist", "[analyses]") {
+TEST_CASE("A straight rod on two ball joints can twist", "[check]") {
     Model model = make_straight_rod();
     hold(model, 0, position);
     hold(model, 2, position);
@@ -77,14 +77,14 @@ TEST_CASE("A straight rod on two ball joints can twist", "[analyses]") {
     CHECK(motions_of(model) == Texts{"move along x", "twist about its axis"});
 }
 
-TEST_CASE("A bent rod on two ball joints turns about the line between them", "[analyses]") {
+TEST_CASE("A bent rod on two ball joints turns about the line between them", "[check]") {
     Model model = make_rod({{1, 1, 5}, {1, 4, 5}, {4, 5, 5}});
     hold(model, 0, position);
     hold(model, 2, position);
     CHECK(motions_of(model) == Texts{"turn about an axis along (0.6, 0.8, 0) through (1, 1, 5)"});
 }
 
-TEST_CASE("A ball joint leaves three turns about itself", "[analyses]") {
+TEST_CASE("A ball joint leaves three turns about itself", "[check]") {
     Model model = make_straight_rod();
     hold(model, 1, position);
     CHECK(motions_of(model) == Texts{"twist about its axis",
@@ -92,7 +92,7 @@ TEST_CASE("A ball joint leaves three turns about itself", "[analyses]") {
                                      "turn about an axis along z through (1, 0, 0)"});
 }
 
-TEST_CASE("A hinge leaves the turn about its own axis", "[analyses]") {
+TEST_CASE("A hinge leaves the turn about its own axis", "[check]") {
     Model model = make_straight_rod();
     hold(model, 2, {true, true, true, true, true, false});
     CHECK(motions_of(model) == Texts{"turn about an axis along z through (2, 0, 0)"});
@@ -100,7 +100,7 @@ TEST_CASE("A hinge leaves the turn about its own axis", "[analyses]") {
     CHECK(motions_of(model) == Texts{"turn about an axis along (0, -0.6, 0.8) through (2, 0, 0)"});
 }
 
-TEST_CASE("Free translations are along the global axes where they can be", "[analyses]") {
+TEST_CASE("Free translations are along the global axes where they can be", "[check]") {
     Model model = make_straight_rod();
     hold(model, 0, {false, true, false, true, true, true});
     CHECK(motions_of(model) == Texts{"move along x", "move along z"});
@@ -108,13 +108,13 @@ TEST_CASE("Free translations are along the global axes where they can be", "[ana
     CHECK(motions_of(model) == Texts{"move along z", "move along (0.8, 0.6, 0)"});
 }
 
-TEST_CASE("In its plane, a part that slides turns about any point", "[analyses]") {
+TEST_CASE("In its plane, a part that slides turns about any point", "[check]") {
     Model model = make_straight_rod();
     hold(model, 0, {false, false, true, true, true, false});
     CHECK(motions_of(model) == Texts{"move along x", "move along y", "turn about an axis along z"});
 }
 
-TEST_CASE("Supports can leave a screw", "[analyses]") {
+TEST_CASE("Supports can leave a screw", "[check]") {
     // Motions (v, ω) with v_x = p ω_x at the origin: a row of each support mixes both.
     Model model = make_rod({{0, 0, 0}, {0, 3, 0}, {0, 0, 3}, {5, 0, 0}});
     // Everything but a turn about x and a slide along it …
@@ -132,7 +132,7 @@ TEST_CASE("Supports can leave a screw", "[analyses]") {
           "turn about an axis along x through (0, 0, 0) while it moves along it by 2.25 per rad");
 }
 
-TEST_CASE("Free motions do not move what is held, and are as many as there can be", "[analyses]") {
+TEST_CASE("Free motions do not move what is held, and are as many as there can be", "[check]") {
     tools::RandomValues random(3);
     for (int round = 0; round < 200; ++round) {
         Model model =

@@ -9,7 +9,7 @@
 using namespace gxrod;
 using namespace gxrod::tools;
 
-TEST_CASE("a scaled tangent compares displacements over the length with rotations", "[solvers]") {
+TEST_CASE("a scaled tangent compares displacements over the length with rotations", "[check]") {
     const Model model = make_sample_model();
     const System system(model);
     const std::vector<double> values = compute_static_tangent(system, make_sample_state(system, 5));
@@ -28,7 +28,7 @@ TEST_CASE("a scaled tangent compares displacements over the length with rotation
     CHECK(tangent.multiply(x).isApprox(expected * x, 1e-13));
 }
 
-TEST_CASE("the weakest direction is the smallest singular vector", "[solvers]") {
+TEST_CASE("the weakest direction is the smallest singular vector", "[check]") {
     for (unsigned seed = 1; seed <= 5; ++seed) {
         Model model = make_sample_model();
         model.bodies.pop_back();  // the lone node keeps a load that has no stiffness of its own
@@ -48,7 +48,7 @@ TEST_CASE("the weakest direction is the smallest singular vector", "[solvers]") 
     }
 }
 
-TEST_CASE("the weakest direction of a long rod is found without loss", "[solvers]") {
+TEST_CASE("the weakest direction of a long rod is found without loss", "[check]") {
     // Its stiffness falls as the third power of the number of nodes; that of a spin about its axis vanishes.
     Model model;
     add_rod(model, {"cable", Vec3::Zero(), Vec3(300.0, 0.0, 0.0), 1000});

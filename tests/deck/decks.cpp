@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "deck/fault.hpp"
+#include "deck/reading/fault.hpp"
 #include "tools/catch.hpp"
 
 namespace gxrod::test {

@@ -26,7 +26,7 @@ const std::string analysis = "[analysis]\nkind = \"dynamic\"\nend_time = 1.0\nst
 
 }  // namespace
 
-TEST_CASE("The sections and rods of the guide are a deck", "[deck][mesh]") {
+TEST_CASE("The sections and rods of the guide are a deck", "[deck]") {
     const std::string deck = toml_of("sections.md") + toml_of("geometry.md") + analysis;
     const Problem problem = read_problem_text(deck, GXROD_SOURCE_DIR "/guide.toml");
     CHECK(problem.model.sections.size() == 6);

@@ -2,9 +2,9 @@
 #include <functional>
 #include <set>
 
-#include "deck/choices.hpp"
 #include "deck/decks.hpp"
-#include "deck/schema.hpp"
+#include "deck/schema/choices.hpp"
+#include "deck/schema/schema.hpp"
 #include "tools/catch.hpp"
 
 // Every key of the schema, set to a value that is not its default, is seen in the problem that the reader

@@ -1,9 +1,9 @@
 #include <cmath>
 
-#include "deck/overrides.hpp"
 #include "deck/problem.hpp"
-#include "deck/toml_writing.hpp"
-#include "deck/validation.hpp"
+#include "deck/reading/overrides.hpp"
+#include "deck/reading/toml_writing.hpp"
+#include "deck/reading/validation.hpp"
 #include "fuzz/expectation.hpp"
 #include "fuzz/inputs.hpp"
 #include "machine/file_error.hpp"

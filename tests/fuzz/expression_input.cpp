@@ -1,7 +1,7 @@
 #include <cmath>
 #include <string>
 
-#include "deck/expression.hpp"
+#include "deck/expressions/expression.hpp"
 #include "fuzz/expectation.hpp"
 #include "fuzz/inputs.hpp"
 #include "model/evaluation_error.hpp"

@@ -2,7 +2,7 @@
 
 #include "batch/case_list.hpp"
 #include "batch/plan.hpp"
-#include "deck/fault.hpp"
+#include "deck/reading/fault.hpp"
 #include "fuzz/expectation.hpp"
 #include "fuzz/inputs.hpp"
 #include "fuzz/scratch_folder.hpp"

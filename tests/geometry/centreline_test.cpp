@@ -19,7 +19,7 @@ Centreline make_staircase() {
 
 }  // namespace
 
-TEST_CASE("A centreline has the length, corners and points of its pieces", "[deck]") {
+TEST_CASE("A centreline has the length, corners and points of its pieces", "[geometry]") {
     const Centreline line = make_staircase();
     CHECK(line.length() == 4.0);
     CHECK(line.corners() == std::vector<double>{0.5, 0.75});
@@ -36,7 +36,7 @@ TEST_CASE("A centreline has the length, corners and points of its pieces", "[dec
     CHECK(line.position(2, 1.0) == Vec3(2, 1, 1));
 }
 
-TEST_CASE("Axes turn in a corner by the smallest rotation between the tangents", "[deck]") {
+TEST_CASE("Axes turn in a corner by the smallest rotation between the tangents", "[geometry]") {
     const Centreline line = make_staircase();
     CHECK(line.transport(0, 0.5).angularDistance(Quat::Identity()) < 1e-15);
     const Quat first = exp_quaternion({0, 0, M_PI / 2});
@@ -45,7 +45,7 @@ TEST_CASE("Axes turn in a corner by the smallest rotation between the tangents",
     CHECK(line.transport(2, 0.75).angularDistance(exp_quaternion({M_PI / 2, 0, 0}) * first) < 1e-15);
 }
 
-TEST_CASE("Axes are carried on from a curved piece", "[deck]") {
+TEST_CASE("Axes are carried on from a curved piece", "[geometry]") {
     std::vector<std::unique_ptr<Curve>> pieces;
     pieces.push_back(
         std::make_unique<HelixCurve>(HelixShape{Vec3(1, 0, 0), Vec3::UnitZ(), Vec3(1, 0, 0), M_PI / 2, 0.0}));

@@ -16,7 +16,7 @@ HelixShape make_shape(double angle, double rise) {
 
 }  // namespace
 
-TEST_CASE("Arcs and helices are curves by arc length", "[deck]") {
+TEST_CASE("Arcs and helices are curves by arc length", "[geometry]") {
     for (const double angle : {0.1, 2.0, -3.0, 2.0 * M_PI, 20.0, -30.0}) {
         for (const double rise : {0.0, 1.0, -5.0, 60.0}) {
             INFO(angle << " " << rise);
@@ -25,7 +25,7 @@ TEST_CASE("Arcs and helices are curves by arc length", "[deck]") {
     }
 }
 
-TEST_CASE("An arc has the length, points and tangents of a circle", "[deck]") {
+TEST_CASE("An arc has the length, points and tangents of a circle", "[geometry]") {
     const HelixCurve arc(make_shape(M_PI, 0.0));
     CHECK(arc.length() == Approx(2.0 * M_PI).epsilon(1e-15));
     CHECK(arc.position(0.0) == Vec3(2, 0, 0));
@@ -35,7 +35,7 @@ TEST_CASE("An arc has the length, points and tangents of a circle", "[deck]") {
     CHECK((HelixCurve(make_shape(-M_PI / 2.0, 0.0)).position(M_PI) - Vec3(0, -2, 0)).norm() < 1e-15);
 }
 
-TEST_CASE("A small angle of a large circle keeps its digits", "[deck]") {
+TEST_CASE("A small angle of a large circle keeps its digits", "[geometry]") {
     const double radius = 1e10;
     const HelixCurve arc({Vec3::Zero(), Vec3::UnitZ(), Vec3(0, -radius, 0), 1e-10, 0.0});
     CHECK(arc.length() == Approx(1.0).epsilon(1e-15));
@@ -43,7 +43,7 @@ TEST_CASE("A small angle of a large circle keeps its digits", "[deck]") {
     CHECK(arc.position(1.0)[1] == Approx(0.5e-10).epsilon(1e-12));
 }
 
-TEST_CASE("A helix is right-handed if angle and rise have one sign", "[deck]") {
+TEST_CASE("A helix is right-handed if angle and rise have one sign", "[geometry]") {
     // Of a right-handed helix (r′ × r″)·r‴ is positive.
     const auto handedness = [](double angle, double rise) {
         const HelixCurve helix(make_shape(angle, rise));
@@ -60,7 +60,7 @@ TEST_CASE("A helix is right-handed if angle and rise have one sign", "[deck]") {
     CHECK(handedness(5.0, -3.0) < 0.0);
 }
 
-TEST_CASE("Axes carried along a helix fall behind its own frame by torsion times length", "[deck]") {
+TEST_CASE("Axes carried along a helix fall behind its own frame by torsion times length", "[geometry]") {
     const double angle = 7.0, rise = 3.0, radius = 2.0;
     const HelixCurve helix(make_shape(angle, rise));
     // κ = R/c², τ = p/c² with p = rise/angle and c² = R² + p².
@@ -80,7 +80,7 @@ TEST_CASE("Axes carried along a helix fall behind its own frame by torsion times
     }
 }
 
-TEST_CASE("The closed form of a helix's transport solves its differential equation", "[deck]") {
+TEST_CASE("The closed form of a helix's transport solves its differential equation", "[geometry]") {
     const HelixCurve helix({Vec3(1, 2, 3), Vec3(2, -1, 2) / 3.0, Vec3(1, 2, 0) * 0.3, 4.0, 1.5});
     const Mat3 integrated = integrate_transport(helix, 0.9 * helix.length());
     CHECK((helix.transport(0.9 * helix.length()).toRotationMatrix() - integrated).norm() < 1e-6);

@@ -27,7 +27,7 @@ double worst_sine_error(int pieces) {
 
 }  // namespace
 
-TEST_CASE("A spline passes its points, smooth to the second derivative, with natural ends", "[deck]") {
+TEST_CASE("A spline passes its points, smooth to the second derivative, with natural ends", "[geometry]") {
     const std::vector<Vec3> points{
         Vec3(0, 0, 0), Vec3(1, 2, 0), Vec3(3, 1, 1), Vec3(3.5, 1, 4), Vec3(7, -2, 2)};
     const std::vector<Cubic> cubics = compute_natural_spline(points);
@@ -46,21 +46,21 @@ TEST_CASE("A spline passes its points, smooth to the second derivative, with nat
     CHECK(cubics.back().bend(1.0).norm() < 1e-14);
 }
 
-TEST_CASE("A spline of two points is their line", "[deck]") {
+TEST_CASE("A spline of two points is their line", "[geometry]") {
     const std::vector<Vec3> points{Vec3(1, 2, 3), Vec3(4, 6, 3)};
     const PolynomialCurve line(compute_natural_spline(points));
     CHECK(line.length() == Approx(5.0).epsilon(1e-15));
     CHECK((line.position(2.5) - Vec3(2.5, 4, 3)).norm() < 1e-15);
 }
 
-TEST_CASE("A spline nears a smooth curve with the fourth power of its spacing", "[deck]") {
+TEST_CASE("A spline nears a smooth curve with the fourth power of its spacing", "[geometry]") {
     const double coarse = worst_sine_error(16);
     const double fine = worst_sine_error(32);
     CHECK(std::log2(coarse / fine) == Approx(4.0).margin(0.2));
     CHECK(fine < 2e-6);
 }
 
-TEST_CASE("Axes carried along a spline through a helix turn as along the helix", "[deck]") {
+TEST_CASE("Axes carried along a spline through a helix turn as along the helix", "[geometry]") {
     const HelixCurve helix({Vec3(1, 0, 0), Vec3::UnitZ(), Vec3(1, 0, 0), 4.0 * M_PI, 3.0});
     std::vector<Vec3> points;
     for (int i = 0; i <= 256; ++i) points.push_back(helix.position(helix.length() * i / 256.0));

@@ -20,7 +20,7 @@ double parabola_length(double x) {
 
 }  // namespace
 
-TEST_CASE("Polynomials pass through the points that they interpolate", "[deck]") {
+TEST_CASE("Polynomials pass through the points that they interpolate", "[geometry]") {
     const std::vector<Vec3> points{Vec3(1, 2, 3), Vec3(4, 0, 1), Vec3(-2, 5, 0.5), Vec3(0.1, 7, 9)};
     for (std::size_t count = 2; count <= 4; ++count) {
         const Cubic cubic = interpolate({points.data(), count});
@@ -33,14 +33,14 @@ TEST_CASE("Polynomials pass through the points that they interpolate", "[deck]")
     }
 }
 
-TEST_CASE("Polynomials are curves by arc length", "[deck]") {
+TEST_CASE("Polynomials are curves by arc length", "[geometry]") {
     check_curve(curve_of(twisted_cubic));
     check_curve(curve_of(parabola));
     // Turns by more than half a circle.
     check_curve(curve_of({{Vec3(0, 0, 0), Vec3(9, 0, 0), Vec3(-18, 3, 0), Vec3(9, 1, 1)}}));
 }
 
-TEST_CASE("The length of a parabola is that of the closed form, to round-off", "[deck]") {
+TEST_CASE("The length of a parabola is that of the closed form, to round-off", "[geometry]") {
     const PolynomialCurve curve = curve_of(parabola);
     CHECK(curve.length() == Approx(parabola_length(1.0)).epsilon(2e-15));
     for (const double x : {1e-6, 0.1, 0.37, 0.5, 0.93}) {
@@ -53,7 +53,7 @@ TEST_CASE("The length of a parabola is that of the closed form, to round-off", "
     CHECK(curve_of(sharp).length() == Approx(expected).epsilon(1e-14));
 }
 
-TEST_CASE("Axes carried along a plane curve turn about the plane's normal", "[deck]") {
+TEST_CASE("Axes carried along a plane curve turn about the plane's normal", "[geometry]") {
     const PolynomialCurve curve = curve_of(parabola);
     for (const double x : {0.1, 0.5, 1.0}) {
         const Quat expected = exp_quaternion({0, 0, std::atan(2.0 * x)});
@@ -61,7 +61,7 @@ TEST_CASE("Axes carried along a plane curve turn about the plane's normal", "[de
     }
 }
 
-TEST_CASE("The quadrature of a polynomial's transport solves its differential equation", "[deck]") {
+TEST_CASE("The quadrature of a polynomial's transport solves its differential equation", "[geometry]") {
     const PolynomialCurve curve = curve_of(twisted_cubic);
     for (const double fraction : {0.4, 0.95}) {
         const double s = fraction * curve.length();
@@ -69,7 +69,7 @@ TEST_CASE("The quadrature of a polynomial's transport solves its differential eq
     }
 }
 
-TEST_CASE("A curve's transport does not depend on how it is cut into polynomials", "[deck]") {
+TEST_CASE("A curve's transport does not depend on how it is cut into polynomials", "[geometry]") {
     // Halves of the twisted cubic by their own parameter.
     const auto part = [](double first, double width) {
         return Cubic{{twisted_cubic.position(first),
@@ -89,7 +89,7 @@ TEST_CASE("A curve's transport does not depend on how it is cut into polynomials
     CHECK(cut.arc_length_at(1.5) == Approx(whole.arc_length_at(0.4)).epsilon(1e-14));
 }
 
-TEST_CASE("A curve that stops or turns back has a fold", "[deck]") {
+TEST_CASE("A curve that stops or turns back has a fold", "[geometry]") {
     CHECK_FALSE(find_fold({&twisted_cubic, 1}));
     CHECK_FALSE(find_fold({&parabola, 1}));
     const Cubic back{{Vec3::Zero(), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3::Zero()}};

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
-#include "deck/check_memory.hpp"
+#include "deck/checks/check_memory.hpp"
 #include "deck/decks.hpp"
-#include "deck/validation.hpp"
+#include "deck/reading/validation.hpp"
 #include "tools/catch.hpp"
 
 // Decks that are too deep, too slow to evaluate, too large or not to be shown.
@@ -33,7 +33,7 @@ std::string function_chain(int length, int calls) {
 
 }  // namespace
 
-TEST_CASE("Keys of many parts are refused before they are followed", "[deck]") {
+TEST_CASE("Keys of many parts are refused before they are followed", "[issues]") {
     const std::string message = "x.toml:8:1: a key of 100000 parts, where a.b.c has 3; 16 are the most";
     CHECK(faults_of(body_deck + repeated("a.", 99999) + "a = 1\n") == message);
     CHECK(faults_of(body_deck + "[" + repeated("\"a\" . ", 99999) + "a]\n") == message);
@@ -43,7 +43,7 @@ TEST_CASE("Keys of many parts are refused before they are followed", "[deck]") {
     CHECK(faults_of(body_deck + "[parameters]\na = \"" + repeated("0.5 + ", 40) + "0.5\"\n") == "");
 }
 
-TEST_CASE("Texts that a terminal would obey are refused", "[deck]") {
+TEST_CASE("Texts that a terminal would obey are refused", "[issues]") {
     CHECK(faults_of("title = \"a\\u001b[31mred\"\n" + body_deck) ==
           "x.toml:1:9: has the control character \\x1b; expected a text that can be shown");
     CHECK(faults_of("title = \"a\\u009b31m\"\n" + body_deck) ==
@@ -55,7 +55,7 @@ TEST_CASE("Texts that a terminal would obey are refused", "[deck]") {
     CHECK(faults_of("title = a\x1b[31m\n" + body_deck).find('\x1b') == std::string::npos);
 }
 
-TEST_CASE("Expressions that would take too long are refused", "[deck]") {
+TEST_CASE("Expressions that would take too long are refused", "[issues]") {
     const std::string path = "x.toml:10:10: load[0].force[0]: ";
     CHECK(faults_of(loaded_by("t" + repeated("+t", 5000))) ==
           path + "\"t" + repeated("+t", 99) + "+…\": has 10001 letters; 10000 are the most");
@@ -71,7 +71,7 @@ TEST_CASE("Expressions that would take too long are refused", "[deck]") {
                Catch::Contains("functions that call functions go more than 100 deep"));
 }
 
-TEST_CASE("Parameters that rest on thousands of others are refused", "[deck]") {
+TEST_CASE("Parameters that rest on thousands of others are refused", "[issues]") {
     const auto chain = [](int length) {
         std::string text = "[parameters]\n";
         for (int i = 0; i < length; ++i) text += fmt::format("p{} = \"p{}\"\n", i, i + 1);
@@ -83,7 +83,7 @@ TEST_CASE("Parameters that rest on thousands of others are refused", "[deck]") {
           "be followed");
 }
 
-TEST_CASE("A model larger than the memory is refused with its size", "[deck]") {
+TEST_CASE("A model larger than the memory is refused with its size", "[issues]") {
     const std::string deck = replaced(rod_deck, "elements = 10", "elements = 1000000\norder = 2");
     const auto faults_with = [&](double usable_bytes) {
         FaultList faults("x.toml", {});

@@ -1,10 +1,11 @@
+#include <fmt/format.h>
 #include <hdf5.h>
 
 #include <functional>
 #include <random>
 
 #include "deck/problem.hpp"
-#include "deck/text_file.hpp"
+#include "deck/reading/text_file.hpp"
 #include "fuzz/scratch_folder.hpp"
 #include "issues/results_sample.hpp"
 #include "machine/file_error.hpp"
@@ -150,7 +151,7 @@ std::string unreadable(const std::string& why) { return "cannot be read as resul
 
 }  // namespace
 
-TEST_CASE("The sample that is damaged can be read", "[results]") {
+TEST_CASE("The sample that is damaged can be read", "[issues]") {
     CHECK(Damaged().report_fault() == "");
     CHECK(Damaged().csv_fault() == "");
     CHECK(Damaged().series_fault() == "");
@@ -158,7 +159,7 @@ TEST_CASE("The sample that is damaged can be read", "[results]") {
     CHECK(Damaged().go_on_fault() == "");
 }
 
-TEST_CASE("Rows of another width are an error, not what lies behind them", "[results]") {
+TEST_CASE("Rows of another width are an error, not what lies behind them", "[issues]") {
     for (const char* name :
          {"/VTKHDF/PointData/axis_x", "/VTKHDF/PointData/displacement", "/VTKHDF/Points"}) {
         Damaged damaged;
@@ -170,7 +171,7 @@ TEST_CASE("Rows of another width are an error, not what lies behind them", "[res
     CHECK(damaged.report_fault() == unreadable("/histories/time has rows of another width"));
 }
 
-TEST_CASE("Counts that are none are an error", "[results]") {
+TEST_CASE("Counts that are none are an error", "[issues]") {
     for (const double count : {-1.0, 0.5, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
         Damaged damaged;
         damaged.replace_dataset("/VTKHDF/NumberOfPoints", {1}, count);
@@ -186,7 +187,7 @@ TEST_CASE("Counts that are none are an error", "[results]") {
     }
 }
 
-TEST_CASE("A dataset that the file is too small for takes no memory", "[results]") {
+TEST_CASE("A dataset that the file is too small for takes no memory", "[issues]") {
     Damaged damaged;
     damaged.replace_dataset("/VTKHDF/Connectivity", {1'000'000'000'000});
     const std::string told =
@@ -195,7 +196,7 @@ TEST_CASE("A dataset that the file is too small for takes no memory", "[results]
     CHECK(damaged.series_fault() == told);
 }
 
-TEST_CASE("A state has a checksum of its own, for files of runs that were killed in a write", "[results]") {
+TEST_CASE("A state has a checksum of its own, for files of runs that were killed in a write", "[issues]") {
     for (const char* table : {"nodes", "numbers"}) {
         Damaged damaged;
         for (const char* slot : {"/restart/a/", "/restart/b/"})
@@ -207,7 +208,7 @@ TEST_CASE("A state has a checksum of its own, for files of runs that were killed
     }
 }
 
-TEST_CASE("A state of another version is not gone on from", "[results]") {
+TEST_CASE("A state of another version is not gone on from", "[issues]") {
     Damaged damaged;
     damaged.replace_attribute("/restart", "version", {}, 99.0);
     damaged.open_seal();
@@ -217,7 +218,7 @@ TEST_CASE("A state of another version is not gone on from", "[results]") {
 }
 
 // Over some of these HDF5's library breaks down, or does not come back.
-TEST_CASE("Whatever is damaged ends in an error or is read, and leaves the program alone", "[results]") {
+TEST_CASE("Whatever is damaged ends in an error or is read, and leaves the program alone", "[issues]") {
     const fuzz::ScratchFolder folder;
     const std::filesystem::path path = folder.path() / "damaged.vtkhdf";
     std::mt19937 random(11);

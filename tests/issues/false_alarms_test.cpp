@@ -60,7 +60,7 @@ std::string with_velocity(const std::string& components) {
 
 }  // namespace
 
-TEST_CASE("Rods that go on into each other are judged as one", "[analyses]") {
+TEST_CASE("Rods that go on into each other are judged as one", "[issues]") {
     // The radius of gyration of the section is √0.06; a rod of length 0.5 alone has a slenderness of 2.
     CHECK(thick_rods_of(row_of_rods(1, 0.5, 0.0)) ==
           "rod p0 is thicker than long; are all lengths in one unit?");
@@ -74,7 +74,7 @@ TEST_CASE("Rods that go on into each other are judged as one", "[analyses]") {
           "rods p0, p1, p2 are thicker than long; are all lengths in one unit?");
 }
 
-TEST_CASE("A stub on a slender rod of its section is no sign of mixed units", "[analyses]") {
+TEST_CASE("A stub on a slender rod of its section is no sign of mixed units", "[issues]") {
     const std::string stub =
         "[rod.stub]\nsection = \"s\"\nline = { from = [10, 0, 0], to = [10, 0, 0.1] }\nelements = 1\n";
     const std::string joined = "[[connect]]\npoints = [\"r.end\", \"stub.start\"]\n";
@@ -82,7 +82,7 @@ TEST_CASE("A stub on a slender rod of its section is no sign of mixed units", "[
     CHECK(thick_rods_of(rod_deck + stub) == "rod stub is thicker than long; are all lengths in one unit?");
 }
 
-TEST_CASE("Of several rods at a node the straightest goes on", "[analyses]") {
+TEST_CASE("Of several rods at a node the straightest goes on", "[issues]") {
     const std::string branches =
         "[rod.a]\nsection = \"s\"\nline = { from = [10, 0, 0], to = [14, 1, 0] }\nelements = 1\n"
         "[rod.b]\nsection = \"s\"\nline = { from = [10, 0, 0], to = [13, -2, 0] }\nelements = 1\n"
@@ -93,7 +93,7 @@ TEST_CASE("Of several rods at a node the straightest goes on", "[analyses]") {
     CHECK(lengths[2] == Approx(std::sqrt(13.0)));
 }
 
-TEST_CASE("What repeats in a model is summed up", "[analyses]") {
+TEST_CASE("What repeats in a model is summed up", "[issues]") {
     const Model model = read(row_of_rods(384, 0.5, 0.0)).model;
     long all = 0;
     long shortened = 0;
@@ -113,7 +113,7 @@ TEST_CASE("What repeats in a model is summed up", "[analyses]") {
           "a\nb\nand 3 more things\n");
 }
 
-TEST_CASE("Sentences that differ in names and numbers alone are summed up", "[analyses]") {
+TEST_CASE("Sentences that differ in names and numbers alone are summed up", "[issues]") {
     using Sentences = std::vector<std::string>;
     CHECK(sum_up_repeats({"note: rod.a1.y_axis: from [0, 1, 0]",
                           "note: rod.b.y_axis: from [0, -1.5e-3, 0]",
@@ -124,7 +124,7 @@ TEST_CASE("Sentences that differ in names and numbers alone are summed up", "[an
     CHECK(sum_up_repeats({"a stays.", "b stays."}) == Sentences{"a stays.", "b stays."});
 }
 
-TEST_CASE("An initial velocity that is round-off at a support is 0 there", "[deck]") {
+TEST_CASE("An initial velocity that is round-off at a support is 0 there", "[issues]") {
     // sin(π) is 1.2e-16.
     const Problem problem = read(on_supports("\"position\"") + with_velocity("0, \"1e-3*sin(pi*s/10)\", 0"));
     CHECK(problem.model.nodes.back().velocity.isZero(0.0));
@@ -138,7 +138,7 @@ TEST_CASE("An initial velocity that is round-off at a support is 0 there", "[dec
               "[[initial]]\non = \"r\"\nangular_velocity = [\"sin(pi*s/10)\", 0, \"cos(pi*s/10)\"]\n") == "");
 }
 
-TEST_CASE("Rods that meet agree on a velocity to round-off of the larger one", "[deck]") {
+TEST_CASE("Rods that meet agree on a velocity to round-off of the larger one", "[issues]") {
     const std::string second =
         "[rod.q]\nsection = \"s\"\nline = { from = [10, 0, 0], to = [20, 0, 0] }\nelements = 2\n"
         "[[connect]]\npoints = [\"r.end\", \"q.start\"]\n";
@@ -150,7 +150,7 @@ TEST_CASE("Rods that meet agree on a velocity to round-off of the larger one", "
                Catch::Contains("a node has one velocity"));
 }
 
-TEST_CASE("A move that begins with round-off begins with 0", "[deck]") {
+TEST_CASE("A move that begins with round-off begins with 0", "[issues]") {
     const auto moved = [](const std::string& move) {
         return rod_deck + "[[support]]\nat = \"r.start\"\nmove = { " + move + " }\n";
     };
@@ -161,7 +161,7 @@ TEST_CASE("A move that begins with round-off begins with 0", "[deck]") {
                Catch::Contains("is 1e-09 at t = 0; expected 0 there"));
 }
 
-TEST_CASE("Moments of inertia that rounding explains are taken with a warning", "[deck][analyses]") {
+TEST_CASE("Moments of inertia that rounding explains are taken with a warning", "[issues]") {
     const Problem problem = read(with_inertia("[1e-5, 1e-7, 9.5e-6]"));
     CHECK(problem.model.bodies[0].inertia(0, 0) == 1e-5);
     CHECK(warnings_of(problem).at(0) ==
@@ -185,7 +185,7 @@ TEST_CASE("Moments of inertia that rounding explains are taken with a warning", 
                Catch::Contains("expected a positive definite inertia"));
 }
 
-TEST_CASE("Points are near to each other as their own rods measure it", "[analyses]") {
+TEST_CASE("Points are near to each other as their own rods measure it", "[issues]") {
     const auto found = [](const std::string& rest) {
         return find_unconnected_points(read(replaced(rod_deck, "10, 0, 0", "1000, 0, 0") + rest).model);
     };

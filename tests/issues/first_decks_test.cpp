@@ -35,7 +35,7 @@ std::string why_unreadable(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("A deck in UTF-16 is told from one that is not TOML", "[deck]") {
+TEST_CASE("A deck in UTF-16 is told from one that is not TOML", "[issues]") {
     const std::string hint =
         "is in UTF-16 or UTF-32, expected a deck in UTF-8 (save it with the encoding UTF-8, or convert it: "
         "iconv -f "
@@ -49,7 +49,7 @@ TEST_CASE("A deck in UTF-16 is told from one that is not TOML", "[deck]") {
     CHECK(why_unreadable(body_deck).empty());
 }
 
-TEST_CASE("A modulus in another unit than the lengths shows in the static strains", "[analyses]") {
+TEST_CASE("A modulus in another unit than the lengths shows in the static strains", "[issues]") {
     const auto described = [](const std::string& E, const std::string& rest) {
         const Problem problem = read(
             "gravity = [0, 0, -9.81]\n[section.s]\nshape = { circle = { radius = 5e-3 } }\n"
@@ -83,7 +83,7 @@ TEST_CASE("A modulus in another unit than the lengths shows in the static strain
     CHECK(described("5", "[[support]]\nat = \"r.start\"\nfix = \"position\"\n" + dynamics).empty());
 }
 
-TEST_CASE("The linear static answer is that of a cantilever", "[analyses]") {
+TEST_CASE("The linear static answer is that of a cantilever", "[issues]") {
     const Model model = read(static_rod_deck +
                              "[[support]]\nat = \"r.start\"\nfix = \"all\"\n"
                              "[[load]]\nat = \"r.end\"\nforce = [0, 0, 3]\n")
@@ -98,7 +98,7 @@ TEST_CASE("The linear static answer is that of a cantilever", "[analyses]") {
     CHECK(scale->time == 1.0);
 }
 
-TEST_CASE("A plan in UTF-16 is told likewise, and so is its table", "[batch]") {
+TEST_CASE("A plan in UTF-16 is told likewise, and so is its table", "[issues]") {
     PlanFiles files("deck = \"deck.toml\"\ncombine = \"table\"\ntable = \"cases.csv\"\n");
     files.write("cases.csv", "\xff\xfe" + widened("parameters.EI\n1\n", true));
     CHECK_THROWS_WITH(files.read(), Catch::Contains("is in UTF-16 or UTF-32, expected a table in UTF-8"));
@@ -106,7 +106,7 @@ TEST_CASE("A plan in UTF-16 is told likewise, and so is its table", "[batch]") {
     CHECK_THROWS_WITH(files.read(), Catch::Contains("expected a plan or a deck in UTF-8"));
 }
 
-TEST_CASE("All faults of a plan come in one round", "[batch]") {
+TEST_CASE("All faults of a plan come in one round", "[issues]") {
     // A misplaced key, a wrong word, no such parameter, no such key of the deck, no such history.
     const PlanFiles files(R"(deck = "deck.toml"
 [vary]
@@ -128,7 +128,7 @@ top = { history = "tip", quantity = "position", component = "z", take = "highest
           "plan.toml:4:1: vary.\"rod.r.elemets\": unknown key; did you mean \"elements\"?");
 }
 
-TEST_CASE("What is wrong with single cases of a faulty plan comes with the rest", "[batch]") {
+TEST_CASE("What is wrong with single cases of a faulty plan comes with the rest", "[issues]") {
     const PlanFiles files(R"(deck = "deck.toml"
 time_limit = -1
 [vary]
@@ -144,7 +144,7 @@ tip = { history = "tip", quantity = "position", component = "z", take = "max" }
     CHECK_THAT(faults, Catch::Contains("expected an integer from 1 to 10000000, found 0 [case 2"));
 }
 
-TEST_CASE("A faulty plan whose deck is faulty says both, and one without a deck says that", "[batch]") {
+TEST_CASE("A faulty plan whose deck is faulty says both, and one without a deck says that", "[issues]") {
     const std::string plan = "deck = \"deck.toml\"\nsweep = 1\n[vary]\n\"parameters.EI\" = [1.0]\n";
     const PlanFiles wrong(plan, replaced(cantilever_deck, "elements", "elemets"));
     CHECK_THAT(wrong.faults(), Catch::Contains("sweep: unknown key; did you mean \"vary\"?"));

@@ -198,7 +198,7 @@ TEST_CASE("A study calls no series right once the structure has jumped", "[issue
     REQUIRE(trace.is_whole());
     CHECK(trace.is_unstable);
     REQUIRE(!trace.warnings.empty());
-    CHECK_THAT(trace.warnings.back(), Catch::Matchers::Contains("the structure jumps between t = "));
+    CHECK_THAT(trace.warnings.back(), Catch::Contains("the structure jumps between t = "));
     const Problem silent = read(column);
     Problem still = read(column);
     still.output.histories = make_end_histories(silent.model);

@@ -11,7 +11,7 @@
 namespace gxrod::test {
 namespace {
 
-using Catch::Matchers::Contains;
+using Catch::Contains;
 
 struct Watched {
     std::vector<std::string> warnings;

@@ -113,7 +113,7 @@ void for_each_step(Visit&& visit) {
 
 }  // namespace
 
-TEST_CASE("A block of any size is eliminated as by a dense LU, in the same bits by all sets", "[solvers]") {
+TEST_CASE("A block of any size is eliminated as by a dense LU, in the same bits by all sets", "[linear]") {
     for_each_step([](const OneStep& problem, int n) {
         const Eigen::MatrixXd& A = problem.matrix;
         const auto rest = Eigen::seq(n, Eigen::last);
@@ -131,7 +131,7 @@ TEST_CASE("A block of any size is eliminated as by a dense LU, in the same bits 
     });
 }
 
-TEST_CASE("A step's solution is that of a dense LU, in the same bits by all sets", "[solvers]") {
+TEST_CASE("A step's solution is that of a dense LU, in the same bits by all sets", "[linear]") {
     for_each_step([](const OneStep& problem, int n) {
         const Eigen::MatrixXd& A = problem.matrix;
         const Eigen::VectorXd load = make_random(static_cast<int>(A.rows()), 1, 9);
@@ -162,7 +162,7 @@ TEST_CASE("A step's solution is that of a dense LU, in the same bits by all sets
     });
 }
 
-TEST_CASE("A pivot that vanishes is told wherever it is", "[solvers]") {
+TEST_CASE("A pivot that vanishes is told wherever it is", "[linear]") {
     for (const int size : {3, 6, 12, 18, 24, 30}) {
         for (int k = 0; k < size; ++k) {
             CAPTURE(size, k);
@@ -179,7 +179,7 @@ TEST_CASE("A pivot that vanishes is told wherever it is", "[solvers]") {
     }
 }
 
-TEST_CASE("Runs of entries are subtracted, and their magnitudes summed", "[solvers]") {
+TEST_CASE("Runs of entries are subtracted, and their magnitudes summed", "[linear]") {
     for (const int rows : {1, 2, 3, 5, 6, 12, 18, 23, 36}) {
         for (const int columns : {1, 3, 6, 18}) {
             CAPTURE(rows, columns);

@@ -68,7 +68,7 @@ std::int64_t solve(const SparsePattern& pattern) {
 
 }  // namespace
 
-TEST_CASE("Rods of every order vanish", "[solvers]") {
+TEST_CASE("Rods of every order vanish", "[linear]") {
     for (const int order : {1, 2, 3, 4}) {
         for (const int elements : {1, 2, 7}) {
             CAPTURE(order, elements);
@@ -82,7 +82,7 @@ TEST_CASE("Rods of every order vanish", "[solvers]") {
     }
 }
 
-TEST_CASE("Trees, closed loops and loops that share a node vanish", "[solvers]") {
+TEST_CASE("Trees, closed loops and loops that share a node vanish", "[linear]") {
     for (const int order : {1, 3}) {
         CAPTURE(order);
         std::vector<NodeGroup> groups;
@@ -102,7 +102,7 @@ TEST_CASE("Trees, closed loops and loops that share a node vanish", "[solvers]")
 }
 
 // Longer than what one thread takes alone.
-TEST_CASE("Long rods, trees and closed loops are shared by threads", "[solvers]") {
+TEST_CASE("Long rods, trees and closed loops are shared by threads", "[linear]") {
     for (const int order : {1, 2}) {
         CAPTURE(order);
         constexpr int elements = 400;
@@ -137,7 +137,7 @@ TEST_CASE("Long rods, trees and closed loops are shared by threads", "[solvers]"
     }
 }
 
-TEST_CASE("Members of a net are shared by threads", "[solvers]") {
+TEST_CASE("Members of a net are shared by threads", "[linear]") {
     for (const int elements : {5, 60, 200}) {
         CAPTURE(elements);
         constexpr int width = 4;
@@ -152,7 +152,7 @@ TEST_CASE("Members of a net are shared by threads", "[solvers]") {
     }
 }
 
-TEST_CASE("Of a net its junctions are left", "[solvers]") {
+TEST_CASE("Of a net its junctions are left", "[linear]") {
     for (const int order : {1, 2, 4}) {
         CAPTURE(order);
         constexpr int width = 5;
@@ -172,7 +172,7 @@ TEST_CASE("Of a net its junctions are left", "[solvers]") {
     }
 }
 
-TEST_CASE("A system without any chain is solved as well", "[solvers]") {
+TEST_CASE("A system without any chain is solved as well", "[linear]") {
     const std::vector<NodeGroup> groups{
         {0, 1, 2, 3, 4}, {4, 5, 6, 7, 8}, {8, 9, 10, 11, 0}, {2, 6, 10}, {3, 7, 11}};
     const SparsePattern pattern = make_pattern(groups);
@@ -180,7 +180,7 @@ TEST_CASE("A system without any chain is solved as well", "[solvers]") {
     CHECK(ChainSolver(pattern).works_by_blocks());
 }
 
-TEST_CASE("Chains beside each other and single nodes are solved", "[solvers]") {
+TEST_CASE("Chains beside each other and single nodes are solved", "[linear]") {
     std::vector<NodeGroup> groups{{0}, {1}};
     int next_node = 6;
     add_rod(2, 3, 3, 1, next_node, groups);
@@ -188,7 +188,7 @@ TEST_CASE("Chains beside each other and single nodes are solved", "[solvers]") {
     CHECK(solve(make_pattern(groups)) == 0);
 }
 
-TEST_CASE("What chains and junctions lose in digits is found and solved again", "[solvers]") {
+TEST_CASE("What chains and junctions lose in digits is found and solved again", "[linear]") {
     const SparsePattern pattern = make_net_pattern(GENERATE(1, 4), 6);
     const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(pattern.size(), 1.0, 2.0);
     for (const double pivot : {1e-4, 1e-9, 1e-15, 1e-30, 0.0}) {
@@ -218,7 +218,7 @@ TEST_CASE("What chains and junctions lose in digits is found and solved again", 
     }
 }
 
-TEST_CASE("Junctions that are singular are told", "[solvers]") {
+TEST_CASE("Junctions that are singular are told", "[linear]") {
     const SparsePattern pattern = make_net_pattern(4, 4);
     std::vector<double> values = make_unsymmetric_values(pattern, 4);
     pattern.visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t slot) {

@@ -24,7 +24,7 @@ std::array<int, 4> count_steps(const EliminationOrder& order) {
 
 }  // namespace
 
-TEST_CASE("Unknowns of a node are a block", "[solvers]") {
+TEST_CASE("Unknowns of a node are a block", "[linear]") {
     const BlockPartition net(make_net_pattern(3, 2));
     REQUIRE(net.count() == 6);
     CHECK(net.starts == std::vector<std::int64_t>{0, 6, 12, 18, 24, 30, 36});
@@ -37,7 +37,7 @@ TEST_CASE("Unknowns of a node are a block", "[solvers]") {
     CHECK(neighbours(4) == std::vector<int>{1, 3, 5});
 }
 
-TEST_CASE("Unknowns next to each other with the same rows are one block", "[solvers]") {
+TEST_CASE("Unknowns next to each other with the same rows are one block", "[linear]") {
     Eigen::MatrixXd dense = Eigen::MatrixXd::Identity(4, 4);
     dense.topLeftCorner<3, 3>().setOnes();
     dense(2, 3) = dense(3, 2) = 1.0;
@@ -46,7 +46,7 @@ TEST_CASE("Unknowns next to each other with the same rows are one block", "[solv
     CHECK(blocks.size(0) == 2);
 }
 
-TEST_CASE("A rod is eliminated from its ends, and nothing fills", "[solvers]") {
+TEST_CASE("A rod is eliminated from its ends, and nothing fills", "[linear]") {
     const BlockPartition rod(make_net_pattern(1, 9));
     const EliminationOrder order(rod, large);
     CHECK(order.kept.empty());
@@ -57,7 +57,7 @@ TEST_CASE("A rod is eliminated from its ends, and nothing fills", "[solvers]") {
     CHECK(order.steps[2].block == 1);
 }
 
-TEST_CASE("Blocks with three neighbours are kept, and large ones", "[solvers]") {
+TEST_CASE("Blocks with three neighbours are kept, and large ones", "[linear]") {
     const BlockPartition net(make_net_pattern(4, 4));
     const EliminationOrder order(net, large);
     CHECK(order.steps.size() == 4);
@@ -66,7 +66,7 @@ TEST_CASE("Blocks with three neighbours are kept, and large ones", "[solvers]") 
     CHECK(EliminationOrder(net, 5).kept.size() == 16);
 }
 
-TEST_CASE("A ladder of two rungs a bay is eliminated whole", "[solvers]") {
+TEST_CASE("A ladder of two rungs a bay is eliminated whole", "[linear]") {
     const EliminationOrder order(BlockPartition(make_net_pattern(2, 8)), large);
     CHECK(order.kept.empty());
     CHECK(order.steps.size() == 16);

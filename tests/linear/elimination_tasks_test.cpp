@@ -58,13 +58,13 @@ void check_order(const Sample& sample) {
 
 }  // namespace
 
-TEST_CASE("A short rod is one task", "[solvers]") {
+TEST_CASE("A short rod is one task", "[linear]") {
     const Sample rod(make_net_pattern(1, 100));
     check_order(rod);
     CHECK(rod.tasks.tasks.size() == 1);
 }
 
-TEST_CASE("A long rod is two halves and what is between them", "[solvers]") {
+TEST_CASE("A long rod is two halves and what is between them", "[linear]") {
     const Sample rod(make_net_pattern(1, 1001));
     check_order(rod);
     REQUIRE(rod.tasks.tasks.size() == 3);
@@ -74,7 +74,7 @@ TEST_CASE("A long rod is two halves and what is between them", "[solvers]") {
     CHECK(rod.size(2) == 6);
 }
 
-TEST_CASE("Tasks of what is left of a net share small chains", "[solvers]") {
+TEST_CASE("Tasks of what is left of a net share small chains", "[linear]") {
     const Sample ladder(make_net_pattern(2, 700));
     check_order(ladder);
     CHECK(ladder.order.kept.empty());

@@ -99,7 +99,7 @@ class TwoFronts {
 
 }  // namespace
 
-TEST_CASE("Fronts of any size are eliminated as by a dense LU, in the same bits by all sets", "[solvers]") {
+TEST_CASE("Fronts of any size are eliminated as by a dense LU, in the same bits by all sets", "[linear]") {
     for (const int pivots : {1, 3, 6, 7, 12, 17, 48, 101, 210}) {
         for (const int behind : {1, 2, 5, 6, 13, 36, 100, 205}) {
             CAPTURE(pivots, behind);
@@ -123,7 +123,7 @@ TEST_CASE("Fronts of any size are eliminated as by a dense LU, in the same bits 
     }
 }
 
-TEST_CASE("A pivot of a front that vanishes is told wherever it is", "[solvers]") {
+TEST_CASE("A pivot of a front that vanishes is told wherever it is", "[linear]") {
     for (const int pivots : {3, 6, 20}) {
         for (int k = 0; k < pivots + 6; ++k) {
             CAPTURE(pivots, k);

@@ -102,7 +102,7 @@ bool covers(const FrontOrder& order, const BlockPartition& partition) {
 
 }  // namespace
 
-TEST_CASE("Fronts solve nets and graphs of any size as a dense LU does", "[solvers]") {
+TEST_CASE("Fronts solve nets and graphs of any size as a dense LU does", "[linear]") {
     for (const int width : {1, 2, 3, 5, 9}) {
         CAPTURE(width);
         check_against_dense(make_net_pattern(width, 7));
@@ -114,7 +114,7 @@ TEST_CASE("Fronts solve nets and graphs of any size as a dense LU does", "[solve
     }
 }
 
-TEST_CASE("Fronts solve nodes of which some components are held as a dense LU does", "[solvers]") {
+TEST_CASE("Fronts solve nodes of which some components are held as a dense LU does", "[linear]") {
     const std::vector<NodeGroup> groups = make_random_graph(40, 4.0, 2);
     for (const int free : {1, 2, 3, 5}) {
         CAPTURE(free);
@@ -124,7 +124,7 @@ TEST_CASE("Fronts solve nodes of which some components are held as a dense LU do
     }
 }
 
-TEST_CASE("Fronts hold all that an elimination couples, whatever the order", "[solvers]") {
+TEST_CASE("Fronts hold all that an elimination couples, whatever the order", "[linear]") {
     for (const int width : {3, 20, 80}) {
         CAPTURE(width);
         const SparsePattern pattern =
@@ -137,7 +137,7 @@ TEST_CASE("Fronts hold all that an elimination couples, whatever the order", "[s
     }
 }
 
-TEST_CASE("Fronts tell a pivot that vanishes, and recover", "[solvers]") {
+TEST_CASE("Fronts tell a pivot that vanishes, and recover", "[linear]") {
     const SparsePattern pattern = make_net_pattern(6, 6);
     const std::vector<double> sound = make_unsymmetric_values(pattern, 3);
     FrontSolver solver(pattern);

@@ -26,7 +26,7 @@ const std::vector<NodeGroup> groups{{0, 1}, {1, 2}, {3}, {4, 2}};
 
 }  // namespace
 
-TEST_CASE("the pattern couples exactly the free unknowns of each group", "[assembly]") {
+TEST_CASE("the pattern couples exactly the free unknowns of each group", "[linear]") {
     const HeldNodes nodes(held);
     const EquationNumbers& equations = nodes.equations;
     const SparsePattern pattern = compute_pattern(equations, groups);
@@ -49,7 +49,7 @@ TEST_CASE("the pattern couples exactly the free unknowns of each group", "[assem
     for (const auto& [row, column] : entries) CHECK(entries.contains({column, row}));
 }
 
-TEST_CASE("rows ascend within a column and a slot is their place", "[assembly]") {
+TEST_CASE("rows ascend within a column and a slot is their place", "[linear]") {
     const HeldNodes nodes(held);
     const SparsePattern pattern = compute_pattern(nodes.equations, groups);
     std::int64_t next = 0;
@@ -65,7 +65,7 @@ TEST_CASE("rows ascend within a column and a slot is their place", "[assembly]")
     CHECK(next == pattern.nonzeros());
 }
 
-TEST_CASE("columns with the same rows are one block, whose rows lie in runs", "[assembly]") {
+TEST_CASE("columns with the same rows are one block, whose rows lie in runs", "[linear]") {
     const std::vector<std::int64_t> ends{0, 1, 4}, middle{2, 3}, none;
     SparsePattern pattern;
     CHECK(pattern.size() == 0);

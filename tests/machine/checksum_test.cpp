@@ -8,7 +8,7 @@ using gxrod::checksum;
 
 // The check values of CRC-32 (ISO-HDLC) in the catalogue of parametrised CRC algorithms, and of RFC 3720's
 // kin.
-TEST_CASE("The checksum is CRC-32", "[results]") {
+TEST_CASE("The checksum is CRC-32", "[machine]") {
     const auto of = [](std::string_view text, std::uint32_t before = 0) {
         return checksum(std::span<const char>(text), before);
     };

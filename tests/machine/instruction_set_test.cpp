@@ -21,7 +21,7 @@ class Wanted {
 
 }  // namespace
 
-TEST_CASE("The instruction set is the machine's unless the environment names another", "[elements]") {
+TEST_CASE("The instruction set is the machine's unless the environment names another", "[machine]") {
     const InstructionSet widest = find_instruction_set();
     {
         const Wanted wanted("baseline");

@@ -4,7 +4,7 @@
 
 using namespace gxrod;
 
-TEST_CASE("A message holds nothing that a terminal would obey", "[model]") {
+TEST_CASE("A message holds nothing that a terminal would obey", "[machine]") {
     CHECK(printable("plain ½ αβ \\ \"text\"") == "plain ½ αβ \\ \"text\"");
     CHECK(printable("a\x1b[31mb\nc\td\re\x7f") == "a\\x1b[31mb\\nc\\td\\re\\x7f");
     CHECK(printable("\xC2\x9B"
@@ -12,7 +12,7 @@ TEST_CASE("A message holds nothing that a terminal would obey", "[model]") {
     CHECK(printable(std::string("a\0b", 3)) == "a\\x00b");
 }
 
-TEST_CASE("A message is UTF-8, whatever it quotes", "[model]") {
+TEST_CASE("A message is UTF-8, whatever it quotes", "[machine]") {
     CHECK(printable("a\xD6 b") == "a\\xd6 b");
     CHECK(printable("\xC2") == "\\xc2");
     CHECK(printable("\xE2\x82") == "\\xe2\\x82");
@@ -25,13 +25,13 @@ TEST_CASE("A message is UTF-8, whatever it quotes", "[model]") {
     CHECK(printable(ends) == ends);
 }
 
-TEST_CASE("Control characters are found, layout is none", "[model]") {
+TEST_CASE("Control characters are found, layout is none", "[machine]") {
     CHECK(find_control_character("two\nlines,\ta tab\r\n") == std::string_view::npos);
     CHECK(find_control_character("½\x1b") == 2);
     CHECK(find_control_character("a\xC2\x85") == 1);
 }
 
-TEST_CASE("A long text is quoted by its beginning", "[model]") {
+TEST_CASE("A long text is quoted by its beginning", "[machine]") {
     CHECK(shorten("short") == "short");
     CHECK(shorten(std::string(200, 'x')) == std::string(200, 'x'));
     CHECK(shorten(std::string(201, 'x')) == std::string(200, 'x') + "…");

@@ -23,32 +23,32 @@ std::string chains_of(const Ends& ends) {
 
 }  // namespace
 
-TEST_CASE("One element is a chain", "[deck]") { CHECK(chains_of({{7, 3}}) == "+0 open"); }
+TEST_CASE("One element is a chain", "[mesh]") { CHECK(chains_of({{7, 3}}) == "+0 open"); }
 
-TEST_CASE("Elements in any order and direction become one chain in the direction of the first", "[deck]") {
+TEST_CASE("Elements in any order and direction become one chain in the direction of the first", "[mesh]") {
     CHECK(chains_of({{0, 1}, {1, 2}, {2, 3}}) == "+0 +1 +2 open");
     CHECK(chains_of({{1, 2}, {3, 2}, {1, 0}}) == "-2 +0 -1 open");
     CHECK(chains_of({{2, 1}, {2, 3}, {0, 1}}) == "-1 +0 -2 open");
 }
 
-TEST_CASE("A loop is a closed chain that starts with its first element", "[deck]") {
+TEST_CASE("A loop is a closed chain that starts with its first element", "[mesh]") {
     CHECK(chains_of({{5, 6}, {7, 5}, {6, 7}}) == "+0 +2 +1 closed");
     CHECK(chains_of({{5, 6}, {5, 6}}) == "+0 -1 closed");
     CHECK(chains_of({{5, 6}, {6, 5}}) == "+0 +1 closed");
 }
 
-TEST_CASE("Chains end at branches, and start at free ends", "[deck]") {
+TEST_CASE("Chains end at branches, and start at free ends", "[mesh]") {
     // A Y: two arms and a leg, all drawn away from the branch.
     CHECK(chains_of({{0, 1}, {1, 2}, {0, 3}, {0, 4}}) == "-1 -0 open | -2 open | -3 open");
     // A panel with a diagonal between its branches.
     CHECK(chains_of({{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}}) == "+0 +1 open | +2 +3 open | +4 open");
 }
 
-TEST_CASE("A loop on a stem starts and ends at the branch", "[deck]") {
+TEST_CASE("A loop on a stem starts and ends at the branch", "[mesh]") {
     CHECK(chains_of({{2, 3}, {0, 1}, {1, 2}, {3, 1}}) == "+2 +0 +3 open | +1 open");
 }
 
-TEST_CASE("Parts without connection are chains of their own", "[deck]") {
+TEST_CASE("Parts without connection are chains of their own", "[mesh]") {
     CHECK(chains_of({{0, 1}, {5, 6}, {1, 2}}) == "+0 +2 open | +1 open");
 }
 

@@ -7,7 +7,7 @@
 
 namespace gxrod::test {
 
-TEST_CASE("Without libgmsh, the error says what to install", "[deck][mesh]") {
+TEST_CASE("Without libgmsh, the error says what to install", "[mesh]") {
     const std::array names{"libgxrod-has-no-such-library.so.1", "libnor-this.so"};
     CHECK_THROWS_AS(load_gmsh(names), MeshError);
     CHECK_THROWS_WITH(
@@ -16,7 +16,7 @@ TEST_CASE("Without libgmsh, the error says what to install", "[deck][mesh]") {
                           "libgmsh4.13 on Debian 13 (libgxrod-has-no-such-library.so.1: cannot open"));
 }
 
-TEST_CASE("A library that is not Gmsh's is told", "[deck][mesh]") {
+TEST_CASE("A library that is not Gmsh's is told", "[mesh]") {
     const std::array names{"libgxrod-has-no-such-library.so.1", "libm.so.6"};
     CHECK_THROWS_WITH(load_gmsh(names), "libgmsh has no function gmshInitialize");
 }

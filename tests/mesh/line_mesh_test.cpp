@@ -26,7 +26,7 @@ std::set<std::string> point_names(const LineMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("A mesh is the same from geometry and from each version of the format", "[deck][mesh]") {
+TEST_CASE("A mesh is the same from geometry and from each version of the format", "[mesh]") {
     for (const std::string file : {"truss.geo", "truss_2.2.msh", "truss_4.1.msh"}) {
         INFO(file);
         const LineMesh mesh = read_line_mesh(meshes + file);
@@ -48,7 +48,7 @@ TEST_CASE("A mesh is the same from geometry and from each version of the format"
     }
 }
 
-TEST_CASE("Geometry is meshed at the order that it asks for, ends of elements outside", "[deck][mesh]") {
+TEST_CASE("Geometry is meshed at the order that it asks for, ends of elements outside", "[mesh]") {
     const LineMesh cable = read_line_mesh(meshes + "cable.geo");
     const MeshLines& lines = cable.lines.at(0);
     CHECK(lines.orders == std::vector<int>{3});
@@ -68,7 +68,7 @@ TEST_CASE("Geometry is meshed at the order that it asks for, ends of elements ou
     CHECK(read_line_mesh(meshes + "l_frame.geo").lines.at(0).orders == std::vector<int>{2});
 }
 
-TEST_CASE("Groups of surfaces, of mixed and of high order are told apart", "[deck][mesh]") {
+TEST_CASE("Groups of surfaces, of mixed and of high order are told apart", "[mesh]") {
     const ScratchFile file("mixed.msh", R"($MeshFormat
 2.2 0 8
 $EndMeshFormat
@@ -107,7 +107,7 @@ $EndElements
     CHECK(mesh.regions[0].dimension == 2);
 }
 
-TEST_CASE("A mesh that cannot be read is an error with the reason", "[deck][mesh]") {
+TEST_CASE("A mesh that cannot be read is an error with the reason", "[mesh]") {
     CHECK_THROWS_WITH(read_line_mesh(meshes + "nothing.msh"), "cannot be read (No such file or directory)");
     CHECK_THROWS_WITH(read_line_mesh(meshes), "is a folder, expected a mesh");
     CHECK_THROWS_WITH(read_line_mesh("/dev/null"), "is not a regular file, expected a mesh");
@@ -139,14 +139,14 @@ $EndElements
 }
 
 // Gmsh takes what does not begin as a mesh for a script, whatever the file is called.
-TEST_CASE("A file that is called a mesh is not run as a script", "[deck][mesh]") {
+TEST_CASE("A file that is called a mesh is not run as a script", "[mesh]") {
     const ScratchFile script("evil.msh", "$Foo;\n;\nPoint(1) = {0, 0, 0};\nPhysical Point(\"p\") = {1};\n");
     CHECK_THROWS_WITH(read_line_mesh(script.path()), "is no mesh; a .msh file starts with $MeshFormat");
     const ScratchFile blank("blank.msh", "\n$MeshFormat\n2.2 0 8\n$EndMeshFormat\n");
     CHECK_THROWS_WITH(read_line_mesh(blank.path()), "is no mesh; a .msh file starts with $MeshFormat");
 }
 
-TEST_CASE("A geometry script runs no programs and writes no files", "[deck][mesh]") {
+TEST_CASE("A geometry script runs no programs and writes no files", "[mesh]") {
     const std::string line =
         "Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0}; Line(1) = {1, 2};\nPhysical Curve(\"c\") = {1};\n";
     const ScratchFile harmless("harmless.geo", line);

@@ -24,20 +24,20 @@ std::vector<long> count_between(const Fractions& nodes, const Fractions& breaks)
 
 }  // namespace
 
-TEST_CASE("A rod without points has equal elements", "[deck]") {
+TEST_CASE("A rod without points has equal elements", "[mesh]") {
     const Fractions nodes = compute_element_fractions({{}, {}}, 10);
     REQUIRE(nodes.size() == 11);
     for (int i = 0; i <= 10; ++i) CHECK(nodes[i] == i / 10.0);
 }
 
-TEST_CASE("Points that equal elements have do not change them", "[deck]") {
+TEST_CASE("Points that equal elements have do not change them", "[mesh]") {
     const Fractions nodes = compute_element_fractions({{1.0, 0.3, 0.0, 0.3, 0.7}, {}}, 10);
     REQUIRE(nodes.size() == 11);
     for (int i = 0; i <= 10; ++i) CHECK(nodes[i] == Approx(i / 10.0).epsilon(0).margin(1e-15));
     CHECK(nodes[3] == 0.3);
 }
 
-TEST_CASE("Points get a node, and elements in proportion to the lengths between them", "[deck]") {
+TEST_CASE("Points get a node, and elements in proportion to the lengths between them", "[mesh]") {
     CHECK(count_between(compute_element_fractions({{0.25}, {}}, 10), {0.0, 0.25, 1.0}) ==
           std::vector<long>{3, 7});
     CHECK(count_between(compute_element_fractions({{0.37}, {}}, 10), {0.0, 0.37, 1.0}) ==
@@ -53,7 +53,7 @@ TEST_CASE("Points get a node, and elements in proportion to the lengths between 
     CHECK(third[2] == Approx(0.3 + 0.7 / 3.0));
 }
 
-TEST_CASE("Points nearer than 1e-9 to a node are that node", "[deck]") {
+TEST_CASE("Points nearer than 1e-9 to a node are that node", "[mesh]") {
     CHECK(compute_element_fractions({{1e-10, 1.0 - 1e-10}, {}}, 2) == Fractions{0.0, 0.5, 1.0});
     CHECK(compute_element_fractions({{0.5 + 9e-10}, {}}, 2) == Fractions{0.0, 0.5, 1.0});
     CHECK(compute_element_fractions({{0.4, 0.4 + 9e-10}, {}}, 2).size() == 3);
@@ -61,7 +61,7 @@ TEST_CASE("Points nearer than 1e-9 to a node are that node", "[deck]") {
     CHECK(compute_element_fractions({{0.333333333}, {}}, 3)[1] == 1.0 / 3.0);
 }
 
-TEST_CASE("Corners are breaks to the last bit, and take the place of points near them", "[deck]") {
+TEST_CASE("Corners are breaks to the last bit, and take the place of points near them", "[mesh]") {
     const double corner = 0.3 + 4e-10;
     const Fractions nodes = compute_element_fractions({{0.3, 0.7}, {corner}}, 10);
     REQUIRE(nodes.size() == 11);
@@ -73,7 +73,7 @@ TEST_CASE("Corners are breaks to the last bit, and take the place of points near
           std::vector<long>{1, 3, 6});
 }
 
-TEST_CASE("Nodes of an element are where the Legendre polynomials have their extremes", "[deck]") {
+TEST_CASE("Nodes of an element are where the Legendre polynomials have their extremes", "[mesh]") {
     // P₁′ … P₄′ of 2x − 1 vanish at the inner nodes of orders 1 … 4.
     const auto slope = [](int order, double x) {
         const double y = 2.0 * x - 1.0;
@@ -90,13 +90,13 @@ TEST_CASE("Nodes of an element are where the Legendre polynomials have their ext
     }
 }
 
-TEST_CASE("More pieces than elements make no mesh", "[deck]") {
+TEST_CASE("More pieces than elements make no mesh", "[mesh]") {
     CHECK(compute_element_fractions({{0.2, 0.4}, {}}, 2).empty());
     CHECK(count_pieces({{0.2, 0.4, 0.4}, {}}) == 3);
     CHECK(compute_element_fractions({{0.2, 0.4}, {}}, 3) == Fractions{0.0, 0.2, 0.4, 1.0});
 }
 
-TEST_CASE("Every mesh has its points, its elements and increasing nodes", "[deck]") {
+TEST_CASE("Every mesh has its points, its elements and increasing nodes", "[mesh]") {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> anywhere(0.0, 1.0);
     for (int i = 0; i < 500; ++i) {

@@ -32,7 +32,7 @@ double parabola_length(double x) {
 
 }  // namespace
 
-TEST_CASE("A net has the nodes of its elements once, in the order of its chains", "[deck]") {
+TEST_CASE("A net has the nodes of its elements once, in the order of its chains", "[mesh]") {
     LineMesh mesh;
     mesh.positions = {Vec3(9, 9, 9), Vec3(2, 0, 0), Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0)};
     // A T: from 2 over 3 to 1, and from 3 up to 4. Position 0 is of no element.
@@ -50,7 +50,7 @@ TEST_CASE("A net has the nodes of its elements once, in the order of its chains"
     CHECK(net.chains[1].elements[0].start_tangent == Vec3(-1, 0, 0));
 }
 
-TEST_CASE("A line has fractions of its length at its nodes, whatever the order", "[deck]") {
+TEST_CASE("A line has fractions of its length at its nodes, whatever the order", "[mesh]") {
     for (int order = 1; order <= 3; ++order) {
         LineMesh mesh;
         for (int i = 0; i <= 2 * order; ++i) mesh.positions.emplace_back(3.0 * i, 4.0 * i, 0.0);
@@ -73,7 +73,7 @@ TEST_CASE("A line has fractions of its length at its nodes, whatever the order",
     }
 }
 
-TEST_CASE("Inner nodes of cubic elements move to Gauss-Lobatto points on their polynomial", "[deck]") {
+TEST_CASE("Inner nodes of cubic elements move to Gauss-Lobatto points on their polynomial", "[mesh]") {
     const RodNet net = net_of(make_parabola(3, 2));
     REQUIRE(net.positions.size() == 7);
     // The polynomial through points of a parabola is the parabola, its parameter x.
@@ -94,14 +94,14 @@ TEST_CASE("Inner nodes of cubic elements move to Gauss-Lobatto points on their p
     CHECK(net.length() == Approx(parabola_length(1.0)).epsilon(1e-14));
 }
 
-TEST_CASE("Middle nodes of quadratic elements stay where the mesh has them", "[deck]") {
+TEST_CASE("Middle nodes of quadratic elements stay where the mesh has them", "[mesh]") {
     LineMesh mesh;
     mesh.positions = {Vec3(0, 0, 0), Vec3(0.6, 0.1, 0), Vec3(1, 0, 0)};
     mesh.lines = {{1, "", {2}, {0, 1, 2}}};
     CHECK(net_of(mesh).positions[1] == Vec3(0.6, 0.1, 0));
 }
 
-TEST_CASE("Elements without length, onto themselves or folded are refused", "[deck]") {
+TEST_CASE("Elements without length, onto themselves or folded are refused", "[mesh]") {
     LineMesh mesh;
     mesh.positions = {Vec3(1, 2, 3), Vec3(1, 2, 3), Vec3(2, 2, 3), Vec3(4, 2, 3)};
     mesh.lines = {{1, "", {1}, {0, 1}}};

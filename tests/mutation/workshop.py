@@ -40,7 +40,7 @@ class Workshop:
         flags = f"-O1 -w -include {self.copy}/tests/mutation/mutants.hpp"
         subprocess.run(["cmake", "-S", self.copy, "-B", self.build_folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                         f"-DCMAKE_CXX_FLAGS={flags}", "-DCMAKE_CXX_FLAGS_RELEASE=", "-DGXROD_WARNINGS_AS_ERRORS=OFF",
-                        "-DGXROD_JOIN_SOURCES=gxrod_tests"], check=True, stdout=subprocess.DEVNULL)
+                        "-DGXROD_JOIN_SOURCES=gxrod_test_cases"], check=True, stdout=subprocess.DEVNULL)
 
     def read(self, file):
         if file not in self.texts:

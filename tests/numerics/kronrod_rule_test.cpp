@@ -22,7 +22,7 @@ std::pair<double, double> integrate(std::size_t gauss_points, int power) {
 
 }  // namespace
 
-TEST_CASE("Rules of Kronrod and Gauss are exact for polynomials of their degrees", "[loads]") {
+TEST_CASE("Rules of Kronrod and Gauss are exact for polynomials of their degrees", "[numerics]") {
     for (const std::size_t n : {2UL, 3UL, 4UL, 5UL, 7UL}) {
         for (int power = 0; power <= 3 * static_cast<int>(n) + 1; ++power) {
             INFO(n << " points of Gauss, power " << power);

@@ -94,9 +94,7 @@ def add_static(draw, plan):
 
 def add_analysis(draw, plan):
     analysis = add_static(draw, plan) if plan.scales.is_static else add_dynamic(draw, plan)
-    if plan.wants_symmetry:
-        analysis["linear_solver"] = "cholmod"
-    elif draw.chance(0.5):
+    if draw.chance(0.5):
         analysis["linear_solver"] = draw.pick(["auto", "chains", "klu", "umfpack"])
     plan.deck["analysis"] = analysis
 

@@ -153,11 +153,11 @@ def choose_frame(draw, load):
 
 def point_load(draw, plan, force):
     load = {"at": draw.pick(draw.pick(plan.nodes).names)}
-    keys = draw.some(["force", "moment"], 2) if not plan.wants_symmetry else ["force"]
+    keys = draw.some(["force", "moment"], 2)
     for key in keys:
         size = force if key == "force" else force * plan.scales.length
         load[key] = sparse(draw, size, lambda value: of_time(draw, plan, value))
-    return load if plan.wants_symmetry else choose_frame(draw, load)
+    return choose_frame(draw, load)
 
 
 def line_load(draw, plan, force):
@@ -171,11 +171,11 @@ def line_load(draw, plan, force):
         return draw.pick(forms).format(a=size, L=rod.length, w=draw.uniform(0.5, 10.0) / plan.span, h=0.5 * rod.length)
 
     load = {"on": rod.name}
-    keys = draw.some(["force_per_length", "moment_per_length"], 2) if not plan.wants_symmetry else ["force_per_length"]
+    keys = draw.some(["force_per_length", "moment_per_length"], 2)
     for key in keys:
         size = per_length if key == "force_per_length" else 0.1 * per_length * plan.scales.length
         load[key] = sparse(draw, size, of_place)
-    return load if plan.wants_symmetry else choose_frame(draw, load)
+    return choose_frame(draw, load)
 
 
 def add_gravity(draw, plan):

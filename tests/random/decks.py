@@ -52,7 +52,6 @@ def make_plan(seed, index):
     add_model(draw, plan)
     if not scales.is_static:
         plan.span = scales.period * draw.log_uniform(1e-3, 3.0)
-    plan.wants_symmetry = scales.is_static and draw.chance(0.15)
     add_analysis(draw, plan)
     plan.move_size = 0.1 * scales.length * draw.log_uniform(1e-3, 1.0)
     plan.functions = causes.time_functions(draw, plan)

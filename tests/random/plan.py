@@ -68,7 +68,6 @@ class Plan:
     span: float = 1.0  # of t
     functions: list = dataclasses.field(default_factory=list)  # names of the deck's functions
     move_size: float = 0.0
-    wants_symmetry: bool = False  # dead forces only
     jumps: bool = False  # some load jumps, at t = 0 or later
 
     def parts(self):

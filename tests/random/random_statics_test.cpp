@@ -146,7 +146,7 @@ double measure_leaving(const RandomFrame& frame, const State& end, unsigned seed
 
 }  // namespace
 
-TEST_CASE("what statics accept without a warning, dynamics do not leave", "[analyses][random]") {
+TEST_CASE("what statics accept without a warning, dynamics do not leave", "[random]") {
     // GXROD_RANDOM_STATICS=2000 for the campaign.
     const char* wanted = std::getenv("GXROD_RANDOM_STATICS");
     const unsigned count = wanted == nullptr ? 60 : static_cast<unsigned>(std::atoi(wanted));

@@ -7,7 +7,7 @@
 #include <random>
 #include <system_error>
 
-#include "deck/text_file.hpp"
+#include "deck/reading/text_file.hpp"
 #include "machine/checksum.hpp"
 #include "machine/file_error.hpp"
 #include "results/guarded_reading.hpp"

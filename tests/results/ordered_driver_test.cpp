@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "deck/text_file.hpp"
+#include "deck/reading/text_file.hpp"
 #include "results/append_dataset.hpp"
 #include "results/hdf5_objects.hpp"
 #include "results/sample.hpp"

@@ -10,7 +10,7 @@
 #include "tools/catch.hpp"
 
 using namespace gxrod;
-using Catch::Matchers::Contains;
+using Catch::Contains;
 namespace fs = std::filesystem;
 
 namespace {

@@ -18,10 +18,8 @@ constexpr int size = 40;
 // Calls visit(solver kind) for each.
 template <class Visit>
 void for_each_solver(Visit&& visit) {
-    for (const LinearSolverKind kind : {LinearSolverKind::chains,
-                                        LinearSolverKind::klu,
-                                        LinearSolverKind::umfpack,
-                                        LinearSolverKind::cholmod}) {
+    for (const LinearSolverKind kind :
+         {LinearSolverKind::chains, LinearSolverKind::klu, LinearSolverKind::umfpack}) {
         INFO("solver " << static_cast<int>(kind));
         visit(kind);
     }
@@ -65,17 +63,6 @@ TEST_CASE("KLU and UMFPACK solve unsymmetric patterns with zeros on the diagonal
             const Sparse sparse = make_sparse(dense);
             check_solution(*make_linear_solver(kind, sparse.pattern), dense, sparse);
         }
-    }
-}
-
-TEST_CASE("CHOLMOD solves with the symmetric part", "[solvers]") {
-    for (unsigned seed = 1; seed <= 5; ++seed) {
-        Eigen::MatrixXd dense = make_indefinite_matrix(size, seed);
-        RandomValues random(seed);
-        for (int i = 1; i < size; ++i) dense(i, (i * 7) % i) += random.number(-0.5, 0.5);  // below only
-        const Sparse sparse = make_sparse(dense);
-        const Eigen::MatrixXd part = 0.5 * (dense + dense.transpose());
-        check_solution(*make_linear_solver(LinearSolverKind::cholmod, sparse.pattern), part, sparse);
     }
 }
 
@@ -180,8 +167,7 @@ TEST_CASE("a system without equations is solved", "[solvers]") {
     for (const LinearSolverKind kind : {LinearSolverKind::automatic,
                                         LinearSolverKind::chains,
                                         LinearSolverKind::klu,
-                                        LinearSolverKind::umfpack,
-                                        LinearSolverKind::cholmod}) {
+                                        LinearSolverKind::umfpack}) {
         const auto solver = make_linear_solver(kind, pattern);
         CHECK(solver->factorize({}).regular);
         Eigen::VectorXd nothing(0);

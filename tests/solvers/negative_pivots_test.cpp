@@ -39,11 +39,10 @@ TEST_CASE("negative pivots count negative eigenvalues of rods and nets", "[solve
             const double low = below == 0 ? eigenvalues[0] - 1.0 : eigenvalues[below - 1];
             const double high = below == size ? eigenvalues[size - 1] + 1.0 : eigenvalues[below];
             const std::vector<double> values = shift(pattern, stiffness, 0.5 * (low + high));
-            for (const LinearSolverKind kind : {LinearSolverKind::chains, LinearSolverKind::cholmod}) {
-                const Factorization factorization = make_linear_solver(kind, pattern)->factorize(values);
-                REQUIRE(factorization.regular);
-                CHECK(factorization.negative_pivots == below);
-            }
+            const Factorization factorization =
+                make_linear_solver(LinearSolverKind::chains, pattern)->factorize(values);
+            REQUIRE(factorization.regular);
+            CHECK(factorization.negative_pivots == below);
             for (const int threads : {2, 3}) {
                 const ThreadTeam team(threads);
                 const auto solver = make_linear_solver(LinearSolverKind::chains, pattern, team);

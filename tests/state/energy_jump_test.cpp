@@ -4,8 +4,7 @@
 
 using namespace gxrod;
 
-TEST_CASE("A jump is an imbalance beyond what the work may be off and a hundredth of the energy",
-          "[results]") {
+TEST_CASE("A jump is an imbalance beyond what the work may be off and a hundredth of the energy", "[state]") {
     const EnergyPoint before{0.4, 5.0, 7.0, 100.0};
     // Strain energy rises by 1.
     CHECK_FALSE(find_jump(before, {0.5, 6.0, 9.0, 1.0}, 0.0));
@@ -20,7 +19,7 @@ TEST_CASE("A jump is an imbalance beyond what the work may be off and a hundredt
     CHECK(gained->energy == 0.25);
 }
 
-TEST_CASE("Of jumps the largest is kept", "[results]") {
+TEST_CASE("Of jumps the largest is kept", "[state]") {
     EnergyJumps jumps;
     add_jump({0.1, 0.2, 3.0}, jumps);
     add_jump({0.2, 0.3, 5.0}, jumps);

@@ -8,7 +8,7 @@
 using namespace gxrod;
 using namespace gxrod::test;
 
-TEST_CASE("what is not is named, with its error, until when it is, and what to refine", "[verification]") {
+TEST_CASE("what is not is named, with its error, until when it is, and what to refine", "[study]") {
     const DeckStudy study = make_study({make_report("root", 1e-4, 1e-4), make_report("tip", 0.002, 0.08)});
     CHECK_FALSE(study.is_accurate());
     CHECK(says(study, "Right to 1 % of their largest change: root position."));
@@ -31,7 +31,7 @@ TEST_CASE("what is not is named, with its error, until when it is, and what to r
     CHECK(says(other, "Elements of the next order change tip position by 3 %."));
 }
 
-TEST_CASE("of errors that are out of reach no refinement is named", "[verification]") {
+TEST_CASE("of errors that are out of reach no refinement is named", "[study]") {
     CHECK(
         says(make_study({make_report("tip", 43.4, 0.0)}),
              "The step adds 4300 % to tip position. It falls too slowly to say what would mend that: refine "
@@ -43,7 +43,7 @@ TEST_CASE("of errors that are out of reach no refinement is named", "[verificati
                "The step adds more than 100000 % to tip position."));
 }
 
-TEST_CASE("errors that do not fall, or too slowly, are told", "[verification]") {
+TEST_CASE("errors that do not fall, or too slowly, are told", "[study]") {
     DeckStudy study = make_study({make_report("tip", 0.3, 0.0)});
     study.series[0].steps = estimate_error({{0.1}, {0.1}}, 2.0, 1e-12);
     CHECK(says(study, "Errors do not fall with the step (tip position: 0.1, 0.1)"));
@@ -54,7 +54,7 @@ TEST_CASE("errors that do not fall, or too slowly, are told", "[verification]") 
     CHECK(says(study, "Errors do not fall with the mesh (tip position: 0.1, 0.1)"));
 }
 
-TEST_CASE("small errors ask for nothing, however they fall", "[verification]") {
+TEST_CASE("small errors ask for nothing, however they fall", "[study]") {
     DeckStudy study = make_study({make_report("tip", 0.0, 0.3)});
     study.series[0].steps = estimate_error({{2e-4}, {2e-4}}, 2.0, 1e-12);
     CHECK_FALSE(says(study, "Errors do not fall"));
@@ -62,7 +62,7 @@ TEST_CASE("small errors ask for nothing, however they fall", "[verification]") {
     CHECK(says(study, "Errors do not fall with the step"));
 }
 
-TEST_CASE("statics: the load steps must not matter", "[verification]") {
+TEST_CASE("statics: the load steps must not matter", "[study]") {
     DeckStudy study = make_study({make_report("tip", 0.05, 0.0)});
     study.is_static = true;
     CHECK(says(study, "The state depends on the load steps by 5 % (tip position)."));

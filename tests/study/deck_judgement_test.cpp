@@ -6,14 +6,14 @@
 using namespace gxrod;
 using namespace gxrod::test;
 
-TEST_CASE("what is right is said to be, and then nothing is asked for", "[verification]") {
+TEST_CASE("what is right is said to be, and then nothing is asked for", "[study]") {
     const DeckStudy study = make_study({make_report("tip", 1e-3, 8e-3)});
     CHECK(judge(study) == std::vector<std::string>{"All series are right to 1 % of their largest change."});
     CHECK(study.is_sound());
     CHECK(study.is_accurate());
 }
 
-TEST_CASE("where finer steps are no finer, nothing is said of errors", "[verification]") {
+TEST_CASE("where finer steps are no finer, nothing is said of errors", "[study]") {
     DeckStudy study = make_study({make_report("tip", 1e-9, 1e-3)});
     CHECK(study.is_accurate());
     study.runs[0].steps = 90;
@@ -74,7 +74,7 @@ TEST_CASE("where finer steps are no finer, nothing is said of errors", "[verific
     CHECK(study.has_finer_steps());
 }
 
-TEST_CASE("where no finer run reached its end, errors are not known", "[verification]") {
+TEST_CASE("where no finer run reached its end, errors are not known", "[study]") {
     DeckStudy study = make_study({make_report("tip", 0.0, 0.03)});
     for (const VariantRun& run : study.runs) study.variants.push_back(run.variant);
     CHECK(study.knows_errors());
@@ -106,7 +106,7 @@ TEST_CASE("where no finer run reached its end, errors are not known", "[verifica
     CHECK_FALSE(study.is_accurate());
 }
 
-TEST_CASE("round-off is told, and no refinement against it", "[verification]") {
+TEST_CASE("round-off is told, and no refinement against it", "[study]") {
     DeckStudy study = make_study({make_report("root", 1e-3, 1e-3), make_report("tip", 1e-3, 1e-3)});
     SeriesReport& tip = study.series[1];
     tip.round_off = 0.02;
@@ -132,7 +132,7 @@ TEST_CASE("round-off is told, and no refinement against it", "[verification]") {
     CHECK_FALSE(study.is_sound());
 }
 
-TEST_CASE("where nothing changes there is nothing to judge by", "[verification]") {
+TEST_CASE("where nothing changes there is nothing to judge by", "[study]") {
     DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3), make_report("root", 1e-3, 1e-3)});
     SeriesReport& root = study.series[1];
     root.scale = 0.0;
@@ -152,7 +152,7 @@ TEST_CASE("where nothing changes there is nothing to judge by", "[verification]"
     CHECK(says(study, "Not right to 1 %: root position (it changes in finer runs alone)."));
 }
 
-TEST_CASE("what finer runs do not tell is not called right", "[verification]") {
+TEST_CASE("what finer runs do not tell is not called right", "[study]") {
     DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3), make_report("root", 1e-3, 1e-3)});
     study.series[1].error = std::numeric_limits<double>::infinity();
     CHECK_FALSE(study.is_accurate());
@@ -166,7 +166,7 @@ TEST_CASE("what finer runs do not tell is not called right", "[verification]") {
     CHECK(says(study, "not known, as the elements of rods from mesh files (cable) cannot be refined here"));
 }
 
-TEST_CASE("energy out of balance, and runs that failed, are told", "[verification]") {
+TEST_CASE("energy out of balance, and runs that failed, are told", "[study]") {
     DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3)});
     study.runs[0].books.largest_energy_error = 0.5;
     CHECK(
@@ -186,7 +186,7 @@ TEST_CASE("energy out of balance, and runs that failed, are told", "[verificatio
     CHECK(says(study, "Energy is out of balance by 5 % of its largest value."));
 }
 
-TEST_CASE("tables and JSON have what the study has", "[verification]") {
+TEST_CASE("tables and JSON have what the study has", "[study]") {
     DeckStudy study = make_study({make_report("tip", 1e-3, 8e-3)});
     study.times = {0.0, 1.0};
     study.base_rows = {{{0, 0, 0, 0}, {2, 0, 0, 0}}};

@@ -6,7 +6,7 @@
 using namespace gxrod;
 using namespace gxrod::test;
 
-TEST_CASE("what must not be is called a fault", "[verification]") {
+TEST_CASE("what must not be is called a fault", "[study]") {
     DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3)});
     study.series[0].turned_difference = 0.01;
     CHECK_FALSE(study.is_sound());
@@ -24,7 +24,7 @@ TEST_CASE("what must not be is called a fault", "[verification]") {
 }
 
 TEST_CASE("a turned model may differ by the error, and where its steps are cut elsewhere by anything",
-          "[verification]") {
+          "[study]") {
     DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3)});
     study.series[0].turned_difference = 0.9 * study.series[0].error;
     CHECK(study.is_sound());
@@ -47,7 +47,7 @@ TEST_CASE("a turned model may differ by the error, and where its steps are cut e
     CHECK_THAT(describe_properties(study), Catch::Contains("by 0 rad: differs by 2.2e-03\n"));
 }
 
-TEST_CASE("of a model that hardly moves, nothing is said of its orientation", "[verification]") {
+TEST_CASE("of a model that hardly moves, nothing is said of its orientation", "[study]") {
     DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3)});
     study.series[0].turned_difference = 1.1 * study.series[0].error;
     study.motion = 1.1e-12;
@@ -63,8 +63,7 @@ TEST_CASE("of a model that hardly moves, nothing is said of its orientation", "[
     CHECK(study.is_sound());
 }
 
-TEST_CASE("where steps are cut in a part of the run alone, finer ones must be more there, too",
-          "[verification]") {
+TEST_CASE("where steps are cut in a part of the run alone, finer ones must be more there, too", "[study]") {
     DeckStudy study = make_study({make_report("tip", 1e-9, 1e-3)});
     for (int i = 0; i <= 100; ++i) study.times.push_back(0.1 * i);
     VariantRun& base = study.runs[0];
@@ -98,7 +97,7 @@ TEST_CASE("where steps are cut in a part of the run alone, finer ones must be mo
     CHECK(study.has_finer_steps());
 }
 
-TEST_CASE("nothing is called sound, accurate or a fault before it was run", "[verification]") {
+TEST_CASE("nothing is called sound, accurate or a fault before it was run", "[study]") {
     DeckStudy study;
     study.is_interrupted = true;
     CHECK_FALSE(study.is_accurate());
@@ -113,7 +112,7 @@ TEST_CASE("nothing is called sound, accurate or a fault before it was run", "[ve
     CHECK(to_json(study, false)["sound"].is_null());
 }
 
-TEST_CASE("turned runs that fail are a fault unless round-off can decide it", "[verification]") {
+TEST_CASE("turned runs that fail are a fault unless round-off can decide it", "[study]") {
     DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3)});
     study.runs[2].failure = "the step from t = 0 failed";
     // It may grow: without another such run that is not known.

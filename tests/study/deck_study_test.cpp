@@ -9,7 +9,7 @@
 using namespace gxrod;
 using namespace gxrod::test;
 
-TEST_CASE("errors of step and mesh are estimated, and are those that are there", "[verification]") {
+TEST_CASE("errors of step and mesh are estimated, and are those that are there", "[study]") {
     const DeckStudy coarse = study(swing, {VariantKind::finer_steps, VariantKind::finer_mesh});
     CHECK_FALSE(coarse.has_own_histories);
     REQUIRE(coarse.series.size() == 4);
@@ -38,7 +38,7 @@ TEST_CASE("errors of step and mesh are estimated, and are those that are there",
     CHECK(estimated < 2.0 * error);
 }
 
-TEST_CASE("without histories, the ends of rods and the bodies are followed", "[verification]") {
+TEST_CASE("without histories, the ends of rods and the bodies are followed", "[study]") {
     const DeckStudy bodies = study(
         "[body.top]\nmass = 2\ninertia = [1, 2, 3]\nat = [1, 0, 0]\n"
         "velocity = [0.5, 0, 0]\nangular_velocity = [0.1, 2, 0.1]\n"
@@ -54,7 +54,7 @@ TEST_CASE("without histories, the ends of rods and the bodies are followed", "[v
     CHECK(bodies.is_sound());
 }
 
-TEST_CASE("stopping and threads change nothing", "[verification]") {
+TEST_CASE("stopping and threads change nothing", "[study]") {
     const DeckStudy study_of = study(swing, {VariantKind::resumed, VariantKind::two_threads});
     REQUIRE(study_of.runs.size() == 3);
     for (const VariantRun& run : study_of.runs) {
@@ -65,7 +65,7 @@ TEST_CASE("stopping and threads change nothing", "[verification]") {
     CHECK(study_of.is_sound());
 }
 
-TEST_CASE("what the user sets gives way to what a variant sets", "[verification]") {
+TEST_CASE("what the user sets gives way to what a variant sets", "[study]") {
     const DeckStudy coarser = study(swing, {VariantKind::finer_steps}, {"analysis.time_step=0.04"});
     REQUIRE(coarser.runs.size() == 3);
     CHECK(coarser.runs[0].steps == 50);
@@ -73,7 +73,7 @@ TEST_CASE("what the user sets gives way to what a variant sets", "[verification]
     CHECK(coarser.has_finer_steps());
 }
 
-TEST_CASE("rods of meshes keep their elements", "[verification]") {
+TEST_CASE("rods of meshes keep their elements", "[study]") {
     const DeckFile file(mesh_swing());
     const std::filesystem::path folder = std::filesystem::path(file.read().file()).parent_path();
     std::ofstream(folder / "beam.msh")
@@ -98,7 +98,7 @@ TEST_CASE("rods of meshes keep their elements", "[verification]") {
     CHECK(study(swing, {}).unrefined_rods.empty());
 }
 
-TEST_CASE("steps by their error are studied by their tolerance", "[verification]") {
+TEST_CASE("steps by their error are studied by their tolerance", "[study]") {
     const DeckStudy adaptive = study(swing,
                                      {VariantKind::finer_steps, VariantKind::resumed},
                                      {"analysis.integrator=sdirk-4", "analysis.adaptive={tolerance = 1e-4}"});
@@ -135,7 +135,7 @@ TEST_CASE("steps by their error are studied by their tolerance", "[verification]
     CHECK_THAT(judge(few).front(), Catch::StartsWith("Something else than the tolerance sets the steps"));
 }
 
-TEST_CASE("the variants that make sense", "[verification]") {
+TEST_CASE("the variants that make sense", "[study]") {
     const auto titles = [](const std::string& text, const std::vector<std::string>& overrides) {
         const DeckFile file(text);
         std::vector<std::string> found;

@@ -4,7 +4,7 @@
 
 using namespace gxrod;
 
-TEST_CASE("the order of a scheme, which Newmark's have with gamma = 1/2 alone", "[verification]") {
+TEST_CASE("the order of a scheme, which Newmark's have with gamma = 1/2 alone", "[study]") {
     DynamicSettings settings;
     settings.end_time = 1.0;
     settings.steps = 10;
@@ -25,7 +25,7 @@ TEST_CASE("the order of a scheme, which Newmark's have with gamma = 1/2 alone", 
     CHECK(order_of(StaticSettings{}) == 1.0);
 }
 
-TEST_CASE("runs are compared where steps end, and of steps by their error at even times", "[verification]") {
+TEST_CASE("runs are compared where steps end, and of steps by their error at even times", "[study]") {
     DynamicSettings settings;
     settings.end_time = 2.0;
     settings.steps = 4;

@@ -19,7 +19,7 @@ Row turned(double angle) { return {std::cos(0.5 * angle), std::sin(0.5 * angle),
 
 }  // namespace
 
-TEST_CASE("vectors differ by a length, rotations by an angle", "[verification]") {
+TEST_CASE("vectors differ by a length, rotations by an angle", "[study]") {
     CHECK(distance(place, {1.0, 2.0, 3.0, 0.0}, {1.0, 5.0, 7.0, 0.0}) == Approx(5.0));
     for (const double angle : {1e-9, 0.1, 2.0, 3.0}) {
         CHECK(distance(attitude, turned(0.3), turned(0.3 + angle)) == Approx(angle).epsilon(1e-6));
@@ -30,7 +30,7 @@ TEST_CASE("vectors differ by a length, rotations by an angle", "[verification]")
     CHECK(compute_differences(force, {{1, 0, 0, 0}, {2, 0, 0, 0}}, {{1, 0, 0, 0}}) == std::vector{0.0});
 }
 
-TEST_CASE("rows are the same to the last bit, or not", "[verification]") {
+TEST_CASE("rows are the same to the last bit, or not", "[study]") {
     const Row row{0.1, 0.2, 0.3, 0.4};
     CHECK(is_same(place, row, row));
     CHECK_FALSE(is_same(place, row, {0.1, 0.2, std::nextafter(0.3, 1.0), 0.4}));
@@ -38,7 +38,7 @@ TEST_CASE("rows are the same to the last bit, or not", "[verification]") {
     CHECK(is_same(attitude, row, {-0.1, -0.2, -0.3, -0.4}));
 }
 
-TEST_CASE("scales: the way of places, the angle of rotations, the size of the rest", "[verification]") {
+TEST_CASE("scales: the way of places, the angle of rotations, the size of the rest", "[study]") {
     const std::vector<std::vector<Row>> rows{{{100, 0, 0, 0}, {103, 4, 0, 0}, {101, 0, 0, 0}},
                                              {turned(0.0), turned(0.2)},
                                              {{7, 0, 0, 0}, {1, 0, 0, 0}}};
@@ -49,7 +49,7 @@ TEST_CASE("scales: the way of places, the angle of rotations, the size of the re
     CHECK(compute_scales({attitude}, {{turned(0.0), turned(3.0)}}, {}, {0.0})[0].scale == 1.0);
 }
 
-TEST_CASE("what stays where it is is judged by its like", "[verification]") {
+TEST_CASE("what stays where it is is judged by its like", "[study]") {
     const std::vector<std::vector<Row>> rows{{{0, 0, 0, 0}, {1e-15, 0, 0, 0}}, {{0, 0, 0, 0}, {2, 0, 0, 0}}};
     const auto scales = compute_scales({place, place}, rows, {}, {0.0, 0.0});
     CHECK(scales[0].is_still);
@@ -57,7 +57,7 @@ TEST_CASE("what stays where it is is judged by its like", "[verification]") {
     CHECK_FALSE(scales[1].is_still);
 }
 
-TEST_CASE("what is within round-off is still", "[verification]") {
+TEST_CASE("what is within round-off is still", "[study]") {
     const std::vector<std::vector<Row>> rows{{{0, 0, 0, 0}, {1e-7, 0, 0, 0}}};
     CHECK_FALSE(compute_scales({force}, rows, {}, {0.9e-8})[0].is_still);
     CHECK(compute_scales({force}, rows, {}, {1.1e-8})[0].is_still);
@@ -73,7 +73,7 @@ TEST_CASE("what is within round-off is still", "[verification]") {
     CHECK(scales[0].scale == Approx(0.2));
 }
 
-TEST_CASE("what solvers leave is judged by what is large in the model", "[verification]") {
+TEST_CASE("what solvers leave is judged by what is large in the model", "[study]") {
     const NaturalScales natural{4.0, 2.0, 8.0};
     // A force at a free end: energy by length is 2.
     const auto scales = compute_scales({force}, {{{0, 0, 0, 0}, {1e-7, 0, 0, 0}}}, natural, {0.0});

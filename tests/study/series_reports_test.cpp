@@ -39,7 +39,7 @@ StudyRows make_found() {
 
 }  // namespace
 
-TEST_CASE("the error of a series is that of step, mesh and round-off together", "[verification]") {
+TEST_CASE("the error of a series is that of step, mesh and round-off together", "[study]") {
     const SeriesReport report = make_reports(tip, make_found(), make_study()).front();
     CHECK(report.scale == Approx(2.032));
     // 16 h² of the step; of the mesh the difference times 4/3; all grow with time.
@@ -55,7 +55,7 @@ TEST_CASE("the error of a series is that of step, mesh and round-off together", 
     CHECK(make_reports(tip, make_found(), strict).front().trusted_until == 1.0);
 }
 
-TEST_CASE("differences within ten times the round-off show no order", "[verification]") {
+TEST_CASE("differences within ten times the round-off show no order", "[study]") {
     StudyRows found = make_found();
     found.round_off = {{0.0, 0.0, 0.5e-3}};
     // The second difference is 6e-3.
@@ -68,7 +68,7 @@ TEST_CASE("differences within ten times the round-off show no order", "[verifica
     CHECK(make_reports(tip, found, make_study()).front().round_off == Approx(3.6e-15).epsilon(0.02));
 }
 
-TEST_CASE("the error is infinite where runs that show it are missing", "[verification]") {
+TEST_CASE("the error is infinite where runs that show it are missing", "[study]") {
     DeckStudy study = make_study();
     study.variants = {{VariantKind::finer_mesh, 1, "twice the elements"}};
     const SeriesReport report = make_reports(tip, make_found(), study).front();

@@ -10,7 +10,7 @@ double cubic(double t) { return 1.0 + t * (2.0 - t * (3.0 - 0.5 * t)); }
 
 }  // namespace
 
-TEST_CASE("where a step ends at a sample, the row itself is taken", "[verification]") {
+TEST_CASE("where a step ends at a sample, the row itself is taken", "[study]") {
     const std::vector<double> times{0.0, 0.5, 1.0};
     TraceSampler sampler(times, 1.0);
     sampler.add(0.0, {{1.0, 2.0, 3.0, 4.0}});
@@ -21,7 +21,7 @@ TEST_CASE("where a step ends at a sample, the row itself is taken", "[verificati
     CHECK(sampler.samples()[1][0] == HistoryPoint::Row{5.0, 6.0, 7.0, 8.0});
 }
 
-TEST_CASE("between steps a cubic is met exactly", "[verification]") {
+TEST_CASE("between steps a cubic is met exactly", "[study]") {
     const std::vector<double> times{0.0, 0.61, 0.62, 0.95, 1.0};
     TraceSampler sampler(times, 1.0);
     for (const double t : {0.0, 0.1, 0.35, 0.6, 0.7, 1.0}) sampler.add(t, {{cubic(t), 0.0, -cubic(t), 1.0}});
@@ -33,7 +33,7 @@ TEST_CASE("between steps a cubic is met exactly", "[verification]") {
     }
 }
 
-TEST_CASE("a run that ends early has the samples it reached", "[verification]") {
+TEST_CASE("a run that ends early has the samples it reached", "[study]") {
     const std::vector<double> times{0.0, 0.5, 1.0};
     TraceSampler sampler(times, 1.0);
     sampler.add(0.0, {{0.0, 0.0, 0.0, 0.0}});

@@ -98,7 +98,7 @@ quantities = ["position", "displacement", "velocity", "acceleration", "rotation_
 
 }  // namespace
 
-TEST_CASE("a turned model has the turned motion", "[verification]") {
+TEST_CASE("a turned model has the turned motion", "[study]") {
     for (const char* integrator : {"newmark-simplified", "sdirk-4"}) {
         INFO(integrator);
         const DeckStudy turned =
@@ -119,7 +119,7 @@ TEST_CASE("a turned model has the turned motion", "[verification]") {
     }
 }
 
-TEST_CASE("statics turn as dynamics do", "[verification]") {
+TEST_CASE("statics turn as dynamics do", "[study]") {
     std::string text = everything;
     text.replace(
         text.find("kind = \"dynamic\"\nend_time = 0.5\nsteps = 25"), 42, "kind = \"static\"\nsteps = 4");

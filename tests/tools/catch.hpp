@@ -10,9 +10,6 @@ using Matchers::EndsWith;
 using Matchers::StartsWith;
 using Matchers::VectorContains;
 inline auto Contains(const std::string& text) { return Matchers::ContainsSubstring(text); }
-namespace Matchers {
-inline auto Contains(const std::string& text) { return ContainsSubstring(text); }
-}  // namespace Matchers
 }  // namespace Catch
 #else
 #include <catch2/catch.hpp>

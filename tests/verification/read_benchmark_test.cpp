@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "deck/fault.hpp"
+#include "deck/reading/fault.hpp"
 #include "tools/catch.hpp"
 #include "verification/benchmark.hpp"
 

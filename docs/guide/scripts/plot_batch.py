@@ -1,8 +1,10 @@
-"""Draws columns of a batch: plot_batch.py DIR/index.h5 -o PICTURE.png --x KEY --y NAME … [--by KEY] [--points] [--log x y]"""
+"""Draws columns of a batch: plot_batch.py DIR -o PICTURE.png --x KEY --y NAME … [--by KEY] [--points] [--log x y]"""
 
 import argparse
+import csv
+import json
+import pathlib
 
-import h5py
 import matplotlib
 import numpy as np
 
@@ -10,20 +12,22 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 
 
-def read_columns(path):
-    """All columns by their names, texts as texts, and what they hold where the file tells it."""
-    columns, meanings = {}, {}
+def to_array(texts):
+    """Numbers if all texts are numbers or nothing, which is NaN; else the texts."""
+    try:
+        return np.array([float(text) if text else np.nan for text in texts])
+    except ValueError:
+        return np.array(texts)
 
-    def take(name, item):
-        if isinstance(item, h5py.Dataset):
-            name = name.removeprefix("parameters/").removeprefix("collected/")
-            columns[name] = item.asstr()[()] if h5py.check_string_dtype(item.dtype) else item[()]
-            if item.parent.name == "/collected":
-                meanings[name] = item.attrs["description"]
 
-    with h5py.File(path) as file:
-        file.visititems(take)
-        return columns, meanings, file.attrs["title"]
+def read_columns(folder):
+    """All columns of index.csv by their names, what batch.json says they hold, and its title."""
+    with open(folder / "index.csv", newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    columns = {name: to_array([row[name] for row in rows]) for name in (rows[0] if rows else {})}
+    record = json.loads((folder / "batch.json").read_text(encoding="utf-8"))
+    meanings = {column["name"]: column["description"] for column in record["columns"]}
+    return columns, meanings, record["title"]
 
 
 def draw_lines(axes, x, y, groups, is_log):
@@ -49,7 +53,7 @@ def draw_points(figure, axes, x, y, groups, label):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("index")
+    parser.add_argument("folder", type=pathlib.Path, help="of a batch")
     parser.add_argument("-o", "--output", required=True)
     parser.add_argument("--x", required=True, help="a column of numbers")
     parser.add_argument("--y", required=True, nargs="+", help="columns of numbers, a diagram each")
@@ -58,7 +62,7 @@ def main():
     parser.add_argument("--log", nargs="+", choices=["x", "y"], default=[], help="axes that are logarithmic")
     arguments = parser.parse_args()
 
-    columns, meanings, title = read_columns(arguments.index)
+    columns, meanings, title = read_columns(arguments.folder)
     for name in (arguments.x, *arguments.y, *([arguments.by] if arguments.by else [])):
         if name not in columns:
             parser.error(f"no column {name}; there are {', '.join(columns)}")

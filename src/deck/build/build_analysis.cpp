@@ -1,0 +1,143 @@
+#include "deck/build/build_analysis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "deck/schema/choices.hpp"
+#include "deck/schema/schema_tables.hpp"
+
+namespace gxrod {
+namespace {
+
+// A step divides the time if it does so up to this, relative.
+constexpr double divides = 1e-9;
+
+long find_steps(const CheckedTable& table, double end_time, const BuildContext& context) {
+    if (table.gives("steps")) return table.get<long>("steps");
+    const double time_step = table.get<double>("time_step");
+    const double ratio = end_time / time_step;
+    const double nearest = std::max(1.0, std::round(ratio));
+    const bool is_whole = std::abs(ratio - nearest) <= divides * nearest;
+    const double steps = is_whole ? nearest : std::ceil(ratio);
+    if (steps > static_cast<double>(largest_step_count)) {
+        context.add_fault(
+            table,
+            "time_step",
+            fmt::format("{:.3g} steps are too many; expected at most {}", steps, largest_step_count));
+        return 1;
+    }
+    if (!is_whole && !table.gives("adaptive")) {
+        context.notes.push_back(fmt::format("{}: {} does not divide {}; {:.0f} steps of {} are taken",
+                                            table.path_of("time_step"),
+                                            time_step,
+                                            end_time,
+                                            steps,
+                                            end_time / steps));
+    }
+    return static_cast<long>(steps);
+}
+
+std::optional<AdaptiveSettings> build_adaptive(const CheckedTable& analysis, const BuildContext& context) {
+    if (!analysis.gives("adaptive")) return std::nullopt;
+    const CheckedTable& table = analysis.tables("adaptive").front();
+    AdaptiveSettings adaptive;
+    adaptive.tolerance = table.get<double>("tolerance");
+    adaptive.min_step = table.get<double>("min_step");
+    if (table.gives("max_step")) adaptive.max_step = table.get<double>("max_step");
+    if (adaptive.max_step < adaptive.min_step) {
+        context.add_fault(
+            table,
+            "max_step",
+            fmt::format(
+                "expected a number not below min_step, {}; found {}", adaptive.min_step, adaptive.max_step));
+    }
+    return adaptive;
+}
+
+// Says so where the first step is not what the deck asks for.
+void note_first_step(const DynamicSettings& settings,
+                     const CheckedTable& table,
+                     const BuildContext& context) {
+    const AdaptiveSettings& adaptive = *settings.adaptive;
+    const double first = settings.time_step();
+    if (first >= adaptive.min_step && first <= adaptive.max_step) return;
+    const bool is_short = first < adaptive.min_step;
+    context.notes.push_back(fmt::format("{}: the first step, {}, is {} adaptive.{}; it will be {}",
+                                        table.path_of(table.gives("steps") ? "steps" : "time_step"),
+                                        first,
+                                        is_short ? "below" : "above",
+                                        is_short ? "min_step" : "max_step",
+                                        is_short ? adaptive.min_step : adaptive.max_step));
+}
+
+// Faults of the paper's tangent; `user` is what else the deck has in the place of its integrator, or "".
+void check_paper_tangent(const CheckedTable& newton, const std::string& user, const BuildContext& context) {
+    const std::string paper = word_of(tangent_choices, TangentKind::paper);
+    if (!user.empty()) {
+        context.add_fault(newton,
+                          "tangent",
+                          fmt::format("\"{}\" belongs to integrator \"{}\", not to {}",
+                                      paper,
+                                      word_of(scheme_choices, Scheme::newmark_simplified),
+                                      user));
+    }
+    if (!context.deck.tables("rod").empty()) {
+        context.add_fault(
+            newton, "tangent", fmt::format("\"{}\" is for decks of bodies alone; this one has rods", paper));
+    }
+}
+
+// Sets what the deck gives.
+void read_newton(const CheckedTable& analysis,
+                 const std::string& user,
+                 const BuildContext& context,
+                 NewtonSettings& newton) {
+    if (!analysis.gives("newton")) return;
+    const CheckedTable& table = analysis.tables("newton").front();
+    if (table.gives("tolerance")) newton.tolerance = table.get<double>("tolerance");
+    newton.max_iterations = static_cast<int>(table.get<long>("max_iterations"));
+    if (!table.gives("tangent")) return;
+    newton.tangent = value_of(tangent_choices, table.get<std::string>("tangent"));
+    if (newton.tangent == TangentKind::paper) check_paper_tangent(table, user, context);
+}
+
+LinearSolverKind find_linear_solver(const CheckedTable& table) {
+    return value_of(linear_solver_choices, table.get<std::string>("linear_solver"));
+}
+
+DynamicSettings build_dynamic(const CheckedTable& table, const BuildContext& context) {
+    DynamicSettings settings;
+    settings.end_time = table.get<double>("end_time");
+    settings.steps = find_steps(table, settings.end_time, context);
+    settings.scheme = value_of(scheme_choices, table.get<std::string>("integrator"));
+    settings.beta = table.get<double>("beta");
+    settings.gamma = table.get<double>("gamma");
+    settings.spectral_radius = table.get<double>("spectral_radius");
+    settings.adaptive = build_adaptive(table, context);
+    if (settings.adaptive) note_first_step(settings, table, context);
+    const bool is_papers_scheme = settings.scheme == Scheme::newmark_simplified;
+    const std::string user = "\"" + word_of(scheme_choices, settings.scheme) + "\"";
+    read_newton(table, is_papers_scheme ? "" : user, context, settings.newton);
+    settings.linear_solver = find_linear_solver(table);
+    return settings;
+}
+
+StaticSettings build_static(const CheckedTable& table, const BuildContext& context) {
+    StaticSettings settings;
+    if (table.gives("steps")) settings.steps = table.get<long>("steps");
+    read_newton(table, "static analyses", context, settings.newton);
+    settings.linear_solver = find_linear_solver(table);
+    return settings;
+}
+
+}  // namespace
+
+AnalysisSettings build_analysis(const BuildContext& context) {
+    const CheckedTable& table = context.deck.tables("analysis").front();
+    if (table.get<std::string>("kind") == "static") return build_static(table, context);
+    return build_dynamic(table, context);
+}
+
+}  // namespace gxrod

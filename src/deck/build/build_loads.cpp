@@ -1,0 +1,74 @@
+#include "deck/build/build_loads.hpp"
+
+#include "deck/build/part.hpp"
+#include "deck/expressions/load_factor.hpp"
+#include "deck/schema/choices.hpp"
+#include "deck/schema/schema_tables.hpp"
+
+namespace gxrod {
+namespace {
+
+// What the model has for a value of the deck.
+TimeFunction function_of(const CheckedTimeFunction& value, const BuildContext& context) {
+    return context.is_static() ? apply_load_factor(value.function) : value.function;
+}
+
+LineFunction function_of(const CheckedLineFunction& value, const BuildContext& context) {
+    return context.is_static() ? apply_load_factor(value.expression) : value.expression.function;
+}
+
+// Three functions of a key; zero if it is not given.
+template <class Function, class Checked>
+std::array<Function, 3> functions_of(const CheckedTable& table,
+                                     const char* key,
+                                     const BuildContext& context) {
+    std::array<Function, 3> functions;
+    if (!table.gives(key)) return functions;
+    const auto& components = table.get<std::array<Checked, 3>>(key);
+    for (std::size_t i = 0; i < 3; ++i) functions[i] = function_of(components[i], context);
+    return functions;
+}
+
+void add_nodal_load(const CheckedTable& table, Frame frame, BuildContext& context) {
+    const std::optional<PlacedPoint> point = context.place(table.get<std::string>("at"));
+    if (!point) return;
+    const auto vector = [&](const char* key) {
+        return functions_of<TimeFunction, CheckedTimeFunction>(table, key, context);
+    };
+    context.model.loads.push_back({.key = table.path,
+                                   .node = point->node,
+                                   .force = vector("force"),
+                                   .moment = vector("moment"),
+                                   .frame = frame,
+                                   .axes = context.axes_at(*point)});
+}
+
+void add_distributed_load(const CheckedTable& table, Frame frame, BuildContext& context) {
+    const std::optional<Part> part = find_part(table, *load_table().find("on"), context);
+    if (!part) return;
+    const auto vector = [&](const char* key) {
+        return functions_of<LineFunction, CheckedLineFunction>(table, key, context);
+    };
+    context.model.distributed_loads.push_back({.key = table.path,
+                                               .rod = part->rod,
+                                               .force = vector("force_per_length"),
+                                               .moment = vector("moment_per_length"),
+                                               .frame = frame});
+}
+
+}  // namespace
+
+void build_loads(BuildContext& context) {
+    context.model.gravity =
+        TimeVector(functions_of<TimeFunction, CheckedTimeFunction>(context.deck, "gravity", context));
+    for (const CheckedTable& table : context.deck.tables("load")) {
+        const Frame frame = value_of(frame_choices, table.get<std::string>("frame"));
+        if (table.gives("at")) {
+            add_nodal_load(table, frame, context);
+        } else {
+            add_distributed_load(table, frame, context);
+        }
+    }
+}
+
+}  // namespace gxrod

@@ -1,0 +1,207 @@
+#include "deck/build/build_output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+#include <span>
+
+#include "deck/schema/choices.hpp"
+#include "mesh/rod_mesh.hpp"
+#include "model/frame_interval.hpp"
+
+namespace gxrod {
+namespace {
+
+bool is_group_name(const std::string& name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char letter) {
+        return letter == '_' || letter == '-' || std::isalnum(static_cast<unsigned char>(letter)) != 0;
+    });
+}
+
+void check_name(const CheckedTable& history, std::set<std::string>& taken, const BuildContext& context) {
+    const std::string& name = history.get<std::string>("name");
+    if (!is_group_name(name)) {
+        return context.add_fault(
+            history, "name", fmt::format("expected a name of letters, digits, _ and -, found \"{}\"", name));
+    }
+    if (name == "time") {
+        return context.add_fault(history, "name", "\"time\" is taken by the times of all histories");
+    }
+    if (!taken.insert(name).second) {
+        context.add_fault(history, "name", fmt::format("an earlier history is named \"{}\" too", name));
+    }
+}
+
+bool is_of_rods(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::force:
+        case Quantity::moment:
+        case Quantity::force_spatial:
+        case Quantity::moment_spatial:
+        case Quantity::strain:
+        case Quantity::curvature:
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool is_reaction(Quantity quantity) {
+    return quantity == Quantity::reaction_force || quantity == Quantity::reaction_moment;
+}
+
+// Where a history looks.
+struct HistoryPlace {
+    int node;  // -1: between nodes
+    int body;  // -1: of a rod
+    std::optional<RodPlace> place;
+};
+
+// A node's place in the rod; where elements meet, in the first of them.
+RodPlace place_in_rod(const PlacedPoint& point, const Rod& rod) {
+    const auto per_element = static_cast<std::size_t>(rod.order) + 1;
+    if (point.end_element >= 0) {
+        return {point.rod, point.end_element, point.is_end_of_rod ? 1.0 : -1.0};
+    }
+    const auto found = std::find(rod.element_nodes.begin(), rod.element_nodes.end(), point.node);
+    const auto entry = static_cast<std::size_t>(found - rod.element_nodes.begin());
+    const double fraction = compute_element_nodes(rod.order)[entry % per_element];
+    return {point.rod, static_cast<int>(entry / per_element), 2.0 * fraction - 1.0};
+}
+
+// The arc length at a fraction 0 … 1 of an element's interval of ξ; elements from meshes have their nodes at
+// any.
+double arc_length_at(const std::vector<double>& nodes, std::span<const double> arc_lengths, double fraction) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        double shape = 1.0;
+        for (std::size_t j = 0; j < nodes.size(); ++j) {
+            if (j != i) shape *= (fraction - nodes[j]) / (nodes[i] - nodes[j]);
+        }
+        sum += shape * arc_lengths[i];
+    }
+    return sum;
+}
+
+// At a fraction of the length where there is no node.
+RodPlace place_between_nodes(const RodPoint& point, const Rod& rod) {
+    const double at = point.fraction * rod.length;
+    const auto per_element = static_cast<std::size_t>(rod.order) + 1;
+    const auto arc_lengths_of = [&](int element) {
+        return std::span(rod.arc_length)
+            .subspan(static_cast<std::size_t>(element) * per_element, per_element);
+    };
+    int element = 0;
+    const auto has_it = [&](std::span<const double> s) { return s.front() <= at && at <= s.back(); };
+    while (element + 1 < rod.element_count() && !has_it(arc_lengths_of(element))) ++element;
+    const std::vector<double> nodes = compute_element_nodes(rod.order);
+    double low = 0.0;
+    double high = 1.0;
+    constexpr int halvings = 60;
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = 0.5 * (low + high);
+        (arc_length_at(nodes, arc_lengths_of(element), middle) < at ? low : high) = middle;
+    }
+    return {point.rod, element, low + high - 1.0};
+}
+
+std::optional<HistoryPlace> find_place(const std::string& text, const BuildContext& context) {
+    const std::optional<PlacedPoint> placed = context.place(text);
+    if (!placed) return std::nullopt;
+    if (placed->body >= 0) return HistoryPlace{placed->node, placed->body, std::nullopt};
+    const Rod& rod = context.model.rods[static_cast<std::size_t>(placed->rod)];
+    if (!placed->between) return HistoryPlace{placed->node, -1, place_in_rod(*placed, rod)};
+    return HistoryPlace{-1, -1, place_between_nodes(*placed->between, rod)};
+}
+
+// Why the point has no such quantity, or "".
+std::string explain_missing(Quantity quantity, const HistoryPlace& point, const Model& model) {
+    if (is_of_rods(quantity) && !point.place) return "only points of rods have it; this one is a body";
+    if (quantity == Quantity::centre_of_mass && point.body < 0) {
+        return "only bodies have it; this is a point of a rod";
+    }
+    if (!is_reaction(quantity)) return "";
+    const bool is_supported = std::any_of(model.supports.begin(),
+                                          model.supports.end(),
+                                          [&](const Support& support) { return support.node == point.node; });
+    return is_supported ? "" : "only a supported point has it; no [[support]] is at this one";
+}
+
+bool can_be_relative(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::position:
+        case Quantity::displacement:
+        case Quantity::rotation_vector:
+        case Quantity::quaternion:
+        case Quantity::orientation:
+        case Quantity::velocity:
+        case Quantity::angular_velocity:
+        case Quantity::acceleration:
+        case Quantity::centre_of_mass:
+            return true;
+        default:
+            return false;
+    }
+}
+
+// Sets what the quantities are relative to; nothing if the deck does not say.
+void set_reference(const CheckedTable& table, HistoryRequest& request, const BuildContext& context) {
+    if (!table.gives("relative_to")) return;
+    const std::optional<PlacedPoint> point = context.place(table.get<std::string>("relative_to"));
+    if (!point) return;
+    request.relative_to = table.get<std::string>("relative_to");
+    request.relative_node = point->node;
+    request.relative_axes = context.axes_at(*point);
+}
+
+HistoryRequest build_history(const CheckedTable& table,
+                             const HistoryPlace& point,
+                             const BuildContext& context) {
+    HistoryRequest request{.name = table.get<std::string>("name"),
+                           .at = table.get<std::string>("at"),
+                           .node = point.node,
+                           .body = point.body,
+                           .place = point.place};
+    set_reference(table, request, context);
+    for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("quantities")) {
+        const Quantity quantity = value_of(quantity_choices, word.word);
+        const auto& listed = request.quantities;
+        if (std::find(listed.begin(), listed.end(), quantity) != listed.end()) {
+            context.faults.add(word.place, word.path, fmt::format("\"{}\" is listed twice", word.word));
+            continue;
+        }
+        std::string reason = explain_missing(quantity, point, context.model);
+        if (table.gives("relative_to") && !can_be_relative(quantity)) {
+            reason = "cannot be relative to a point; write another history for it";
+        }
+        if (!reason.empty()) {
+            context.faults.add(word.place, word.path, fmt::format("\"{}\": {}", word.word, reason));
+        }
+        request.quantities.push_back(quantity);
+    }
+    return request;
+}
+
+}  // namespace
+
+OutputSettings build_output(const BuildContext& context) {
+    OutputSettings output;
+    output.every = choose_frame_interval(context.analysis);
+    const std::vector<CheckedTable>& tables = context.deck.tables("output");
+    if (!tables.empty()) {
+        const CheckedTable& table = tables.front();
+        if (table.gives("every")) output.every = table.get<long>("every");
+        output.compression = value_of(compression_choices, table.get<std::string>("compression"));
+    }
+    std::set<std::string> taken;
+    for (const CheckedTable& table : context.deck.tables("history")) {
+        check_name(table, taken, context);
+        const std::optional<HistoryPlace> point = find_place(table.get<std::string>("at"), context);
+        if (point) output.histories.push_back(build_history(table, *point, context));
+    }
+    return output;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,189 @@
+#include "deck/build/build_rods.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "deck/build/build_centreline.hpp"
+#include "deck/build/build_nets.hpp"
+#include "deck/build/element_turn.hpp"
+#include "deck/schema/choices.hpp"
+#include "deck/schema/schema_tables.hpp"
+#include "deck/schema/suggestion.hpp"
+#include "deck/sections/section_axes.hpp"
+#include "machine/reserve_more.hpp"
+#include "mesh/rod_mesh.hpp"
+#include "rotation/rotation_map.hpp"
+
+namespace gxrod {
+namespace {
+
+int find_section(const CheckedTable& rod, const BuildContext& context) {
+    const std::string& name = rod.get<std::string>("section");
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < context.model.sections.size(); ++i) {
+        if (context.model.sections[i].name == name) return static_cast<int>(i);
+        known.push_back(context.model.sections[i].name);
+    }
+    std::string hint = did_you_mean(name, known);
+    if (hint.empty())
+        hint = known.empty() ? "; the deck has no section" : "; the deck has " + plain_list(known);
+    context.add_fault(rod, "section", fmt::format("no section \"{}\"{}", name, hint));
+    return 0;
+}
+
+// How many elements; nullopt, with a fault, if the deck does not say.
+std::optional<long> find_element_count(const CheckedTable& rod, const BuildContext& context) {
+    if (rod.gives("elements")) return rod.get<long>("elements");
+    const KeySpec& spec = *rod_table().find("elements");
+    context.add_fault(rod, "elements", "missing; expected " + describe_expected(spec));
+    return std::nullopt;
+}
+
+std::vector<double> find_fractions(const CheckedTable& rod,
+                                   const RodBreaks& breaks,
+                                   const BuildContext& context) {
+    const std::optional<long> elements = find_element_count(rod, context);
+    if (!elements) return {};
+    std::vector<double> fractions = compute_element_fractions(breaks, *elements);
+    if (fractions.empty()) {
+        const char* between = breaks.corners.empty() ? "the points that the deck names"
+                                                     : "corners and the points that the deck names";
+        context.add_fault(rod,
+                          "elements",
+                          fmt::format("expected at least {}, one for each piece between {}, found {}",
+                                      count_pieces(breaks),
+                                      between,
+                                      *elements));
+    }
+    return fractions;
+}
+
+std::string name_node(const std::string& rod, double fraction, std::size_t position, bool is_named) {
+    if (position == 0) return rod + ".start";
+    if (fraction == 1.0) return rod + ".end";
+    return is_named ? fmt::format("{}@{:.9g}", rod, fraction) : fmt::format("{} node {}", rod, position);
+}
+
+bool is_near_any(double fraction, const std::vector<double>& points) {
+    return std::any_of(points.begin(), points.end(), [&](double point) {
+        return std::abs(point - fraction) <= 2.0 * same_fraction;
+    });
+}
+
+// Adds the nodes and elements of one rod along its centreline.
+class LineBuilder {
+  public:
+    LineBuilder(const Centreline& line,
+                const Quat& start_axes,
+                double twist,
+                const std::vector<double>& points,
+                int index,
+                BuildContext& context)
+        : line_(line),
+          start_axes_(start_axes),
+          twist_(twist),
+          points_(points),
+          rod_(context.model.rods[static_cast<std::size_t>(index)]),
+          nodes_(context.model.nodes),
+          fractions_(context.rod_fractions[static_cast<std::size_t>(index)]) {}
+
+    // The largest turn within one of the elements that were added.
+    double largest_turn() const { return largest_turn_; }
+
+    void add(const std::vector<double>& element_fractions) {
+        rod_.length = line_.length();
+        const std::vector<double> within = compute_element_nodes(rod_.order);
+        reserve(element_fractions.size() - 1);
+        for (std::size_t e = 0; e + 1 < element_fractions.size(); ++e) {
+            const double first = element_fractions[e];
+            const double last = element_fractions[e + 1];
+            const std::size_t piece = line_.piece_at(0.5 * (first + last));
+            largest_turn_ = std::max(
+                largest_turn_, compute_element_turn(line_.turn(piece, first, last), twist_ * (last - first)));
+            for (std::size_t i = 0; i < within.size(); ++i) {
+                const bool is_last = i + 1 == within.size();
+                const double fraction = is_last ? last : first + (last - first) * within[i];
+                if (e == 0 || i > 0) add_node(piece, fraction);
+                add_entry(piece, fraction);
+            }
+        }
+    }
+
+  private:
+    void reserve(std::size_t elements) {
+        const auto order = static_cast<std::size_t>(rod_.order);
+        rod_.nodes.reserve(elements * order + 1);
+        fractions_.reserve(elements * order + 1);
+        reserve_more(elements * order + 1, nodes_);
+        rod_.element_nodes.reserve(elements * (order + 1));
+        rod_.arc_length.reserve(elements * (order + 1));
+        rod_.triads.reserve(elements * (order + 1));
+    }
+
+    void add_node(std::size_t piece, double fraction) {
+        const std::size_t position = rod_.nodes.size();
+        rod_.nodes.push_back(static_cast<int>(nodes_.size()));
+        fractions_.push_back(fraction);
+        nodes_.push_back({name_node(rod_.name, fraction, position, is_near_any(fraction, points_)),
+                          line_.position(piece, fraction)});
+    }
+
+    void add_entry(std::size_t piece, double fraction) {
+        rod_.element_nodes.push_back(rod_.nodes.back());
+        rod_.arc_length.push_back(fraction * line_.length());
+        rod_.triads.push_back(twisted(line_.transport(piece, fraction) * start_axes_, twist_ * fraction));
+    }
+
+    const Centreline& line_;
+    const Quat& start_axes_;
+    double twist_;
+    const std::vector<double>& points_;
+    Rod& rod_;
+    std::vector<Node>& nodes_;
+    std::vector<double>& fractions_;  // of nodes
+    double largest_turn_ = 0.0;
+};
+
+void build_line(const CheckedTable& table,
+                const std::vector<double>& points,
+                int index,
+                BuildContext& context) {
+    const std::optional<Centreline> line = find_centreline(table, context);
+    const RodBreaks breaks{points, line ? line->corners() : std::vector<double>{}};
+    const std::vector<double> fractions = find_fractions(table, breaks, context);
+    if (!line) return;
+    const std::optional<Quat> axes = find_start_axes(table, line->start_tangent(), context);
+    if (!axes || fractions.empty()) return;
+    const auto order = static_cast<int>(table.get<long>("order"));
+    context.model.rods[static_cast<std::size_t>(index)].order = order;
+    LineBuilder builder(*line, *axes, table.get<double>("twist"), points, index, context);
+    builder.add(fractions);
+    check_element_turn(builder.largest_turn(), order, table, context);
+}
+
+}  // namespace
+
+void build_rods(const std::vector<RodPoint>& points, const RodNets& nets, BuildContext& context) {
+    const std::vector<CheckedTable>& tables = context.deck.tables("rod");
+    std::vector<std::vector<double>> fractions(tables.size());
+    for (const RodPoint& point : points) fractions[point.rod].push_back(point.fraction);
+    context.model.rods.resize(tables.size());
+    context.rod_fractions.resize(tables.size());
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        const CheckedTable& table = tables[i];
+        Rod& rod = context.model.rods[i];
+        rod.name = table.name;
+        rod.section = find_section(table, context);
+        rod.kind = value_of(element_kind_choices, table.get<std::string>("element"));
+        const int index = static_cast<int>(i);
+        if (!table.gives("mesh")) {
+            build_line(table, fractions[i], index, context);
+        } else if (check_meshed_rod(table, context); nets.contains(index)) {
+            build_net(table, nets.at(index), index, context);
+        }
+    }
+}
+
+}  // namespace gxrod

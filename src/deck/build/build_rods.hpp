@@ -1,0 +1,12 @@
+#pragma once
+
+#include "deck/build/build_context.hpp"
+#include "deck/build/read_rod_nets.hpp"
+
+namespace gxrod {
+
+// Adds the rods and their nodes to the model. `points` are those of the deck's texts that name a point of a
+// rod; `nets` are the rods from meshes.
+void build_rods(const std::vector<RodPoint>& points, const RodNets& nets, BuildContext& context);
+
+}  // namespace gxrod

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "deck/reading/checked_deck.hpp"
+
+// Named points: flyer.start, flyer.end, flyer@0.25 of a rod, truss.top of a rod from a mesh, and bodies by
+// their name.
+namespace gxrod {
+
+struct RodPoint {
+    int rod;            // index in Model::rods
+    double fraction;    // of the length, 0 to 1
+    int position = -1;  // index in Rod::nodes of a rod from a mesh, which has its nodes already
+};
+
+// The points of a rod from a mesh.
+struct NetPoints {
+    struct Group {
+        std::string name;
+        std::vector<int> positions;  // indices in Rod::nodes; a point only if it is one
+    };
+
+    std::vector<Group> groups;      // 0-dimensional physical groups that have nodes on the rod
+    std::vector<double> fractions;  // of the length, by index in Rod::nodes; none if the rod has no two ends
+};
+
+struct BodyPoint {
+    int body;  // index in Model::bodies
+};
+
+using Point = std::variant<RodPoint, BodyPoint>;
+
+// Whether a node has to be at a fraction of a rod from a mesh; others get one.
+enum class PointNeeds { node, place };
+
+// The rods and bodies of a deck by name.
+class PointNames {
+  public:
+    // `nets` has an entry for each rod of the deck that a mesh was read for, by the index of the rod.
+    explicit PointNames(const CheckedTable& deck, std::map<int, NetPoints> nets = {});
+
+    // The point of a text, or what is wrong with the text.
+    std::variant<Point, std::string> find(const std::string& text, PointNeeds needs = PointNeeds::node) const;
+
+  private:
+    std::variant<Point, std::string> find_rod_point(int rod,
+                                                    const std::string& text,
+                                                    std::size_t separator) const;
+    std::variant<Point, std::string> find_net_point(int rod,
+                                                    const std::string& text,
+                                                    std::size_t separator,
+                                                    PointNeeds needs) const;
+    std::vector<std::string> points_of(int rod) const;
+    std::vector<std::string> all_points() const;
+
+    std::vector<std::string> rods_;
+    std::vector<std::string> bodies_;
+    std::vector<bool> is_meshed_;  // by rod
+    std::map<int, NetPoints> nets_;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,78 @@
+#include "deck/checks/check_points.hpp"
+
+#include <fmt/format.h>
+
+namespace gxrod {
+namespace {
+
+class PointCheck {
+  public:
+    explicit PointCheck(const BuildContext& context) : context_(context) {}
+
+    // The point of a text; nullopt, with a fault, if there is none.
+    std::optional<Point> check(const std::string& text, const Place& place, const std::string& path) {
+        const std::variant<Point, std::string> found = context_.names.find(text);
+        if (const auto* message = std::get_if<std::string>(&found)) {
+            context_.faults.add(place, path, *message);
+            return std::nullopt;
+        }
+        const Point& point = std::get<Point>(found);
+        if (const auto* of_rod = std::get_if<RodPoint>(&point)) of_rods_.push_back(*of_rod);
+        return point;
+    }
+
+    void check_key(const CheckedTable& table, const char* key) {
+        if (table.gives(key)) check(table.get<std::string>(key), table.place_of(key), table.path_of(key));
+    }
+
+    // A point that needs no node.
+    void check_place(const CheckedTable& table, const char* key) {
+        const std::variant<Point, std::string> found =
+            context_.names.find(table.get<std::string>(key), PointNeeds::place);
+        if (const auto* message = std::get_if<std::string>(&found)) {
+            context_.faults.add(table.place_of(key), table.path_of(key), *message);
+        }
+    }
+
+    // A point that is to be a rod's; `hint` says what to write for a body.
+    void check_of_rod(const std::string& text,
+                      const Place& place,
+                      const std::string& path,
+                      const std::string& hint) {
+        const std::optional<Point> point = check(text, place, path);
+        if (!point || std::holds_alternative<RodPoint>(*point)) return;
+        context_.faults.add(
+            place, path, fmt::format("\"{}\" is a body; expected a point of a rod{}", text, hint));
+    }
+
+    std::vector<RodPoint> take_points_of_rods() { return std::move(of_rods_); }
+
+  private:
+    const BuildContext& context_;
+    std::vector<RodPoint> of_rods_;
+};
+
+}  // namespace
+
+std::vector<RodPoint> check_points(const BuildContext& context) {
+    PointCheck points(context);
+    for (const CheckedTable& body : context.deck.tables("body")) {
+        const auto* text = std::get_if<std::string>(&body.find("at")->value);
+        if (text != nullptr) points.check_of_rod(*text, body.place_of("at"), body.path_of("at"), "");
+    }
+    for (const CheckedTable& table : context.deck.tables("connect")) {
+        for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("points")) {
+            points.check_of_rod(word.word, word.place, word.path, "; a body's `at` puts it on one");
+        }
+    }
+    for (const char* key : {"load", "support"}) {
+        for (const CheckedTable& table : context.deck.tables(key)) points.check_key(table, "at");
+    }
+    for (const CheckedTable& table : context.deck.tables("history")) {
+        points.check_place(table, "at");
+        points.check_key(table, "relative_to");
+    }
+    return points.take_points_of_rods();
+}
+
+}  // namespace gxrod

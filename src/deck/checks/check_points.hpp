@@ -1,0 +1,10 @@
+#pragma once
+
+#include "deck/build/build_context.hpp"
+
+namespace gxrod {
+
+// Checks every text of the deck that names a point, and returns those of rods.
+std::vector<RodPoint> check_points(const BuildContext& context);
+
+}  // namespace gxrod

@@ -1,0 +1,340 @@
+#include "deck/expressions/expression.hpp"
+
+#include <fmt/format.h>
+#include <muParser.h>
+
+#include <cmath>
+#include <memory>
+
+#include "deck/expressions/expression_built_ins.hpp"
+#include "deck/expressions/expression_switches.hpp"
+#include "deck/expressions/expression_syntax.hpp"
+#include "deck/expressions/table_function.hpp"
+#include "model/evaluation_error.hpp"
+
+namespace gxrod {
+namespace {
+
+using namespace std::string_literals;
+
+// muParser's complaint about an arrangement of operators, in a user's words.
+std::string explain(const mu::ParserError& error) {
+    switch (error.GetCode()) {
+        case mu::ecUNEXPECTED_OPERATOR:
+            return fmt::format("the operator \"{}\" is out of place", error.GetToken());
+        case mu::ecUNEXPECTED_EOF:
+            return "the expression ends too early";
+        case mu::ecUNEXPECTED_PARENS:
+            return fmt::format("the \"{}\" is out of place", error.GetToken());
+        case mu::ecUNEXPECTED_ARG_SEP:
+            return "a \",\" is out of place";
+        case mu::ecTOO_MANY_PARAMS:
+            return fmt::format("\"{}\" has too many arguments", error.GetToken());
+        case mu::ecTOO_FEW_PARAMS:
+            return fmt::format("\"{}\" has too few arguments", error.GetToken());
+        case mu::ecMISSING_ELSE_CLAUSE:
+            return "a \"?\" has no \":\"; write condition ? a : b";
+        case mu::ecMISPLACED_COLON:
+            return "a \":\" has no \"?\"; write condition ? a : b";
+        default:
+            return error.GetMsg();
+    }
+}
+
+std::string describe_non_finite(double value) {
+    return std::isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf";
+}
+
+class CompiledFunctions;
+
+// An expression and what it may use.
+struct Formula {
+    const std::string& text;
+    const Symbols& symbols;
+    Variables variables;
+};
+
+// What the variables of an expression stand for.
+struct Values {
+    double t = 0.0;
+    double s = 0.0;
+    Vec3 position = Vec3::Zero();
+};
+
+// One expression as bytecode.
+class CompiledExpression {
+  public:
+    CompiledExpression(const Formula& formula, CompiledFunctions& functions);
+    CompiledExpression(const CompiledExpression&) = delete;  // the parser points into it
+    CompiledExpression& operator=(const CompiledExpression&) = delete;
+
+    double operator()(const Values& values) {
+        values_ = values;
+        return parser_.Eval();
+    }
+
+  private:
+    double* find(const std::string& variable);
+
+    mu::Parser parser_;
+    Values values_;
+};
+
+// One [function.NAME], as the expressions of one TimeFunction call it.
+struct CompiledFunction {
+    std::shared_ptr<const TableFunction> table;
+    std::unique_ptr<CompiledExpression> expression;
+
+    double operator()(double argument) {
+        return expression ? (*expression)({.t = argument}) : (*table)(argument);
+    }
+};
+
+std::shared_ptr<const TableFunction> curve_of(const FunctionDefinition& definition) {
+    if (definition.curve) return definition.curve;
+    return std::make_shared<const TableFunction>(definition.table, definition.interpolation);
+}
+
+double call_function(void* function, double argument) {
+    return (*static_cast<CompiledFunction*>(function))(argument);
+}
+
+// The deck's functions that one expression needs, each compiled once. Every TimeFunction owns its own, so
+// that no two of them share what an evaluation writes to.
+class CompiledFunctions {
+  public:
+    explicit CompiledFunctions(const Symbols& symbols) : symbols_(symbols) {}
+
+    CompiledFunction* find(const std::string& name) {
+        const auto [entry, is_new] = functions_.try_emplace(name);
+        if (is_new) {
+            const FunctionDefinition& definition = *symbols_.functions.find(name)->second;
+            entry->second = std::make_unique<CompiledFunction>();
+            if (definition.table.empty()) {
+                entry->second->expression = std::make_unique<CompiledExpression>(
+                    Formula{definition.expression, symbols_, Variables::time}, *this);
+            } else {
+                entry->second->table = curve_of(definition);
+            }
+        }
+        return entry->second.get();
+    }
+
+    std::map<std::string, std::unique_ptr<CompiledFunction>> release() { return std::move(functions_); }
+
+  private:
+    const Symbols& symbols_;
+    std::map<std::string, std::unique_ptr<CompiledFunction>> functions_;
+};
+
+double* CompiledExpression::find(const std::string& variable) {
+    if (variable == "t") return &values_.t;
+    if (variable == "s") return &values_.s;
+    return &values_.position["xyz"s.find(variable)];
+}
+
+CompiledExpression::CompiledExpression(const Formula& formula, CompiledFunctions& functions) {
+    const ExpressionNames names = check_expression(formula.text, formula.symbols, formula.variables);
+    try {
+        // muParser 2.3 folds constant && and || through integers: 0.5 && 1 becomes 0. Unfolded they are
+        // right.
+        parser_.EnableOptimizer(false);
+        define_built_ins(parser_);
+        for (const std::string& name : names.variables) parser_.DefineVar(name, find(name));
+        for (const std::string& name : names.parameters) {
+            parser_.DefineConst(name, *formula.symbols.parameters.find(name)->second);
+        }
+        for (const std::string& name : names.functions) {
+            parser_.DefineFunUserData(name, call_function, functions.find(name), false);
+        }
+        parser_.SetExpr(formula.text);
+        parser_.Eval();  // compiles
+    } catch (const mu::ParserError& error) {
+        throw ExpressionError(explain(error));
+    }
+}
+
+// An expression, the functions that it calls, and where it stands.
+struct Program {
+    Program(const Formula& formula, CompiledFunctions compiled)
+        : text(formula.text), main(formula, compiled), functions(compiled.release()) {}
+
+    // The value; throws EvaluationError if that is not finite. `where` says so: "t = 0.5".
+    template <class Where>
+    double evaluate(const Values& values, const Where& where) {
+        const double value = main(values);
+        if (!std::isfinite(value)) {
+            throw EvaluationError(
+                fmt::format("{}: \"{}\" is {} at {}", key, text, describe_non_finite(value), where()));
+        }
+        return value;
+    }
+
+    std::string text;
+    std::string key;
+    CompiledExpression main;
+    std::map<std::string, std::unique_ptr<CompiledFunction>> functions;
+};
+
+// Whether every name that an expression rests on, directly or through functions, is a right one.
+bool is_usable(const ExpressionNames& names, const Symbols& symbols, std::set<std::string>& visited) {
+    for (const std::string& name : names.parameters) {
+        if (!symbols.parameters.find(name)->second) return false;
+    }
+    for (const std::string& name : names.functions) {
+        if (!visited.insert(name).second) continue;
+        const auto& definition = symbols.functions.find(name)->second;
+        if (!definition) return false;
+        if (!definition->table.empty()) continue;
+        if (!is_usable(
+                check_expression(definition->expression, symbols, Variables::time), symbols, visited)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// The parts of an expression that depend on its value only through its names, for a syntax check when a name
+// is wrong.
+Symbols with_placeholders(const ExpressionNames& names) {
+    Symbols symbols;
+    for (const std::string& name : names.parameters) symbols.parameters[name] = 1.0;
+    for (const std::string& name : names.functions)
+        symbols.functions[name] = FunctionDefinition{{{0.0, 1.0}}, ""};
+    return symbols;
+}
+
+// The program and the names of its variables; nullptr if the expression rests on a wrong name.
+struct Compiled {
+    std::shared_ptr<Program> program;
+    std::set<std::string> variables;
+};
+
+Compiled compile(const Formula& formula, const std::string& key = "") {
+    const ExpressionNames names = check_expression(formula.text, formula.symbols, formula.variables);
+    std::set<std::string> visited;
+    if (!is_usable(names, formula.symbols, visited)) {
+        const Symbols placeholders = with_placeholders(names);
+        const Program checked({formula.text, placeholders, formula.variables},
+                              CompiledFunctions(placeholders));
+        return {nullptr, {}};
+    }
+    auto program = std::make_shared<Program>(formula, CompiledFunctions(formula.symbols));
+    program->key = key;
+    return {std::move(program), names.variables};
+}
+
+double constant_value(Program& program) {
+    const double value = program.main({});
+    if (!std::isfinite(value)) {
+        throw ExpressionError(
+            fmt::format("the value is {}, not a finite number", describe_non_finite(value)));
+    }
+    return value;
+}
+
+// The compiled chain of one switch.
+struct SwitchProgram {
+    SwitchProgram(const SwitchSource& source, const Symbols& symbols, Variables variables)
+        : compiled(symbols) {
+        for (const std::string& text : source.chain) {
+            const Variables own = chain.empty() ? variables : Variables::time;
+            chain.push_back(std::make_unique<CompiledExpression>(Formula{text, symbols, own}, compiled));
+        }
+        functions = compiled.release();
+    }
+
+    double operator()(double time, double s) {
+        Values values{.t = time, .s = s};
+        for (const auto& expression : chain) values.t = (*expression)(values);
+        return values.t;
+    }
+
+    CompiledFunctions compiled;
+    std::vector<std::unique_ptr<CompiledExpression>> chain;
+    std::map<std::string, std::unique_ptr<CompiledFunction>> functions;
+};
+
+Switch compile_switch(const SwitchSource& source, const Formula& formula) {
+    Switch one{.argument = {},
+               .knots = source.knots,
+               .has_time = source.has_time,
+               .has_arc_length = source.has_arc_length,
+               .is_variable = false};
+    const std::string& text = source.chain.front();
+    if (source.chain.size() == 1 && (text == "t" || text == "s")) {
+        one.is_variable = true;
+        one.argument = [is_time = text == "t"](double time, double s) { return is_time ? time : s; };
+        return one;
+    }
+    one.argument = [program = std::make_shared<SwitchProgram>(source, formula.symbols, formula.variables)](
+                       double time, double s) { return (*program)(time, s); };
+    return one;
+}
+
+// nullptr if there are none.
+std::shared_ptr<const Switches> compile_switches(const Formula& formula) {
+    const std::vector<SwitchSource> sources = find_switches(formula.text, formula.symbols);
+    if (sources.empty()) return nullptr;
+    auto switches = std::make_shared<Switches>();
+    for (const SwitchSource& source : sources) switches->push_back(compile_switch(source, formula));
+    return switches;
+}
+
+}  // namespace
+
+std::optional<double> evaluate_constant(const std::string& expression, const Symbols& symbols) {
+    const Compiled compiled = compile({expression, symbols, Variables::none});
+    if (!compiled.program) return std::nullopt;
+    return constant_value(*compiled.program);
+}
+
+std::optional<TimeFunction> compile_time_function(const std::string& expression,
+                                                  const std::string& key,
+                                                  const Symbols& symbols) {
+    const Formula formula{expression, symbols, Variables::time};
+    const Compiled compiled = compile(formula, key);
+    if (!compiled.program) return std::nullopt;
+    if (compiled.variables.empty()) return TimeFunction(constant_value(*compiled.program));
+    const auto evaluate = [program = compiled.program](double time) {
+        return program->evaluate({.t = time}, [=] { return fmt::format("t = {}", time); });
+    };
+    return TimeFunction(evaluate, compile_switches(formula));
+}
+
+std::optional<LineExpression> compile_line_function(const std::string& expression,
+                                                    const std::string& key,
+                                                    const Symbols& symbols) {
+    const Formula formula{expression, symbols, Variables::line};
+    const Compiled compiled = compile(formula, key);
+    if (!compiled.program) return std::nullopt;
+    if (compiled.variables.empty()) return LineExpression{LineFunction(constant_value(*compiled.program))};
+    const auto evaluate = [program = compiled.program](double time, double s) {
+        return program->evaluate({.t = time, .s = s}, [=] { return fmt::format("t = {}, s = {}", time, s); });
+    };
+    const bool has_time = compiled.variables.contains("t");
+    const LineForm form{has_time ? InTime::varying : InTime::constant, !compiled.variables.contains("s")};
+    return LineExpression{LineFunction(evaluate, compile_switches(formula), form), has_time};
+}
+
+std::optional<PlaceExpression> compile_place_function(const std::string& expression,
+                                                      const std::string& key,
+                                                      const Symbols& symbols) {
+    const Compiled compiled = compile({expression, symbols, Variables::place}, key);
+    if (!compiled.program) return std::nullopt;
+    if (compiled.variables.empty()) {
+        const double constant = constant_value(*compiled.program);
+        return PlaceExpression{[constant](const Vec3&, double) { return constant; }};
+    }
+    const bool has_arc_length = compiled.variables.contains("s");
+    const auto evaluate = [program = compiled.program, has_arc_length](const Vec3& position, double s) {
+        return program->evaluate({.s = s, .position = position}, [&] {
+            const std::string at =
+                fmt::format("x = {}, y = {}, z = {}", position[0], position[1], position[2]);
+            return has_arc_length ? fmt::format("{}, s = {}", at, s) : at;
+        });
+    };
+    return PlaceExpression{evaluate, has_arc_length};
+}
+
+}  // namespace gxrod

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "deck/expressions/table_function.hpp"
+#include "model/time_function.hpp"
+#include "rotation/types.hpp"
+
+// Expressions of a deck: text such as "EI/2" or "0.5*pulse(t)". deck/expressions/expression_syntax.hpp says
+// what they may hold.
+namespace gxrod {
+
+// An expression that cannot be read or has no finite value; what() says why.
+class ExpressionError : public std::runtime_error {
+  public:
+    using std::runtime_error::runtime_error;
+};
+
+// A [function.NAME] of the deck: a table or an expression in t.
+struct FunctionDefinition {
+    std::vector<std::pair<double, double>>
+        table;  // (t, value), t increasing; empty if there is an expression
+    std::string expression;
+    double operations = 1.0;                               // of one evaluation, at most
+    int depth = 1;                                         // of functions that call functions
+    Interpolation interpolation = Interpolation::linear;   // of the table
+    std::shared_ptr<const TableFunction> curve = nullptr;  // the table's, where it has been made already
+};
+
+// The names that a deck defines. A nullopt stands for one that is defined but wrong, and already reported.
+struct Symbols {
+    std::map<std::string, std::optional<double>, std::less<>> parameters;
+    std::map<std::string, std::optional<FunctionDefinition>, std::less<>> functions;
+};
+
+// The value of an expression in the parameters; nullopt if it rests on a wrong one. Throws ExpressionError.
+std::optional<double> evaluate_constant(const std::string& expression, const Symbols& symbols);
+
+// The function of time of an expression in t, the parameters and the functions; a constant one if neither t
+// nor a function of t occurs. nullopt if it rests on a wrong name. Throws ExpressionError. Where it has no
+// finite value, a call throws EvaluationError with `key` and the time.
+std::optional<TimeFunction> compile_time_function(const std::string& expression,
+                                                  const std::string& key,
+                                                  const Symbols& symbols);
+
+struct LineExpression {
+    LineFunction function;
+    bool has_time = false;  // whether t occurs
+};
+
+// The same in t and s, the arc length along a rod.
+std::optional<LineExpression> compile_line_function(const std::string& expression,
+                                                    const std::string& key,
+                                                    const Symbols& symbols);
+
+// A number that changes with the place in the reference shape.
+struct PlaceExpression {
+    std::function<double(const Vec3& position, double s)> function;
+    bool has_arc_length = false;  // whether s occurs
+};
+
+// The same in x, y, z and s, without t.
+std::optional<PlaceExpression> compile_place_function(const std::string& expression,
+                                                      const std::string& key,
+                                                      const Symbols& symbols);
+
+}  // namespace gxrod

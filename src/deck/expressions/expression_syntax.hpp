@@ -1,0 +1,44 @@
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "deck/expressions/expression.hpp"
+
+// The grammar of expressions: what the reader lets through to muParser, which would read some mistakes
+// silently
+// ("t = 15" assigns, "1,2" is 2, "0 < t < 5" is always true).
+namespace gxrod {
+
+// What an expression may use besides numbers, pi and the deck's parameters.
+enum class Variables {
+    none,  // nothing: a constant
+    time,  // t, the time, and the deck's functions
+    line,  // also s, the arc length from a rod's start
+    place  // x, y, z of the reference position, s and the deck's functions; not t
+};
+
+// The names that an expression uses, without the built-in ones.
+struct ExpressionNames {
+    std::set<std::string> parameters;
+    std::set<std::string> functions;
+    std::set<std::string> variables;
+    double operations = 0.0;  // of one evaluation at most, with those of the functions it calls
+    int depth = 0;            // of functions that call functions
+};
+
+// Whether expressions can use the word as a name: letters, digits and _, no digit first.
+bool is_identifier(const std::string& word);
+
+// Why a parameter or function cannot have this name, or "".
+std::string explain_unusable_name(const std::string& name);
+
+// Bounds of what evaluating one expression may take.
+inline constexpr std::size_t most_expression_letters = 10'000;
+inline constexpr double most_operations = 1e5;
+inline constexpr int most_function_depth = 100;
+
+// Checks an expression up to the arrangement of its operators. Throws ExpressionError.
+ExpressionNames check_expression(const std::string& expression, const Symbols& symbols, Variables variables);
+
+}  // namespace gxrod

@@ -1,0 +1,79 @@
+#include "deck/reading/array_reading.hpp"
+
+#include <fmt/format.h>
+
+#include "deck/reading/value_reading.hpp"
+
+namespace gxrod {
+namespace {
+
+// An array of `size` numbers; nullopt if one is at fault.
+std::optional<std::vector<double>> read_numbers(const DeckNode& node,
+                                                const std::string& path,
+                                                std::size_t size,
+                                                const ReadingContext& context) {
+    // Without a range of its own.
+    static const KeySpec number{.name = "", .type = ValueType::vector};
+    if (node.array() == nullptr || node.array()->size() != size) {
+        context.faults.add(
+            node.place,
+            path,
+            fmt::format(
+                "expected an array of {} numbers or expressions, found {}", size, describe_found(node)));
+        return std::nullopt;
+    }
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < size; ++i) {
+        const auto value = read_number((*node.array())[i], fmt::format("{}[{}]", path, i), number, context);
+        if (value) numbers.push_back(*value);
+    }
+    return numbers.size() == size ? std::optional(numbers) : std::nullopt;
+}
+
+void expect(const DeckNode& node,
+            const std::string& path,
+            const KeySpec& key,
+            const ReadingContext& context) {
+    context.faults.add(
+        node.place, path, fmt::format("expected {}, found {}", describe_expected(key), describe_found(node)));
+}
+
+}  // namespace
+
+std::optional<std::vector<CheckedVector>> read_vectors(const DeckNode& node,
+                                                       const std::string& path,
+                                                       const KeySpec& key,
+                                                       const ReadingContext& context) {
+    if (node.array() == nullptr || node.array()->size() < 2) {
+        expect(node, path, key, context);
+        return std::nullopt;
+    }
+    std::vector<CheckedVector> vectors;
+    for (std::size_t i = 0; i < node.array()->size(); ++i) {
+        const DeckNode& element = (*node.array())[i];
+        const std::string element_path = fmt::format("{}[{}]", path, i);
+        const auto numbers = read_numbers(element, element_path, 3, context);
+        if (numbers) vectors.push_back({Vec3(numbers->data()), element.place, element_path});
+    }
+    return vectors.size() == node.array()->size() ? std::optional(std::move(vectors)) : std::nullopt;
+}
+
+std::optional<Mat6> read_section_matrix(const DeckNode& node,
+                                        const std::string& path,
+                                        const KeySpec& key,
+                                        const ReadingContext& context) {
+    if (node.array() == nullptr || node.array()->size() != 6) {
+        expect(node, path, key, context);
+        return std::nullopt;
+    }
+    Mat6 matrix;
+    bool complete = true;
+    for (int i = 0; i < 6; ++i) {
+        const auto row = read_numbers((*node.array())[i], fmt::format("{}[{}]", path, i), 6, context);
+        complete = complete && row;
+        if (row) matrix.row(i) = Vec6(row->data()).transpose();
+    }
+    return complete ? std::optional(matrix) : std::nullopt;
+}
+
+}  // namespace gxrod

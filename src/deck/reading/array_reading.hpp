@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "deck/reading/checked_deck.hpp"
+#include "deck/reading/reading_context.hpp"
+
+// Arrays of arrays of numbers. What is wrong goes to the fault list, and nullopt comes back.
+namespace gxrod {
+
+// Two vectors or more.
+std::optional<std::vector<CheckedVector>> read_vectors(const DeckNode& node,
+                                                       const std::string& path,
+                                                       const KeySpec& key,
+                                                       const ReadingContext& context);
+
+// Six rows of six numbers.
+std::optional<Mat6> read_section_matrix(const DeckNode& node,
+                                        const std::string& path,
+                                        const KeySpec& key,
+                                        const ReadingContext& context);
+
+}  // namespace gxrod

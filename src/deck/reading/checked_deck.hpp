@@ -1,0 +1,113 @@
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "deck/expressions/expression.hpp"
+#include "deck/reading/fault_list.hpp"
+#include "model/time_function.hpp"
+#include "rotation/types.hpp"
+
+// A deck that agrees with the schema: every value typed, evaluated and in range, defaults filled in. What the
+// schema cannot say (names that exist, axes that are not parallel …) is not yet checked.
+namespace gxrod {
+
+// A word of a list.
+struct CheckedWord {
+    std::string word;
+    Place place;
+    std::string path;
+};
+
+// A value f(t).
+struct CheckedTimeFunction {
+    TimeFunction function;
+    Place place;
+    std::string path;
+};
+
+// A value f(t, s).
+struct CheckedLineFunction {
+    LineExpression expression;
+    Place place;
+    std::string path;
+};
+
+// A value f(x, y, z, s).
+struct CheckedPlaceFunction {
+    PlaceExpression expression;
+    Place place;
+    std::string path;
+};
+
+// A vector of a list.
+struct CheckedVector {
+    Vec3 value;
+    Place place;
+    std::string path;
+};
+
+using CheckedTimeVector = std::array<CheckedTimeFunction, 3>;
+using CheckedLineVector = std::array<CheckedLineFunction, 3>;
+using CheckedPlaceVector = std::array<CheckedPlaceFunction, 3>;
+using TimeTable = std::vector<std::pair<double, double>>;
+
+struct CheckedValue;
+
+struct CheckedTable {
+    std::string name;  // of a [rod.NAME]; the key otherwise
+    std::string path;  // "rod.flyer", "load[0]"
+    Place place;
+    std::vector<CheckedValue> values;  // those that are given or have a default
+
+    // nullptr if the key is neither given nor has a default.
+    const CheckedValue* find(std::string_view key) const;
+    // Whether the deck has the key.
+    bool gives(std::string_view key) const;
+    // Where the deck has the key's value; the table's place if it does not.
+    Place place_of(std::string_view key) const;
+    std::string path_of(std::string_view key) const {
+        return path.empty() ? std::string(key) : path + "." + std::string(key);
+    }
+    // The value of a key that is given or has a default.
+    template <class Value>
+    const Value& get(std::string_view key) const;
+    // The tables of a key such as "rod" or "load", in deck order; none if it is not given.
+    const std::vector<CheckedTable>& tables(std::string_view key) const;
+};
+
+struct CheckedValue {
+    std::string key;
+    Place place;
+    bool given = true;
+    std::variant<std::monostate,
+                 std::string,
+                 double,
+                 long,
+                 Vec3,
+                 Mat3,
+                 Mat6,
+                 std::vector<CheckedVector>,
+                 TimeTable,
+                 CheckedTimeFunction,
+                 CheckedTimeVector,
+                 CheckedLineVector,
+                 CheckedPlaceVector,
+                 std::vector<CheckedWord>,
+                 std::vector<CheckedTable>>  // one for a single table
+        value;
+};
+
+template <class Value>
+const Value& CheckedTable::get(std::string_view key) const {
+    const CheckedValue* found = find(key);
+    assert(found != nullptr);
+    return std::get<Value>(found->value);
+}
+
+}  // namespace gxrod

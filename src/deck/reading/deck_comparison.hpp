@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "deck/reading/deck_tree.hpp"
+#include "deck/reading/fault_list.hpp"
+
+namespace gxrod {
+
+struct ComparisonRules {
+    std::vector<std::string> free_paths;  // what may differ: "output", "analysis.newton"
+    std::string before_has;               // begins what is said of a value: "the run that is to go on has "
+};
+
+// Adds a fault, at its place in `now`, for each key whose value differs. Numbers are compared as such, and
+// the order of keys is of no matter.
+void compare_decks(const DeckNode& before,
+                   const DeckNode& now,
+                   const ComparisonRules& rules,
+                   FaultList& faults,
+                   const std::string& path = "");
+
+}  // namespace gxrod

@@ -1,0 +1,320 @@
+#include "deck/reading/validation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "deck/expressions/expression_syntax.hpp"
+#include "deck/expressions/symbol_reading.hpp"
+#include "deck/reading/value_reading.hpp"
+#include "deck/schema/schema_tables.hpp"
+#include "deck/schema/suggestion.hpp"
+#include "deck/schema/synonyms.hpp"
+
+namespace gxrod {
+namespace {
+
+bool is_plain_name(const std::string& name) {
+    return !name.empty() && std::all_of(name.begin(), name.end(), [](char letter) {
+        return letter == '_' || letter == '-' || std::isalnum(static_cast<unsigned char>(letter)) != 0;
+    });
+}
+
+std::string join_path(const std::string& path, const std::string& key) {
+    return path.empty() ? key : path + "." + key;
+}
+
+// Keys of single tables such as [analysis], which a user may look for at the top level.
+std::string find_key_elsewhere(const TableSpec& root, const std::string& key) {
+    for (const KeySpec& entry : root.keys) {
+        if (entry.type != ValueType::table) continue;
+        if (entry.table->find(key) != nullptr) return entry.name + "." + key;
+        const KeySynonyms* synonyms = find_synonym(*entry.table, key);
+        if (synonyms != nullptr && !std::string_view(synonyms->key).empty()) {
+            return entry.name + "." + synonyms->key;
+        }
+    }
+    return "";
+}
+
+class Validator {
+  public:
+    Validator(const TableSpec& root, const Symbols& symbols, FaultList& faults)
+        : root_(root), context_{symbols, faults} {}
+
+    CheckedTable check_table(const DeckNode& node, const std::string& path, const TableSpec& spec) const {
+        CheckedTable checked{"", path, node.place, {}};
+        for (const DeckEntry& entry : *node.table()) {
+            const KeySpec* key = spec.find(entry.key);
+            if (key == nullptr) {
+                add_unknown_key(entry, path, spec);
+                continue;
+            }
+            CheckedValue value{entry.key, entry.node.place, true, {}};
+            value.value = check_value(entry, join_path(path, entry.key), *key);
+            checked.values.push_back(std::move(value));
+        }
+        add_defaults(checked, spec);
+        check_presence(node, checked, spec);
+        check_groups(node, checked, spec);
+        check_conditions(node, checked, spec);
+        check_companions(node, path, spec);
+        return checked;
+    }
+
+  private:
+    using Value = decltype(CheckedValue::value);
+
+    void add(const Place& place, const std::string& path, const std::string& message) const {
+        context_.faults.add(place, path, message);
+    }
+
+    Value check_value(const DeckEntry& entry, const std::string& path, const KeySpec& key) const {
+        switch (key.type) {
+            case ValueType::table:
+                return check_single_table(entry, path, key);
+            case ValueType::named_tables:
+                return check_named_tables(entry, path, key);
+            case ValueType::table_list:
+                return check_table_list(entry, path, key);
+            case ValueType::parameters:
+            case ValueType::variations:
+                if (entry.node.table() == nullptr) expect(entry, path, key);
+                return std::monostate{};
+            default:
+                return read_value(entry.node, path, key, context_);
+        }
+    }
+
+    void expect(const DeckEntry& entry, const std::string& path, const KeySpec& key) const {
+        add(entry.node.place,
+            path,
+            fmt::format("expected {}, found {}", describe_expected(key), describe_found(entry.node)));
+    }
+
+    Value check_single_table(const DeckEntry& entry, const std::string& path, const KeySpec& key) const {
+        if (entry.node.table() == nullptr) {
+            expect(entry, path, key);
+            return std::monostate{};
+        }
+        return std::vector{check_table(entry.node, path, *key.table)};
+    }
+
+    Value check_named_tables(const DeckEntry& entry, const std::string& path, const KeySpec& key) const {
+        if (entry.node.table() == nullptr) {
+            expect(entry, path, key);
+            return std::monostate{};
+        }
+        std::vector<CheckedTable> tables;
+        for (const DeckEntry& named : *entry.node.table()) {
+            const std::string named_path = join_path(path, named.key);
+            if (named.node.table() == nullptr) {
+                expect(named, named_path, key);
+                continue;
+            }
+            const std::string reason = explain_name(named.key, key);
+            if (!reason.empty()) add(named.place, named_path, reason);
+            tables.push_back(check_table(named.node, named_path, *key.table));
+            tables.back().name = named.key;
+        }
+        return tables;
+    }
+
+    static std::string explain_name(const std::string& name, const KeySpec& key) {
+        if (key.table == &function_table()) return explain_unusable_name(name);
+        return is_plain_name(name) ? "" : "a name has letters, digits, _ and - only";
+    }
+
+    Value check_table_list(const DeckEntry& entry, const std::string& path, const KeySpec& key) const {
+        const DeckNode::Array* array = entry.node.array();
+        if (array == nullptr) {
+            expect(entry, path, key);
+            return std::monostate{};
+        }
+        std::vector<CheckedTable> tables;
+        for (std::size_t i = 0; i < array->size(); ++i) {
+            const DeckNode& element = (*array)[i];
+            const std::string element_path = fmt::format("{}[{}]", path, i);
+            if (element.table() == nullptr) {
+                expect({entry.key, entry.place, element}, element_path, key);
+                continue;
+            }
+            tables.push_back(check_table(element, element_path, *key.table));
+        }
+        return tables;
+    }
+
+    void add_unknown_key(const DeckEntry& entry, const std::string& path, const TableSpec& spec) const {
+        const std::string full = join_path(path, entry.key);
+        if (!path.empty() && is_top_level_value(root_, entry.key)) {
+            return add(entry.place, full, explain_misplaced_key(entry.key, spec.heading));
+        }
+        const std::vector<std::string> known = spec.key_names();
+        std::string hint = explain_synonym(spec, entry.key);
+        const std::string elsewhere =
+            path.empty() && hint.empty() ? find_key_elsewhere(root_, entry.key) : "";
+        if (!elsewhere.empty()) {
+            return add(entry.place, full, fmt::format("unknown key; did you mean \"{}\"?", elsewhere));
+        }
+        if (hint.empty()) hint = did_you_mean(entry.key, known);
+        add(entry.place, full, "unknown key" + (hint.empty() ? "; known here: " + plain_list(known) : hint));
+    }
+
+    // The word of the key that a condition is about; nullptr if there is none, or a wrong one.
+    static const std::string* word_of(const Condition& condition, const CheckedTable& checked) {
+        const CheckedValue* value = checked.find(condition.key);
+        return value == nullptr ? nullptr : std::get_if<std::string>(&value->value);
+    }
+
+    static bool allows(const Condition& condition, const std::string& word) {
+        return std::find(condition.words.begin(), condition.words.end(), word) != condition.words.end();
+    }
+
+    // Whether the table surely uses a key or group with these conditions.
+    template <class Spec>
+    static bool is_used(const Spec& spec, const CheckedTable& checked) {
+        if (!spec.only_with.empty() && checked.find(spec.only_with) == nullptr) return false;
+        return std::all_of(spec.only_for.begin(), spec.only_for.end(), [&](const Condition& condition) {
+            const std::string* word = word_of(condition, checked);
+            return word != nullptr && allows(condition, *word);
+        });
+    }
+
+    void check_presence(const DeckNode& node, const CheckedTable& checked, const TableSpec& spec) const {
+        for (const KeySpec& key : spec.keys) {
+            if (key.presence == Presence::optional || node.find(key.name) != nullptr) continue;
+            if (!is_used(key, checked) || has_misspelling(node, key.name, spec)) continue;
+            const std::string remark = key.remark.empty() ? "" : "; " + key.remark;
+            add(node.place,
+                join_path(checked.path, key.name),
+                "missing; expected " + describe_expected(key) + remark);
+        }
+    }
+
+    // Whether an unknown key, reported as such, was to be this one. What other programs call otherwise may
+    // have been to be any key.
+    static bool has_misspelling(const DeckNode& node, const std::string& key, const TableSpec& spec) {
+        const std::vector<std::string> known = spec.key_names();
+        return std::any_of(node.table()->begin(), node.table()->end(), [&](const DeckEntry& entry) {
+            if (spec.find(entry.key) != nullptr) return false;
+            const KeySynonyms* synonym = find_synonym(spec, entry.key);
+            if (synonym == nullptr) return nearest_spelling(entry.key, known) == key;
+            return std::string_view(synonym->key).empty() || synonym->key == key;
+        });
+    }
+
+    void check_groups(const DeckNode& node, const CheckedTable& checked, const TableSpec& spec) const {
+        const std::string& path = checked.path;
+        for (const KeyGroup& group : spec.groups) {
+            if (!is_used(group, checked)) continue;
+            std::vector<std::string> given;
+            std::vector<std::string> spellings;
+            for (const std::string& key : group.keys) {
+                const DeckEntry* entry = node.find(key);
+                const bool is_empty =
+                    entry != nullptr && entry->node.table() != nullptr && entry->node.table()->empty();
+                if (entry != nullptr && !is_empty) given.push_back(key);
+                const TableSpec* table = spec.find(key)->table;
+                spellings.push_back(table == nullptr ? key : table->heading);
+            }
+            const bool is_meant =
+                std::any_of(group.keys.begin(), group.keys.end(), [&](const std::string& key) {
+                    return has_misspelling(node, key, spec);
+                });
+            if (given.empty() && !is_meant && group.rule != GroupRule::at_most_one) {
+                add(node.place, path, fmt::format("missing; expected {}", fmt::join(spellings, " or ")));
+            }
+            if (given.size() > 1 && group.rule != GroupRule::at_least_one) {
+                add(node.find(given[1])->place,
+                    join_path(path, given[1]),
+                    fmt::format("{} is given too; only one of them can be", given[0]));
+            }
+        }
+    }
+
+    static void add_defaults(CheckedTable& checked, const TableSpec& spec) {
+        for (const KeySpec& key : spec.keys) {
+            if (checked.find(key.name) != nullptr) continue;
+            std::visit(
+                [&](const auto& value) {
+                    using Default = std::decay_t<decltype(value)>;
+                    if constexpr (!std::is_same_v<Default, std::monostate>) {
+                        checked.values.push_back({key.name, checked.place, false, value});
+                    }
+                },
+                key.default_value);
+        }
+    }
+
+    void check_conditions(const DeckNode& node, const CheckedTable& checked, const TableSpec& spec) const {
+        for (const KeySpec& key : spec.keys) {
+            if (node.find(key.name) == nullptr) continue;
+            for (const Condition& condition : key.only_for) {
+                const std::string* word = word_of(condition, checked);
+                if (word == nullptr || allows(condition, *word)) continue;
+                add(node.find(key.name)->place,
+                    join_path(checked.path, key.name),
+                    fmt::format("{} \"{}\" does not use this key; it is for {}",
+                                condition.key,
+                                *word,
+                                plain_list(condition.words)));
+                break;
+            }
+        }
+    }
+
+    // Keys that go with another one, where the table has what excludes that one.
+    void check_companions(const DeckNode& node, const std::string& path, const TableSpec& spec) const {
+        for (const KeySpec& key : spec.keys) {
+            const DeckEntry* entry = node.find(key.name);
+            if (entry == nullptr || key.only_with.empty() || node.find(key.only_with) != nullptr) continue;
+            const std::string rival = find_rival(node, key.only_with, spec);
+            if (rival.empty()) continue;
+            std::vector<std::string> companions;
+            for (const KeySpec& other : spec.keys) {
+                if (other.only_with == rival) companions.push_back(other.name);
+            }
+            add(entry->place,
+                join_path(path, key.name),
+                fmt::format("goes with {}, and this table has {}{}",
+                            key.only_with,
+                            rival,
+                            companions.empty() ? "" : ", with which go " + plain_list(companions)));
+        }
+    }
+
+    // The key of the table that excludes this one; "" if there is none.
+    static std::string find_rival(const DeckNode& node, const std::string& key, const TableSpec& spec) {
+        for (const KeyGroup& group : spec.groups) {
+            if (std::find(group.keys.begin(), group.keys.end(), key) == group.keys.end()) continue;
+            for (const std::string& rival : group.keys) {
+                if (node.find(rival) != nullptr) return rival;
+            }
+        }
+        return "";
+    }
+
+    const TableSpec& root_;
+    ReadingContext context_;
+};
+
+}  // namespace
+
+CheckedTable check_deck(const DeckNode& deck, FaultList& faults) {
+    const Symbols symbols = read_symbols(deck, faults);
+    return Validator(deck_schema(), symbols, faults).check_table(deck, "", deck_schema());
+}
+
+CheckedTable check_text(const DeckNode& text, const TableSpec& root, FaultList& faults) {
+    return Validator(root, {}, faults).check_table(text, "", root);
+}
+
+CheckedTable check_table(const DeckNode& node,
+                         const std::string& path,
+                         const TableSpec& table,
+                         FaultList& faults) {
+    return Validator(table, {}, faults).check_table(node, path, table);
+}
+
+}  // namespace gxrod

@@ -1,0 +1,324 @@
+#include "deck/reading/value_reading.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "deck/reading/array_reading.hpp"
+#include "deck/reading/word_reading.hpp"
+#include "machine/printable.hpp"
+
+namespace gxrod {
+namespace {
+
+// Reads the value of one key; elements of arrays have their own place and path.
+class ValueReader {
+  public:
+    ValueReader(const KeySpec& key, const ReadingContext& context) : key_(key), context_(context) {}
+
+    std::optional<double> number(const DeckNode& node, const std::string& path) const {
+        std::optional<double> value;
+        if (const auto* integer = std::get_if<std::int64_t>(&node.value)) {
+            value = static_cast<double>(*integer);
+        } else if (const auto* real = std::get_if<double>(&node.value)) {
+            value = *real;
+        } else if (const std::string* text = node.text()) {
+            try {
+                value = evaluate_constant(*text, context_.symbols);
+            } catch (const ExpressionError& error) {
+                add(node, path, fmt::format("\"{}\": {}", shorten(*text), error.what()));
+            }
+        } else {
+            expect(node, path, number_expected());
+        }
+        if (!value) return std::nullopt;
+        if (!std::isfinite(*value)) {
+            add(node, path, "expected a finite number, found " + describe_found(node));
+            return std::nullopt;
+        }
+        return in_range(node, path, *value);
+    }
+
+    std::optional<long> integer(const DeckNode& node, const std::string& path) const {
+        if (std::holds_alternative<double>(node.value)) {
+            expect(node, path, describe_expected(key_));
+            return std::nullopt;
+        }
+        if (node.text() == nullptr && !std::holds_alternative<std::int64_t>(node.value)) {
+            expect(node, path, describe_expected(key_) + " or an expression");
+            return std::nullopt;
+        }
+        const std::optional<double> value = number(node, path);
+        if (!value) return std::nullopt;
+        if (std::floor(*value) != *value) {
+            add(node,
+                path,
+                fmt::format("expected {}, found {}", describe_expected(key_), found_value(node, *value)));
+            return std::nullopt;
+        }
+        return static_cast<long>(*value);
+    }
+
+    std::optional<Vec3> vector(const DeckNode& node, const std::string& path) const {
+        if (!is_array_of(node, 3)) {
+            expect(node, path, describe_expected(key_));
+            return std::nullopt;
+        }
+        Vec3 vector;
+        bool complete = true;
+        for (int i = 0; i < 3; ++i) {
+            const auto component = number((*node.array())[i], fmt::format("{}[{}]", path, i));
+            complete = complete && component;
+            vector[i] = component.value_or(0.0);
+        }
+        return complete ? std::optional(vector) : std::nullopt;
+    }
+
+    std::optional<Mat3> square_matrix(const DeckNode& node, const std::string& path) const {
+        if (is_array_of(node, 3)) return matrix(node, path);
+        expect(node, path, describe_expected(key_));
+        return std::nullopt;
+    }
+
+    std::optional<Mat3> matrix(const DeckNode& node, const std::string& path) const {
+        const DeckNode::Array& rows = *node.array();
+        Mat3 matrix;
+        bool complete = true;
+        for (int i = 0; i < 3; ++i) {
+            const auto row = vector(rows[i], fmt::format("{}[{}]", path, i));
+            complete = complete && row;
+            matrix.row(i) = row.value_or(Vec3::Zero()).transpose();
+        }
+        return complete ? std::optional(matrix) : std::nullopt;
+    }
+
+    std::optional<CheckedTimeFunction> time_function(const DeckNode& node, const std::string& path) const {
+        auto function = compiled<TimeFunction>(node, path, compile_time_function);
+        if (!function) return std::nullopt;
+        return CheckedTimeFunction{std::move(*function), node.place, path};
+    }
+
+    std::optional<CheckedLineFunction> line_function(const DeckNode& node, const std::string& path) const {
+        auto expression = compiled<LineExpression>(node, path, compile_line_function);
+        if (!expression) return std::nullopt;
+        return CheckedLineFunction{std::move(*expression), node.place, path};
+    }
+
+    std::optional<CheckedPlaceFunction> place_function(const DeckNode& node, const std::string& path) const {
+        auto expression = compiled<PlaceExpression>(node, path, compile_place_function);
+        if (!expression) return std::nullopt;
+        return CheckedPlaceFunction{std::move(*expression), node.place, path};
+    }
+
+    // Three functions, read by one of the members above.
+    template <class Function>
+    std::optional<std::array<Function, 3>> functions(
+        const DeckNode& node,
+        const std::string& path,
+        std::optional<Function> (ValueReader::*read)(const DeckNode&, const std::string&) const) const {
+        if (!is_array_of(node, 3)) {
+            expect(node, path, describe_expected(key_));
+            return std::nullopt;
+        }
+        std::array<Function, 3> vector;
+        bool complete = true;
+        for (int i = 0; i < 3; ++i) {
+            auto component = (this->*read)((*node.array())[i], fmt::format("{}[{}]", path, i));
+            complete = complete && component;
+            if (component) vector[i] = std::move(*component);
+        }
+        return complete ? std::optional(std::move(vector)) : std::nullopt;
+    }
+
+    std::optional<TimeTable> time_table(const DeckNode& node, const std::string& path) const {
+        if (node.array() == nullptr || node.array()->empty()) {
+            expect(node, path, describe_expected(key_));
+            return std::nullopt;
+        }
+        TimeTable table;
+        bool complete = true;
+        for (std::size_t i = 0; i < node.array()->size(); ++i) {
+            const DeckNode& row = (*node.array())[i];
+            const auto values = table_row(row, fmt::format("{}[{}]", path, i));
+            complete = complete && values;
+            if (!complete) continue;
+            if (!table.empty() && values->first <= table.back().first) {
+                add(row,
+                    fmt::format("{}[{}]", path, i),
+                    fmt::format(
+                        "t must increase from row to row: {} follows {}", values->first, table.back().first));
+                complete = false;
+            }
+            table.push_back(*values);
+        }
+        return complete ? std::optional(std::move(table)) : std::nullopt;
+    }
+
+    static bool is_array_of(const DeckNode& node, std::size_t size) {
+        return node.array() != nullptr && node.array()->size() == size;
+    }
+
+    static bool is_matrix(const DeckNode& node) {
+        return is_array_of(node, 3) &&
+               std::any_of(node.array()->begin(), node.array()->end(), [](const DeckNode& row) {
+                   return row.array() != nullptr;
+               });
+    }
+
+  private:
+    // An expression compiled, or a number.
+    template <class Function, class Compile>
+    std::optional<Function> compiled(const DeckNode& node,
+                                     const std::string& path,
+                                     const Compile& compile) const {
+        if (const std::string* text = node.text()) {
+            try {
+                return compile(*text, path, context_.symbols);
+            } catch (const ExpressionError& error) {
+                add(node, path, fmt::format("\"{}\": {}", shorten(*text), error.what()));
+            }
+            return std::nullopt;
+        }
+        if (!std::holds_alternative<std::int64_t>(node.value) &&
+            !std::holds_alternative<double>(node.value)) {
+            expect(node, path, "a number or an expression in " + variables_of(key_.type));
+            return std::nullopt;
+        }
+        const std::optional<double> value = number(node, path);
+        if (!value) return std::nullopt;
+        return constant<Function>(*value);
+    }
+
+    template <class Function>
+    static Function constant(double value) {
+        if constexpr (std::is_same_v<Function, PlaceExpression>) {
+            return {[value](const Vec3&, double) { return value; }};
+        } else if constexpr (std::is_same_v<Function, LineExpression>) {
+            return {LineFunction(value)};
+        } else {
+            return TimeFunction(value);
+        }
+    }
+
+    std::string remark() const { return key_.remark.empty() ? "" : "; " + key_.remark; }
+
+    // Components of vectors and tables are described as bare numbers.
+    std::string number_expected() const {
+        return key_.type == ValueType::number ? describe_expected(key_) : "a number or an expression";
+    }
+
+    void add(const DeckNode& node, const std::string& path, const std::string& message) const {
+        context_.faults.add(node.place, path, message);
+    }
+
+    void expect(const DeckNode& node, const std::string& path, const std::string& expected) const {
+        add(node, path, fmt::format("expected {}, found {}", expected, describe_found(node)));
+    }
+
+    // The number as the deck has it, and its value if it is an expression.
+    static std::string found_value(const DeckNode& node, double value) {
+        return node.text() == nullptr ? describe_found(node)
+                                      : fmt::format("\"{}\" = {}", *node.text(), value);
+    }
+
+    std::optional<double> in_range(const DeckNode& node, const std::string& path, double value) const {
+        if (key_.range.contains(value)) return value;
+        const std::string kind = key_.type == ValueType::integer ? "an integer" : "a number";
+        const std::string& above = key_.above_range;
+        const std::string reason = value > key_.range.upper && !above.empty() ? "; " + above : remark();
+        add(node,
+            path,
+            fmt::format("expected {} {}, found {}{}",
+                        kind,
+                        describe_range(key_.range),
+                        found_value(node, value),
+                        reason));
+        return std::nullopt;
+    }
+
+    std::optional<std::pair<double, double>> table_row(const DeckNode& row, const std::string& path) const {
+        if (!is_array_of(row, 2)) {
+            expect(row, path, "a row [t, value]");
+            return std::nullopt;
+        }
+        const auto time = number((*row.array())[0], path + "[0]");
+        const auto value = number((*row.array())[1], path + "[1]");
+        if (!time || !value) return std::nullopt;
+        return std::pair(*time, *value);
+    }
+
+    const KeySpec& key_;
+    const ReadingContext& context_;
+};
+
+template <class Value>
+decltype(CheckedValue::value) wrap(std::optional<Value> value) {
+    if (!value) return std::monostate{};
+    return std::move(*value);
+}
+
+}  // namespace
+
+std::optional<double> read_number(const DeckNode& node,
+                                  const std::string& path,
+                                  const KeySpec& key,
+                                  const ReadingContext& context) {
+    return ValueReader(key, context).number(node, path);
+}
+
+decltype(CheckedValue::value) read_value(const DeckNode& node,
+                                         const std::string& path,
+                                         const KeySpec& key,
+                                         const ReadingContext& context) {
+    const ValueReader reader(key, context);
+    switch (key.type) {
+        case ValueType::text:
+        case ValueType::reference:
+        case ValueType::point:
+            return wrap(read_text(node, path, key, context));
+        case ValueType::choice:
+            return wrap(read_word(node, path, key, context));
+        case ValueType::choices:
+            return wrap(read_words(node, path, key, context));
+        case ValueType::integer:
+            return wrap(reader.integer(node, path));
+        case ValueType::number:
+            return wrap(reader.number(node, path));
+        case ValueType::vector:
+            return wrap(reader.vector(node, path));
+        case ValueType::points:
+            return wrap(read_points(node, path, key, context));
+        case ValueType::matrix:
+            return wrap(reader.square_matrix(node, path));
+        case ValueType::vectors:
+            return wrap(read_vectors(node, path, key, context));
+        case ValueType::section_matrix:
+            return wrap(read_section_matrix(node, path, key, context));
+        case ValueType::inertia:
+            if (ValueReader::is_matrix(node)) return wrap(reader.matrix(node, path));
+            return wrap(reader.vector(node, path));
+        case ValueType::placement:
+            if (node.text() != nullptr) return wrap(read_text(node, path, key, context));
+            return wrap(reader.vector(node, path));
+        case ValueType::mesh_group:
+            return read_mesh_group(node, path, key, context);
+        case ValueType::time_expression:
+            return wrap(reader.time_function(node, path));
+        case ValueType::time_vector:
+            return wrap(reader.functions(node, path, &ValueReader::time_function));
+        case ValueType::line_vector:
+            return wrap(reader.functions(node, path, &ValueReader::line_function));
+        case ValueType::place_vector:
+            return wrap(reader.functions(node, path, &ValueReader::place_function));
+        case ValueType::time_table:
+            return wrap(reader.time_table(node, path));
+        case ValueType::columns:
+            return std::monostate{};  // read with their file, which is a table then
+        default:
+            assert(false);
+            return std::monostate{};
+    }
+}
+
+}  // namespace gxrod

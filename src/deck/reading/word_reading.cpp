@@ -1,0 +1,114 @@
+#include "deck/reading/word_reading.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "deck/schema/suggestion.hpp"
+#include "deck/schema/synonyms.hpp"
+
+namespace gxrod {
+namespace {
+
+void expect(const DeckNode& node,
+            const std::string& path,
+            const KeySpec& key,
+            const ReadingContext& context) {
+    context.faults.add(
+        node.place, path, fmt::format("expected {}, found {}", describe_expected(key), describe_found(node)));
+}
+
+std::string explain_word(const std::string& word, const std::vector<std::string>& words) {
+    const std::string meant = find_choice(word, words);
+    return meant.empty() ? did_you_mean(word, words) : fmt::format("; did you mean \"{}\"?", meant);
+}
+
+}  // namespace
+
+std::optional<std::string> read_text(const DeckNode& node,
+                                     const std::string& path,
+                                     const KeySpec& key,
+                                     const ReadingContext& context) {
+    if (node.text() != nullptr) return *node.text();
+    expect(node, path, key, context);
+    return std::nullopt;
+}
+
+std::optional<std::string> read_word(const DeckNode& node,
+                                     const std::string& path,
+                                     const KeySpec& key,
+                                     const ReadingContext& context) {
+    const std::string* text = node.text();
+    const std::vector<std::string>& words = key.choices;
+    if (text != nullptr && std::find(words.begin(), words.end(), *text) != words.end()) return *text;
+    const std::string hint = text == nullptr ? "" : explain_word(*text, words);
+    const std::string remark = key.remark.empty() ? "" : (hint.empty() ? "; " : " ") + key.remark;
+    context.faults.add(node.place,
+                       path,
+                       fmt::format("expected {}{}, found {}{}{}",
+                                   words.size() > 1 ? "one of " : "",
+                                   quoted_list(words),
+                                   describe_found(node),
+                                   hint,
+                                   remark));
+    return std::nullopt;
+}
+
+std::optional<std::vector<CheckedWord>> read_words(const DeckNode& node,
+                                                   const std::string& path,
+                                                   const KeySpec& key,
+                                                   const ReadingContext& context) {
+    std::vector<CheckedWord> words;
+    bool complete = true;
+    const auto read = [&](const DeckNode& element, const std::string& element_path) {
+        const std::optional<std::string> word = read_word(element, element_path, key, context);
+        complete = complete && word;
+        if (word) words.push_back({*word, element.place, element_path});
+    };
+    if (node.text() != nullptr) {
+        read(node, path);
+    } else if (node.array() != nullptr && !node.array()->empty()) {
+        for (std::size_t i = 0; i < node.array()->size(); ++i) {
+            read((*node.array())[i], fmt::format("{}[{}]", path, i));
+        }
+    } else {
+        expect(node, path, key, context);
+        complete = false;
+    }
+    return complete ? std::optional(std::move(words)) : std::nullopt;
+}
+
+std::optional<std::vector<CheckedWord>> read_points(const DeckNode& node,
+                                                    const std::string& path,
+                                                    const KeySpec& key,
+                                                    const ReadingContext& context) {
+    if (node.array() == nullptr || node.array()->size() < 2) {
+        expect(node, path, key, context);
+        return std::nullopt;
+    }
+    std::vector<CheckedWord> points;
+    for (std::size_t i = 0; i < node.array()->size(); ++i) {
+        const DeckNode& element = (*node.array())[i];
+        const std::string element_path = fmt::format("{}[{}]", path, i);
+        if (element.text() != nullptr) {
+            points.push_back({*element.text(), element.place, element_path});
+        } else {
+            context.faults.add(element.place,
+                               element_path,
+                               "expected a point, such as \"rod.end\", found " + describe_found(element));
+        }
+    }
+    return points.size() == node.array()->size() ? std::optional(std::move(points)) : std::nullopt;
+}
+
+decltype(CheckedValue::value) read_mesh_group(const DeckNode& node,
+                                              const std::string& path,
+                                              const KeySpec& key,
+                                              const ReadingContext& context) {
+    if (node.text() != nullptr) return *node.text();
+    if (const auto* number = std::get_if<std::int64_t>(&node.value)) return static_cast<long>(*number);
+    expect(node, path, key, context);
+    return std::monostate{};
+}
+
+}  // namespace gxrod

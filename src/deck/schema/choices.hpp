@@ -1,0 +1,103 @@
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "deck/expressions/table_function.hpp"
+#include "model/model.hpp"
+#include "model/settings.hpp"
+
+// The words of a deck and what they stand for, each pair stated once.
+namespace gxrod {
+
+template <class Value>
+struct Choice {
+    std::string_view word;
+    Value value;
+};
+
+inline constexpr std::array<Choice<ElementKind>, 2> element_kind_choices{
+    {{"objective", ElementKind::objective}, {"simo", ElementKind::simo}}};
+
+inline constexpr std::array<Choice<Frame>, 3> frame_choices{
+    {{"spatial", Frame::spatial}, {"follower", Frame::follower}, {"body", Frame::body}}};
+
+inline constexpr std::array<Choice<Interpolation>, 3> interpolation_choices{
+    {{"linear", Interpolation::linear},
+     {"cubic", Interpolation::cubic},
+     {"monotone", Interpolation::monotone}}};
+
+inline constexpr std::array<Choice<Scheme>, 5> scheme_choices{
+    {{"newmark-simplified", Scheme::newmark_simplified},
+     {"newmark-ibrahimbegovic", Scheme::newmark_ibrahimbegovic},
+     {"generalized-alpha", Scheme::generalized_alpha},
+     {"sdirk-4", Scheme::sdirk_4},
+     {"runge-kutta-4", Scheme::runge_kutta_4}}};
+
+inline constexpr std::array<Choice<TangentKind>, 5> tangent_choices{
+    {{"automatic", TangentKind::automatic},
+     {"mixed", TangentKind::mixed},
+     {"consistent", TangentKind::consistent},
+     {"paper", TangentKind::paper},
+     {"difference", TangentKind::difference}}};
+
+inline constexpr std::array<Choice<LinearSolverKind>, 4> linear_solver_choices{
+    {{"auto", LinearSolverKind::automatic},
+     {"chains", LinearSolverKind::chains},
+     {"klu", LinearSolverKind::klu},
+     {"umfpack", LinearSolverKind::umfpack}}};
+
+inline constexpr std::array<Choice<Compression>, 2> compression_choices{
+    {{"none", Compression::none}, {"deflate", Compression::deflate}}};
+
+inline constexpr std::array<Choice<Quantity>, 18> quantity_choices{
+    {{"position", Quantity::position},
+     {"displacement", Quantity::displacement},
+     {"rotation_vector", Quantity::rotation_vector},
+     {"quaternion", Quantity::quaternion},
+     {"orientation", Quantity::orientation},
+     {"velocity", Quantity::velocity},
+     {"angular_velocity", Quantity::angular_velocity},
+     {"angular_velocity_material", Quantity::angular_velocity_material},
+     {"acceleration", Quantity::acceleration},
+     {"centre_of_mass", Quantity::centre_of_mass},
+     {"force", Quantity::force},
+     {"moment", Quantity::moment},
+     {"force_spatial", Quantity::force_spatial},
+     {"moment_spatial", Quantity::moment_spatial},
+     {"strain", Quantity::strain},
+     {"curvature", Quantity::curvature},
+     {"reaction_force", Quantity::reaction_force},
+     {"reaction_moment", Quantity::reaction_moment}}};
+
+template <class Value, std::size_t count>
+std::vector<std::string> words_of(const std::array<Choice<Value>, count>& choices) {
+    std::vector<std::string> words;
+    for (const Choice<Value>& choice : choices) words.emplace_back(choice.word);
+    return words;
+}
+
+// The value of a word that the schema has let through.
+template <class Value, std::size_t count>
+Value value_of(const std::array<Choice<Value>, count>& choices, std::string_view word) {
+    for (const Choice<Value>& choice : choices) {
+        if (choice.word == word) return choice.value;
+    }
+    assert(false);
+    return choices[0].value;
+}
+
+// The word of a value, for messages.
+template <class Value, std::size_t count>
+std::string word_of(const std::array<Choice<Value>, count>& choices, Value value) {
+    for (const Choice<Value>& choice : choices) {
+        if (choice.value == value) return std::string(choice.word);
+    }
+    assert(false);
+    return "";
+}
+
+}  // namespace gxrod

@@ -1,0 +1,195 @@
+#include "deck/schema/schema.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "deck/schema/schema_tables.hpp"
+#include "deck/schema/suggestion.hpp"
+
+namespace gxrod {
+namespace {
+
+const TableSpec& parameters_table() {
+    static const TableSpec table{
+        .path = "parameters",
+        .heading = "[parameters]",
+        .sentence =
+            "Names for numbers, which every expression of the deck can use. They may use each other, in any "
+            "order.",
+        .keys = {},
+        .example =
+            "[parameters]\n"
+            "EI = 500.0\n"
+            "GJ = \"0.8*EI\"\n"};
+    return table;
+}
+
+TableSpec make_root() {
+    TableSpec root;
+    root.sentence = "Keys that stand before the first [table].";
+    root.keys = {
+        {.name = "title",
+         .type = ValueType::text,
+         .default_value = "",
+         .sentence = "What the deck is about."},
+        {.name = "units",
+         .type = ValueType::text,
+         .default_value = "",
+         .sentence = "A label that results carry; the numbers are in any consistent units."},
+        {.name = "gravity",
+         .type = ValueType::time_vector,
+         .dimension = "length/time²",
+         .default_text = "[0, 0, 0]",
+         .sentence = "Acceleration that acts on every mass, global components."},
+        {.name = "parameters", .type = ValueType::parameters, .table = &parameters_table()},
+        {.name = "function", .type = ValueType::named_tables, .table = &function_table()},
+        {.name = "section", .type = ValueType::named_tables, .table = &section_table()},
+        {.name = "rod", .type = ValueType::named_tables, .table = &rod_table()},
+        {.name = "body", .type = ValueType::named_tables, .table = &body_table()},
+        {.name = "connect", .type = ValueType::table_list, .table = &connect_table()},
+        {.name = "load", .type = ValueType::table_list, .table = &load_table()},
+        {.name = "support", .type = ValueType::table_list, .table = &support_table()},
+        {.name = "initial", .type = ValueType::table_list, .table = &initial_table()},
+        {.name = "analysis",
+         .type = ValueType::table,
+         .presence = Presence::required,
+         .table = &analysis_table()},
+        {.name = "output", .type = ValueType::table, .table = &output_table()},
+        {.name = "history", .type = ValueType::table_list, .table = &history_table()},
+    };
+    root.groups = {{GroupRule::at_least_one, {"rod", "body"}}};
+    root.example =
+        "title = \"Flexible rod in free flight, and a top\"\n"
+        "units = \"m kg s\"\n"
+        "gravity = [0, 0, -9.81]\n";
+    return root;
+}
+
+}  // namespace
+
+const TableSpec& deck_schema() {
+    static const TableSpec root = make_root();
+    return root;
+}
+
+bool Range::contains(double value) const {
+    const bool above = at_lower == Bound::open ? value > lower : value >= lower;
+    const bool below = at_upper == Bound::open ? value < upper : value <= upper;
+    return above && below;
+}
+
+bool Range::is_unbounded() const { return std::isinf(lower) && std::isinf(upper); }
+
+const KeySpec* TableSpec::find(std::string_view key) const {
+    for (const KeySpec& spec : keys) {
+        if (spec.name == key) return &spec;
+    }
+    return nullptr;
+}
+
+std::vector<std::string> TableSpec::key_names() const {
+    std::vector<std::string> names;
+    for (const KeySpec& key : keys) names.push_back(key.name);
+    return names;
+}
+
+bool is_top_level_value(const TableSpec& root, std::string_view key) {
+    const KeySpec* spec = root.find(key);
+    return spec != nullptr && spec->table == nullptr;
+}
+
+std::string explain_misplaced_key(std::string_view key, std::string_view heading) {
+    return fmt::format(
+        "{} is a key of the top level, which stands before the first [table]; here it belongs to {}",
+        key,
+        heading);
+}
+
+std::string describe_range(const Range& range) {
+    const bool has_lower = std::isfinite(range.lower);
+    const bool has_upper = std::isfinite(range.upper);
+    if (has_lower && range.lower == range.upper) return fmt::format("equal to {}", range.lower);
+    if (has_lower && has_upper && range.at_lower == Bound::closed && range.at_upper == Bound::closed) {
+        return fmt::format("from {} to {}", range.lower, range.upper);
+    }
+    std::string text;
+    if (has_lower) {
+        text = fmt::format("{} {}", range.at_lower == Bound::open ? "greater than" : "at least", range.lower);
+    }
+    if (has_upper) {
+        text += fmt::format("{}{} {}",
+                            has_lower ? ", " : "",
+                            range.at_upper == Bound::open ? "less than" : "at most",
+                            range.upper);
+    }
+    return text;
+}
+
+std::string variables_of(ValueType type) {
+    switch (type) {
+        case ValueType::line_vector:
+            return "t and s";
+        case ValueType::place_vector:
+            return "x, y, z and s";
+        default:
+            return "t";
+    }
+}
+
+std::string describe_expected(const KeySpec& key) {
+    const std::string range = describe_range(key.range);
+    const std::string ranged = range.empty() ? "" : " " + range;
+    switch (key.type) {
+        case ValueType::text:
+            return "text";
+        case ValueType::reference:
+            return fmt::format("the name of a {}", fmt::join(key.refers_to, " or "));
+        case ValueType::point:
+            return "a point, such as \"rod.end\", \"rod@0.25\" or \"body\"";
+        case ValueType::points:
+            return "an array of points, two at least, such as [\"leg.end\", \"beam.start\"]";
+        case ValueType::choice:
+            return (key.choices.size() > 1 ? "one of " : "") + quoted_list(key.choices);
+        case ValueType::choices:
+            return "one or a list of " + quoted_list(key.choices);
+        case ValueType::integer:
+            return "an integer" + ranged;
+        case ValueType::number:
+            return "a number" + ranged + " or an expression";
+        case ValueType::vector:
+            return "an array of 3 numbers or expressions";
+        case ValueType::matrix:
+            return "an array of 3 rows of 3 numbers or expressions";
+        case ValueType::vectors:
+            return "an array of 2 vectors or more, each of 3 numbers or expressions";
+        case ValueType::section_matrix:
+            return "an array of 6 rows of 6 numbers or expressions";
+        case ValueType::inertia:
+            return "an array of 3 numbers or expressions, or of 3 such arrays";
+        case ValueType::placement:
+            return "an array of 3 numbers or expressions, or a point such as \"rod.end\"";
+        case ValueType::mesh_group:
+            return "the name or the number of a physical group";
+        case ValueType::time_expression:
+            return "a number or an expression in " + variables_of(key.type);
+        case ValueType::time_vector:
+        case ValueType::line_vector:
+        case ValueType::place_vector:
+            return "an array of 3 numbers or expressions in " + variables_of(key.type);
+        case ValueType::time_table:
+            return "an array of rows [t, value]";
+        case ValueType::columns:
+            return "an array of 2 names or numbers of columns, such as [\"t\", \"x\"] or [1, 3]";
+        case ValueType::table:
+        case ValueType::named_tables:
+        case ValueType::parameters:
+        case ValueType::variations:
+            return "a table " + key.table->heading;
+        case ValueType::table_list:
+            return "tables " + key.table->heading;
+    }
+    return "";
+}
+
+}  // namespace gxrod

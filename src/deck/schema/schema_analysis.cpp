@@ -1,0 +1,257 @@
+#include <fmt/format.h>
+
+#include "deck/schema/choices.hpp"
+#include "deck/schema/schema_tables.hpp"
+
+// [analysis], [output] and [[history]].
+namespace gxrod {
+namespace {
+
+const Condition dynamic_only{"kind", {"dynamic"}};
+
+std::vector<Condition> for_schemes(const std::vector<Scheme>& schemes) {
+    Condition condition{"integrator", {}};
+    for (const Scheme scheme : schemes) condition.words.push_back(word_of(scheme_choices, scheme));
+    return {dynamic_only, condition};
+}
+
+// Newton's method is for static analyses and implicit integrators.
+std::vector<Condition> for_equilibria() {
+    return {for_schemes({Scheme::newmark_simplified,
+                         Scheme::newmark_ibrahimbegovic,
+                         Scheme::generalized_alpha,
+                         Scheme::sdirk_4})
+                .back()};
+}
+
+const TableSpec& newton_table() {
+    static const TableSpec table{
+        .path = "analysis.newton",
+        .heading = "newton = { … }",
+        .sentence = "",
+        .keys = {
+            {.name = "tolerance",
+             .type = ValueType::number,
+             .dimension = "1",
+             .range = positive,
+             .default_text = "`1e-8`, or less by `adaptive.tolerance`",
+             .sentence = "Of the residual, relative to the largest force and moment at any node."},
+            {.name = "max_iterations",
+             .type = ValueType::integer,
+             .range = {.lower = 1, .upper = 1'000'000},
+             .default_value = static_cast<long>(NewtonSettings{}.max_iterations),
+             .sentence = "Of one equilibrium, before the step is cut. Ten times as many where gxrod "
+                         "warns of a rod too stiff beside what bends."},
+            {.name = "tangent",
+             .type = ValueType::choice,
+             .default_value = word_of(tangent_choices, NewtonSettings{}.tangent),
+             .sentence = "automatic: mixed in statics, and in dynamics where a rod is 300 times as stiff "
+                         "in bending or twist about one axis as about another, else consistent. "
+                         "mixed: the resultants in its geometric part are iterated along with the "
+                         "motion, which bears much larger steps. "
+                         "consistent: the exact derivative. paper: Rubin (2007), (5.6), for decks of "
+                         "bodies alone with newmark-simplified. "
+                         "difference: central differences of the residual.",
+             .choices = words_of(tangent_choices)}}};
+    return table;
+}
+
+const TableSpec& adaptive_table() {
+    static const TableSpec table{
+        .path = "analysis.adaptive",
+        .heading = "adaptive = { … }",
+        .sentence = "",
+        .keys = {
+            {.name = "tolerance",
+             .type = ValueType::number,
+             .dimension = "1",
+             .range = positive,
+             .default_value = AdaptiveSettings{}.tolerance,
+             .sentence =
+                 "Of one step's estimated error: the length of displacements over the model's length, of "
+                 "rotations in rad, and of velocities times the step alike, the largest of all nodes."},
+            {.name = "min_step",
+             .type = ValueType::number,
+             .dimension = "time",
+             .range = {.lower = 0.0},
+             .default_value = AdaptiveSettings{}.min_step,
+             .sentence = "A run that needs a shorter step fails."},
+            {.name = "max_step",
+             .type = ValueType::number,
+             .dimension = "time",
+             .range = positive,
+             .default_text = "none",
+             .sentence = "No step is longer."}}};
+    return table;
+}
+
+std::vector<KeySpec> scheme_keys() {
+    const DynamicSettings defaults;
+    const std::vector<Condition> newmark =
+        for_schemes({Scheme::newmark_simplified, Scheme::newmark_ibrahimbegovic});
+    return {
+        {.name = "integrator",
+         .type = ValueType::choice,
+         .default_value = word_of(scheme_choices, defaults.scheme),
+         .sentence = "How time advances.",
+         .choices = words_of(scheme_choices),
+         .only_for = {dynamic_only}},
+        {.name = "beta",
+         .type = ValueType::number,
+         .dimension = "1",
+         .range = {.lower = 0.0, .at_lower = Bound::open, .upper = 0.5},
+         .default_value = defaults.beta,
+         .sentence = "Newmark's β.",
+         .only_for = newmark},
+        {.name = "gamma",
+         .type = ValueType::number,
+         .dimension = "1",
+         .range = {.lower = 0.0, .upper = 1.0},
+         .default_value = defaults.gamma,
+         .sentence = "Newmark's γ.",
+         .only_for = newmark},
+        {.name = "spectral_radius",
+         .type = ValueType::number,
+         .dimension = "1",
+         .range = {.lower = 0.0, .upper = 1.0},
+         .default_value = defaults.spectral_radius,
+         .sentence =
+             "At infinite frequency: 1 keeps the amplitude of every frequency, 0 removes the highest.",
+         .only_for = for_schemes({Scheme::generalized_alpha})},
+        {.name = "adaptive",
+         .type = ValueType::table,
+         .sentence = "Steps by an estimate of their error, of which time_step or steps gives the first; left "
+                     "out, equal steps.",
+         .only_for = for_schemes({Scheme::sdirk_4}),
+         .table = &adaptive_table()},
+        {.name = "newton",
+         .type = ValueType::table,
+         .sentence = "How equilibrium is found.",
+         .only_for = for_equilibria(),
+         .table = &newton_table()},
+        {.name = "linear_solver",
+         .type = ValueType::choice,
+         .default_value = word_of(linear_solver_choices, defaults.linear_solver),
+         .sentence =
+             "chains: by blocks of the unknowns of nodes, the insides of rods first, then their junctions by "
+             "dense fronts. klu: sparse LU, entry by entry. umfpack: LU by dense fronts, which exchanges "
+             "equations to find pivots. auto: chains.",
+         .choices = words_of(linear_solver_choices)}};
+}
+
+std::vector<KeySpec> analysis_keys() {
+    std::vector<KeySpec> keys{
+        {.name = "kind",
+         .type = ValueType::choice,
+         .presence = Presence::required,
+         .sentence = "dynamic: the motion from t = 0 to end_time. static: equilibria while the "
+                     "load factor t goes from 0 to 1; loads, gravity and moves whose value has "
+                     "no t are multiplied by it.",
+         .choices = {"dynamic", "static"}},
+        {.name = "end_time",
+         .type = ValueType::number,
+         .dimension = "time",
+         .range = positive,
+         .presence = Presence::required,
+         .sentence = "Where the analysis ends; it starts at t = 0.",
+         .only_for = {dynamic_only}},
+        {.name = "time_step",
+         .type = ValueType::number,
+         .dimension = "time",
+         .range = positive,
+         .sentence = "Of equal steps; shortened where it does not divide end_time.",
+         .only_for = {dynamic_only}},
+        {.name = "steps",
+         .type = ValueType::integer,
+         .range = {.lower = 1, .upper = static_cast<double>(largest_step_count)},
+         .default_text = fmt::format("`{}` if static", StaticSettings{}.steps),
+         .sentence = "How many equal steps."}};
+    for (KeySpec& key : scheme_keys()) keys.push_back(std::move(key));
+    return keys;
+}
+
+}  // namespace
+
+const TableSpec& analysis_table() {
+    static const TableSpec table{.path = "analysis",
+                                 .heading = "[analysis]",
+                                 .sentence = "What is asked of the model.",
+                                 .keys = analysis_keys(),
+                                 .groups = {{.rule = GroupRule::exactly_one,
+                                             .keys = {"time_step", "steps"},
+                                             .only_for = {dynamic_only}}},
+                                 .example =
+                                     "[analysis]\n"
+                                     "kind       = \"dynamic\"\n"
+                                     "end_time   = 15.0\n"
+                                     "time_step  = 0.01\n"
+                                     "integrator = \"generalized-alpha\"\n"
+                                     "spectral_radius = 0.8\n"
+                                     "newton     = { tolerance = 1e-10, max_iterations = 15 }\n"};
+    return table;
+}
+
+const TableSpec& output_table() {
+    static const TableSpec table{
+        .path = "output",
+        .heading = "[output]",
+        .sentence = "What the results file holds besides histories.",
+        .keys = {{.name = "every",
+                  .type = ValueType::integer,
+                  .range = {.lower = 1, .upper = static_cast<double>(largest_step_count)},
+                  .default_text = "what makes about 500 frames at most",
+                  .sentence =
+                      "Steps between frames; the first and the last are always written. Left out: 1 up to "
+                      "500 steps; beyond that the least of 2, 5, 10, 20, 50 … that makes about 500 frames at "
+                      "most; with adaptive steps one frame in each 500th part of the time."},
+                 {.name = "compression",
+                  .type = ValueType::choice,
+                  .default_value = word_of(compression_choices, OutputSettings{}.compression),
+                  .sentence = "Of frames, without loss. deflate halves them and takes some time of writing; "
+                              "for models of a thousand nodes and more.",
+                  .choices = words_of(compression_choices)}},
+        .example =
+            "[output]\n"
+            "every = 10\n"
+            "compression = \"deflate\"\n"};
+    return table;
+}
+
+const TableSpec& history_table() {
+    static const TableSpec table{
+        .path = "history",
+        .heading = "[[history]]",
+        .sentence = "Quantities of a point, recorded at every step.",
+        .keys =
+            {{.name = "name",
+              .type = ValueType::text,
+              .presence = Presence::required,
+              .sentence = "The name of its group in the results: letters, digits, _ and -, each name once."},
+             {.name = "at",
+              .type = ValueType::point,
+              .presence = Presence::required,
+              .sentence = "A point of a rod, between nodes too, or a body."},
+             {.name = "relative_to",
+              .type = ValueType::point,
+              .default_text = "the global axes and the origin",
+              .sentence = "A point whose section axes (body axes of a body) the components are in, and from "
+                          "which positions count; it moves. For position, displacement, velocity, "
+                          "acceleration, centre_of_mass and rotations."},
+             {.name = "quantities",
+              .type = ValueType::choices,
+              .presence = Presence::required,
+              .sentence =
+                  "rotation_vector and quaternion are the rotation since t = 0 of a rod's point, the "
+                  "attitude of a body; orientation is that of section or body axes for both. force, "
+                  "moment (section axes), force_spatial, moment_spatial, strain and curvature are a rod's, "
+                  "centre_of_mass is a body's, reactions are a support's.",
+              .choices = words_of(quantity_choices)}},
+        .example =
+            "[[history]]\n"
+            "name = \"tip\"\n"
+            "at   = \"flyer.end\"\n"
+            "quantities = [\"position\", \"velocity\"]\n"};
+    return table;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,231 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "deck/schema/schema.hpp"
+#include "deck/schema/schema_tables.hpp"
+
+namespace gxrod {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json make_table(const TableSpec& table);
+
+Json make_range(const char* type, const Range& range) {
+    Json json{{"type", type}};
+    const bool whole = std::string_view(type) == "integer";
+    const auto bound = [&](const char* keyword, double value) {
+        if (whole)
+            json[keyword] = static_cast<long>(value);
+        else
+            json[keyword] = value;
+    };
+    if (std::isfinite(range.lower))
+        bound(range.at_lower == Bound::open ? "exclusiveMinimum" : "minimum", range.lower);
+    if (std::isfinite(range.upper))
+        bound(range.at_upper == Bound::open ? "exclusiveMaximum" : "maximum", range.upper);
+    return json;
+}
+
+Json reference(const char* definition) { return {{"$ref", std::string("#/$defs/") + definition}}; }
+
+Json array_of(const Json& items, std::size_t size) {
+    return {{"type", "array"}, {"items", items}, {"minItems", size}, {"maxItems", size}};
+}
+
+Json array_of_at_least(const Json& items, std::size_t size) {
+    return {{"type", "array"}, {"items", items}, {"minItems", size}};
+}
+
+Json any_of(std::initializer_list<Json> options) {
+    Json json;
+    for (const Json& option : options) json["anyOf"].push_back(option);
+    return json;
+}
+
+Json named_tables(const char* pattern, const Json& table) {
+    Json json{{"type", "object"}};
+    json["patternProperties"][pattern] = table;
+    json["additionalProperties"] = false;
+    return json;
+}
+
+Json make_type(const KeySpec& key) {
+    switch (key.type) {
+        case ValueType::text:
+        case ValueType::reference:
+        case ValueType::point:
+            return {{"type", "string"}};
+        case ValueType::points:
+            return {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}};
+        case ValueType::choice:
+            return {{"enum", key.choices}};
+        case ValueType::choices:
+            return any_of({{{"enum", key.choices}},
+                           {{"type", "array"}, {"items", {{"enum", key.choices}}}, {"minItems", 1}}});
+        case ValueType::integer:
+            return any_of({make_range("integer", key.range), reference("expression")});
+        case ValueType::number:
+            return any_of({make_range("number", key.range), reference("expression")});
+        case ValueType::vector:
+        case ValueType::time_vector:
+        case ValueType::line_vector:
+        case ValueType::place_vector:
+            return array_of(reference("number"), 3);
+        case ValueType::matrix:
+            return array_of(array_of(reference("number"), 3), 3);
+        case ValueType::vectors:
+            return array_of_at_least(array_of(reference("number"), 3), 2);
+        case ValueType::section_matrix:
+            return array_of(array_of(reference("number"), 6), 6);
+        case ValueType::inertia:
+            return any_of({array_of(reference("number"), 3), array_of(array_of(reference("number"), 3), 3)});
+        case ValueType::placement:
+            return any_of({array_of(reference("number"), 3), {{"type", "string"}}});
+        case ValueType::mesh_group:
+            return {{"type", {"string", "integer"}}};
+        case ValueType::time_expression:
+            return reference("number");
+        case ValueType::time_table:
+            return {{"type", "array"}, {"items", array_of(reference("number"), 2)}, {"minItems", 1}};
+        case ValueType::columns:
+            return array_of({{"type", {"string", "integer"}}}, 2);
+        case ValueType::table:
+            return make_table(*key.table);
+        case ValueType::named_tables:
+            return named_tables(
+                key.table == &function_table() ? "^[A-Za-z_][A-Za-z0-9_]*$" : "^[A-Za-z0-9_-]+$",
+                make_table(*key.table));
+        case ValueType::table_list:
+            return {{"type", "array"}, {"items", make_table(*key.table)}};
+        case ValueType::parameters:
+            return named_tables("^[A-Za-z_][A-Za-z0-9_]*$", reference("number"));
+        case ValueType::variations:
+            return {{"type", "object"},
+                    {"additionalProperties",
+                     any_of({{{"type", "array"}, {"minItems", 1}}, make_table(*key.table)})}};
+    }
+    return {};
+}
+
+struct DefaultWriter {
+    Json operator()(std::monostate) const { return nullptr; }
+    Json operator()(double value) const { return value; }
+    Json operator()(long value) const { return value; }
+    Json operator()(const std::string& value) const { return value; }
+    Json operator()(const Vec3& value) const { return {value[0], value[1], value[2]}; }
+};
+
+Json make_key(const KeySpec& key) {
+    Json json = make_type(key);
+    std::string description =
+        key.sentence.empty() && key.table != nullptr ? key.table->sentence : key.sentence;
+    if (!key.dimension.empty()) description += fmt::format(" Dimension: {}.", key.dimension);
+    if (!key.default_text.empty()) description += fmt::format(" Default: {}.", key.default_text);
+    if (!description.empty()) json["description"] = description;
+    const Json value = std::visit(DefaultWriter{}, key.default_value);
+    if (!value.is_null()) json["default"] = value;
+    return json;
+}
+
+Json require(const std::vector<std::string>& keys) { return {{"required", keys}}; }
+
+// No two of the keys.
+Json exclude_pairs(const std::vector<std::string>& keys) {
+    if (keys.size() == 2) return require(keys);
+    Json pairs;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        for (std::size_t j = i + 1; j < keys.size(); ++j)
+            pairs["anyOf"].push_back(require({keys[i], keys[j]}));
+    }
+    return pairs;
+}
+
+// What a group asks of its table.
+Json make_group(const KeyGroup& group) {
+    if (group.rule == GroupRule::at_most_one) return {{"not", exclude_pairs(group.keys)}};
+    Json json;
+    Json& options = json[group.rule == GroupRule::exactly_one ? "oneOf" : "anyOf"];
+    for (const std::string& key : group.keys) options.push_back(require({key}));
+    return json;
+}
+
+// That a key has one of some words, its default being one of them or not.
+Json make_condition(const Condition& condition, const TableSpec& table) {
+    Json json;
+    json["properties"][condition.key] = {{"enum", condition.words}};
+    const auto* chosen = std::get_if<std::string>(&table.find(condition.key)->default_value);
+    const auto& words = condition.words;
+    const bool holds_by_default =
+        chosen != nullptr && std::find(words.begin(), words.end(), *chosen) != words.end();
+    if (!holds_by_default) json["required"] = {condition.key};
+    return json;
+}
+
+// Where a key or group of a table is used; null if everywhere.
+template <class Spec>
+Json make_use(const Spec& spec, const TableSpec& table) {
+    Json json;
+    for (const Condition& condition : spec.only_for)
+        json["allOf"].push_back(make_condition(condition, table));
+    if (!spec.only_with.empty()) json["allOf"].push_back(require({spec.only_with}));
+    return json;
+}
+
+bool is_conditional(const KeySpec& key) { return !key.only_for.empty() || !key.only_with.empty(); }
+
+void add_groups(const TableSpec& table, Json& json) {
+    for (const KeyGroup& group : table.groups) {
+        const Json use = make_use(group, table);
+        const Json rule = make_group(group);
+        if (!use.is_null()) {
+            json["allOf"].push_back({{"if", use}, {"then", rule}});
+        } else if (json.contains(rule.begin().key())) {
+            json["allOf"].push_back(rule);
+        } else {
+            json.update(rule);
+        }
+    }
+}
+
+// "If beta is given, integrator is one of …", and the reverse for a key that is required there.
+void add_conditions(const TableSpec& table, Json& json) {
+    for (const KeySpec& key : table.keys) {
+        if (!is_conditional(key)) continue;
+        const Json use = make_use(key, table);
+        json["allOf"].push_back({{"if", require({key.name})}, {"then", use}});
+        if (key.presence == Presence::required) {
+            json["allOf"].push_back({{"if", use}, {"then", require({key.name})}});
+        }
+    }
+}
+
+Json make_table(const TableSpec& table) {
+    Json json{{"type", "object"}};
+    if (!table.sentence.empty()) json["description"] = table.sentence;
+    json["properties"] = Json::object();
+    std::vector<std::string> required;
+    for (const KeySpec& key : table.keys) {
+        json["properties"][key.name] = make_key(key);
+        if (key.presence == Presence::required && !is_conditional(key)) required.push_back(key.name);
+    }
+    if (!required.empty()) json["required"] = required;
+    json["additionalProperties"] = false;
+    add_groups(table, json);
+    add_conditions(table, json);
+    return json;
+}
+
+}  // namespace
+
+std::string json_schema(const TableSpec& root, const std::string& title) {
+    Json json{{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", title}};
+    json.update(make_table(root));
+    json["$defs"]["expression"] = {{"type", "string"}, {"description", "An expression, such as \"2*EI\"."}};
+    json["$defs"]["number"] = any_of({{{"type", "number"}}, reference("expression")});
+    return json.dump(2);
+}
+
+}  // namespace gxrod

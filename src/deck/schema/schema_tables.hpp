@@ -1,0 +1,29 @@
+#pragma once
+
+#include "deck/schema/schema.hpp"
+
+// The tables of a deck, as schema.cpp lists them.
+namespace gxrod {
+
+const TableSpec& function_table();
+const TableSpec& section_table();
+const TableSpec& rod_table();
+const TableSpec& body_table();
+const TableSpec& connect_table();
+const TableSpec& load_table();
+const TableSpec& support_table();
+const TableSpec& initial_table();
+const TableSpec& analysis_table();
+const TableSpec& output_table();
+const TableSpec& history_table();
+
+inline constexpr Range positive{.lower = 0.0, .at_lower = Bound::open};
+
+// Ends messages about a rotary inertia that is missing or not positive.
+inline constexpr const char* no_inertia = "a rotation without inertia cannot be integrated in time";
+
+// Numbers of elements and steps beyond which a deck is refused.
+inline constexpr long largest_element_count = 10'000'000;
+inline constexpr long largest_step_count = 1'000'000'000'000;
+
+}  // namespace gxrod

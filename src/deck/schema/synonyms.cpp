@@ -1,0 +1,255 @@
+#include "deck/schema/synonyms.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <sstream>
+
+namespace gxrod {
+namespace {
+
+constexpr KeySynonyms keys[] = {
+    {"", "gravity", "g gravity_vector gravitation acceleration_of_gravity"},
+    {"", "title", "name description"},
+    {"", "section", "cross_section cross_sections profile profiles"},
+    {"", "rod", "beam beams cable cables rope string element elements"},
+    {"", "body", "rigid_body rigid_bodies mass point_mass"},
+    {"", "load", "force forces moment"},
+    {"",
+     "support",
+     "boundary boundaries boundary_condition boundary_conditions bc bcs constraint constraints clamp"},
+    {"", "connect", "tie ties merge weld"},
+    {"", "initial", "initial_condition initial_conditions initial_velocity ic"},
+    {"", "analysis", "solver simulation solution step integration"},
+    {"", "output", "results frames writer"},
+    {"", "history", "sensor sensors probe probes monitor monitors recorder"},
+    {"", "function", "amplitude amplitudes curve curves time_function"},
+    {"", "parameters", "params constants variables"},
+    {"", "vary", "sweep variations"},
+    {"", "deck", "model base template"},
+    {"", "combine", "mode combination"},
+    {"", "count", "samples n"},
+    {"", "collect", "measure measures"},
+    {"", "time_limit", "timeout"},
+    {"section.NAME", "shape", "geometry profile circle tube rectangle"},
+    {"section.NAME", "material", "e nu rho density youngs_modulus"},
+    {"section.NAME", "stiffness", "ea ei ga gj eiy eiz gay gaz constitutive"},
+    {"section.NAME", "inertia", "rhoa rhoiy rhoiz rhoj mass mass_per_length"},
+    {"section.NAME", "stiffness_matrix", "k c constitutive_matrix"},
+    {"section.NAME", "mass_matrix", "m inertia_matrix"},
+    {"section.NAME", "damping", "rayleigh viscosity"},
+    {"section.NAME.stiffness", "EA", "axial axial_stiffness"},
+    {"section.NAME.stiffness", "GJ", "git gip gi_t torsion torsional_stiffness"},
+    {"section.NAME.inertia", "rhoA", "m mass mass_per_length rho_a a_rho mu"},
+    {"section.NAME.inertia", "rhoJ", "j ip rhoip rhoix polar"},
+    {"section.NAME.shape", "circle", "round cylinder disc disk solid_circle"},
+    {"section.NAME.shape", "tube", "pipe ring annulus hollow_circle hollow_cylinder"},
+    {"section.NAME.shape", "rectangle", "rect square box plate"},
+    {"section.NAME.shape.circle", "radius", "r"},
+    {"section.NAME.shape.tube", "outer_radius", "ro r_outer r_out r"},
+    {"section.NAME.shape.tube", "inner_radius", "ri r_inner r_in"},
+    {"section.NAME.shape.rectangle", "width_y", "width w b breadth"},
+    {"section.NAME.shape.rectangle", "height_z", "height h depth thickness t"},
+    {"section.NAME.material",
+     "E",
+     "youngs_modulus young young_modulus elastic_modulus modulus_of_elasticity elasticity modulus"},
+    {"section.NAME.material", "nu", "poisson poisson_ratio poissons_ratio poissons v"},
+    {"section.NAME.material", "G", "shear_modulus mu"},
+    {"section.NAME.material", "density", "rho mass_density specific_mass"},
+    {"section.NAME.material",
+     "shear_factor",
+     "kappa k shear_correction shear_correction_factor shear_coefficient"},
+    {"section.NAME.damping", "kelvin_voigt", "beta rayleigh_beta stiffness_proportional viscosity"},
+    {"section.NAME.damping", "mass_proportional", "alpha rayleigh_alpha mass"},
+    {"rod.NAME", "section", "cross_section profile material"},
+    {"rod.NAME", "elements", "n n_elements num_elements number_of_elements nelem divisions segments"},
+    {"rod.NAME", "order", "degree p polynomial_degree"},
+    {"rod.NAME", "element", "type element_type formulation"},
+    {"rod.NAME", "line", "from to start end points geometry path"},
+    {"rod.NAME", "y_axis", "y orientation up normal reference_axis"},
+    {"rod.NAME", "twist", "pretwist pre_twist"},
+    {"rod.NAME.line", "from", "start begin p1 a"},
+    {"rod.NAME.line", "to", "end p2 b"},
+    {"body.NAME", "mass", "m"},
+    {"body.NAME", "at", "position pos x location origin point node"},
+    {"body.NAME", "inertia", "j i moment_of_inertia moments_of_inertia inertia_tensor"},
+    {"body.NAME", "centre_of_mass", "com cog cm center_of_gravity centre_of_gravity"},
+    {"body.NAME", "rotation_vector", "rotation orientation attitude rotation_angle"},
+    {"body.NAME", "velocity", "v initial_velocity"},
+    {"body.NAME", "angular_velocity", "omega w spin rotation_rate initial_angular_velocity"},
+    {"load", "at", "pos position point node location where"},
+    {"load", "on", "rod beam along"},
+    {"load", "force", "f value magnitude vector"},
+    {"load", "moment", "m torque couple"},
+    {"load", "force_per_length", "q p distributed line_load force_per_unit_length distributed_force"},
+    {"load", "frame", "type follower direction"},
+    {"support", "at", "pos position point node location where"},
+    {"support", "fix", "type fixed dof dofs constrain constrained restrain components clamped"},
+    {"support", "move", "displacement motion prescribed prescribed_displacement"},
+    {"initial", "on", "at rod body part"},
+    {"initial", "velocity", "v"},
+    {"initial", "angular_velocity", "omega w spin"},
+    {"connect", "points", "at between nodes ends"},
+    {"function.NAME", "table", "data values"},
+    {"function.NAME", "expression", "expr formula f value"},
+    {"analysis", "kind", "type mode analysis_type"},
+    {"analysis", "time_step", "dt step step_size delta_t h"},
+    {"analysis", "end_time", "duration t_end tend final_time total_time end stop_time t time"},
+    {"analysis", "steps", "n_steps num_steps nsteps number_of_steps load_steps increments"},
+    {"analysis", "integrator", "method scheme time_integrator integration solver"},
+    {"analysis", "spectral_radius", "rho_inf rho_infinity"},
+    {"analysis", "newton.tolerance", "tol tolerance rtol convergence"},
+    {"analysis", "newton.max_iterations", "maxiter max_iter max_iterations iterations"},
+    {"analysis", "linear_solver", "sparse_solver"},
+    {"analysis.newton", "tolerance", "tol rtol eps convergence"},
+    {"analysis.newton", "max_iterations", "maxiter max_iter iterations"},
+    {"analysis.newton", "tangent", "jacobian stiffness"},
+    {"analysis.adaptive", "tolerance", "tol rtol error"},
+    {"analysis.adaptive", "min_step", "dt_min min_dt minimum_step"},
+    {"analysis.adaptive", "max_step", "dt_max max_dt maximum_step"},
+    {"output", "every", "interval stride frequency frames save_every"},
+    {"history", "name", "id label"},
+    {"history", "at", "pos position point node location where on"},
+    {"history", "quantities", "variables outputs record output values fields"},
+    {"section.NAME.stiffness", "", "ei", "EIy and EIz, about y and z"},
+    {"section.NAME.stiffness", "", "ga", "GAy and GAz, along y and z"},
+    {"section.NAME.shape.circle", "radius", "diameter d", "half the diameter"},
+    {"section.NAME.shape.tube", "outer_radius", "outer_diameter diameter", "half the diameter"},
+    {"section.NAME.shape.tube", "inner_radius", "inner_diameter", "half the diameter"},
+    {"section.NAME.shape.tube",
+     "inner_radius",
+     "thickness wall wall_thickness",
+     "outer_radius less the wall"},
+    {"section.NAME.material", "", "yield", "materials are linear elastic and have no strength"},
+    {"rod.NAME", "elements", "mesh_size element_length", "their number, the length over their size"},
+    {"initial",
+     "",
+     "displacement",
+     "a deck says where things are at t = 0, so that there is no other displacement: draw the rods where "
+     "they start, and what is not free of stress there comes from a static analysis"},
+    {"initial",
+     "",
+     "position",
+     "a deck says where things are at t = 0: the line of a rod, the `at` of a body"},
+    {"initial",
+     "",
+     "rotation",
+     "a deck says where things are at t = 0: the line of a rod, the rotation_vector of a body"},
+    {"initial", "", "acceleration", "accelerations at t = 0 follow from the loads"},
+    {"analysis", "", "start_time", "an analysis begins at t = 0"},
+};
+
+// A word stands for the first of its choices that the key has.
+constexpr WordSynonyms choices[] = {
+    {"all", "clamped clamp fixed encastre rigid built_in full everything"},
+    {"position", "pinned pin hinged ball displacement displacements translation translations xyz"},
+    {"rotation", "rotations"},
+    {"x", "ux tx u1 dx"},
+    {"y", "uy ty u2 dy"},
+    {"z", "uz tz u3 dz"},
+    {"rx", "rotx thetax ur1 theta_x"},
+    {"ry", "roty thetay ur2 theta_y"},
+    {"rz", "rotz thetaz ur3 theta_z"},
+    {"dynamic", "transient time implicit explicit dynamics"},
+    {"static", "quasistatic quasi-static statics nonlinear-static equilibrium"},
+    {"newmark-simplified", "newmark trapezoidal average_acceleration"},
+    {"generalized-alpha", "hht alpha generalised-alpha generalized_alpha bathe chung-hulbert"},
+    {"sdirk-4", "dirk sdirk"},
+    {"runge-kutta-4", "rk4 rk explicit_rk runge-kutta erk4"},
+    {"spatial", "global dead fixed_frame space world"},
+    {"follower", "following corotational nonconservative"},
+    {"body", "local material section"},
+    {"consistent", "full exact newton analytical"},
+    {"difference", "numerical fd finite-difference finite_difference"},
+    {"objective", "crisfield-jelenic crisfield geometrically_exact"},
+    {"displacement", "u disp deflection"},
+    {"velocity", "v vel speed"},
+    {"acceleration", "a acc accel"},
+    {"angular_velocity", "omega spin"},
+    {"force", "n shear axial_force section_force resultant"},
+    {"moment", "torque bending_moment section_moment"},
+    {"reaction_force", "reaction reactions"},
+    {"rotation_vector", "rotation_angle theta rotvec"},
+    {"quaternion", "quat"},
+    {"strain", "strains gamma"},
+    {"curvature", "kappa curvatures"},
+    {"deflate", "gzip zlib zip compressed"},
+    {"none", "off uncompressed raw"},
+    {"grid", "product factorial full_factorial"},
+    {"zip", "pairs together"},
+    {"latin-hypercube", "lhs sampling random monte-carlo latin_hypercube"},
+    {"table", "csv file"},
+    {"max_abs", "absmax maxabs abs peak"},
+    {"final", "last end"},
+    {"mean", "average avg"},
+    {"min", "minimum least"},
+    {"max", "maximum largest"},
+    {"magnitude", "norm abs_value length"},
+    {"failed", "failures"},
+    {"linear", "lin uniform"},
+    {"log", "logarithmic geometric"},
+};
+
+std::string lower(std::string_view word) {
+    std::string text(word);
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char letter) {
+        return static_cast<char>(std::tolower(letter));
+    });
+    return text;
+}
+
+// `word` is in lower case.
+bool has_word(std::string_view words, const std::string& word) {
+    if (word.empty() || word.find(' ') != std::string::npos) return false;
+    return (" " + std::string(words) + " ").find(" " + word + " ") != std::string::npos;
+}
+
+// Whether the table has what is meant, if that is a key: plans and decks both have a top level.
+bool has_key(const TableSpec& table, const std::string& meant) {
+    if (meant.empty()) return true;
+    const std::size_t dot = meant.find('.');
+    const KeySpec* key = table.find(meant.substr(0, dot));
+    if (key == nullptr || dot == std::string::npos) return key != nullptr;
+    return key->table != nullptr && key->table->find(meant.substr(dot + 1)) != nullptr;
+}
+
+}  // namespace
+
+std::span<const KeySynonyms> key_synonyms() { return keys; }
+
+std::span<const WordSynonyms> word_synonyms() { return choices; }
+
+std::vector<std::string> split_words(std::string_view words) {
+    std::istringstream stream{std::string(words)};
+    return {std::istream_iterator<std::string>(stream), {}};
+}
+
+const KeySynonyms* find_synonym(const TableSpec& table, std::string_view key) {
+    const std::string word = lower(key);
+    const auto* found = std::find_if(std::begin(keys), std::end(keys), [&](const KeySynonyms& synonyms) {
+        return table.path == synonyms.table && has_word(synonyms.words, word) && has_key(table, synonyms.key);
+    });
+    return found == std::end(keys) ? nullptr : found;
+}
+
+std::string explain_synonym(const TableSpec& table, std::string_view key) {
+    const KeySynonyms* synonyms = find_synonym(table, key);
+    if (synonyms == nullptr) return "";
+    const std::string_view meant = synonyms->key;
+    const std::string_view remark = synonyms->remark;
+    if (meant.empty()) return fmt::format("; {}", remark);
+    return fmt::format("; did you mean \"{}\"{}{}?", meant, remark.empty() ? "" : ", ", remark);
+}
+
+std::string find_choice(std::string_view word, const std::vector<std::string>& known) {
+    const std::string wanted = lower(word);
+    for (const WordSynonyms& synonyms : choices) {
+        const bool is_known = std::find(known.begin(), known.end(), synonyms.choice) != known.end();
+        if (is_known && has_word(synonyms.words, wanted)) return synonyms.choice;
+    }
+    return "";
+}
+
+}  // namespace gxrod

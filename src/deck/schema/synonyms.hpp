@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "deck/schema/schema.hpp"
+
+// What users of other programs type, and what it is here.
+namespace gxrod {
+
+// Keys that a table does not have.
+struct KeySynonyms {
+    const char* table;  // TableSpec::path
+    const char* key;  // what they mean, of that table, or "a.b" of a table in it; "" if `remark` says it all
+    const char* words;  // lower case, with blanks between
+    const char* remark = "";
+};
+
+// Words of a choice.
+struct WordSynonyms {
+    const char* choice;
+    const char* words;
+};
+
+std::span<const KeySynonyms> key_synonyms();
+std::span<const WordSynonyms> word_synonyms();
+
+// "a b c" as a, b, c.
+std::vector<std::string> split_words(std::string_view words);
+
+// The entry for a key that the table does not have, upper and lower case being the same; nullptr if there is
+// none.
+const KeySynonyms* find_synonym(const TableSpec& table, std::string_view key);
+
+// '; did you mean "at"?', or what stands for the key, for a message to end with; "" if nothing does.
+std::string explain_synonym(const TableSpec& table, std::string_view key);
+
+// The one of `choices` that the word stands for; "" if none.
+std::string find_choice(std::string_view word, const std::vector<std::string>& choices);
+
+}  // namespace gxrod

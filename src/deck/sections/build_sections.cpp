@@ -1,0 +1,195 @@
+#include "deck/sections/build_sections.hpp"
+
+#include <fmt/format.h>
+
+#include "deck/schema/schema_tables.hpp"
+#include "deck/sections/section_matrices.hpp"
+#include "deck/sections/section_shape.hpp"
+
+namespace gxrod {
+namespace {
+
+const CheckedTable& only(const CheckedTable& table, const char* key) { return table.tables(key).front(); }
+
+Mat6 diagonal(const Vec3& translation, const Vec3& rotation) {
+    Mat6 matrix = Mat6::Zero();
+    matrix.diagonal() << translation, rotation;
+    return matrix;
+}
+
+Mat6 stiffness_of(const CheckedTable& stiffness) {
+    const auto c = [&](const char* key) { return stiffness.get<double>(key); };
+    return diagonal({c("EA"), c("GAy"), c("GAz")}, {c("GJ"), c("EIy"), c("EIz")});
+}
+
+// rhoIy and rhoIz, that a static analysis can do without, and a dynamic one cannot.
+double find_rotary_inertia(const CheckedTable& inertia, const char* key, const BuildContext& context) {
+    if (inertia.gives(key)) return inertia.get<double>(key);
+    if (!context.is_static()) {
+        const KeySpec& spec = *section_table().find("inertia")->table->find(key);
+        context.add_fault(
+            inertia, key, fmt::format("missing; expected {}; {}", describe_expected(spec), no_inertia));
+    }
+    return 0.0;
+}
+
+Mat6 mass_of(const CheckedTable& inertia, const BuildContext& context) {
+    const double rhoA = inertia.get<double>("rhoA");
+    const double rhoIy = find_rotary_inertia(inertia, "rhoIy", context);
+    const double rhoIz = find_rotary_inertia(inertia, "rhoIz", context);
+    const double rhoJ = inertia.gives("rhoJ") ? inertia.get<double>("rhoJ") : rhoIy + rhoIz;
+    return diagonal(Vec3::Constant(rhoA), {rhoJ, rhoIy, rhoIz});
+}
+
+using MatrixCheck = std::optional<MatrixFault>(Mat6&);
+
+Mat6 matrix_of(const CheckedTable& section,
+               const char* key,
+               MatrixCheck& check,
+               const BuildContext& context) {
+    Mat6 matrix = section.get<Mat6>(key);
+    const std::optional<MatrixFault> fault = check(matrix);
+    if (fault) context.faults.add(section.place_of(key), section.path_of(key) + fault->entry, fault->message);
+    return matrix;
+}
+
+// Poisson's ratio, round-off of E/(2G) − 1 included.
+constexpr double largest_nu = 0.5 + 1e-9;
+
+struct Moduli {
+    double E, G, nu;
+};
+
+// What is wrong with G goes to the faults: without a shear factor, Poisson's ratio must make sense.
+Moduli find_moduli(const CheckedTable& material, const BuildContext& context) {
+    const double E = material.get<double>("E");
+    if (material.gives("nu")) {
+        const double nu = material.get<double>("nu");
+        return {E, E / (2.0 * (1.0 + nu)), nu};
+    }
+    const double G = material.get<double>("G");
+    const double nu = E / (2.0 * G) - 1.0;
+    if (nu > largest_nu && !material.gives("shear_factor")) {
+        context.add_fault(
+            material,
+            "G",
+            fmt::format("beside E = {:.6g} it means nu = {:.6g}, above 0.5, for which there is no "
+                        "shear factor; expected a greater G, or shear_factor",
+                        E,
+                        nu));
+    }
+    return {E, G, nu};
+}
+
+std::optional<ShapeConstants> find_shape(const CheckedTable& shape, double nu, const BuildContext& context) {
+    if (shape.gives("circle")) return compute_circle(only(shape, "circle").get<double>("radius"), nu);
+    if (shape.gives("rectangle")) {
+        const CheckedTable& rectangle = only(shape, "rectangle");
+        return compute_rectangle(rectangle.get<double>("width_y"), rectangle.get<double>("height_z"), nu);
+    }
+    const CheckedTable& tube = only(shape, "tube");
+    const double outer = tube.get<double>("outer_radius");
+    const double inner = tube.get<double>("inner_radius");
+    if (inner < outer) return compute_tube(outer, inner, nu);
+    context.add_fault(
+        tube, "inner_radius", fmt::format("expected less than outer_radius = {}, found {}", outer, inner));
+    return std::nullopt;
+}
+
+struct ShearFactors {
+    double y, z;
+};
+
+ShearFactors find_shear_factors(const CheckedTable& material, const ShapeConstants& shape) {
+    if (!material.gives("shear_factor")) return {shape.shear_factor_y, shape.shear_factor_z};
+    const double given = material.get<double>("shear_factor");
+    return {given, given};
+}
+
+// "0.886 along y and z", or one for each.
+std::string describe_factors(const ShapeConstants& shape) {
+    if (shape.shear_factor_y == shape.shear_factor_z) {
+        return fmt::format("{:.6g} along y and z", shape.shear_factor_y);
+    }
+    return fmt::format("{:.6g} along y and {:.6g} along z", shape.shear_factor_y, shape.shear_factor_z);
+}
+
+// What a shear factor is, and which one the section has.
+std::string describe_shear_factors(const CheckedTable& table,
+                                   const CheckedTable& material,
+                                   const ShapeConstants& shape,
+                                   double nu) {
+    const std::string text = table.path + ": shear stiffness is shear_factor G A; ";
+    const std::string exact = fmt::format("the exact flexure at nu = {:.4g}", nu);
+    if (!material.gives("shear_factor")) {
+        return fmt::format("{}shear_factor follows from {}, {}", text, exact, describe_factors(shape));
+    }
+    const double given = material.get<double>("shear_factor");
+    // Beyond it there is no flexure to compare with.
+    if (nu > largest_nu) return fmt::format("{}shear_factor {:.6g} is given", text, given);
+    return fmt::format(
+        "{}shear_factor {:.6g} is given, where {} has {}", text, given, exact, describe_factors(shape));
+}
+
+void set_from_shape(const CheckedTable& table, Section& section, const BuildContext& context) {
+    const CheckedTable& material = only(table, "material");
+    const Moduli moduli = find_moduli(material, context);
+    const std::optional<ShapeConstants> shape = find_shape(only(table, "shape"), moduli.nu, context);
+    if (!shape) return;
+    const ShearFactors factors = find_shear_factors(material, *shape);
+    context.notes.push_back(describe_shear_factors(table, material, *shape, moduli.nu));
+    const double Iy = shape->second_moment_y;
+    const double Iz = shape->second_moment_z;
+    const double GA = moduli.G * shape->area;
+    section.stiffness = diagonal({moduli.E * shape->area, factors.y * GA, factors.z * GA},
+                                 {moduli.G * shape->torsion_constant, moduli.E * Iy, moduli.E * Iz});
+    if (!material.gives("density")) return;
+    const double density = material.get<double>("density");
+    section.mass = diagonal(Vec3::Constant(density * shape->area), density * Vec3(Iy + Iz, Iy, Iz));
+}
+
+// What a dynamic analysis needs, and a static one may miss.
+void check_inertia(const CheckedTable& table, const Section& section, const BuildContext& context) {
+    if (context.is_static()) {
+        if (!context.deck.gives("gravity") || !section.mass.isZero(0.0)) return;
+        context.notes.push_back(table.path + ": no inertia, so that gravity does not act on it");
+    } else if (table.gives("shape")) {
+        if (only(table, "material").gives("density")) return;
+        context.add_fault(
+            only(table, "material"), "density", "missing; a dynamic analysis needs the mass of the rods");
+    } else if (!table.gives("inertia") && !table.gives("mass_matrix")) {
+        context.add_fault(
+            table, "inertia", "missing; a dynamic analysis needs inertia = { … } or mass_matrix");
+    }
+}
+
+Section build_section(const CheckedTable& table, const BuildContext& context) {
+    Section section{.name = table.name};
+    if (table.gives("shape")) {
+        set_from_shape(table, section, context);
+    } else if (table.gives("stiffness")) {
+        section.stiffness = stiffness_of(only(table, "stiffness"));
+    } else {
+        section.stiffness = matrix_of(table, "stiffness_matrix", check_stiffness_matrix, context);
+    }
+    if (table.gives("inertia")) section.mass = mass_of(only(table, "inertia"), context);
+    if (table.gives("mass_matrix")) {
+        section.mass = matrix_of(table, "mass_matrix", check_mass_matrix, context);
+    }
+    check_inertia(table, section, context);
+    if (table.gives("damping")) {
+        section.kelvin_voigt = only(table, "damping").get<double>("kelvin_voigt");
+        section.mass_proportional = only(table, "damping").get<double>("mass_proportional");
+    }
+    return section;
+}
+
+}  // namespace
+
+void build_sections(BuildContext& context) {
+    for (const CheckedTable& table : context.deck.tables("section")) {
+        context.model.sections.push_back(build_section(table, context));
+    }
+}
+
+}  // namespace gxrod

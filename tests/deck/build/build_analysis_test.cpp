@@ -1,0 +1,126 @@
+
+#include "deck/decks.hpp"
+
+#include "tools/catch.hpp"
+
+namespace gxrod::test {
+
+TEST_CASE("A time step that makes too many steps is an error", "[deck]") {
+    CHECK(faults_of(replaced(body_deck, "steps = 10", "time_step = 1e-300")) ==
+          "x.toml:7:13: analysis.time_step: 1e+300 steps are too many; expected at most 1000000000000");
+}
+
+TEST_CASE("The paper's tangent is for bodies under newmark-simplified", "[deck]") {
+    CHECK(
+        faults_of(body_deck + R"(integrator = "newmark-ibrahimbegovic"
+newton = { tangent = "paper" })") ==
+        R"(x.toml:9:22: analysis.newton.tangent: "paper" belongs to integrator "newmark-simplified", not to "newmark-ibrahimbegovic")");
+    CHECK(
+        faults_of(rod_deck + R"(newton = { tangent = "paper" })") ==
+        R"(x.toml:13:22: analysis.newton.tangent: "paper" is for decks of bodies alone; this one has rods)");
+    CHECK(
+        faults_of(rod_deck + R"(integrator = "sdirk-4"
+newton = { tangent = "paper" })") ==
+        R"(x.toml:14:22: analysis.newton.tangent: "paper" belongs to integrator "newmark-simplified", not to "sdirk-4"
+x.toml:14:22: analysis.newton.tangent: "paper" is for decks of bodies alone; this one has rods)");
+}
+
+TEST_CASE("The paper's tangent is not for static analyses", "[deck]") {
+    CHECK(
+        faults_of(replaced(static_rod_deck, "kind", "newton = { tangent = \"paper\" }\nkind")) ==
+        R"(x.toml:10:22: analysis.newton.tangent: "paper" belongs to integrator "newmark-simplified", not to static analyses
+x.toml:10:22: analysis.newton.tangent: "paper" is for decks of bodies alone; this one has rods)");
+}
+
+TEST_CASE("A static analysis has steps of the load factor", "[deck]") {
+    const auto settings = [](const std::string& lines) {
+        return std::get<StaticSettings>(read(static_rod_deck + lines).analysis);
+    };
+    CHECK(settings("").steps == 10);
+    CHECK_FALSE(settings("").newton.tolerance);
+    CHECK(settings("").newton.tangent == TangentKind::automatic);
+    CHECK(settings("newton = { tolerance = 1e-5 }\n").newton.tangent == TangentKind::automatic);
+    CHECK_FALSE(settings("newton = { max_iterations = 5 }\n").newton.tolerance);
+    CHECK(settings("newton = { tangent = \"consistent\" }\n").newton.tangent == TangentKind::consistent);
+    const StaticSettings given = settings(
+        "steps = 7\nnewton = { tolerance = 1e-5, max_iterations = 8, tangent = \"difference\" }\n"
+        "linear_solver = \"klu\"\n");
+    CHECK(given.steps == 7);
+    CHECK(given.newton.tolerance == 1e-5);
+    CHECK(given.newton.max_iterations == 8);
+    CHECK(given.newton.tangent == TangentKind::difference);
+    CHECK(given.linear_solver == LinearSolverKind::klu);
+}
+
+TEST_CASE("A time step that divides the time makes that many steps, another one shorter steps", "[deck]") {
+    const auto problem = [](const std::string& end_time, const std::string& time_step) {
+        return read(replaced(replaced(body_deck, "end_time = 1.0", "end_time = " + end_time),
+                             "steps = 10",
+                             "time_step = " + time_step));
+    };
+    CHECK(dynamic_of(problem("1.0", "0.1")).steps == 10);
+    CHECK(dynamic_of(problem("0.3", "0.1")).steps == 3);
+    CHECK(dynamic_of(problem("2.0", "1e-4")).steps == 20000);
+    CHECK(dynamic_of(problem("\"2*pi\"", "\"2*pi/400\"")).steps == 400);
+    CHECK(problem("1.0", "0.1").notes.empty());
+    CHECK(dynamic_of(problem("1.0", "0.3")).steps == 4);
+    CHECK(problem("1.0", "0.3").notes ==
+          std::vector<std::string>{"analysis.time_step: 0.3 does not divide 1; 4 steps of 0.25 are taken"});
+    CHECK(dynamic_of(problem("1.0", "3.0")).steps == 1);
+    CHECK(dynamic_of(problem("1.0", "0.100001")).steps == 10);
+    CHECK(dynamic_of(problem("1.0", "0.099999")).steps == 11);
+}
+
+TEST_CASE("Every integrator, tangent and solver has its word", "[deck]") {
+    const auto analysis = [](const std::string& line) { return dynamic_of(read(body_deck + line)); };
+    CHECK(analysis("").scheme == Scheme::newmark_simplified);
+    CHECK(analysis("integrator = \"newmark-simplified\"").scheme == Scheme::newmark_simplified);
+    CHECK(analysis("integrator = \"newmark-ibrahimbegovic\"").scheme == Scheme::newmark_ibrahimbegovic);
+    CHECK(analysis("integrator = \"generalized-alpha\"").scheme == Scheme::generalized_alpha);
+    CHECK(analysis("integrator = \"sdirk-4\"").scheme == Scheme::sdirk_4);
+    CHECK(analysis("integrator = \"runge-kutta-4\"").scheme == Scheme::runge_kutta_4);
+    CHECK(analysis("").newton.tangent == TangentKind::automatic);
+    CHECK(analysis("newton.tangent = \"automatic\"").newton.tangent == TangentKind::automatic);
+    CHECK(analysis("newton.tangent = \"mixed\"").newton.tangent == TangentKind::mixed);
+    CHECK(analysis("newton.tangent = \"consistent\"").newton.tangent == TangentKind::consistent);
+    CHECK(analysis("newton.tangent = \"difference\"").newton.tangent == TangentKind::difference);
+    CHECK(analysis("linear_solver = \"auto\"").linear_solver == LinearSolverKind::automatic);
+    CHECK(analysis("linear_solver = \"klu\"").linear_solver == LinearSolverKind::klu);
+    CHECK(analysis("linear_solver = \"umfpack\"").linear_solver == LinearSolverKind::umfpack);
+}
+
+TEST_CASE("Steps by their error are for sdirk-4", "[deck]") {
+    CHECK(
+        faults_of(body_deck + "adaptive = {}") ==
+        R"(x.toml:8:1: analysis.adaptive: integrator "newmark-simplified" does not use this key; it is for sdirk-4)");
+    CHECK_FALSE(dynamic_of(read(body_deck + "integrator = \"sdirk-4\"")).adaptive);
+    const auto adaptive = dynamic_of(read(body_deck + "integrator = \"sdirk-4\"\nadaptive = {}")).adaptive;
+    REQUIRE(adaptive);
+    CHECK(adaptive->tolerance == 1e-4);
+    CHECK(adaptive->min_step == 0.0);
+    CHECK(std::isinf(adaptive->max_step));
+}
+
+TEST_CASE("A shortest step is not above the longest", "[deck]") {
+    CHECK(faults_of(body_deck + R"(integrator = "sdirk-4"
+adaptive = { min_step = 0.1, max_step = 0.01 })") ==
+          "x.toml:9:41: analysis.adaptive.max_step: expected a number not below min_step, 0.1; found 0.01");
+}
+
+TEST_CASE("A first step outside the limits is noted", "[deck]") {
+    const auto notes = [](const std::string& step, const std::string& adaptive) {
+        return read(replaced(body_deck, "steps = 10", step) +
+                    "integrator = \"sdirk-4\"\nadaptive = " + adaptive)
+            .notes;
+    };
+    CHECK(notes("steps = 10", "{ min_step = 0.1, max_step = 0.1 }").empty());
+    CHECK(notes("time_step = 0.3", "{}").empty());
+    CHECK(notes("steps = 10", "{ min_step = 0.2 }") ==
+          std::vector<std::string>{
+              "analysis.steps: the first step, 0.1, is below adaptive.min_step; it will be 0.2"});
+    CHECK(notes("time_step = 0.25", "{ max_step = 0.02 }") ==
+          std::vector<std::string>{
+              "analysis.time_step: the first step, 0.25, is above adaptive.max_step; it will be 0.02"});
+}
+
+}  // namespace gxrod::test

@@ -1,0 +1,131 @@
+#include "deck/schema/synonyms.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "batch/plan_schema.hpp"
+#include "deck/decks.hpp"
+#include "deck/schema/schema.hpp"
+#include "tools/catch.hpp"
+
+namespace gxrod::test {
+namespace {
+
+void add_tables(const TableSpec& table, std::map<std::string, const TableSpec*>& tables) {
+    if (!tables.emplace(table.path, &table).second) return;
+    for (const KeySpec& key : table.keys) {
+        if (key.table != nullptr) add_tables(*key.table, tables);
+    }
+}
+
+// By path; plans have tables of their own, and a top level.
+std::map<std::string, const TableSpec*> all_tables(const TableSpec& root) {
+    std::map<std::string, const TableSpec*> tables;
+    add_tables(root, tables);
+    return tables;
+}
+
+bool is_list(const std::string& path) {
+    const KeySpec* key = deck_schema().find(path);
+    return key != nullptr && key->type == ValueType::table_list;
+}
+
+// A deck of one key in the table of this path, and the path of the key in messages.
+std::pair<std::string, std::string> place_key(const std::string& table, const std::string& key) {
+    if (table.empty()) return {key + " = 1\n", key};
+    if (is_list(table))
+        return {fmt::format("[[{}]]\n{} = 1\n", table, key), fmt::format("{}[0].{}", table, key)};
+    return {fmt::format("[{}]\n{} = 1\n", table, key), fmt::format("{}.{}", table, key)};
+}
+
+void collect_choices(const TableSpec& table, std::vector<std::vector<std::string>>& choices) {
+    for (const KeySpec& key : table.keys) {
+        if (!key.choices.empty()) choices.push_back(key.choices);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("Every synonym of a key leads to a key that there is", "[deck]") {
+    const auto of_deck = all_tables(deck_schema());
+    const auto of_plan = all_tables(plan_schema());
+    for (const KeySynonyms& synonyms : key_synonyms()) {
+        CHECK((of_deck.contains(synonyms.table) || of_plan.contains(synonyms.table)));
+        for (const std::string& word : split_words(synonyms.words)) {
+            INFO(synonyms.table << ": " << word);
+            const bool is_of_deck = of_deck.contains(synonyms.table) &&
+                                    find_synonym(*of_deck.at(synonyms.table), word) == &synonyms;
+            const bool is_of_plan = of_plan.contains(synonyms.table) &&
+                                    find_synonym(*of_plan.at(synonyms.table), word) == &synonyms;
+            REQUIRE((is_of_deck || is_of_plan));
+            const TableSpec& table = *(is_of_deck ? of_deck : of_plan).at(synonyms.table);
+            // What is a key of the table is no synonym in its decks.
+            CHECK(table.find(word) == nullptr);
+            CHECK((!std::string(synonyms.key).empty() || !std::string(synonyms.remark).empty()));
+            if (!is_of_deck) continue;
+            const auto [deck, path] = place_key(synonyms.table, word);
+            const std::string wanted = path + ": unknown key" + explain_synonym(table, word) + "\n";
+            CHECK((faults_of(deck) + "\n").find(wanted) != std::string::npos);
+        }
+    }
+}
+
+TEST_CASE("Every synonym of a word leads to a word of some key", "[deck]") {
+    std::vector<std::vector<std::string>> choices;
+    for (const TableSpec* root : {&deck_schema(), &plan_schema(), &variation_table()}) {
+        for (const auto& [path, table] : all_tables(*root)) collect_choices(*table, choices);
+    }
+    for (const WordSynonyms& synonyms : word_synonyms()) {
+        for (const std::string& word : split_words(synonyms.words)) {
+            INFO(synonyms.choice << ": " << word);
+            const bool leads = std::any_of(choices.begin(), choices.end(), [&](const auto& known) {
+                return find_choice(word, known) == synonyms.choice;
+            });
+            CHECK(leads);
+        }
+    }
+}
+
+TEST_CASE("What other programs call otherwise is understood", "[deck]") {
+    const auto unknown = [](const std::string& deck) { return faults_of(deck); };
+    CHECK(unknown(rod_deck + "[[load]]\npos = \"r.end\"\nforce = [0, 0, 1]\n") ==
+          "x.toml:14:1: load[0].pos: unknown key; did you mean \"at\"?");
+    CHECK(unknown(rod_deck + "[[support]]\nat = \"r.end\"\nfix = \"clamped\"\n") ==
+          "x.toml:15:7: support[0].fix: expected one of \"x\", \"y\", \"z\", \"rx\", \"ry\", \"rz\", "
+          "\"all\", \"position\", \"rotation\", found the text \"clamped\"; did you mean \"all\"?");
+    CHECK(unknown(replaced(replaced(rod_deck, "end_time", "duration"), "steps", "dt")) ==
+          "x.toml:11:1: analysis.duration: unknown key; did you mean \"end_time\"?\n"
+          "x.toml:12:1: analysis.dt: unknown key; did you mean \"time_step\"?");
+    CHECK(unknown("g = [0, 0, -9.81]\n" + rod_deck) ==
+          "x.toml:1:1: g: unknown key; did you mean \"gravity\"?");
+    CHECK(unknown("dt = 1\n" + rod_deck) ==
+          "x.toml:1:1: dt: unknown key; did you mean \"analysis.time_step\"?");
+    const std::size_t first = rod_deck.find("stiffness");
+    const std::string wire = std::string(rod_deck).replace(
+        first,
+        rod_deck.find("[rod.r]") - first,
+        "shape = { circle = { diameter = 2 } }\nmaterial = { Youngs_Modulus = 1, poisson = 0, rho = 1 }\n");
+    CHECK(unknown(wire) ==
+          "x.toml:2:22: section.s.shape.circle.diameter: unknown key; did you mean \"radius\", half the "
+          "diameter?\n"
+          "x.toml:3:14: section.s.material.Youngs_Modulus: unknown key; did you mean \"E\"?\n"
+          "x.toml:3:34: section.s.material.poisson: unknown key; did you mean \"nu\"?\n"
+          "x.toml:3:47: section.s.material.rho: unknown key; did you mean \"density\"?");
+}
+
+TEST_CASE("An initial displacement is explained, not reported as a missing velocity", "[deck]") {
+    CHECK(faults_of(rod_deck + "[[initial]]\non = \"r\"\ndisplacement = [0, 0, 1]\n") ==
+          "x.toml:15:1: initial[0].displacement: unknown key; a deck says where things are at t = 0, so that "
+          "there "
+          "is no other displacement: draw the rods where they start, and what is not free of stress there "
+          "comes "
+          "from a static analysis");
+    CHECK(faults_of(rod_deck + "[[initial]]\non = \"r\"\n") ==
+          "x.toml:13:1: initial[0]: missing; expected velocity or angular_velocity");
+    CHECK(faults_of(rod_deck + "[[initial]]\non = \"r\"\nv = [0, 0, 1]\n") ==
+          "x.toml:15:1: initial[0].v: unknown key; did you mean \"velocity\"?");
+}
+
+}  // namespace gxrod::test

@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""What is installed works by itself: the program, the library in a program outside the tree, and the Debian package.
+
+GXROD_BUILD is a build folder, GXROD_SOURCE the source tree.
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+import h5py
+
+BUILD = pathlib.Path(os.environ["GXROD_BUILD"])
+SOURCE = pathlib.Path(os.environ["GXROD_SOURCE"])
+DECK = SOURCE / "docs" / "examples" / "rubber_pendulum" / "rubber_pendulum.toml"
+
+
+def run(*command, **options):
+    done = subprocess.run([str(part) for part in command], text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
+    if done.returncode != 0:
+        raise AssertionError(f"{command} ended with {done.returncode}:\n{done.stdout}")
+    return done.stdout
+
+
+class Installed(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.scratch.name)
+        cls.prefix = cls.folder / "prefix"
+        run("cmake", "--install", BUILD, "--prefix", cls.prefix)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def test_the_program_runs(self):
+        self.assertRegex(run(self.prefix / "bin" / "gxrod", "--version"), r"^gxrod \d+\.\d+\.\d+")
+        results = self.folder / "results.vtkhdf"
+        run(self.prefix / "bin" / "gxrod", "run", DECK, "-o", results, "--set", "analysis.end_time=0.05")
+        run(self.prefix / "bin" / "gxrod-plot", results, "-o", self.folder / "picture.png")
+        self.assertGreater((self.folder / "picture.png").stat().st_size, 5000)
+
+    def test_another_program_uses_the_library(self):
+        build = self.folder / "swing"
+        run("cmake", "-S", SOURCE / "docs" / "howto" / "library", "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+            f"-DCMAKE_PREFIX_PATH={self.prefix}")
+        run("cmake", "--build", build)
+        lowest = float(re.match(r"lowest point (\S+) at", run(build / "swing", DECK, "tip"))[1])
+        results = self.folder / "whole.vtkhdf"
+        run(self.prefix / "bin" / "gxrod", "run", DECK, "-o", results)
+        with h5py.File(results) as file:
+            self.assertAlmostEqual(lowest, file["histories/tip/position"][:, 1].min(), delta=1e-6)
+        failed = subprocess.run([build / "swing", DECK, "top"], text=True, capture_output=True)
+        self.assertEqual((failed.returncode, failed.stderr), (2, "no [[history]] at a node is named top\n"))
+
+    def test_no_header_needs_the_source_tree(self):
+        headers = sorted((self.prefix / "include" / "gxrod").rglob("*.hpp"))
+        self.assertGreater(len(headers), 100)
+        for header in headers:
+            for name in re.findall(r'^#include "([^"]+)"', header.read_text(encoding="utf-8"), re.M):
+                self.assertTrue((self.prefix / "include" / "gxrod" / name).exists(), f"{header} includes {name}")
+
+
+@unittest.skipUnless(shutil.which("dpkg-shlibdeps"), "needs dpkg-dev")
+class DebianPackage(unittest.TestCase):
+    def test_it_installs_and_runs(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = pathlib.Path(scratch)
+            run("cpack", "--config", BUILD / "CPackConfig.cmake", "-B", folder, cwd=folder)
+            packages = list(folder.glob("gxrod_*.deb"))
+            self.assertEqual(len(packages), 1)
+            fields = run("dpkg-deb", "--field", packages[0])
+            self.assertIn("libhdf5", re.search(r"^Depends: (.*)$", fields, re.M)[1])
+            if os.geteuid() != 0 or shutil.which("gxrod"):
+                run("dpkg-deb", "--extract", packages[0], folder / "root")
+                self.assertIn("gxrod", run(folder / "root" / "usr" / "bin" / "gxrod", "--version"))
+                return
+            os.chmod(folder, 0o755)  # apt's own user reads the package
+            environment = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
+            run("apt-get", "install", "-y", "-qq", "--no-install-recommends", packages[0], env=environment)
+            try:
+                self.assertIn("gxrod", run("/usr/bin/gxrod", "--version", cwd="/"))
+            finally:
+                run("apt-get", "remove", "-y", "-qq", "gxrod", env=environment)
+
+
+if __name__ == "__main__":
+    unittest.main()
