@@ -27,7 +27,7 @@ class RowReader {
         Number value{};
         const char* end = field.data() + field.size();
         const auto [stop, error] = std::from_chars(field.data(), end, value);
-        if (error != std::errc() || stop != end) refuse(fmt::format("\"{}\" is no number", field));
+        if (error != std::errc() || stop != end) refuse(fmt::format("\"{}\" is not a number", field));
         return value;
     }
 
