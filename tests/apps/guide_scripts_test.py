@@ -153,7 +153,7 @@ end = { history = "middle", quantity = "position", component = "y", take = "fina
         self.gxrod("batch", "plan.toml", "--quiet")
         done = self.run_command("python3 docs/guide/scripts/plot_batch.py plan -o plan.png --x elements "
                                 "--y end  # exit code 2")
-        self.assertIn("no column elements; there are case, status, reason, rod.strip.order, ", done.stderr)
+        self.assertIn("no column elements; there are case, rod.strip.order, rod.strip.elements, parameters.turns, ", done.stderr)
 
 
 if __name__ == "__main__":

@@ -155,7 +155,7 @@ class Resume(ProgramTest):
         done = self.gxrod("resume", "body.vtkhdf", "--set", "analysis.end_time=1.55", "--set", "analysis.time_step=0.1", code=4)
         self.assertIn("do not meet t = 1, where it stopped", done.stderr)
         self.assertIn("is a results file, not a deck", self.gxrod("run", "body.vtkhdf", code=4).stderr)
-        self.assertIn("it is no HDF5 file", self.gxrod("resume", "body.toml", code=4).stderr)
+        self.assertIn("it is not a results file of gxrod", self.gxrod("resume", "body.toml", code=4).stderr)
 
 
 if __name__ == "__main__":
