@@ -11,7 +11,7 @@
 namespace gxrod {
 namespace {
 
-constexpr std::size_t fixed_columns = 10;  // beside parameters and collected numbers
+constexpr std::size_t fixed_columns = 10;  // without parameters and collected numbers
 
 // Takes the fields of a row one after the other.
 class RowReader {

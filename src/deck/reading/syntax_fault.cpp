@@ -47,7 +47,7 @@ Word word_at(std::string_view line, std::size_t byte) {
     return {begin, line.substr(begin, end - begin)};
 }
 
-// The number with the digits that TOML wants beside its point ("1." → "1.0"), if it is one that lacks them.
+// The number with the digits that TOML wants next to its point ("1." → "1.0"), if it is one that lacks them.
 std::optional<std::string> complete_number(std::string_view word) {
     std::string result;
     bool lacked = false;
