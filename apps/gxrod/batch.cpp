@@ -185,7 +185,7 @@ void add_batch_verb(CLI::App& program,
     gather->excludes(verb->get_option("--force"));
     verb->footer(
         "What stands behind -- are options of sbatch: gxrod batch PLAN --slurm -- -c 8 --time 2:00:00\n"
-        "The same command goes on where a batch was stopped or killed: it runs what the table lacks.\n"
+        "The same command resumes a batch that was stopped or killed: it runs what the table lacks.\n"
         "Exit codes: 0 if every case is done, 3 if not, 130 if interrupted.");
     verb->callback([arguments, &exit_code] { exit_code = batch(*arguments); });
 }

@@ -182,7 +182,7 @@ void BatchTelling::show_summary(const BatchSummary& summary, const BatchRequest&
     }
     if (summary.is_interrupted) {
         say(stderr,
-            "gxrod: interrupted; {} left to run. The same command goes on.\n",
+            "gxrod: interrupted; {} left to run. The same command resumes the batch.\n",
             count_cases(static_cast<std::size_t>(summary.left)));
     }
     if (!tells_) return;

@@ -139,10 +139,9 @@ int run_and_tell(const RunRequest& request, const JobOptions& options, ProgressL
 
 void add_job_options(CLI::App& verb, JobOptions& options) {
     constexpr int most_threads = 1024;
-    verb.add_option(
-            "--threads",
-            options.threads,
-            "Threads that share the work of one run; results are the same for any number. 1 unless told")
+    verb.add_option("--threads",
+                    options.threads,
+                    "Threads that share the work of one run; results are the same for any number. default 1")
         ->check(CLI::Range(1, most_threads));
     verb.add_option(
         "--summary", options.summary, "Write a summary of the run as JSON to a file, or - for stdout");
@@ -176,7 +175,7 @@ int run_job(const Problem& problem, const JobOptions& options, ResumableFile* re
     if (!options.quiet) request.report_progress = [&](const Progress& progress) { line.show(progress); };
     if (options.tells()) {
         request.report_resumption = [&](double time) {
-            say(stdout, "{} goes on from t = {:.10g}\n", options.results, time);
+            say(stdout, "{} continues from t = {:.10g}\n", options.results, time);
             std::fflush(stdout);
         };
     }

@@ -40,7 +40,7 @@ void tell_page(const std::filesystem::path& page, std::size_t bytes) {
 int report_run(const ReportArguments& arguments) {
     if (!arguments.cases.empty()) {
         throw CLI::ValidationError("--cases is for the folder of a batch, and " + arguments.results +
-                                   " is none");
+                                   " is not one");
     }
     ReportOptions options;
     options.results = arguments.results;
@@ -145,11 +145,11 @@ void add_report_verb(CLI::App& program, int& exit_code) {
     verb->add_option(
             "--budget", arguments->budget, "Largest size of the page in MB; data are thinned to it [20]")
         ->check(CLI::Range(1.0, 2000.0));
-    verb->add_option(
-        "--cases",
-        arguments->cases,
-        "Of a batch: cases that get a page each, beside the table: all, none, or I..J [200, those that "
-        "failed first]");
+    verb->add_option("--cases",
+                     arguments->cases,
+                     "Of a batch: cases that get a page each, in addition to the table: all, none, or I..J "
+                     "[200, those that "
+                     "failed first]");
     verb->add_flag("--force", arguments->force, "Overwrite an existing page");
     verb->footer(
         "The page is one file, needs no network and opens with a double click. It says what was left out. "

@@ -49,7 +49,7 @@ def read_table(path, columns):
                 else np.array([float(row[column]) if row[column] else math.nan for row in rows])
                 for column in columns}
     except (TypeError, ValueError) as error:
-        raise FileFault(f"{path}: holds something that is no number: {error}") from error
+        raise FileFault(f"{path}: contains something that is not a number: {error}") from error
 
 
 def draw_exact_rotation(path):

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
-"""Runs three motions for a million steps with every integrator, and tells how far energy, momentum and rotations drift.
+"""Runs three motions for a million steps with every integrator, and reports how far energy, momentum and rotations drift.
 
-Keeps what it finds in long_runs.json, draws figures/long_runs.png, and renews the table of long_runs.md. `--pages` renews
-picture and table without a run, `--check` tells whether they are those of long_runs.json. A whole run takes about ten
+Saves its numbers in tests/data/long_runs.json, draws figures/long_runs.png, and renews the table of long_runs.md. `--pages` renews
+picture and table without a run, `--check` reports whether they are those of long_runs.json. A whole run takes about ten
 minutes and 2 GB of disk in a temporary folder.
 """
 
@@ -22,7 +22,8 @@ import numpy as np
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 SOURCE = FOLDER.parents[1]
-RECORD, PAGE, PICTURE = FOLDER / "long_runs.json", FOLDER / "long_runs.md", FOLDER / "figures" / "long_runs.png"
+RECORD = SOURCE / "tests" / "data" / "long_runs.json"
+PAGE, PICTURE = FOLDER / "long_runs.md", FOLDER / "figures" / "long_runs.png"
 sys.path.insert(0, str(SOURCE / "apps"))
 from book.figures import KEYWORD, is_current  # noqa: E402 — after the path to it
 from gxrod_plot import style  # noqa: E402

@@ -22,7 +22,7 @@ std::string advise_on_motion(const Model& model, const DynamicSettings& settings
     if (settings.scheme == Scheme::runge_kutta_4) return ". Try " + steps + ".";
     std::string remedy = ". Try " + steps;
     if (choose_tangent(model, settings).tangent != TangentKind::mixed && !model.rods.empty()) {
-        remedy = ". Try newton.tangent = \"mixed\", which bears longer steps, or " + steps;
+        remedy = ". Try newton.tangent = \"mixed\", which converges in longer steps, or " + steps;
     }
     const bool is_newmark =
         settings.scheme == Scheme::newmark_simplified || settings.scheme == Scheme::newmark_ibrahimbegovic;
@@ -48,7 +48,7 @@ std::string advise_on_cuts(const Model& model, const AnalysisSettings& analysis)
         return advise_on_motion(model, *dynamic);
     const bool is_consistent = choose_tangent(model, analysis).tangent == TangentKind::consistent;
     return std::string(". Try more steps") +
-           (is_consistent ? ", or newton.tangent = \"mixed\", which bears larger ones." : ".");
+           (is_consistent ? ", or newton.tangent = \"mixed\", which converges in larger ones." : ".");
 }
 
 }  // namespace gxrod

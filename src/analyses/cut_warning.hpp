@@ -22,8 +22,8 @@ bool are_worth_telling(const StepCuts& cuts);
 // "412 of 1000 steps were cut, 903 times in all".
 std::string count_cuts(const StepCuts& cuts);
 
-// What makes Newton's method cut steps of this model, and what to try, as a sentence goes on: "; rod b is …
-// times as stiff in …. Try …".
+// What makes Newton's method cut steps of this model, and what to try, as the end of a sentence: "; rod b is
+// … times as stiff in …. Try …".
 std::string advise_on_cuts(const Model& model, const AnalysisSettings& analysis);
 
 }  // namespace gxrod

@@ -48,7 +48,7 @@ Ledger::Ledger(const System& system,
     if (weighs_powers()) {
         power_ = compute_power(system, state, state.time, residual);
     } else if (integrator.is_static()) {
-        // Free of strain, the model bears no load yet: one that has a value at t = 0 grows to it in the first
+        // Stress-free, the model carries no load yet: one that has a value at t = 0 grows to it in the first
         // step, as all others do.
         forces_.assign(state.trial.size(), Vec6::Zero());
     } else {
@@ -153,7 +153,7 @@ LedgerMemory Ledger::memory() const {
     memory.force_change = load_step_.force_change;
     memory.movement = load_step_.movement;
     if (integrator_->is_static() && load_step_.length == 0.0) {
-        // Room for those of later steps, in results that were begun before the first one.
+        // Room for those of later steps, in results that were started before the first one.
         memory.force_change.assign(forces_.size(), Vec6::Zero());
         memory.movement.assign(forces_.size(), Vec6::Zero());
     }
@@ -179,7 +179,7 @@ LedgerRow Ledger::row(const State& state) const {
     const Balance balance = balance_ ? *balance_ : system_->compute_balance(state, state.time);
     LedgerRow row;
     row.kinetic_energy = balance.kinetic_energy;
-    // A resumed series of equilibria goes on from that which it had to the last bit.
+    // A resumed series of equilibria continues from the last one, to the last bit.
     row.strain_energy = integrator_->is_static() ? strain_energy_ : balance.strain_energy;
     row.external_work = work_ - (balance.gravity_potential - initial_potential_);
     row.work_uncertainty = step_work_.uncertainty;

@@ -14,7 +14,7 @@ struct PathPoint {
     double strain_energy = 0.0;
     std::vector<Vec6> forces;
     std::vector<Vec3> turned;
-    State state;  // its trial motions; to go on from: committed there
+    State state;  // its trial motions; to continue from: committed there
 };
 
 // Finds the equilibrium at a load factor from another one, if it can.

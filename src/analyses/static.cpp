@@ -53,7 +53,7 @@ void StaticAnalysis::judge_equilibrium(EquilibriumReport& report) {
     const auto as_known = [&](std::int64_t count) { return has_potential_ || count < 0 ? count : count % 2; };
     trial_ = as_known(report.negative_pivots);
     // The last factorization was of the iterate before, of the mixed tangent mostly, whose resultants are
-    // those of the last load step at first: after few iterations it tells nothing of this one.
+    // those of the last load step at first: after few iterations it says nothing of this one.
     constexpr int few = 2;
     if (is_last || trial_ != accepted_ || report.iterations <= few) {
         trial_ = as_known(counter_.count(*integrator_, current_stage(), workspace_, state_));

@@ -141,14 +141,14 @@ bool SteppedAnalysis::shorten_step() {
 EquilibriumReport SteppedAnalysis::advance() {
     EquilibriumReport report;
     solver_row_ = SolverRow{};
-    section_values_ = std::vector<SectionValues>();  // large beside what a step needs
+    section_values_ = std::vector<SectionValues>();  // large compared with what a step needs
     while (!take_step(report)) {
         ++solver_row_.rejected_steps;
         if (report.outcome != Outcome::lost_stability) cuts_.add(report, steps_->steps_done());
         if (!shorten_step()) return report;
     }
     const PhaseTimer timer(workspace_.seconds.update);
-    // What may fail for want of memory comes before all that changes what a later run goes on from. And
+    // Allocations come before all that changes what a later run resumes from. And
     // before the step is the last one: what `simo` elements ask of their nodes depends on it.
     reactions_ = system_.compute_reactions(workspace_.residual);
     point_values_ = system_.compute_point_values(state_, steps_->next_time(), watched_);
@@ -197,7 +197,7 @@ void SteppedAnalysis::look_into_load_step() {
         };
         ledger_->replace_work(integrate_path(from, to, {find, tolerable * ends.largest_energy, halvings}));
     } catch (const std::exception&) {
-        // A load that is no number in between, or too little memory.
+        // A load that is NaN in between, or too little memory.
     }
 }
 

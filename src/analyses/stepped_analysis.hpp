@@ -26,9 +26,9 @@ class SteppedAnalysis {
     EquilibriumReport advance();
     bool finished() const { return steps_->finished(); }
 
-    // The last accepted step, to go on from later; totals are left to the caller.
+    // The last accepted step, to resume from later; totals are left to the caller.
     RestartRecord restart_record() const;
-    // Instead of start(): goes on from there. False if no step of this analysis can begin at that time.
+    // Instead of start(): resumes from there. False if no step of this analysis can begin at that time.
     // Throws std::invalid_argument if the record is of another model.
     bool resume(const RestartRecord& record);
 
@@ -53,7 +53,7 @@ class SteppedAnalysis {
     // method was asked for.
     double largest_error() const { return largest_error_; }
     const NewtonSettings& newton() const { return newton_; }
-    // Points of rods that snapshots tell of; before the start.
+    // Points of rods that snapshots record; before the start.
     void watch(std::vector<RodPlace> places) { watched_ = std::move(places); }
     // Of the last accepted state; valid until the next step. With the sections of all elements only if asked
     // for.

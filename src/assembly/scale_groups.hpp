@@ -35,7 +35,7 @@ class NodeScales {
 // Which forces a node's residual is compared with. A group is a rod, a body, or a node that several of them
 // share; each belongs to one part of the model, whose nodes elements tie to each other. A residual is small
 // if it is so against the largest force in its part and, against a thousand times that, in its own group: a
-// weakly loaded rod beside a strong one is solved too. Neither falls below the round-off of forces there.
+// weakly loaded rod next to a strong one is solved too. Neither falls below the round-off of forces there.
 class ScaleGroups {
   public:
     explicit ScaleGroups(const Model& model);

@@ -2,7 +2,7 @@
 
 #include "assembly/system.hpp"
 
-// What is told of a system's motion, once a step.
+// What is measured of a system's motion, once a step.
 namespace gxrod {
 
 namespace {
@@ -168,7 +168,7 @@ Resultant System::compute_outer_resultant(const State& state,
     Residual loads;
     loads.nodal.assign(state.trial.size(), Vec6::Zero());
     add_loads(state, time, loads);
-    // What is asked of the nodes beside their inertia: the opposite of what acts on them.
+    // What acts on the nodes in addition to their inertia: the opposite of what acts on them.
     std::vector<Vec6> asked = std::move(loads.nodal);
     const Vec3 gravity = model_->gravity(time);
     for_each_block(blocks_, [&](const auto& block) {

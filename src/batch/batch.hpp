@@ -64,7 +64,7 @@ BatchSummary run_batch(const PreparedBatch& batch, const BatchRequest& request);
 // holds something else, which `begin_anew` throws away.
 void begin_batch(const PreparedBatch& batch, const std::filesystem::path& folder, bool begin_anew);
 
-// Makes index.csv of all rows that a folder has, waiting for who writes the table. Throws
+// Makes index.csv of all rows that a folder has, waiting for the process that writes the table. Throws
 // FileError.
 std::vector<CaseRow> gather_rows(const std::filesystem::path& folder, const BatchRecord& record);
 

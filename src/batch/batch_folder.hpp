@@ -20,7 +20,7 @@ void clear_batch_folder(const std::filesystem::path& folder);
 // Takes away what was being written when a process was killed. The table must be locked.
 void remove_leftovers(const std::filesystem::path& folder);
 
-// Writes a file beside and moves it there, so that it is whole at every moment. Throws FileError.
+// Writes a temporary file and moves it there, so that it is whole at every moment. Throws FileError.
 void replace_file(const std::filesystem::path& path, const std::string& bytes);
 
 }  // namespace gxrod

@@ -39,7 +39,7 @@ bool have_same_cases(const BatchRecord& before, const BatchRecord& now) {
 }
 
 std::string hint_for(const std::filesystem::path& folder) {
-    return fmt::format("; -o begins another batch, --force begins {} anew", folder.string());
+    return fmt::format("; -o starts another batch, --force restarts {}", folder.string());
 }
 
 // Of those that both have: a slice reads the meshes of its own cases.

@@ -49,7 +49,7 @@ BatchRecord make_batch_record(const Plan& plan,
                               const std::string& title,
                               const std::vector<MeshDigests>& meshes);
 
-// Throws DeckError, at the keys of the new plan and decks, or FileError, if they do not go on with what the
+// Throws DeckError, at the keys of the new plan and decks, or FileError, if they do not continue what the
 // folder holds: other cases, decks, meshes or columns. Limits and what is kept may differ.
 void check_same_batch(const BatchRecord& before,
                       const BatchRecord& now,

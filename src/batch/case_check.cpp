@@ -152,7 +152,7 @@ void add_size(const Problem& problem, KeptResults& kept) {
     if (size.steps == 0.0) ++kept.unknown;
 }
 
-// What is collected, of the deck as it is: where no case could be built, so that it is not told a round
+// What is collected, of the deck as it is: where no case could be built, so that it is not reported a round
 // later.
 void check_deck_itself(const CaseContext& context, FaultList& faults) {
     try {

@@ -11,7 +11,7 @@
 namespace gxrod {
 namespace {
 
-constexpr std::size_t fixed_columns = 10;  // beside parameters and collected numbers
+constexpr std::size_t fixed_columns = 10;  // without parameters and collected numbers
 
 // Takes the fields of a row one after the other.
 class RowReader {
@@ -27,7 +27,7 @@ class RowReader {
         Number value{};
         const char* end = field.data() + field.size();
         const auto [stop, error] = std::from_chars(field.data(), end, value);
-        if (error != std::errc() || stop != end) refuse(fmt::format("\"{}\" is no number", field));
+        if (error != std::errc() || stop != end) refuse(fmt::format("\"{}\" is not a number", field));
         return value;
     }
 

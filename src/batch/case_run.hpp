@@ -37,7 +37,7 @@ struct CaseOutcome {
 // Runs one case, whatever becomes of it: only a crash ends otherwise. Results stay as the plan says.
 CaseOutcome run_case(const CaseContext& context, long number);
 
-// As a line of text, and back. Throws FileError if it is none.
+// As a line of text, and back. Throws FileError if it is not one.
 std::string write_outcome(const CaseOutcome& outcome);
 CaseOutcome read_outcome(const std::string& text, const BatchRecord& record);
 

@@ -30,7 +30,7 @@ std::optional<CaseRange> range_of_part(const std::filesystem::path& part);
 // left out. Throws FileError.
 std::vector<CaseRow> read_case_rows(const std::filesystem::path& folder, const BatchRecord& record);
 
-// Writes index.csv anew with these rows.
+// Rewrites index.csv with these rows.
 void write_case_table(const std::filesystem::path& folder,
                       const BatchRecord& record,
                       const std::vector<CaseRow>& rows);

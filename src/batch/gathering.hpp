@@ -9,7 +9,7 @@
 // case.
 namespace gxrod {
 
-// Whether there are parts that nobody writes but perhaps who holds `lock`.
+// Whether there are parts that no process writes, except perhaps the holder of `lock`.
 bool has_idle_parts(const std::filesystem::path& folder, const BatchLock& lock);
 
 // Makes index.csv of all rows that a folder has, and removes the parts that are idle as above.

@@ -146,7 +146,7 @@ const TableSpec& keep_table() {
     static const TableSpec table{
         .path = "keep",
         .heading = "[keep]",
-        .sentence = "What stays of each case beside its row of the table.",
+        .sentence = "What is kept of each case in addition to its row of the table.",
         .keys =
             {{.name = "results",
               .type = ValueType::choice,

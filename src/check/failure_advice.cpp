@@ -20,7 +20,8 @@ std::string shorter_steps(const Failure& failure) {
 void add_stability(const Failure& failure, Advice& advice) {
     if (failure.phase != Phase::explicit_step) return;
     advice.push_back(
-        "a smaller time_step: runge-kutta-4 is stable only while the step is short beside the shortest "
+        "a smaller time_step: runge-kutta-4 is stable only while the step is short compared with the "
+        "shortest "
         "period, which the shortest and stiffest element has");
     advice.push_back("an implicit integrator, such as generalized-alpha");
 }
@@ -31,7 +32,7 @@ void advise_on_iterations(const Failure& failure, Advice& advice) {
     advice.push_back("a larger newton.max_iterations");
     if (failure.phase == Phase::load_step) {
         advice.push_back(
-            "a dynamic analysis, if this is a load that the structure cannot bear without a jump to another "
+            "a dynamic analysis, if this is a load that the structure cannot carry without a jump to another "
             "shape");
     }
 }

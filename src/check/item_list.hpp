@@ -11,7 +11,7 @@ namespace gxrod {
 struct ItemList {
     std::string kind;                // in the plural: "rods"
     std::vector<std::string> items;  // texts of one line or several, with line ends
-    std::string sum = {};            // of all of them, for who is not shown each; may be ""
+    std::string sum = {};            // of all of them, for readers who are not shown each; can be ""
 };
 
 enum class Detail { all, shortened };

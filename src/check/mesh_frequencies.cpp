@@ -201,11 +201,13 @@ std::string describe_frequencies(const Model& model, const DynamicSettings& sett
     if (model.rods.empty() || 6 * model.nodes.size() > most_unknowns) return "";
     const std::optional<MeshFrequencies> found = find_mesh_frequencies(model);
     if (!found) return "";
-    std::string text = fmt::format(
-        "frequencies of the undeformed model, cycles per time: lowest {:.4g}{}, highest {:.4g}\n",
-        found->lowest / cycle,
-        found->rigid_motions == 0 ? "" : fmt::format(" (beside {} of rigid motions)", found->rigid_motions),
-        found->highest / cycle);
+    std::string text =
+        fmt::format("frequencies of the undeformed model, cycles per time: lowest {:.4g}{}, highest {:.4g}\n",
+                    found->lowest / cycle,
+                    found->rigid_motions == 0
+                        ? ""
+                        : fmt::format(" (in addition to {} of rigid motions)", found->rigid_motions),
+                    found->highest / cycle);
     const double step = settings.time_step();
     if (settings.scheme == Scheme::sdirk_4 && step * found->highest > resolved) {
         text +=

@@ -17,7 +17,7 @@ namespace {
 constexpr double least_slenderness = 4.0;
 // A turn of the tangent in one element above which a mesh is called coarse.
 constexpr double coarse_turn = M_PI / 4.0;
-// The cosine of the bend between rods that go on into each other.
+// The cosine of the bend between rods that continue into each other.
 constexpr double least_cosine = 0.5;
 
 struct RodEnd {
@@ -50,7 +50,7 @@ class RodSets {
     std::vector<int> parents_;
 };
 
-// Pairs of ends at one node, the straightest first; each end goes on into one other at most.
+// Pairs of ends at one node, the straightest first; each end continues into one other at most.
 void join_ends(const std::vector<RodEnd>& ends, RodSets& sets) {
     struct Pair {
         double cosine;

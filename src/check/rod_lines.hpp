@@ -11,7 +11,7 @@ namespace gxrod {
 // L √(EA/EI), with the smaller EI: of a solid section the length over the radius of gyration.
 double compute_slenderness(const Section& section, double length);
 
-// Of each rod the length of the line that it is in: rods whose ends share a node and go on into each other
+// Of each rod the length of the line that it is in: rods whose ends share a node and continue into each other
 // there, bent by less than 60 degrees. Of several that could follow, the straightest one does.
 std::vector<double> measure_lines(const Model& model);
 

@@ -10,19 +10,19 @@
 namespace gxrod {
 namespace {
 
-// Relative to what is beside it.
+// Relative to its neighbours.
 constexpr double round_off = 1e-12;
 // Less is the error of compute_twist on a coarse mesh.
 constexpr double least_twist = 0.01;
 
-// Components are zero where they are round-off beside the others or `size`.
+// Components are zero where they are round-off compared with the others or `size`.
 std::string describe(const Vec3& v, double size = 0.0) {
     const double largest = std::max(size, v.cwiseAbs().maxCoeff());
     const auto clean = [largest](double x) { return std::abs(x) < round_off * largest ? 0.0 : x; };
     return fmt::format("({:.6g}, {:.6g}, {:.6g})", clean(v[0]), clean(v[1]), clean(v[2]));
 }
 
-// Other entries are round-off beside the diagonal ones of their row and column.
+// Other entries are round-off compared with the diagonal ones of their row and column.
 bool is_diagonal(const Mat6& matrix) {
     for (int i = 0; i < 6; ++i) {
         for (int j = 0; j < i; ++j) {

@@ -129,7 +129,7 @@ std::string describe(const StiffnessContrast& contrast, const Model& model) {
         contrast.stiff_rod == contrast.soft_rod ? "it" : "rod " + name(contrast.soft_rod);
     const char* quantity = contrast.is_of_moments ? "moment" : "force";
     return fmt::format(
-        "rod {} is too stiff beside what bends {} for numbers of 16 digits: round-off of its {}s is "
+        "rod {} is too stiff compared with what bends {} for numbers of 16 digits: round-off of its {}s is "
         "about {:.2g}, a {} that bends {} about {:.2g}",
         name(contrast.stiff_rod),
         soft,

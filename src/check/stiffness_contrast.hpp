@@ -31,8 +31,8 @@ std::vector<StiffnessContrast> find_stiffness_contrasts(const Model& model,
 // lacks a stiffness: it resists nothing, whatever round-off does.
 std::optional<StiffnessContrast> find_contrast_at(const Model& model, std::span<const std::int64_t> nodes);
 
-// "rod stiff is too stiff beside what bends rod soft for numbers of 16 digits: round-off of its forces is
-// about 8.9, a force that bends rod soft about 1".
+// "rod stiff is too stiff compared with what bends rod soft for numbers of 16 digits: round-off of its forces
+// is about 8.9, a force that bends rod soft about 1".
 std::string describe(const StiffnessContrast& contrast, const Model& model);
 
 // "EA, GAy and GAz up to 0.01 of what they are, or longer elements".

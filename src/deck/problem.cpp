@@ -91,7 +91,7 @@ CheckedTable check_with_tables(const DeckNode& tree,
     return check_deck(filled, faults);
 }
 
-// The deck of a tree, with one to go on from, if there is one: what may not differ from it is a fault.
+// The deck of a tree, with one to resume, if any: a key that must not differ is a fault.
 Problem build_tree(DeckNode tree,
                    const DeckSource& source,
                    const std::vector<std::string>& overrides,

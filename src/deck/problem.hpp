@@ -52,7 +52,7 @@ class DeckTemplate {
     MeshFiles meshes_;
 };
 
-// The problem that goes on where a run of `before` stopped: its own deck, or the one in the file `deck`, with
+// The problem that resumes where a run of `before` stopped: its own deck, or the one in the file `deck`, with
 // overrides. Throws DeckError that names each key which differs and may not (deck/reading/resumption.hpp).
 Problem read_resumption(const DeckRecord& before,
                         const std::filesystem::path& deck,

@@ -25,7 +25,7 @@ Cubic interpolate(std::span<const Vec3> points);
 // plus its u. nullopt if it does so nowhere.
 std::optional<double> find_fold(std::span<const Cubic> cubics);
 
-// Cubics, each of which goes on where and in the direction in which the one before ends; without a fold.
+// Cubics, each of which continues at the end and in the direction of the one before; without a fold.
 // Lengths and transports are quadratures to round-off. The parameter of a point is the index of its cubic
 // plus u.
 class PolynomialCurve final : public Curve {

@@ -90,7 +90,7 @@ void Sdirk4::finish_nodes(State& state, const Stage& stage, NodeRange nodes) con
     for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const NodeMotion& trial = state.trial[i];
         StageRates& rates = state.stages[stage.index][i];
-        // Of ω, which a moving support prescribes beside θ.
+        // Of ω, which a moving support prescribes in addition to θ.
         rates.theta_dot = tangent_map_inverse(trial.theta) * trial.omega;
         rates.v = trial.v;
         rates.a = trial.a;

@@ -21,7 +21,7 @@ struct Factorization {
 };
 
 // A direct solver of sparse systems on one pattern: the symbolic work is done once, each
-// factorization finds its pivots anew, so that equal values give equal bits whatever was solved before.
+// factorization finds its pivots again, so that equal values give equal bits whatever was solved before.
 class LinearSolver {
   public:
     virtual ~LinearSolver() = default;

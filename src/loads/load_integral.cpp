@@ -14,7 +14,7 @@ namespace gxrod {
 namespace {
 
 // Of the integral of the load's size over an element: of loads that are integrated once, and of those that
-// are integrated for each time anew.
+// are integrated again for each time.
 constexpr double fixed_tolerance = 1e-8;
 constexpr double varying_tolerance = 1e-6;
 // Points of one element, after which a load counts as one that has no integral.

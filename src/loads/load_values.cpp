@@ -23,7 +23,7 @@ void for_each_component(const DistributedLoad& load, const Visitor& visit) {
     for (const LineFunction& component : load.moment) visit(component);
 }
 
-// What is known of all of a load: constants beside something that is proportional to t make it varying.
+// What is known of all of a load: constants next to something proportional to t make it varying.
 LineForm find_form(const DistributedLoad& load) {
     LineForm form{InTime::constant, true};
     bool is_first = true;

@@ -11,7 +11,7 @@
 
 namespace gxrod {
 
-// What a model's loads are at one time, before nodes turn them: found anew only where the time has changed,
+// What a model's loads are at one time, before nodes turn them: found again only where the time has changed,
 // so that the iterations of a step share it. What has been asked for before changes no value.
 class LoadValues {
   public:

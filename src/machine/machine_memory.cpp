@@ -36,7 +36,7 @@ double count_usable_bytes() {
     while (!group.empty()) {
         std::ifstream limit("/sys/fs/cgroup" + group + "/memory.max");
         double most = 0.0;
-        if (limit >> most) bytes = std::min(bytes, most);  // "max" is no number
+        if (limit >> most) bytes = std::min(bytes, most);  // "max" is not a number
         group.erase(group.rfind('/'));
     }
     return bytes;

@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// HDF5 does not bear it if an allocation of its own fails: it may crash. So it is only called when there is
+// HDF5 can crash if an allocation of its own fails. So it is only called when there is
 // room for what it may need: of what the caller hands over, and these bytes for itself.
 inline constexpr std::size_t hdf5_reserve = std::size_t{4} << 20;
 

@@ -17,11 +17,11 @@ std::size_t control_length(std::string_view text, std::size_t at) {
     return byte(at) == first_of_second_controls && byte(at + 1) >= 0x80 && byte(at + 1) < 0xA0 ? 2 : 0;
 }
 
-// How many bytes of the text at `at` are one character of UTF-8 (RFC 3629); 0 if they are none.
+// How many bytes of the text at `at` are one character of UTF-8 (RFC 3629); 0 if they are not one.
 std::size_t character_length(std::string_view text, std::size_t at) {
     struct Form {
         unsigned first, last;             // of the first byte
-        unsigned second_from, second_to;  // else a character could be written in two ways, or is none
+        unsigned second_from, second_to;  // else a character could be written in two ways, or is not one
         std::size_t length;
     };
     constexpr std::array forms = {Form{0x00, 0x7F, 0, 0, 1},

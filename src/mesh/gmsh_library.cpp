@@ -19,7 +19,7 @@ void find_function(void* library, const char* name, Function*& function) {
     function = reinterpret_cast<Function*>(address);
 }
 
-// Never closed: its destructors run at the end of the program. Nothing, with the reason, if there is none.
+// Never closed: its destructors run at the end of the program. Nothing, with the reason, if none is found.
 void* open_library(std::span<const char* const> names, std::string& reason) {
     for (const char* name : names) {
         if (void* library = dlopen(name, RTLD_NOW | RTLD_LOCAL)) return library;

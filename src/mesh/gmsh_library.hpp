@@ -58,7 +58,7 @@ struct GmshLibrary {
                          int* error);
 };
 
-// Loads the first of the libraries that there is. Throws MeshError, saying what to install, if there is none.
+// Loads the first library found. Throws MeshError, saying what to install, if none is found.
 GmshLibrary load_gmsh(std::span<const char* const> names);
 
 // The library under the names that Debian and Gmsh itself give it; loaded once.

@@ -60,9 +60,9 @@ class GmshSession {
     std::vector<GmshElements> elements_of(const Group& group) const;
 
   private:
-    // Throws if there is an error or Gmsh has told of one.
+    // Throws if there is an error or Gmsh has reported one.
     void check(int error, const std::string& failure) const;
-    // The first errors that Gmsh has told of.
+    // The first errors that Gmsh has reported.
     std::string messages() const;
     std::vector<GmshElements> elements_of_entity(int dimension, int entity) const;
 

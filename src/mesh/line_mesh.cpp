@@ -85,7 +85,7 @@ void check_file(const std::filesystem::path& file) {
     std::error_code ignored;
     const std::filesystem::file_status status = std::filesystem::status(file, ignored);
     if (std::filesystem::is_directory(status)) throw MeshError("is a folder, expected a mesh");
-    // It is read several times; a device may have no end, and a pipe nobody who writes to it.
+    // It is read several times; a device may have no end, and a pipe no writer.
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
         throw MeshError("is not a regular file, expected a mesh");
     std::ifstream stream(file);
@@ -122,7 +122,7 @@ LineMesh read_with_gmsh(const GmshLibrary& gmsh, const std::filesystem::path& fi
 constexpr char is_mesh = 'm';
 constexpr char is_message = 'e';
 
-// What the child has to say: a mesh, or why there is none.
+// The answer of the child: a mesh, or why there is none.
 std::string answer(const GmshLibrary& gmsh, const std::filesystem::path& file) {
     try {
         return is_mesh + write_mesh_bytes(read_with_gmsh(gmsh, file));

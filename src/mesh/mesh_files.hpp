@@ -9,7 +9,7 @@
 
 namespace gxrod {
 
-// Where the files are that a deck names: beside the deck, or, of a deck from a results file, the bytes that
+// Where the files are that a deck names: next to the deck, or, for a deck from a results file, the bytes that
 // are kept with it, in a temporary folder that lives as long as this.
 class MeshFiles {
   public:

@@ -25,7 +25,7 @@ struct Section {
     std::string name;
     Mat6 stiffness = Mat6::Zero();   // resultants from strains
     Mat6 mass = Mat6::Zero();        // momenta per length from velocities: of a rigid slice, offset or not
-    double kelvin_voigt = 0.0;       // time: resultants kelvin_voigt C Ė beside C E
+    double kelvin_voigt = 0.0;       // time: resultants kelvin_voigt C Ė in addition to C E
     double mass_proportional = 0.0;  // 1/time: forces −mass_proportional × momenta, per length
 };
 

@@ -27,7 +27,7 @@ TangentChoice choose_tangent(const Model& model, const AnalysisSettings& analysi
 inline constexpr double newton_part = 0.01;
 inline constexpr double tolerable_newton_part = 0.3;
 
-// The tolerance that keeps what Newton's method leaves small beside the errors that the steps may have.
+// The tolerance that keeps what Newton's method leaves small compared with the errors of the steps.
 double derive_newton_tolerance(const AnalysisSettings& analysis);
 
 // The given one, or that.

@@ -72,7 +72,7 @@ Json describe_decks(const BatchRecord& record, std::size_t count) {
     return decks;
 }
 
-// One array of each thing that `of` tells of a row.
+// One array of each thing that `of` gives for a row.
 template <class Of>
 Json make_column(const BatchStory& story, std::size_t count, Of&& of) {
     Json column = Json::array();

@@ -32,8 +32,8 @@ struct BatchReportSummary {
 // was collected over the parameters, plan and decks; and pages of its cases, to which it links by relative
 // addresses.
 //
-// Throws FileError if the folder is none of a batch, its files cannot be read, the page exists and is not to
-// be replaced or cannot be written, or most_bytes is too small.
+// Throws FileError if the folder is not that of a batch, its files cannot be read, the page exists and is not
+// to be replaced or cannot be written, or most_bytes is too small.
 BatchReportSummary write_batch_report(const BatchReportOptions& options);
 
 // Address of a folder, with "/" at its end, in a link of a page: relative, and encoded as in URLs.

@@ -30,7 +30,7 @@ double semi_axis(double bending, double axial, double otherwise) {
     return std::isfinite(radius) ? radius : otherwise;
 }
 
-// Whether the line goes on from one cell to the next as if they were one.
+// Whether the line continues from one cell to the next as if they were one.
 bool continues(const DrawnCell& cell, const DrawnCell& next) {
     return cell.nodes[1] == next.nodes[0] && cell.rod == next.rod && cell.radius_y == next.radius_y &&
            cell.radius_z == next.radius_z && cell.axes[1].angularDistance(next.axes[0]) < 1e-3;

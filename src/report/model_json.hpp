@@ -6,7 +6,7 @@
 
 #include "deck/problem.hpp"
 
-// What the page tells and draws of the model.
+// What the page says and draws of the model.
 namespace gxrod {
 
 // Where a node of the model went in the page.

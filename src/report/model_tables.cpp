@@ -45,7 +45,7 @@ Json describe_sections(const Model& model) {
         rows.push_back(row);
     }
     std::string note = tell_rest(model.sections);
-    if (has_coupling) note += " * has couplings beside this diagonal: see the deck.";
+    if (has_coupling) note += " * has couplings outside this diagonal: see the deck.";
     return {{"title", "Sections"},
             {"columns", {"", "EA", "GAy", "GAz", "GJ", "EIy", "EIz", "rhoA", "rhoJ", "rhoIy", "rhoIz"}},
             {"rows", rows},

@@ -105,7 +105,7 @@ class Planner {
         plan_.steps = StepThinning(content_.steps, StepThinning::group_for(content_.steps, count));
     }
 
-    // Frames for which there is room beside the steps and what does not move.
+    // Frames for which there is room next to the steps and what does not move.
     std::size_t frames_that_fit() const {
         constexpr double blocks = 16.0;
         const double room = bytes_ - static_cast<double>(step_bytes(plan_, content_)) -

@@ -13,7 +13,7 @@
 
 namespace gxrod {
 
-// What a results file tells of a run, beside its numbers.
+// What a results file says of a run, in addition to its numbers.
 struct RunStory {
     bool is_static = false;
     std::string deck;  // its text, as last run

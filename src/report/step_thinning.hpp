@@ -27,7 +27,7 @@ class StepThinning {
     std::size_t steps_, group_;
 };
 
-// Thins one column as its values come. A value that is no number is left out beside one that is.
+// Thins one column as its values come. A NaN is left out if its group has a number.
 class ColumnThinning {
   public:
     explicit ColumnThinning(const StepThinning& thinning);

@@ -257,7 +257,7 @@ class Run {
         // For want of memory the last step may not have become a row; a resumed run takes it again.
         if (has_started_ && recorded_time_ != analysis_->state().time) return;
         if (has_started_) file_->set_restart(restart_record());
-        // The last frame, where none was due, is no part of what a resumed run goes on from.
+        // The last frame, where none was due, is no part of what a run resumes from.
         if (!last_framed_) file_->write_frame(analysis_->snapshot());
     }
 

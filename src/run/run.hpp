@@ -30,9 +30,9 @@ struct RunRequest {
     const OutputSettings& output;
     const DeckRecord& deck;
     std::optional<ResultsFileOptions> results;  // nowhere, if neither this nor `resumed` is given
-    ResumableFile* resumed = nullptr;           // taken over, to go on with it instead of writing a new file
+    ResumableFile* resumed = nullptr;           // taken over, to resume it instead of writing a new file
     std::function<void(const Progress&)> report_progress = [](const Progress&) {};
-    std::function<void(double)> report_resumption = [](double) {};  // the time where it goes on
+    std::function<void(double)> report_resumption = [](double) {};  // the time where it resumes
     std::function<bool()> is_interrupted = [] { return false; };    // asked after each step
     int threads = 1;                                                // their number changes no result
     // Each accepted step, t = 0 included; without frames' values of elements.
@@ -65,7 +65,7 @@ struct RunSummary {
 };
 
 // Runs and leaves a closed results file, whatever happens. Not converging, running out of memory, or a load
-// that is no number, is a failed summary. Throws FileError if the file cannot be created, or cannot be
+// that is NaN, is a failed summary. Throws FileError if the file cannot be created, or cannot be
 // resumed with this analysis; WriteError if it cannot be written, and std::bad_alloc if there is too little
 // memory for that: what was written stays.
 RunSummary run_analysis(const RunRequest& request);

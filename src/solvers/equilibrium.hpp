@@ -45,7 +45,7 @@ struct Power {
 // Of the trial motions; `residual` is theirs.
 Power compute_power(const System& system, const State& state, double time, const Residual& residual);
 
-// What solving needs beside the State, allocated once.
+// What solving needs in addition to the State, allocated once.
 struct SolverWorkspace {
     Residual residual;
     std::vector<NodeLinearization> linearizations;

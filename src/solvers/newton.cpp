@@ -77,7 +77,7 @@ class Newton {
         measure_residual(system_, workspace_.residual, report_);
     }
 
-    // Whether to stop, be it converged, out of iterations or no number.
+    // Whether to stop, be it converged, out of iterations or NaN.
     bool is_done() {
         if (report_.outcome == Outcome::not_finite) return true;
         const bool small =
@@ -94,7 +94,7 @@ class Newton {
     // Whether round-off is all that is left of the increments: far below the tolerance, a few units of the
     // last place, or small and no longer shrinking; or the next one would be, going by the last two, and the
     // residual no longer falls. Where round-off is as large as the forces, the tangent has lost digits too,
-    // and two increments do not tell of a third.
+    // and two increments do not predict a third.
     bool has_reached_round_off() const {
         constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
         const double nothing = std::max(1e-4 * tolerance_, rounding);

@@ -29,7 +29,7 @@ class StepSequence {
     // may be.
     virtual bool reject() = 0;
 
-    // What a reader is told: steps done, of how many (0: not known beforehand), and the part of the whole
+    // Progress for a reader: steps done, of how many (0: not known beforehand), and the part of the whole
     // done, 0 … 1.
     virtual long steps_done() const = 0;
     virtual long steps_in_all() const = 0;
@@ -37,8 +37,8 @@ class StepSequence {
     // Whether a frame is due at the accepted time when one is due every so many steps.
     virtual bool is_frame_due(long every) const = 0;
 
-    // To go on later from the accepted time, with a sequence of the same settings or of others. False if that
-    // time is none that these steps can meet, or is past the end.
+    // To resume later from the accepted time, with a sequence of the same settings or of others. False if
+    // that time is not one that these steps can meet, or is past the end.
     virtual StepMemory memory() const = 0;
     virtual bool resume(const StepMemory& memory) = 0;
 };

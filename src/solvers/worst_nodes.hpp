@@ -16,7 +16,7 @@ struct WorstNode {
 };
 
 // The nodes where a residual is largest, the worst first, each once; at most `count`, none where it vanishes.
-// What is no number comes first.
+// NaN comes first.
 std::vector<WorstNode> find_worst_nodes(const System& system, const Residual& residual, std::size_t count);
 
 // "flyer.end (ry)".

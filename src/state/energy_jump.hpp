@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-// Whether a series of equilibria goes on along one path: then strain energy changes by the work of the loads.
+// Whether a series of equilibria follows one path: then strain energy changes by the work of the loads.
 namespace gxrod {
 
 // Between two load factors strain energy and work part by so much more than the work may be off.

@@ -5,7 +5,7 @@
 // The treaty between elements and integrators: the only two structs that pass between them.
 namespace gxrod {
 
-// What an integrator tells an element about a node at the time where equilibrium is asked. All spatial.
+// What an integrator gives an element about a node at the time of an equilibrium. All spatial.
 struct NodeMotion {
     Vec3 r = Vec3::Zero();           // position
     Quat Lambda = Quat::Identity();  // rotation since the reference configuration (identity at the start)

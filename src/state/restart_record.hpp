@@ -38,7 +38,7 @@ struct RunTotals {
     EnergyJumps jumps;                  // in statics
 };
 
-// All that a run needs to go on from an accepted step as if it had never stopped.
+// All that a run needs to resume from an accepted step as if it had never stopped.
 struct RestartRecord {
     std::vector<NodeMotion> nodes;                     // there, theta zero
     std::vector<SectionHistory> sections;              // State::sections

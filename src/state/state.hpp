@@ -42,7 +42,7 @@ struct State {
 };
 
 // Comes back to the last accepted step: between commits nothing changes but what is tried, and the rates of
-// stages, which every step finds anew.
+// stages, which every step finds again.
 inline void undo_trial(State& state) {
     state.trial = state.previous;
     state.algorithmic_trial = state.algorithmic_previous;

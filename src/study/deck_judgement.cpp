@@ -143,12 +143,13 @@ class Judge {
             fmt::format("{}{}, {} with finer ones", where, part.coarse_steps, part.fine_steps);
         if (study_->is_adaptive) {
             say("Something else than the tolerance sets the steps, such as what Newton's method needs ({}): "
-                "what they add cannot be told, nor how right the series are. Choose a smaller tolerance "
+                "what they add cannot be determined, nor how right the series are. Choose a smaller "
+                "tolerance "
                 "before anything else.",
                 counts);
         } else {
             say("Steps that did not converge were cut, and finer ones came to nearly the same ({}): what the "
-                "step adds cannot be told, nor how right the series are. Take {} before anything else.",
+                "step adds cannot be determined, nor how right the series are. Take {} before anything else.",
                 counts,
                 is_all ? fmt::format("more than {} steps", base.steps) : "shorter steps");
         }

@@ -112,7 +112,7 @@ struct DeckStudy {
     bool is_error_of_cuts_unknown() const;
     // Whether the model moves by no more than what steps add up of round-off in places.
     bool hardly_moves() const;
-    // Whether the turned runs tell something of orientation.
+    // Whether the turned runs say something about orientation.
     bool is_orientation_judged() const;
     // The largest of all series, by their scales.
     double largest_difference(double SeriesReport::*difference) const;
@@ -133,8 +133,8 @@ struct DeckStudy {
     bool is_accurate() const;
 };
 
-// Runs all. A variant that fails is told in its run; a deck that is wrong, or files that cannot be written,
-// throw as ever. If the deck as it is does not converge, that is its only run.
+// Runs all. A variant that fails is reported in its run; a deck that is wrong, or files that cannot be
+// written, throw as ever. If the deck as it is does not converge, that is its only run.
 DeckStudy study_deck(const DeckTemplate& deck,
                      const std::vector<std::string>& overrides,
                      const std::vector<DeckVariant>& variants,

@@ -18,7 +18,7 @@ constexpr double error_fall = 16.0;  // of one step of sdirk-4, estimated with o
 
 std::string rod_key(const std::string& name, const char* key) { return join_key({"rod", name, key}, 3); }
 
-// The rods whose deck says of how many elements they are, and of which order: all but those of a mesh.
+// The rods whose deck gives their number and order of elements: all but those of a mesh.
 std::vector<const Rod*> list_rods(const Problem& problem, bool of_meshes) {
     const DeckNode deck = read_toml(problem.record.text, problem.record.name);
     std::vector<const Rod*> rods;

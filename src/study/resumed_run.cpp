@@ -71,7 +71,7 @@ ResumedRun run_with_stop(const Problem& given, double end_time, const TraceReque
     } catch (const WriteError&) {
         throw;
     } catch (const FileError& error) {
-        // That a file can be gone on from is what is examined here.
+        // What is examined here is that a file can be resumed.
         result.failure = error.what();
     }
     return result;

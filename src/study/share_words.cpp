@@ -7,7 +7,7 @@ namespace gxrod {
 namespace {
 
 constexpr double least_whole = 0.995;  // what is 100 % with two digits
-constexpr double most_told = 1000.0;   // of what is told as a share
+constexpr double most_told = 1000.0;   // of what is reported as a share
 
 }  // namespace
 

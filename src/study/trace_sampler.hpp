@@ -13,7 +13,7 @@ class TraceSampler {
   public:
     using Rows = std::vector<HistoryPoint::Row>;  // of all series
 
-    // The times ascend; `end_time` tells what is near.
+    // The times ascend; `end_time` sets what is near.
     TraceSampler(const std::vector<double>& times, double end_time);
 
     void add(double time, const Rows& rows);

@@ -16,7 +16,7 @@ struct BenchmarkValue {
     std::string quantity;
     double time = 0.0;
     bool is_constant = false;       // the reference is for every step, and the worst of them counts
-    std::vector<double> reference;  // a component that is no number is not compared
+    std::vector<double> reference;  // a NaN component is not compared
     double scale = 1.0;             // errors are divided by it
     double uncertainty = 0.0;       // of the reference; 0: exact
 };

@@ -7,17 +7,17 @@
 
 namespace gxrod {
 
-// A number or vector of a study beside what it must be: a line of the table of `gxrod verify --all`.
+// A number or vector of a study and its reference: a line of the table of `gxrod verify --all`.
 struct Check {
     std::string what;               // "position of tip, t = 1"
-    std::vector<double> reference;  // an entry that is no number is not compared
+    std::vector<double> reference;  // a NaN entry is not compared
     double uncertainty = 0.0;       // of the reference; 0: exact
     std::vector<double> value;
     double error = 0.0;  // as the study measures it
     double tolerance = 0.0;
     std::optional<double> order = {};  // with which the error fell, if it was refined
 
-    bool passed() const { return error <= tolerance; }  // false of an error that is no number
+    bool passed() const { return error <= tolerance; }  // false if the error is NaN
 };
 
 // That an order was seen: at most `allowance` below the one that theory has.

@@ -55,7 +55,7 @@ inline constexpr int orientation_digits = 5;
 double half_unit(double reference, int digits);
 
 struct Comparison {
-    const Reference* reference = nullptr;  // null if there is none
+    const Reference* reference = nullptr;  // null without one
     bool matches = true;
 };
 Comparison compare(const Row& row);

@@ -30,14 +30,14 @@ TEST_CASE("Steps chosen by their error are cut for it as a matter of course", "[
 
 TEST_CASE("What is said of cuts is what the model and its settings make of them", "[analyses]") {
     const std::string mixed =
-        ". Try newton.tangent = \"mixed\", which bears longer steps, or a smaller time_step";
+        ". Try newton.tangent = \"mixed\", which converges in longer steps, or a smaller time_step";
     const std::string newmark = ", or generalized-alpha, which damps what is too fast for the steps.";
     CHECK(advise(test::rod_deck) == mixed + newmark);
     CHECK(advise(test::rod_deck + "integrator = \"generalized-alpha\"\n") == mixed + ".");
     CHECK(advise(test::rod_deck + "integrator = \"generalized-alpha\"\nnewton.tangent = \"mixed\"\n") ==
           ". Try a smaller time_step.");
     CHECK(advise(test::rod_deck + "integrator = \"sdirk-4\"\nadaptive = {}\n") ==
-          ". Try newton.tangent = \"mixed\", which bears longer steps, or a smaller max_step.");
+          ". Try newton.tangent = \"mixed\", which converges in longer steps, or a smaller max_step.");
     CHECK(advise(test::replaced(test::rod_deck, "EIz = 700", "EIz = 7e4")) ==
           "; rod r is 1.4e+02 times as stiff in bending about z as in twist" + mixed + newmark);
     CHECK(advise(test::replaced(test::rod_deck, "EIz = 700", "EIz = 7e6")) ==
@@ -46,5 +46,5 @@ TEST_CASE("What is said of cuts is what the model and its settings make of them"
     CHECK(advise(test::body_deck) == ". Try a smaller time_step" + newmark);
     CHECK(advise(test::static_rod_deck) == ". Try more steps.");
     CHECK(advise(test::static_rod_deck + "newton.tangent = \"consistent\"\n") ==
-          ". Try more steps, or newton.tangent = \"mixed\", which bears larger ones.");
+          ". Try more steps, or newton.tangent = \"mixed\", which converges in larger ones.");
 }

@@ -99,7 +99,8 @@ StaticRun attempt(const std::string& deck) {
 
 // The reason that a failure gives, and what to try first.
 std::string reason(const std::string& round_off, const std::string& part) {
-    return "Likely because rod q is too stiff beside what bends rod r for numbers of 16 digits: round-off of "
+    return "Likely because rod q is too stiff compared with what bends rod r for numbers of 16 digits: "
+           "round-off of "
            "its forces is about " +
            round_off + ", a force that bends rod r about 1. Try EA, GAy and GAz up to " + part +
            " of what they are, or longer elements";

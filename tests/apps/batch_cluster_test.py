@@ -139,7 +139,7 @@ class Submitting(ClusterTest):
 class Trouble(ClusterTest):
     def test_sbatch_prints_no_number(self):
         self.answer("sbatch", "Have a nice day")
-        self.assertIn("sbatch: printed no number of a job, but: Have a nice day",
+        self.assertIn("sbatch: did not print a job number, but: Have a nice day",
                       self.batch("sweep.toml", "--slurm", code=4).stderr)
         self.assertEqual(self.jobs(), [])
 

@@ -62,7 +62,7 @@ class Stopping(BatchTest):
         _, errors = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130)
         self.assertRegex(errors, r"gxrod: ends after the \d cases? at hand; Ctrl-C again leaves them")
-        self.assertRegex(errors, r"gxrod: interrupted; \d+ cases left to run\. The same command goes on\.")
+        self.assertRegex(errors, r"gxrod: interrupted; \d+ cases left to run\. The same command resumes the batch\.")
         rows = self.rows()
         self.assertLess(len(rows), count)
         self.assertEqual({row["status"] for row in rows}, {"done"})
@@ -89,7 +89,7 @@ class Stopping(BatchTest):
         os.killpg(process.pid, signal.SIGTERM)
         _, errors = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130)
-        self.assertIn("gxrod: interrupted; 2 cases left to run. The same command goes on.", errors)
+        self.assertIn("gxrod: interrupted; 2 cases left to run. The same command resumes the batch.", errors)
         self.assertEqual([row["status"] for row in self.rows()], ["time limit"] * 2)
 
     def test_two_batches_in_one_folder(self):

@@ -339,7 +339,7 @@ class Figures(PlotTest):
             self.assert_fails(4, "--figures", folder, says=["fig3.csv", "no column", "tau"])
             self.write_data(folder)
             (folder / "fig2.csv").write_text("tau,angle,phi_1,phi_2,phi_3\n0,x,0,0,0\n")
-            self.assert_fails(4, "--figures", folder, says=["fig2.csv", "no number"])
+            self.assert_fails(4, "--figures", folder, says=["fig2.csv", "not a number"])
 
 
 class Parts(PlotTest):

@@ -68,7 +68,7 @@ class Resume(ProgramTest):
         process.wait()
         self.assertLess(self.steps("long.vtkhdf"), STEPS, "the run ended before it was killed")
         done = self.gxrod("resume", "long.vtkhdf")
-        self.assertIn("long.vtkhdf goes on from t = ", done.stdout)
+        self.assertIn("long.vtkhdf continues from t = ", done.stdout)
         self.assertIn(f"{STEPS} steps to t = 1", done.stdout)
         self.gxrod("run", "long.toml", "-o", "whole.vtkhdf", "--quiet")
         self.check_equal("whole.vtkhdf", "long.vtkhdf")
@@ -136,9 +136,9 @@ class Resume(ProgramTest):
         before = (self.folder / "body.vtkhdf").read_bytes()
         self.write("other.toml", SPINNING_BODY.replace("mass = 2.0", "mass = 2.5").replace("end_time = 1.0", "end_time = 2.0"))
         done = self.gxrod("resume", "body.vtkhdf", "--deck", "other.toml", code=2)
-        self.assertEqual(done.stderr, "other.toml:5:8: body.top.mass: the run that is to go on has 2.0\n")
+        self.assertEqual(done.stderr, "other.toml:5:8: body.top.mass: the run to be resumed has 2.0\n")
         done = self.gxrod("resume", "body.vtkhdf", "--set", "parameters.torque=3", code=2)
-        self.assertIn("--set parameters.torque=3: the run that is to go on has 0.5", done.stderr)
+        self.assertIn("--set parameters.torque=3: the run to be resumed has 0.5", done.stderr)
         self.assertEqual((self.folder / "body.vtkhdf").read_bytes(), before)
 
     def test_what_cannot_be_resumed_is_told(self):

@@ -138,7 +138,7 @@ class Run(ProgramTest):
         self.assertRegex(cuts, "^[0-9]+ of 150 steps were cut, [0-9]+ times in all: one element's nodes turned against "
                                "each other by half a turn \\([0-9]+ times, mostly at tape")
         self.assertIn("; rod tape is 1e+07 times as stiff in bending about z as in bending about y. Try newton.tangent "
-                      '= "mixed", which bears longer steps, or a smaller time_step.', cuts)
+                      '= "mixed", which converges in longer steps, or a smaller time_step.', cuts)
         self.assertIn(f"warning: {cuts}\n", done.stderr)
         with h5py.File(self.folder / "tape.vtkhdf") as file:
             self.assertIn(f", {file['solver/rejected_steps'][:].sum()} times in all:", cuts)

@@ -44,7 +44,7 @@ void run_in(const PlanFiles& files, const std::filesystem::path& folder) {
     run_batch(PreparedBatch(files.read()), request);
 }
 
-const std::string end = "\nout: holds another batch; -o begins another batch, --force begins out anew";
+const std::string end = "\nout: holds another batch; -o starts another batch, --force restarts out";
 
 }  // namespace
 
@@ -116,7 +116,7 @@ TEST_CASE("Decks do not go into the batch of a plan, nor a plan into that of dec
     const std::filesystem::path folder = files.folder() / "out";
     run_in(files, folder);
     const PreparedBatch decks(plan_of_decks({files.folder() / "deck.toml"}));
-    const std::string hint = "; -o begins another batch, --force begins " + folder.string() + " anew";
+    const std::string hint = "; -o starts another batch, --force restarts " + folder.string();
     CHECK_THROWS_WITH(decks.read_rows(folder),
                       folder.string() + ": holds a batch of the plan plan.toml, not of decks" + hint);
     BatchRequest request;
@@ -135,10 +135,10 @@ TEST_CASE("A batch of other decks is noticed", "[batch]") {
     request.folder = files.folder() / "out";
     run_batch(PreparedBatch(plan_of_decks({files.folder() / "a.toml"})), request);
     const std::string folder = request.folder.string();
-    CHECK_THROWS_WITH(PreparedBatch(plan_of_decks({files.folder() / "a.toml", files.folder() / "b.toml"}))
-                          .read_rows(request.folder),
-                      folder + ": holds a batch of other decks; -o begins another batch, --force begins " +
-                          folder + " anew");
+    CHECK_THROWS_WITH(
+        PreparedBatch(plan_of_decks({files.folder() / "a.toml", files.folder() / "b.toml"}))
+            .read_rows(request.folder),
+        folder + ": holds a batch of other decks; -o starts another batch, --force restarts " + folder);
 }
 
 TEST_CASE("Other orders and ways of writing are noticed", "[batch]") {
@@ -153,7 +153,7 @@ TEST_CASE("Other orders and ways of writing are noticed", "[batch]") {
     run_in(files, files.folder() / "out");
     const auto with_plan = [&](const std::string& plan) { return differences(files, plan, cantilever_deck); };
     const std::string other = "out: holds a batch of other cases: ";
-    const std::string hint = "; -o begins another batch, --force begins out anew";
+    const std::string hint = "; -o starts another batch, --force restarts out";
     CHECK(with_plan(begin + vary_b + vary_a + "[collect]\n" + column_a + column_b) ==
           other + "[vary] has its keys in another order" + hint);
     CHECK(with_plan(begin + vary_a + vary_b + "[collect]\n" + column_b + column_a) ==
@@ -177,8 +177,8 @@ TEST_CASE("A changed table is noticed", "[batch]") {
     CHECK(differences(files, plan, cantilever_deck).empty());
     files.write("t.csv", "parameters.EI\n200.0\n");
     CHECK(differences(files, plan, cantilever_deck) ==
-          "out: holds a batch of other cases: the plan's table has changed; -o begins another batch, --force "
-          "begins out anew");
+          "out: holds a batch of other cases: the plan's table has changed; -o starts another batch, --force "
+          "restarts out");
 }
 
 TEST_CASE("A folder with something else is left alone", "[batch]") {

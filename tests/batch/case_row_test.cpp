@@ -88,9 +88,9 @@ TEST_CASE("A line that is no row of the batch is an error with its place", "[bat
     CHECK_THROWS_WITH(read_back("2,a,b,dome,,1,1,1,1,0,1,1,,"),
                       "i.csv:1: no row of the batch: \"dome\" is no status of a case" + hint);
     CHECK_THROWS_WITH(read_back("2,a,b,done,,1,x,1,1,0,1,1,,"),
-                      "i.csv:1: no row of the batch: \"x\" is no number" + hint);
+                      "i.csv:1: no row of the batch: \"x\" is not a number" + hint);
     CHECK_THROWS_WITH(read_back("2,a,b,done,,1,1,1.5,1,0,1,1,,"),
-                      "i.csv:1: no row of the batch: \"1.5\" is no number" + hint);
+                      "i.csv:1: no row of the batch: \"1.5\" is not a number" + hint);
 }
 
 }  // namespace gxrod::test

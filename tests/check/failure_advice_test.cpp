@@ -18,7 +18,8 @@ Failure make_failure(Phase phase, Outcome outcome) {
 }
 
 const std::string stability =
-    "a smaller time_step: runge-kutta-4 is stable only while the step is short beside the shortest period, "
+    "a smaller time_step: runge-kutta-4 is stable only while the step is short compared with the shortest "
+    "period, "
     "which the shortest and stiffest element has; or an implicit integrator, such as generalized-alpha";
 
 }  // namespace
@@ -45,18 +46,19 @@ TEST_CASE("a load step says load factor and thinks of jumps", "[check]") {
           "in 7 iterations; the residual, 2.00e+00 of the largest force or moment, is largest. Nothing "
           "resists this motion: rod cable, node 14: twist. Try more steps; or a finer mesh (elements, order) "
           "there; or a larger newton.max_iterations; or a dynamic analysis, if this is a load that the "
-          "structure cannot bear without a jump to another shape");
+          "structure cannot carry without a jump to another shape");
 }
 
 TEST_CASE("beside a stiff rod round-off is the reason", "[check]") {
     Failure failure = make_failure(Phase::load_step, Outcome::singular);
     failure.places = {"q.end (z)"};
-    failure.contrast = "rod q is too stiff beside what bends rod r";
+    failure.contrast = "rod q is too stiff compared with what bends rod r";
     failure.contrast_advice = "longer elements";
-    CHECK(describe_failure(failure) ==
-          "the step from load factor 0.3 failed, even with one of 0.000125: the system of equations is "
-          "singular at q.end (z). Likely because rod q is too stiff beside what bends rod r. Try longer "
-          "elements");
+    CHECK(
+        describe_failure(failure) ==
+        "the step from load factor 0.3 failed, even with one of 0.000125: the system of equations is "
+        "singular at q.end (z). Likely because rod q is too stiff compared with what bends rod r. Try longer "
+        "elements");
     failure.phase = Phase::implicit_step;
     failure.outcome = Outcome::out_of_iterations;
     CHECK(advise(failure) == std::vector<std::string>{"longer elements", "a larger newton.max_iterations"});

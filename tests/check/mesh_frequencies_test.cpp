@@ -66,7 +66,7 @@ TEST_CASE("the frequencies of a mesh are its lowest and highest eigenvalues", "[
         CHECK(found->highest == Approx(std::sqrt(all[all.size() - 1])).epsilon(1e-5));
         CHECK(found->rigid_motions == (clamped ? 0 : 6));
         const std::string text = describe_frequencies(model, {});
-        CHECK((text.find("(beside 6 of rigid motions)") != std::string::npos) == !clamped);
+        CHECK((text.find("(in addition to 6 of rigid motions)") != std::string::npos) == !clamped);
     }
 }
 

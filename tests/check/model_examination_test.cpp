@@ -41,7 +41,8 @@ TEST_CASE("Round-off beside what is soft is warned of where stiffnesses are solv
         return replaced(deck, "EA = 1e4", "EA = 1e18") + load + clamp;
     };
     const Lines warning{
-        "warning: rod r is too stiff beside what bends it for numbers of 16 digits: round-off of its forces "
+        "warning: rod r is too stiff compared with what bends it for numbers of 16 digits: round-off of its "
+        "forces "
         "is about 2.2e+03, a force that bends it about 6; expected EA, GAy and GAz up to 8e-06 of what they "
         "are, or longer elements"};
     CHECK(examine(stiffened(static_rod_deck)) == warning);

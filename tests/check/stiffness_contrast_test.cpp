@@ -48,16 +48,16 @@ TEST_CASE("A rod whose forces have round-off as large as what bends its neighbou
     // Round-off of 2.2e-16 of 2 along 0.5, times EA = 1e16, beside EI/L² = 1.
     const std::vector<std::string> found = find(make_deck("1e12"));
     REQUIRE(found.size() == 1);
-    CHECK(
-        found[0] ==
-        "rod stiff is too stiff beside what bends rod soft for numbers of 16 digits: round-off of its forces "
-        "is about 8.9, a force that bends rod soft about 1; expected EA, GAy and GAz up to 0.0003 of what "
-        "they "
-        "are, or longer elements");
+    CHECK(found[0] ==
+          "rod stiff is too stiff compared with what bends rod soft for numbers of 16 digits: round-off of "
+          "its forces "
+          "is about 8.9, a force that bends rod soft about 1; expected EA, GAy and GAz up to 0.0003 of what "
+          "they "
+          "are, or longer elements");
     // A rod alone: stretching beside its own bending.
     const std::string alone = test::replaced(test::static_rod_deck, "EA = 1e4", "EA = 1e18");
     REQUIRE(find(alone).size() == 1);
-    CHECK_THAT(find(alone)[0], Catch::StartsWith("rod r is too stiff beside what bends it for"));
+    CHECK_THAT(find(alone)[0], Catch::StartsWith("rod r is too stiff compared with what bends it for"));
     CHECK(find(test::static_rod_deck).empty());
 }
 
@@ -113,7 +113,8 @@ TEST_CASE("A bending or twisting stiffness of which round-off bends the rod is t
     CHECK(strip("1", "1e12").empty());
     REQUIRE(strip("1", "1e14").size() == 1);
     CHECK(strip("1", "1e14")[0] ==
-          "rod strip is too stiff beside what bends it for numbers of 16 digits: round-off of its moments is "
+          "rod strip is too stiff compared with what bends it for numbers of 16 digits: round-off of its "
+          "moments is "
           "about 0.22, a moment that bends it about 1; expected the largest of GJ, EIy and EIz up to 0.01 of "
           "what it is, or longer elements");
     CHECK(strip("1e12", "1").empty());

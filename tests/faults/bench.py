@@ -117,7 +117,7 @@ class Bench:
             done = self.run("resume", path.name, "--threads", deck.threads)
         if path.exists() and done.returncode == 0:
             trial.recovery = "had ended" if "is at its end" in done.stdout else "resumed"
-            going_on = re.search(r"goes on from t = (\S+)", done.stdout)
+            going_on = re.search(r"continues from t = (\S+)", done.stdout)
             trial.time = float(going_on.group(1)) if going_on else float("inf")
         elif path.exists() and not re.search(refusal, done.stderr):
             trial.lost = trial.lost or f"cannot be resumed: {done.returncode} {done.stderr}"
@@ -145,7 +145,7 @@ def find_steps_back(trials):
         if trial.end == "exit 0":
             continue  # the fault was made good
         if trial.time < latest:
-            return f"after fault {number + 1} the run goes on from t = {trial.time}, after an earlier one from {latest}"
+            return f"after fault {number + 1} the run continues from t = {trial.time}, after an earlier one from {latest}"
         latest = max(latest, trial.time)
     return ""
 

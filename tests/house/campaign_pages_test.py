@@ -1,4 +1,4 @@
-"""Pages of campaigns, which run for hours, tell what was counted last."""
+"""Pages of campaigns, which run for hours, show what was counted last."""
 
 import importlib
 import json
@@ -17,7 +17,8 @@ long_runs = importlib.import_module("make_long_runs")
 
 class RandomModels(unittest.TestCase):
     def test_is_current(self):
-        page = subprocess.run([SOURCE / "tests" / "random" / "page", "random_models.json", "random_studies.json"], cwd=BOOK,
+        page = subprocess.run([SOURCE / "tests" / "random" / "page", "random_models.json", "random_studies.json"],
+                              cwd=SOURCE / "tests" / "data",
                               stdout=subprocess.PIPE, check=True).stdout.decode()
         self.assertEqual(page, (BOOK / "random_models.md").read_text(encoding="utf-8"))
 

@@ -23,6 +23,17 @@ class Links(unittest.TestCase):
         broken = [f"{page.relative_to(SOURCE)}: {target}" for page in pages for target in broken_links(page)]
         self.assertEqual(broken, [])
 
+    def test_every_page_can_be_reached(self):
+        found, waiting = set(), [SOURCE / "README.md"]
+        while waiting:
+            page = waiting.pop().resolve()
+            if page not in found and page.suffix == ".md" and page.exists():
+                found.add(page)
+                targets = (target.split("#")[0] for target in LINK.findall(page.read_text(encoding="utf-8")))
+                waiting += [page.parent / target for target in targets if target]
+        pages = {page.resolve() for page in (SOURCE / "docs").rglob("*.md")}
+        self.assertEqual([], sorted(str(page.relative_to(SOURCE.resolve())) for page in pages - found))
+
     def test_a_broken_link_is_found(self):
         page = SOURCE / "docs" / "architecture.md"
         self.assertEqual(LINK.findall("see [this](nowhere.md)"), ["nowhere.md"])

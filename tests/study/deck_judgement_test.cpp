@@ -29,7 +29,7 @@ TEST_CASE("where finer steps are no finer, nothing is said of errors", "[study]"
     CHECK(says(
         study,
         "Steps that did not converge were cut, and finer ones came to nearly the same (90, 110 with finer "
-        "ones): what the step adds cannot be told, nor how right the series are. Take more than 90 "
+        "ones): what the step adds cannot be determined, nor how right the series are. Take more than 90 "
         "steps before anything else."));
     CHECK(says(study,
                "Steps were cut, and the error of that is not known: nor is whether turning the model in "
@@ -50,7 +50,7 @@ TEST_CASE("where finer steps are no finer, nothing is said of errors", "[study]"
     CHECK(says(
         study,
         "Something else than the tolerance sets the steps, such as what Newton's method needs (90, 110 with "
-        "finer ones): what they add cannot be told, nor how right the series are. Choose a smaller "
+        "finer ones): what they add cannot be determined, nor how right the series are. Choose a smaller "
         "tolerance before anything else."));
     study.depends_on_steps = false;
     CHECK(study.has_finer_steps());

@@ -86,10 +86,11 @@ TEST_CASE("where steps are cut in a part of the run alone, finer ones must be mo
     CHECK(part->fine_steps == 9);
     CHECK_FALSE(study.knows_errors());
     study.series[0].error = std::numeric_limits<double>::infinity();
-    CHECK(says(study,
-               "finer ones came to nearly the same (between t = 4 and 4.1, 8, 9 with finer ones): what the "
-               "step adds "
-               "cannot be told, nor how right the series are. Take shorter steps before anything else."));
+    CHECK(
+        says(study,
+             "finer ones came to nearly the same (between t = 4 and 4.1, 8, 9 with finer ones): what the "
+             "step adds "
+             "cannot be determined, nor how right the series are. Take shorter steps before anything else."));
     // One cut among many steps is no matter.
     count(base, 1, 1);
     count(finer, 2, 2);

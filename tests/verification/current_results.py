@@ -22,7 +22,7 @@ def main():
         sys.exit(f"results.json has no {name}: renew the book with docs/verification/make_book.py")
     faults = compare(name, gather(found, {name: kept["sentence"]})[name], kept)
     if faults:
-        sys.exit("\n".join([f"{name} is not what docs/verification/results.json has:", *faults,
+        sys.exit("\n".join([f"{name} is not what tests/data/results.json has:", *faults,
                             "If this is meant, renew the book with docs/verification/make_book.py"]))
     print(f"{name}: {len(kept['rows'])} runs and {len(kept['checks'])} checks as in results.json")
 

@@ -7,7 +7,7 @@ import tomllib
 PAGES = pathlib.Path(__file__).resolve().parents[1]
 SOURCE = PAGES.parents[1]
 EXAMPLES = PAGES.parent / "examples"
-KEPT = PAGES / "results.json"
+KEPT = SOURCE / "tests" / "data" / "results.json"
 
 # In the order of the index.
 KINDS = {"rigid body": "Rigid bodies", "statics": "Statics", "dynamics": "Dynamics", "objectivity": "Objectivity",

@@ -58,7 +58,7 @@ SlurmJob submit_to_slurm(const std::filesystem::path& script, const std::vector<
     }
     SlurmJob job = read_submission(done.output);
     if (job.id.empty())
-        throw SlurmError("sbatch", "printed no number of a job, but: " + join_lines(done.output));
+        throw SlurmError("sbatch", "did not print a job number, but: " + join_lines(done.output));
     return job;
 }
 

@@ -7,7 +7,8 @@
 // A batch whose cases are run by array jobs of Slurm.
 namespace gxrod {
 
-// Who has cases of a batch. It is asked before the table is read: who ends in between has left its rows.
+// Which cases of a batch are taken. It is asked before the table is read: a task that ends in between has
+// left its rows.
 struct CaseHolders {
     std::vector<SlurmTask> tasks;  // that Slurm still has
     std::vector<CaseRange> taken;  // cases of these tasks, and those that processes run now

@@ -13,7 +13,7 @@ namespace {
 
 // Relative to the largest entry: asymmetry of a matrix and excess of a principal moment that are round-off.
 constexpr double round_off = 1e-9;
-// A principal moment below this, relative to the largest, is none.
+// A principal moment below this, relative to the largest, is zero.
 constexpr double smallest_moment = 1e-15;
 
 Mat3 inertia_of(const CheckedTable& body) {

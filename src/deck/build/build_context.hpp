@@ -32,11 +32,11 @@ struct VelocitySetting {
     const CheckedTable* table = nullptr;
     std::string key;
     double size =
-        0.0;  // the largest velocity that the key gives to any node: what its round-off is small beside
+        0.0;  // the largest velocity that the key gives to any node: what its round-off is compared with
 };
 
 // What the builders of a model share. Tables of rods and bodies have the order of Model::rods and
-// Model::bodies. A builder adds what is wrong to `faults` and goes on with the rest; where a rod or body
+// Model::bodies. A builder adds errors to `faults` and continues with the rest; where a rod or body
 // could not be built, its place in the model is kept and its points have no node.
 struct BuildContext {
     const CheckedTable& deck;

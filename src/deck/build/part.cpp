@@ -15,7 +15,7 @@ std::optional<int> find_index(const std::vector<CheckedTable>& tables, std::stri
 
 namespace {
 
-// What is wrong with a name that is none of the parts that the key takes.
+// What is wrong with a name that is not one of the parts that the key takes.
 std::string explain(const std::string& text, const KeySpec& key, const CheckedTable& deck) {
     std::vector<std::string> known;
     for (const std::string& kind : key.refers_to) {

@@ -9,7 +9,7 @@
 
 namespace gxrod {
 
-// Where the tables are that [function.NAME] takes from files: beside the deck, or, of a deck from a results
+// Where the tables are that [function.NAME] takes from files: next to the deck, or, for a deck from a results
 // file, the bytes that are kept with it.
 class TableFiles {
   public:

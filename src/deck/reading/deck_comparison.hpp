@@ -10,7 +10,7 @@ namespace gxrod {
 
 struct ComparisonRules {
     std::vector<std::string> free_paths;  // what may differ: "output", "analysis.newton"
-    std::string before_has;               // begins what is said of a value: "the run that is to go on has "
+    std::string before_has;               // begins what is said of a value: "the run to be resumed has "
 };
 
 // Adds a fault, at its place in `now`, for each key whose value differs. Numbers are compared as such, and

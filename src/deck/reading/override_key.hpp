@@ -11,7 +11,7 @@ namespace gxrod {
 // A key of a table, or the index of an array element.
 using KeyStep = std::variant<std::string, std::size_t>;
 
-// The steps of a path such as load[0].force or rod."a b".section; nullopt if it is none.
+// The steps of a path such as load[0].force or rod."a b".section; nullopt if it is not one.
 std::optional<std::vector<KeyStep>> split_key(std::string_view key);
 
 // The path of the first `count` steps.

@@ -133,7 +133,7 @@ class Walk {
         return "the deck has none" + (hint.empty() ? "; known here: " + plain_list(known) : hint);
     }
 
-    // Takes out the keys of the deck's text that cannot stand beside the new one, as steps beside time_step.
+    // Takes out the keys of the deck's text that exclude the new one, as steps excludes time_step.
     void remove_alternatives(DeckNode::Table& table, const std::string& name) const {
         if (table_ == nullptr) return;
         for (const KeyGroup& group : table_->groups) {

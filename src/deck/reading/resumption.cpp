@@ -21,7 +21,7 @@ const ComparisonRules& rules() {
                                         "analysis.adaptive",
                                         "analysis.newton",
                                         "analysis.linear_solver"},
-                                       "the run that is to go on has "};
+                                       "the run to be resumed has "};
     return rules;
 }
 

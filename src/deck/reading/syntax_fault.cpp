@@ -47,7 +47,7 @@ Word word_at(std::string_view line, std::size_t byte) {
     return {begin, line.substr(begin, end - begin)};
 }
 
-// The number with the digits that TOML wants beside its point ("1." → "1.0"), if it is one that lacks them.
+// The number with the digits that TOML wants next to its point ("1." → "1.0"), if it is one that lacks them.
 std::optional<std::string> complete_number(std::string_view word) {
     std::string result;
     bool lacked = false;
@@ -103,7 +103,7 @@ DeckFault explain_syntax_fault(std::string_view text,
     const Word word = word_at(line, byte);
     if (const auto number = complete_number(word.text)) {
         const std::string message = fmt::format(
-            "TOML does not read {}, a number with no digit beside its point: write {}", word.text, *number);
+            "TOML does not read {}, a number with no digit next to its point: write {}", word.text, *number);
         return {file, place.line, column_of(line, word.begin), "", message};
     }
     if (description.find("could not determine value type") != std::string_view::npos) {

@@ -41,14 +41,14 @@ const TableSpec& newton_table() {
              .range = {.lower = 1, .upper = 1'000'000},
              .default_value = static_cast<long>(NewtonSettings{}.max_iterations),
              .sentence = "Of one equilibrium, before the step is cut. Ten times as many where gxrod "
-                         "warns of a rod too stiff beside what bends."},
+                         "warns of a rod too stiff compared with what bends."},
             {.name = "tangent",
              .type = ValueType::choice,
              .default_value = word_of(tangent_choices, NewtonSettings{}.tangent),
              .sentence = "automatic: mixed in statics, and in dynamics where a rod is 300 times as stiff "
                          "in bending or twist about one axis as about another, else consistent. "
                          "mixed: the resultants in its geometric part are iterated along with the "
-                         "motion, which bears much larger steps. "
+                         "motion, which converges in much larger steps. "
                          "consistent: the exact derivative. paper: Rubin (2007), (5.6), for decks of "
                          "bodies alone with newmark-simplified. "
                          "difference: central differences of the residual.",
@@ -120,8 +120,9 @@ std::vector<KeySpec> scheme_keys() {
          .only_for = for_schemes({Scheme::generalized_alpha})},
         {.name = "adaptive",
          .type = ValueType::table,
-         .sentence = "Steps by an estimate of their error, of which time_step or steps gives the first; left "
-                     "out, equal steps.",
+         .sentence =
+             "Steps chosen by an estimate of their error; time_step or steps gives the first one; left "
+             "out, equal steps.",
          .only_for = for_schemes({Scheme::sdirk_4}),
          .table = &adaptive_table()},
         {.name = "newton",

@@ -73,7 +73,7 @@ Moduli find_moduli(const CheckedTable& material, const BuildContext& context) {
         context.add_fault(
             material,
             "G",
-            fmt::format("beside E = {:.6g} it means nu = {:.6g}, above 0.5, for which there is no "
+            fmt::format("with E = {:.6g} it means nu = {:.6g}, above 0.5, for which there is no "
                         "shear factor; expected a greater G, or shear_factor",
                         E,
                         nu));

@@ -12,7 +12,7 @@ namespace gxrod {
 constexpr int most_lanes = 4;
 
 // Elements `objective`, and the inertia and mass-proportional damping of their centres of mass. Kernels for
-// plain sections know of no damping and of no centre of mass beside the nodes.
+// plain sections have no damping, and their centre of mass lies at the nodes.
 template <int Nodes>
 struct RodKernels {
     static constexpr int point_count = Nodes - 1;

@@ -3,7 +3,7 @@
 #include "elements/lanes/kernels.hpp"
 
 // The kernels by instruction set, each compiled for it. Those for general sections come from sources of their
-// own: beside them the compiler would inline less into those for plain ones.
+// own: next to them the compiler would inline less into those for plain ones.
 namespace gxrod {
 
 Kernels make_kernels_baseline();

@@ -6,7 +6,7 @@
 
 namespace gxrod {
 
-// What Kelvin-Voigt damping adds to the tangent at one point of the quadrature, beside the resultants that
+// What Kelvin-Voigt damping adds to the tangent at one point of the quadrature, next to the resultants that
 // turn with the motion (docs/theory/rods.md, (R44)–(R47)).
 //
 // Legend, spatial: δΓ = Λᵀ (N_J′ δr_J + e_J δφ_J), δK = Λᵀ k_J δφ_J, summed over the nodes, are the strains'

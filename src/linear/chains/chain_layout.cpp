@@ -185,8 +185,8 @@ class Builder {
         copies.push_back(copy);
     }
 
-    // The task that goes on with a block of two that remain, or of one; of those that are kept, the first one
-    // that adds to it has it for itself.
+    // The task that continues with a block of two that remain, or of one; of those that are kept, the first
+    // one that adds to it has it for itself.
     int find_owner(int row, int column) {
         if (is_kept(row) && is_kept(column)) return owners_.try_emplace({column, row}, task_).first->second;
         const std::size_t step = row == column ? steps_of_[row] : find(row, column).step;

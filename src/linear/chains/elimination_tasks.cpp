@@ -13,7 +13,7 @@ constexpr int none = -1;
 
 using Steps = std::vector<EliminationOrder::Step>;
 
-// Each step's parent is the one that goes on with what it leaves, the first that eliminates a neighbour of
+// Each step's parent is the one that continues with what it leaves, the first that eliminates a neighbour of
 // it.
 struct Forest {
     std::vector<int> parents, first_children, siblings;
@@ -86,7 +86,7 @@ class Grouping {
         for (std::size_t i = first; i <= last; ++i) tasks_[list_[i]] = task;
     }
 
-    // Where one large branch arrives it goes on, where several do a new task begins; small ones join.
+    // Where one large branch arrives it continues, where several do a new task begins; small ones join.
     void give_task(std::size_t place, const std::vector<std::size_t>& counts) {
         const int s = list_[place];
         int large = 0;

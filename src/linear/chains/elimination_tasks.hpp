@@ -9,7 +9,8 @@ namespace gxrod {
 
 // The steps of an order in tasks that several threads may take at once: a step is in a later level than the
 // steps of other tasks that it builds on. What a task changes of blocks that are not its own is added up
-// apart and belongs to whoever goes on with them. Tasks depend on the matrix alone, not on the threads.
+// separately and belongs to the task that continues with them. Tasks depend on the matrix alone, not on the
+// threads.
 struct EliminationTasks {
     struct Task {
         std::size_t first, last;  // steps

@@ -57,7 +57,7 @@ TEST_CASE("Values of --set are checked as those of a deck", "[deck]") {
     CHECK(faults_of(rod_deck, {"rod.r.line.to[2]=up"}) ==
           R"(--set rod.r.line.to[2]=up: "up": unknown name "up"; available: pi)");
     CHECK(faults_of(rod_deck, {"rod.r.line.to=[1, .5, 2]"}) ==
-          "--set rod.r.line.to=[1, .5, 2]: TOML does not read .5, a number with no digit beside its point: "
+          "--set rod.r.line.to=[1, .5, 2]: TOML does not read .5, a number with no digit next to its point: "
           "write 0.5");
     CHECK(faults_of(rod_deck, {"rod.r.line.to=5"}) ==
           "--set rod.r.line.to=5: expected an array of 3 numbers or expressions, found 5");

@@ -56,22 +56,22 @@ TEST_CASE("A deck may go on with another end, other steps and other output", "[d
 
 TEST_CASE("Every other difference is named with its place", "[deck][resume]") {
     CHECK(faults_of_change("EA = 1e4", "EA = 2e4") ==
-          "2:20: section.s.stiffness.EA: the run that is to go on has 10000.0\n");
+          "2:20: section.s.stiffness.EA: the run to be resumed has 10000.0\n");
     CHECK(faults_of_change("elements = 10", "elements = 11") ==
-          "7:12: rod.r.elements: the run that is to go on has 10\n");
+          "7:12: rod.r.elements: the run to be resumed has 10\n");
     CHECK(faults_of_change("\"2*t\"", "\"3*t\"") ==
-          "15:16: load[0].force[2]: the run that is to go on has \"2*t\"\n");
+          "15:16: load[0].force[2]: the run to be resumed has \"2*t\"\n");
     CHECK(faults_of_change("steps = 10", "steps = 10\nbeta = 0.3") ==
-          "13:1: analysis.beta: the run that is to go on has none\n");
+          "13:1: analysis.beta: the run to be resumed has none\n");
     CHECK(faults_of_change("element = \"simo\"\n", "") ==
-          "4:1: rod.r.element: missing; the run that is to go on has \"simo\"\n");
+          "4:1: rod.r.element: missing; the run to be resumed has \"simo\"\n");
     CHECK(faults_against(run_deck, run_deck + "[[load]]\nat = \"r.end\"\nforce = [0, 0, 1]\n")
-              .find("load: the run that is to go on has another one\n") != std::string::npos);
+              .find("load: the run to be resumed has another one\n") != std::string::npos);
     CHECK(faults_of_change("at = \"r.end\"\nq", "at = \"r.start\"\nq") ==
-          "18:6: history[0].at: the run that is to go on has \"r.end\"\n");
+          "18:6: history[0].at: the run to be resumed has \"r.end\"\n");
     CHECK(
         faults_of_change("{ from = [0, 0, 0], to = [10, 0, 0] }", "{ from = [0, 0, 0], to = [10, 0, 1] }") ==
-        "6:41: rod.r.line.to[2]: the run that is to go on has 0\n");
+        "6:41: rod.r.line.to[2]: the run to be resumed has 0\n");
 }
 
 TEST_CASE("A deck that makes another mesh is refused", "[deck][resume]") {
@@ -103,7 +103,7 @@ TEST_CASE("An override that differs is named as it was given", "[deck][resume]")
         FAIL("nothing thrown");
     } catch (const DeckError& error) {
         CHECK(std::string(error.what()) ==
-              "--set section.s.stiffness.EA=3: the run that is to go on has 10000.0");
+              "--set section.s.stiffness.EA=3: the run to be resumed has 10000.0");
     }
     const Problem longer = read_resumption(record_of(run_deck), "", {"analysis.end_time=5"});
     CHECK(dynamic_of(longer).end_time == 5.0);

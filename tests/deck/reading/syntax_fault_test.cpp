@@ -7,15 +7,15 @@ namespace gxrod::test {
 
 TEST_CASE("Numbers without a digit beside the point are explained", "[deck]") {
     CHECK(faults_of(replaced(body_deck, "mass = 1.0", "mass = 1.")) ==
-          "x.toml:2:8: TOML does not read 1., a number with no digit beside its point: write 1.0");
+          "x.toml:2:8: TOML does not read 1., a number with no digit next to its point: write 1.0");
     CHECK(faults_of(replaced(body_deck, "mass = 1.0", "mass = .5")) ==
-          "x.toml:2:8: TOML does not read .5, a number with no digit beside its point: write 0.5");
+          "x.toml:2:8: TOML does not read .5, a number with no digit next to its point: write 0.5");
     CHECK(faults_of(replaced(body_deck, "mass = 1.0", "mass = -.5e3")) ==
-          "x.toml:2:8: TOML does not read -.5e3, a number with no digit beside its point: write -0.5e3");
+          "x.toml:2:8: TOML does not read -.5e3, a number with no digit next to its point: write -0.5e3");
     CHECK(faults_of(replaced(body_deck, "[1, 1, 1]", "[1, 1., 1]")) ==
-          "x.toml:3:15: TOML does not read 1., a number with no digit beside its point: write 1.0");
+          "x.toml:3:15: TOML does not read 1., a number with no digit next to its point: write 1.0");
     CHECK(faults_of(replaced(body_deck, "[1, 1, 1]", "[1, 1.e5, 1]")) ==
-          "x.toml:3:15: TOML does not read 1.e5, a number with no digit beside its point: write 1.0e5");
+          "x.toml:3:15: TOML does not read 1.e5, a number with no digit next to its point: write 1.0e5");
 }
 
 TEST_CASE("Unquoted text and other syntax errors have their place", "[deck]") {

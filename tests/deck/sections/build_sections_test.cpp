@@ -73,7 +73,7 @@ TEST_CASE("G stands for E/(2(1 + nu)), also in the shear factor", "[deck]") {
     const Section by_G = section_of(shape + "material = { E = 260, G = 100, density = 1 }\n");
     CHECK(by_G.stiffness.isApprox(by_nu.stiffness, 1e-14));
     CHECK(faults_of(with_section(shape + "material = { E = 260, G = 80, density = 1 }\n")) ==
-          "x.toml:3:27: section.s.material.G: beside E = 260 it means nu = 0.625, above 0.5, for which "
+          "x.toml:3:27: section.s.material.G: with E = 260 it means nu = 0.625, above 0.5, for which "
           "there is no shear factor; expected a greater G, or shear_factor");
     CHECK(section_of(shape + "material = { E = 260, G = 80, density = 1, shear_factor = 0.5 }\n")
               .stiffness(1, 1) == Approx(40.0 * M_PI * 3.0));
