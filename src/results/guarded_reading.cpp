@@ -60,7 +60,7 @@ GuardedReading::GuardedReading(const std::filesystem::path& path) : path_(path) 
     try {
         if (std::filesystem::file_size(path) > most_bytes) return;
         const SealState seal = look_at_seal(path);
-        // A run may go on with it since.
+        // A run may have resumed it meanwhile.
         if (is_being_written(path).value_or(true)) return;
         is_trusted_ = seal == SealState::kept;
         doubt_ = describe_doubt(seal);

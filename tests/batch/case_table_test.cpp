@@ -94,7 +94,6 @@ TEST_CASE("Parts of slices go into the table", "[batch]") {
     CHECK(numbers_and_reasons(gather_rows(folder.path(), record)) == "1 4new ");
     for (const char* name : {"parts", "cases"}) CHECK_FALSE(std::filesystem::exists(folder.path() / name));
     CHECK(numbers_and_reasons(read_case_rows(folder.path(), record)) == "1 4new ");
-    CHECK(std::filesystem::exists(folder.path() / "index.csv"));
 }
 
 TEST_CASE("A row counts before those that slices left earlier", "[batch]") {
