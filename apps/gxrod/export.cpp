@@ -3,10 +3,10 @@
 #include <optional>
 
 #include "exit_code.hpp"
-#include "results/along_export.hpp"
-#include "results/csv_export.hpp"
-#include "results/guarded_reading.hpp"
-#include "results/series_export.hpp"
+#include "results/export/along_export.hpp"
+#include "results/export/csv_export.hpp"
+#include "results/export/series_export.hpp"
+#include "results/file/guarded_reading.hpp"
 #include "say.hpp"
 #include "verbs.hpp"
 

@@ -7,7 +7,7 @@
 #include "check/model_examination.hpp"
 #include "exit_code.hpp"
 #include "report/study_page.hpp"
-#include "results/output_file.hpp"
+#include "results/file/output_file.hpp"
 #include "say.hpp"
 #include "study/deck_study_text.hpp"
 

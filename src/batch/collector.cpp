@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "deck/schema/suggestion.hpp"
-#include "results/quantity.hpp"
+#include "results/tables/quantity.hpp"
 
 namespace gxrod {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "batch/plan.hpp"
 #include "deck/problem.hpp"
-#include "results/history_point.hpp"
+#include "results/tables/history_point.hpp"
 
 namespace gxrod {
 

@@ -10,7 +10,7 @@
 #include "batch/plan_words.hpp"
 #include "deck/reading/deck_tree.hpp"
 #include "model/settings.hpp"
-#include "results/step_columns.hpp"
+#include "results/tables/step_columns.hpp"
 
 // What a batch is asked to run. docs/plan.md is the reference of the text.
 namespace gxrod {

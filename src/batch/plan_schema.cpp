@@ -3,7 +3,7 @@
 #include "batch/plan_words.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
-#include "results/step_columns.hpp"
+#include "results/tables/step_columns.hpp"
 
 namespace gxrod {
 namespace {

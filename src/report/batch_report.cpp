@@ -13,7 +13,7 @@
 #include "report/page_file.hpp"
 #include "report/page_template.hpp"
 #include "report/script_json.hpp"
-#include "results/output_file.hpp"
+#include "results/file/output_file.hpp"
 
 namespace gxrod {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "report/case_pages.hpp"
-#include "results/output_file.hpp"
+#include "results/file/output_file.hpp"
 
 namespace gxrod {
 

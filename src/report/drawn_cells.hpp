@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/model.hpp"
-#include "results/hdf5_reader.hpp"
+#include "results/file/hdf5_reader.hpp"
 
 namespace gxrod {
 

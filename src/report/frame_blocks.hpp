@@ -5,7 +5,7 @@
 
 #include "report/load_arrows.hpp"
 #include "report/report_plan.hpp"
-#include "results/hdf5_reader.hpp"
+#include "results/file/hdf5_reader.hpp"
 
 namespace gxrod {
 

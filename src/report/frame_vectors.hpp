@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "results/hdf5_reader.hpp"
+#include "results/file/hdf5_reader.hpp"
 
 namespace gxrod {
 

@@ -15,9 +15,9 @@
 #include "report/run_story.hpp"
 #include "report/script_json.hpp"
 #include "report/step_blocks.hpp"
-#include "results/guarded_reading.hpp"
-#include "results/output_file.hpp"
-#include "results/results_access.hpp"
+#include "results/file/guarded_reading.hpp"
+#include "results/file/output_file.hpp"
+#include "results/file/results_access.hpp"
 
 namespace gxrod {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "results/output_file.hpp"
+#include "results/file/output_file.hpp"
 
 namespace gxrod {
 

@@ -9,8 +9,8 @@
 
 #include "model/energy_round_off.hpp"
 #include "report/step_blocks.hpp"
-#include "results/deck_reading.hpp"
 #include "results/energy_warning.hpp"
+#include "results/tables/deck_reading.hpp"
 
 namespace gxrod {
 

@@ -9,7 +9,7 @@
 #include "report/drawn_cells.hpp"
 #include "report/load_arrows.hpp"
 #include "report/model_json.hpp"
-#include "results/hdf5_reader.hpp"
+#include "results/file/hdf5_reader.hpp"
 
 namespace gxrod {
 

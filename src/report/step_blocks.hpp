@@ -7,7 +7,7 @@
 
 #include "report/step_thinning.hpp"
 #include "results/energy_warning.hpp"
-#include "results/hdf5_reader.hpp"
+#include "results/file/hdf5_reader.hpp"
 
 namespace gxrod {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 
-#include "results/output_file.hpp"
+#include "results/file/output_file.hpp"
 
 namespace gxrod {
 

@@ -11,7 +11,7 @@
 #include "model/deck_record.hpp"
 #include "model/model.hpp"
 #include "model/settings.hpp"
-#include "results/output_file.hpp"
+#include "results/file/output_file.hpp"
 #include "results/resumable_file.hpp"
 #include "state/restart_record.hpp"
 #include "state/step_record.hpp"

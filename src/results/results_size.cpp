@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "model/frame_interval.hpp"
-#include "results/step_columns.hpp"
+#include "results/tables/step_columns.hpp"
 
 namespace gxrod {
 namespace {
 
-// Numbers of a row of each table of frames (results/frame_table).
+// Numbers of a row of each table of frames (results/tables/frame_table).
 constexpr double numbers_of_point = 8.0 * 3.0 + 1.0;
 constexpr double numbers_of_cell = 4.0 * 3.0 + 1.0;
 

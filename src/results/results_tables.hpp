@@ -1,10 +1,10 @@
 #pragma once
 
 #include "model/deck_record.hpp"
-#include "results/frame_table.hpp"
-#include "results/history_table.hpp"
-#include "results/restart_table.hpp"
-#include "results/step_table.hpp"
+#include "results/tables/frame_table.hpp"
+#include "results/tables/history_table.hpp"
+#include "results/tables/restart_table.hpp"
+#include "results/tables/step_table.hpp"
 
 namespace gxrod {
 

@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "machine/file_error.hpp"
-#include "results/deck_reading.hpp"
-#include "results/guarded_reading.hpp"
-#include "results/hdf5_reader.hpp"
-#include "results/output_file.hpp"
-#include "results/restart_table.hpp"
+#include "results/file/guarded_reading.hpp"
+#include "results/file/hdf5_reader.hpp"
+#include "results/file/output_file.hpp"
+#include "results/tables/deck_reading.hpp"
+#include "results/tables/restart_table.hpp"
 
 namespace gxrod {
 

@@ -10,7 +10,7 @@
 #include "model/evaluation_error.hpp"
 #include "model/frame_interval.hpp"
 #include "model/newton_choice.hpp"
-#include "results/history_point.hpp"
+#include "results/tables/history_point.hpp"
 
 namespace gxrod {
 

@@ -7,7 +7,7 @@
 
 #include "analyses/static.hpp"
 #include "deck/problem.hpp"
-#include "results/history_point.hpp"
+#include "results/tables/history_point.hpp"
 
 namespace gxrod {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "deck/problem.hpp"
-#include "results/history_point.hpp"
+#include "results/tables/history_point.hpp"
 
 // The same problem, seen from axes that are turned: all of it, with its loads, gravity and supports, rotated
 // about the origin. Its motion is the turned motion, exactly.

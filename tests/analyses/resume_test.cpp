@@ -1,7 +1,7 @@
 
 #include "deck/decks.hpp"
 #include "machine/file_error.hpp"
-#include "results/hdf5_reader.hpp"
+#include "results/file/hdf5_reader.hpp"
 #include "results/sample.hpp"
 #include "run/run.hpp"
 #include "solvers/step_control.hpp"

@@ -4,9 +4,9 @@
 #include <new>
 
 #include "machine/file_error.hpp"
-#include "results/hdf5_objects.hpp"
-#include "results/hdf5_reader.hpp"
-#include "results/ordered_driver.hpp"
+#include "results/file/hdf5_objects.hpp"
+#include "results/file/hdf5_reader.hpp"
+#include "results/file/ordered_driver.hpp"
 #include "results/results_file.hpp"
 #include "results/sample.hpp"
 #include "tools/catch.hpp"

@@ -6,9 +6,9 @@
 
 #include "machine/file_error.hpp"
 #include "model/version.hpp"
-#include "results/deck_reading.hpp"
-#include "results/hdf5_reader.hpp"
+#include "results/file/hdf5_reader.hpp"
 #include "results/sample.hpp"
+#include "results/tables/deck_reading.hpp"
 #include "tools/catch.hpp"
 
 using namespace gxrod;

@@ -1,7 +1,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "results/hdf5_objects.hpp"
+#include "results/file/hdf5_objects.hpp"
 #include "results/traced_writer.hpp"
 #include "results/written_file.hpp"
 #include "tools/catch.hpp"

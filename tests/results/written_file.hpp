@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "results/file_seal.hpp"
+#include "results/file/file_seal.hpp"
 #include "results/results_file.hpp"
 #include "results/sample.hpp"
 

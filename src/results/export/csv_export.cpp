@@ -1,0 +1,118 @@
+#include "results/export/csv_export.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <system_error>
+
+#include "machine/file_error.hpp"
+#include "results/file/results_access.hpp"
+
+namespace gxrod {
+
+namespace {
+
+constexpr hsize_t most_rows_at_once = 4096;
+
+// One dataset of a group, which makes one or more columns.
+struct CsvColumn {
+    std::string path;
+    std::string name;
+    hsize_t width = 1;
+
+    std::string heading() const {
+        if (width == 1) return name;
+        const std::string letters = width == 4 ? "wxyz" : "xyz";
+        std::string text;
+        for (std::size_t i = 0; i < width; ++i) {
+            if (i > 0) text += ',';
+            text +=
+                i < letters.size() ? fmt::format("{}_{}", name, letters[i]) : fmt::format("{}_{}", name, i);
+        }
+        return text;
+    }
+};
+
+// The datasets of a group, time first.
+std::vector<CsvColumn> find_columns(const Hdf5Reader& file, const std::string& group) {
+    std::vector<CsvColumn> columns{{"/histories/time", "time"}};
+    if (file.text_attribute("/histories/time", "dimension") == "1") columns[0].name = "load_factor";
+    for (const std::string& name : file.members(group)) {
+        if (name == "time") continue;
+        const std::string path = fmt::format("{}/{}", group, name);
+        columns.push_back({path, name, file.width(path)});
+    }
+    return columns;
+}
+
+void append_rows(const Hdf5Reader& file,
+                 const std::vector<CsvColumn>& columns,
+                 hsize_t first,
+                 hsize_t count,
+                 fmt::memory_buffer& text) {
+    std::vector<std::vector<double>> values;
+    for (const CsvColumn& column : columns)
+        values.push_back(file.rows(column.path, first, count, column.width));
+    for (hsize_t row = 0; row < count; ++row) {
+        const char* separator = "";
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            for (hsize_t j = 0; j < columns[i].width; ++j) {
+                fmt::format_to(
+                    std::back_inserter(text), "{}{}", separator, values[i][row * columns[i].width + j]);
+                separator = ",";
+            }
+        }
+        text.push_back('\n');
+    }
+}
+
+void write_table(const Hdf5Reader& file, const std::string& group, const std::filesystem::path& path) {
+    std::ofstream out(path, std::ios::binary);
+    const std::vector<CsvColumn> columns = find_columns(file, group);
+    // The times are written last: their number is that of complete steps.
+    const hsize_t rows = file.size("/histories/time").at(0);
+    std::string headings;
+    for (const CsvColumn& column : columns) headings += (headings.empty() ? "" : ",") + column.heading();
+    out << headings << '\n';
+    for (hsize_t first = 0; first < rows && out; first += most_rows_at_once) {
+        fmt::memory_buffer text;
+        append_rows(file, columns, first, std::min(most_rows_at_once, rows - first), text);
+        out.write(text.data(), static_cast<std::streamsize>(text.size()));
+    }
+    out.close();
+    if (!out) throw FileError(path, "cannot be written", std::generic_category().message(errno));
+}
+
+struct CsvTable {
+    std::string group;
+    std::filesystem::path path;
+};
+
+std::vector<CsvTable> list_tables(const Hdf5Reader& file, const std::filesystem::path& folder) {
+    std::vector<CsvTable> tables{{"/ledger", folder / "ledger.csv"}, {"/solver", folder / "solver.csv"}};
+    for (const std::string& name : file.members("/histories")) {
+        if (name != "time") tables.push_back({"/histories/" + name, folder / ("history_" + name + ".csv")});
+    }
+    return tables;
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> export_csv(const std::filesystem::path& results,
+                                              const std::filesystem::path& folder,
+                                              Existing existing) {
+    std::vector<std::filesystem::path> written;
+    read_results(results, [&](const Hdf5Reader& file) {
+        const std::vector<CsvTable> tables = list_tables(file, folder);
+        written.clear();
+        for (const CsvTable& table : tables) written.push_back(table.path);
+        prepare_export(folder, written, existing);
+        existing = Existing::replace;  // what a further attempt finds is ours
+        for (const CsvTable& table : tables) write_table(file, table.group, table.path);
+    });
+    return written;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,148 @@
+#include "results/export/frame_copy.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <fstream>
+#include <system_error>
+
+#include "machine/file_error.hpp"
+
+namespace gxrod {
+namespace {
+
+Hdf5Handle open_dataset(hid_t file, const std::string& path) {
+    return {H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, "opening a dataset"};
+}
+
+void read_rows(const Hdf5Handle& dataset, hsize_t first, DatasetCopy& copy) {
+    const int rank = static_cast<int>(copy.size.size());
+    std::vector<hsize_t> start(copy.size.size(), 0);
+    start[0] = first;
+    const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose, "dataspace");
+    check_hdf5(
+        H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, copy.size.data(), nullptr),
+        "selecting rows");
+    const Hdf5Handle memory(H5Screate_simple(rank, copy.size.data(), nullptr), H5Sclose, "dataspace");
+    check_hdf5(H5Dread(dataset.id(), copy.type.id(), memory.id(), space.id(), H5P_DEFAULT, copy.bytes.data()),
+               "reading rows");
+}
+
+DatasetCopy copy_rows(const Hdf5Reader& file, const std::string& path, hsize_t first, hsize_t count) {
+    DatasetCopy copy;
+    copy.path = path;
+    copy.label = {path.substr(path.rfind('/') + 1),
+                  file.text_attribute(path, "description"),
+                  file.text_attribute(path, "frame"),
+                  file.text_attribute(path, "dimension")};
+    copy.size = file.size(path);
+    if (first > copy.size.at(0) || count > copy.size[0] - first)
+        throw std::runtime_error(path + " is too short");
+    copy.size[0] = count;
+
+    const Hdf5Handle dataset = open_dataset(file.id(), path);
+    copy.type = Hdf5Handle(H5Dget_type(dataset.id()), H5Tclose, "type");
+    const H5T_class_t kind = H5Tget_class(copy.type.id());
+    if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw std::runtime_error(path + " holds no numbers");
+    copy.bytes.resize(file.count_values(path, copy.size) * H5Tget_size(copy.type.id()));
+    read_rows(dataset, first, copy);
+    return copy;
+}
+
+// All of a group that has `rows` rows a frame, or so many for all frames.
+void copy_data(
+    const Hdf5Reader& file, const std::string& group, hsize_t frame, hsize_t rows, FrameCopy& copy) {
+    for (const std::string& name : file.members(group)) {
+        const std::string path = fmt::format("{}/{}", group, name);
+        const bool is_of_all = !grows(open_dataset(file.id(), path).id());
+        copy.push_back(copy_rows(file, path, is_of_all ? 0 : frame * rows, rows));
+    }
+}
+
+// Groups on the way to a dataset are made when it is.
+Hdf5Handle make_groups_on_the_way() {
+    Hdf5Handle properties(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "link properties");
+    check_hdf5(H5Pset_create_intermediate_group(properties.id(), 1), "link properties");
+    return properties;
+}
+
+void write_copy(hid_t file, const DatasetCopy& copy) {
+    const int rank = static_cast<int>(copy.size.size());
+    const Hdf5Handle space(H5Screate_simple(rank, copy.size.data(), nullptr), H5Sclose, "dataspace");
+    const Hdf5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "dataset properties");
+    check_hdf5(H5Pset_obj_track_times(creation.id(), false), "dataset properties");
+    const Hdf5Handle dataset(H5Dcreate2(file,
+                                        copy.path.c_str(),
+                                        copy.type.id(),
+                                        space.id(),
+                                        make_groups_on_the_way().id(),
+                                        creation.id(),
+                                        H5P_DEFAULT),
+                             H5Dclose,
+                             "creating a dataset");
+    write_label(dataset.id(), copy.label);
+    check_hdf5(H5Dwrite(dataset.id(), copy.type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, copy.bytes.data()),
+               "writing a dataset");
+}
+
+// A file in memory: where the library itself cannot write, it breaks down when the program ends.
+Hdf5Handle create_image() {
+    constexpr std::size_t growth = 65536;
+    const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file properties");
+    check_hdf5(H5Pset_fapl_core(access.id(), growth, false), "file properties");
+    return {H5Fcreate("frame", H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose, "creating a file"};
+}
+
+std::vector<char> image_of(const Hdf5Handle& file) {
+    check_hdf5(H5Fflush(file.id(), H5F_SCOPE_LOCAL), "flushing");
+    const ssize_t size = H5Fget_file_image(file.id(), nullptr, 0);
+    std::vector<char> bytes(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+    if (size < 0 || H5Fget_file_image(file.id(), bytes.data(), bytes.size()) < 0) {
+        throw Hdf5Error("making the file");
+    }
+    return bytes;
+}
+
+std::vector<char> make_image(const FrameCopy& frame) {
+    const Hdf5Handle file = create_image();
+    for (const DatasetCopy& dataset : frame) write_copy(file.id(), dataset);
+    const Hdf5Handle group(H5Gopen2(file.id(), "/VTKHDF", H5P_DEFAULT), H5Gclose, "opening a group");
+    write_attribute(group.id(), "Version", std::array<std::int64_t, 2>{1, 0});
+    write_fixed_attribute(group.id(), "Type", "UnstructuredGrid");
+    return image_of(file);
+}
+
+}  // namespace
+
+FrameCopy read_frame(const Hdf5Reader& results, hsize_t frame) {
+    FrameCopy copy;
+    for (const char* name :
+         {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds", "Connectivity", "Offsets", "Types"}) {
+        const std::string path = std::string("/VTKHDF/") + name;
+        copy.push_back(copy_rows(results, path, 0, results.size(path).at(0)));
+    }
+    const auto points = static_cast<hsize_t>(results.count("/VTKHDF/NumberOfPoints"));
+    const auto cells = static_cast<hsize_t>(results.count("/VTKHDF/NumberOfCells"));
+    copy.push_back(copy_rows(results, "/VTKHDF/Points", frame * points, points));
+    copy_data(results, "/VTKHDF/PointData", frame, points, copy);
+    copy_data(results, "/VTKHDF/CellData", frame, cells, copy);
+    return copy;
+}
+
+void write_frame(const FrameCopy& frame, const std::filesystem::path& path) {
+    std::vector<char> bytes;
+    try {
+        bytes = make_image(frame);
+    } catch (const Hdf5Error& error) {  // of results that were damaged: two fields of one name, say
+        throw FileError(path, "cannot be made of the results", error.what());
+    }
+    std::ofstream out(path, std::ios::binary);
+    out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    out.close();
+    if (!out) throw FileError(path, "cannot be written", std::generic_category().message(errno));
+}
+
+}  // namespace gxrod

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "results/file/hdf5_reader.hpp"
+
+namespace gxrod {
+
+// A rod as a results file has it: where its elements and nodes lie along it.
+struct RodLine {
+    struct Element {
+        std::size_t cell = 0;             // row in CellData
+        double middle = 0.0;              // arc length
+        std::vector<std::size_t> points;  // rows in PointData: the two ends, then those between them
+    };
+    struct Node {
+        std::size_t point = 0;
+        std::size_t element = 0;  // of the rod; where two meet, the first
+        double arc_length = 0.0;
+    };
+    std::vector<Element> elements;
+    std::vector<Node> nodes;  // from start to end, each once
+};
+
+// Names of the rods, in the order of the deck; empty if an earlier version wrote the file, without them.
+// Throws Hdf5Error.
+std::vector<std::string> read_rod_names(const Hdf5Reader& file);
+
+// Throws Hdf5Error, and std::runtime_error if the file's numbers do not fit together.
+RodLine read_rod_line(const Hdf5Reader& file, std::size_t rod);
+
+// How much the nodes of an element, as RodLine::Element lists them, count in its middle: its interpolation,
+// Lagrange's on Gauss-Lobatto points, at ξ = 0. Of 2 to 5 nodes.
+const std::vector<double>& middle_weights(std::size_t nodes);
+
+}  // namespace gxrod

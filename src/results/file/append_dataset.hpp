@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "results/file/hdf5_objects.hpp"
+
+namespace gxrod {
+
+// Form of one row of an AppendDataset.
+struct RowShape {
+    int columns = 1;
+    bool is_vector = false;  // rows of [S,columns]; otherwise [S]
+};
+inline constexpr RowShape scalar_row{1, false};
+inline constexpr RowShape vector_row{3, true};
+
+// Of chunks that are not compressed.
+inline constexpr std::size_t most_chunk_bytes = 262144;
+
+// How rows lie on disk.
+struct RowChunks {
+    hsize_t rows = 0;          // in a chunk; 0: about 4 KiB of them
+    bool is_deflated = false;  // then a chunk may not be written twice: rows have to come by whole chunks
+};
+
+// A dataset that grows by rows. Rows are gathered in memory and written by flush(). Instantiated for double
+// and std::int64_t. Throws Hdf5Error.
+template <class Number>
+class AppendDataset {
+  public:
+    // Appends after the first `rows` rows of the dataset that the group has by that name; what follows them
+    // is replaced. If it has none, a new one, whose first `rows` rows are NaN (0 of whole numbers).
+    AppendDataset(const Hdf5Handle& group,
+                  const DatasetLabel& label,
+                  RowShape shape,
+                  hsize_t rows,
+                  RowChunks chunks = {});
+
+    // One row or several: a multiple of the number of columns.
+    void append(std::span<const Number> values) {
+        buffer_.insert(buffer_.end(), values.begin(), values.end());
+    }
+    void append(Number value) { buffer_.push_back(value); }
+    void flush();
+    // Ends the dataset on disk with its last row.
+    void trim();
+    // The last row that was there already, empty if there was none.
+    std::vector<Number> last_row() const;
+
+    std::size_t buffered_bytes() const { return buffer_.size() * sizeof(Number); }
+    hid_t id() const { return dataset_.id(); }
+
+  private:
+    void open(const Hdf5Handle& group, const DatasetLabel& label);
+    void create(const Hdf5Handle& group, const DatasetLabel& label, RowChunks chunks);
+    void set_extent(hsize_t rows);
+
+    Hdf5Handle dataset_;
+    RowShape shape_;
+    hsize_t rows_;        // written
+    hsize_t extent_ = 0;  // rows on disk, those to be replaced too, and of chunks beyond
+    std::vector<Number> buffer_;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "results/file/hdf5_handle.hpp"
+
+// Groups, attributes and datasets of a results file. All throw Hdf5Error.
+namespace gxrod {
+
+// What a dataset is, as its attributes tell a reader.
+struct DatasetLabel {
+    std::string name;
+    std::string description;
+    std::string frame = "none";  // "spatial", "material", "axes of POINT" or "none"
+    std::string dimension;       // "force·length"; "1" for plain numbers
+};
+
+bool has_link(const Hdf5Handle& group, const std::string& name);
+// The group of that name, new if there is none.
+Hdf5Handle require_group(const Hdf5Handle& parent, const std::string& name);
+
+// Another name for a dataset, unless the group has it already.
+void link_dataset(hid_t dataset, const Hdf5Handle& group, const std::string& name);
+
+// What a group has, groups and datasets, by name.
+std::vector<std::string> list_members(hid_t group);
+
+// Size of a dataset in each direction; empty for a scalar.
+std::vector<hsize_t> extent_of(hid_t dataset);
+
+// Whether a dataset may have more rows.
+bool grows(hid_t dataset);
+
+// The first row of the chunk with the highest rows; nothing if there is no chunk.
+std::optional<hsize_t> find_last_chunk(hid_t dataset);
+
+// Bytes that a dataset, or another object, can have in its file: deflate makes of a byte a thousand at most.
+// Small files may have rows that were never written.
+double most_bytes_of(hid_t object);
+
+// A dataset of texts has at most so many.
+inline constexpr std::size_t most_texts = std::size_t{1} << 16;
+// A string of any kind; `read` reads it as a type into a buffer.
+std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t, void*)>& read);
+std::string read_text_attribute(hid_t object, const std::string& name);
+
+// A variable-length UTF-8 string, which h5py reads as str.
+void write_attribute(hid_t object, const std::string& name, const std::string& text);
+// Writes over an attribute that exists.
+void rewrite_attribute(hid_t object, const std::string& name, const std::string& text);
+// A string of exactly its own length, as VTK demands of /VTKHDF@Type.
+void write_fixed_attribute(hid_t object, const std::string& name, const std::string& text);
+void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values);
+// Replaces an attribute, if it exists; the number of values may change.
+void rewrite_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values);
+void write_label(hid_t dataset, const DatasetLabel& label);
+
+// Datasets that are written once.
+void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, const std::string& text);
+void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::string> texts);
+void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const double> values);
+void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::int64_t> values);
+void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::uint8_t> values);
+// Of doubles, to be written yet.
+Hdf5Handle create_dataset(const Hdf5Handle& group, const DatasetLabel& label, hsize_t rows, hsize_t columns);
+
+}  // namespace gxrod

@@ -1,0 +1,155 @@
+#include "results/tables/history_point.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "rotation/rotation_map.hpp"
+
+namespace gxrod {
+namespace {
+
+HistoryPoint::Row row(const Vec3& vector) { return {vector.x(), vector.y(), vector.z(), 0.0}; }
+
+// The axes of the section at a node of an element, at t = 0.
+Quat section_axes(const Model& model, const RodPlace& place, int node) {
+    const Rod& rod = model.rods[static_cast<std::size_t>(place.rod)];
+    const auto first =
+        rod.element_nodes.begin() + static_cast<std::ptrdiff_t>(place.element) * (rod.order + 1);
+    const auto local = std::find(first, first + rod.order + 1, node) - first;
+    // A rod of one element that comes back to its node has it twice.
+    const bool is_end = place.xi == 1.0;
+    return rod
+        .triads[static_cast<std::size_t>(first - rod.element_nodes.begin() + (is_end ? rod.order : local))];
+}
+
+}  // namespace
+
+std::vector<RodPlace> list_rod_places(const std::vector<HistoryRequest>& requests) {
+    std::vector<RodPlace> places;
+    for (const HistoryRequest& request : requests) {
+        if (request.place) places.push_back(*request.place);
+    }
+    return places;
+}
+
+HistoryPoint::HistoryPoint(const Model& model, const std::vector<HistoryRequest>& requests, std::size_t index)
+    : node_(requests[index].node),
+      relative_node_(requests[index].relative_node),
+      relative_axes_(requests[index].relative_axes) {
+    const HistoryRequest& request = requests[index];
+    for (std::size_t i = 0; i < index; ++i) point_ += requests[i].place ? 1 : 0;
+    if (request.body >= 0) {
+        body_ = &model.bodies[static_cast<std::size_t>(request.body)];
+        start_axes_ = body_->attitude;
+    } else if (request.place && node_ >= 0) {
+        start_axes_ = section_axes(model, *request.place, node_);
+    }
+    if (node_ >= 0) start_ = model.nodes[static_cast<std::size_t>(node_)].position;
+    if (relative_node_ >= 0) relative_start_ = model.nodes[static_cast<std::size_t>(relative_node_)].position;
+}
+
+HistoryPoint::Seen HistoryPoint::see(const Snapshot& snapshot) const {
+    if (node_ >= 0) return {start_, start_axes_, snapshot.nodes[static_cast<std::size_t>(node_)]};
+    const PointValues& point = snapshot.points[point_];
+    return {point.start, point.triad, point.motion};
+}
+
+// With A = Λ_ref A₀ the axes of the reference point, ω and α its spatial rates, d = r − r_ref and
+// c = v − v_ref − ω × d the velocity that an observer on those axes sees:
+//   position Aᵀ d, velocity Aᵀ c, acceleration Aᵀ (a − a_ref − α × d − ω × (ω × d) − 2 ω × c),
+//   angular velocity Aᵀ (ω_point − ω); Aᵀ Λ A₀ takes the place of Λ, so that with A₀ it is the identity at
+//   t = 0, and Aᵀ Λ triad = (Aᵀ Λ A₀) (A₀ᵀ triad) are the axes of the point from those of the reference.
+HistoryPoint::Seen HistoryPoint::see_from_reference(const Snapshot& snapshot) const {
+    Seen point = see(snapshot);
+    if (relative_node_ < 0) return point;
+    const NodeMotion& node = point.motion;
+    const NodeMotion& reference = snapshot.nodes[static_cast<std::size_t>(relative_node_)];
+    const Quat to_axes = (reference.Lambda * relative_axes_).conjugate();
+    const Vec3& omega = reference.omega;
+    const Vec3 d = node.r - reference.r;
+    const Vec3 c = node.v - reference.v - omega.cross(d);
+    Seen seen;
+    seen.start = relative_axes_.conjugate() * (point.start - relative_start_);
+    seen.start_axes = relative_axes_.conjugate() * point.start_axes;
+    seen.motion.r = to_axes * d;
+    seen.motion.v = to_axes * c;
+    seen.motion.a = to_axes * (node.a - reference.a - reference.alpha.cross(d) - omega.cross(omega.cross(d)) -
+                               2.0 * omega.cross(c));
+    seen.motion.Lambda = to_axes * node.Lambda * relative_axes_;
+    seen.motion.omega = to_axes * (node.omega - omega);
+    return seen;
+}
+
+Vec3 HistoryPoint::section_value(Quantity quantity, const Snapshot& snapshot, const Quat& axes) const {
+    const PointValues& point = snapshot.points[point_];
+    switch (quantity) {
+        case Quantity::force:
+            return point.force;
+        case Quantity::moment:
+            return point.moment;
+        case Quantity::strain:
+            return point.strain;
+        case Quantity::curvature:
+            return point.curvature;
+        case Quantity::force_spatial:
+            return axes * point.force;
+        default:
+            return axes * point.moment;
+    }
+}
+
+HistoryPoint::Row HistoryPoint::continuous_quaternion(const Quat& rotation, Quat& last) {
+    const double sign = rotation.dot(last) < 0.0 ? -1.0 : 1.0;
+    last.coeffs() = sign * rotation.coeffs();
+    return {last.w(), last.x(), last.y(), last.z()};
+}
+
+void HistoryPoint::go_on_from(Quantity quantity, std::span<const double> row) {
+    if (quantity == Quantity::quaternion) last_quaternion_ = Quat(row[0], row[1], row[2], row[3]);
+    if (quantity == Quantity::orientation) last_orientation_ = Quat(row[0], row[1], row[2], row[3]);
+}
+
+HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snapshot) {
+    const Seen seen = see_from_reference(snapshot);
+    const NodeMotion& node = seen.motion;
+    const Quat axes = node.Lambda * seen.start_axes;
+    const Quat rotation = body_ ? axes : node.Lambda;
+    switch (quantity) {
+        case Quantity::position:
+            return row(node.r);
+        case Quantity::displacement:
+            return row(node.r - seen.start);
+        case Quantity::rotation_vector:
+            return row(log(rotation));
+        case Quantity::quaternion:
+            return continuous_quaternion(rotation, last_quaternion_);
+        case Quantity::orientation:
+            return continuous_quaternion(axes, last_orientation_);
+        case Quantity::velocity:
+            return row(node.v);
+        case Quantity::angular_velocity:
+            return row(node.omega);
+        case Quantity::angular_velocity_material:
+            return row(axes.conjugate() * node.omega);
+        case Quantity::acceleration:
+            return row(node.a);
+        case Quantity::centre_of_mass:
+            assert(body_);
+            return row(node.r + axes * body_->centre_of_mass);
+        case Quantity::force:
+        case Quantity::moment:
+        case Quantity::strain:
+        case Quantity::curvature:
+        case Quantity::force_spatial:
+        case Quantity::moment_spatial:
+            return row(section_value(quantity, snapshot, axes));
+        case Quantity::reaction_force:
+            return row(snapshot.reactions[static_cast<std::size_t>(node_)].head<3>());
+        case Quantity::reaction_moment:
+            return row(snapshot.reactions[static_cast<std::size_t>(node_)].tail<3>());
+    }
+    assert(false);
+    return {};
+}
+
+}  // namespace gxrod

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "model/model.hpp"
+#include "model/settings.hpp"
+#include "results/tables/point_kind.hpp"
+#include "state/step_record.hpp"
+
+namespace gxrod {
+
+// The points of rods that the requests are about, in their order: those of Snapshot::points.
+std::vector<RodPlace> list_rod_places(const std::vector<HistoryRequest>& requests);
+
+// The values of one named point at a step. Quantities: those of the deck's [[history]].
+class HistoryPoint {
+  public:
+    // A row's numbers; vectors use the first three.
+    using Row = std::array<double, 4>;
+
+    // Of requests[index]. `model` must outlive the point; snapshots must have the points of all requests.
+    HistoryPoint(const Model& model, const std::vector<HistoryRequest>& requests, std::size_t index);
+
+    PointKind kind() const { return body_ ? PointKind::body : PointKind::rod; }
+    // Chooses the sign of each quaternion that is nearest to the one of the call before.
+    Row compute(Quantity quantity, const Snapshot& snapshot);
+    // Takes a row computed earlier for the one of the call before.
+    void go_on_from(Quantity quantity, std::span<const double> row);
+
+  private:
+    // The point by itself, at t = 0 and now.
+    struct Seen {
+        Vec3 start;
+        Quat start_axes;  // of the section or body
+        NodeMotion motion;
+    };
+    Seen see(const Snapshot& snapshot) const;
+    // As seen from the point that the request is relative to: places from there, components in its axes,
+    // Lambda · start_axes the section or body axes from those.
+    Seen see_from_reference(const Snapshot& snapshot) const;
+    Vec3 section_value(Quantity quantity, const Snapshot& snapshot, const Quat& axes) const;
+    Row continuous_quaternion(const Quat& rotation, Quat& last);
+
+    Vec3 start_ = Vec3::Zero();  // of a node
+    Quat start_axes_ = Quat::Identity();
+    int node_;                    // or -1
+    std::size_t point_ = 0;       // of a rod's: in Snapshot::points
+    const Body* body_ = nullptr;  // the point is a body's
+    int relative_node_;           // what the point is relative to, or -1
+    Quat relative_axes_;          // there, at t = 0
+    Vec3 relative_start_ = Vec3::Zero();
+    Quat last_quaternion_ = Quat::Identity();
+    Quat last_orientation_ = Quat::Identity();
+};
+
+}  // namespace gxrod

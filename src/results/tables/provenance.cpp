@@ -1,0 +1,68 @@
+#include "results/tables/provenance.hpp"
+
+#include <filesystem>
+#include <set>
+
+#include "machine/digest.hpp"
+#include "model/version.hpp"
+#include "results/tables/deck_reading.hpp"
+
+namespace gxrod {
+namespace {
+
+// Each under its file's name; where two folders have files of one name, the later with a number before it.
+void write_meshes(const Hdf5Handle& parent, const std::vector<MeshRecord>& meshes) {
+    const Hdf5Handle group = require_group(parent, "meshes");
+    std::set<std::string> names;
+    for (const MeshRecord& mesh : meshes) {
+        const std::string file = std::filesystem::path(mesh.file).filename().string();
+        std::string name = file;
+        for (int count = 2; !names.insert(name).second; ++count) name = std::to_string(count) + "_" + file;
+        const std::vector<std::uint8_t> bytes(mesh.bytes.begin(), mesh.bytes.end());
+        write_dataset(group, {name, "bytes of a mesh that the deck names", "none", ""}, bytes);
+        const Hdf5Handle dataset(H5Dopen2(group.id(), name.c_str(), H5P_DEFAULT), H5Dclose, "opening a mesh");
+        write_attribute(dataset.id(), "file", mesh.file);
+        write_attribute(dataset.id(), "sha256", sha256_hex(mesh.bytes));
+    }
+}
+
+}  // namespace
+
+void write_provenance(const Hdf5Handle& root, const DeckRecord& deck) {
+    write_attribute(root.id(), "gxrod_version", version);
+    write_attribute(root.id(), "deck_name", deck.name);
+    write_attribute(root.id(), "deck_sha256", sha256_hex(deck.text));
+    write_attribute(root.id(), "title", deck.title);
+    write_attribute(root.id(), "units", deck.units);
+    write_attribute(root.id(), "analysis", deck.is_static ? "static" : "dynamic");
+    write_attribute(root.id(), "status", "running");
+    write_attribute(root.id(), "reason", "");
+    write_attribute(root.id(), "reason_nodes", std::span<const std::int64_t>{});
+    write_attribute(root.id(), "warnings", "");
+    const Hdf5Handle group = require_group(root, "deck");
+    write_dataset(group, {"text", "the deck as run", "none", ""}, deck.text);
+    if (!deck.meshes.empty()) write_meshes(group, deck.meshes);
+}
+
+void write_resumption(const Hdf5Handle& root, const DeckRecord& before, const DeckRecord& deck) {
+    if (before.text != deck.text) {
+        const Hdf5Handle group = require_group(root, "deck");
+        std::size_t count = 2;
+        while (has_link(group, deck_text_name(count))) ++count;
+        write_dataset(
+            group,
+            {deck_text_name(count), "the deck as run after a resumption that changed it", "none", ""},
+            deck.text);
+        rewrite_attribute(root.id(), "deck_name", deck.name);
+        rewrite_attribute(root.id(), "deck_sha256", sha256_hex(deck.text));
+        rewrite_attribute(root.id(), "title", deck.title);
+        rewrite_attribute(root.id(), "units", deck.units);
+    }
+    rewrite_attribute(root.id(), "gxrod_version", version);
+    rewrite_attribute(root.id(), "status", "running");
+    rewrite_attribute(root.id(), "reason", "");
+    rewrite_attribute(root.id(), "reason_nodes", std::span<const std::int64_t>{});
+    rewrite_attribute(root.id(), "warnings", "");
+}
+
+}  // namespace gxrod

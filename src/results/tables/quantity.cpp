@@ -1,0 +1,98 @@
+#include "results/tables/quantity.hpp"
+
+#include <cassert>
+
+namespace gxrod {
+namespace {
+
+constexpr RowShape quaternion_row{4, true};
+constexpr const char* the_global_axes = "the global axes";
+
+// Whose axes a rotation is measured from: "the global axes".
+QuantityForm rotation_form(Quantity quantity, PointKind kind, const std::string& from) {
+    const bool is_body = kind == PointKind::body;
+    const std::string rotation = is_body                   ? "body axes from " + from
+                                 : from == the_global_axes ? "since the reference configuration"
+                                                           : "since t = 0, as seen from " + from;
+    switch (quantity) {
+        case Quantity::rotation_vector:
+            return {{"rotation_vector", "rotation vector, at most pi long: " + rotation, "spatial", "angle"},
+                    vector_row};
+        case Quantity::quaternion:
+            return {{"quaternion", "unit quaternion w x y z: " + rotation, "spatial", "1"}, quaternion_row};
+        default:
+            return {{"orientation",
+                     "unit quaternion w x y z: " + std::string(is_body ? "body" : "section") + " axes from " +
+                         from,
+                     "spatial",
+                     "1"},
+                    quaternion_row};
+    }
+}
+
+bool is_rotation(Quantity quantity) {
+    return quantity == Quantity::rotation_vector || quantity == Quantity::quaternion ||
+           quantity == Quantity::orientation;
+}
+
+}  // namespace
+
+QuantityForm quantity_form(Quantity quantity, PointKind kind) {
+    const std::string component_order = " (axial, shear y, shear z)";
+    const std::string couple_order = " (about x, y, z)";
+    switch (quantity) {
+        case Quantity::position:
+            return {{"position", "position", "spatial", "length"}, vector_row};
+        case Quantity::displacement:
+            return {{"displacement", "displacement since t = 0", "spatial", "length"}, vector_row};
+        case Quantity::rotation_vector:
+        case Quantity::quaternion:
+        case Quantity::orientation:
+            return rotation_form(quantity, kind, the_global_axes);
+        case Quantity::velocity:
+            return {{"velocity", "velocity", "spatial", "length/time"}, vector_row};
+        case Quantity::angular_velocity:
+            return {{"angular_velocity", "angular velocity", "spatial", "angle/time"}, vector_row};
+        case Quantity::angular_velocity_material:
+            return {{"angular_velocity_material",
+                     "angular velocity in the section or body axes",
+                     "material",
+                     "angle/time"},
+                    vector_row};
+        case Quantity::acceleration:
+            return {{"acceleration", "acceleration of the node", "spatial", "length/time²"}, vector_row};
+        case Quantity::centre_of_mass:
+            return {{"centre_of_mass", "position of the centre of mass", "spatial", "length"}, vector_row};
+        case Quantity::force:
+            return {{"force", "section force" + component_order, "material", "force"}, vector_row};
+        case Quantity::moment:
+            return {{"moment", "section moment" + couple_order, "material", "force·length"}, vector_row};
+        case Quantity::force_spatial:
+            return {{"force_spatial", "section force", "spatial", "force"}, vector_row};
+        case Quantity::moment_spatial:
+            return {{"moment_spatial", "section moment", "spatial", "force·length"}, vector_row};
+        case Quantity::strain:
+            return {{"strain", "strain" + component_order, "material", "1"}, vector_row};
+        case Quantity::curvature:
+            return {{"curvature", "change of curvature" + couple_order, "material", "angle/length"},
+                    vector_row};
+        case Quantity::reaction_force:
+            return {{"reaction_force", "force that the support exerts", "spatial", "force"}, vector_row};
+        case Quantity::reaction_moment:
+            return {{"reaction_moment", "moment that the support exerts", "spatial", "force·length"},
+                    vector_row};
+    }
+    assert(false);
+    return {};
+}
+
+QuantityForm relative_quantity_form(Quantity quantity, PointKind kind, const std::string& relative_to) {
+    const std::string axes = "axes of " + relative_to;
+    const bool turns = is_rotation(quantity);
+    QuantityForm form = turns ? rotation_form(quantity, kind, "the " + axes) : quantity_form(quantity, kind);
+    form.label.frame = axes;
+    if (!turns) form.label.description += ", as seen from " + relative_to + " and its axes";
+    return form;
+}
+
+}  // namespace gxrod

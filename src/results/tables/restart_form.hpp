@@ -1,0 +1,149 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "machine/checksum.hpp"
+#include "results/file/hdf5_objects.hpp"
+#include "state/restart_record.hpp"
+
+// How a state to go on from lies in a slot of /restart: for what writes and what reads it.
+namespace gxrod {
+
+inline constexpr std::int64_t no_slot = -1;
+inline constexpr std::int64_t form_version = 6;  // of what is in /restart; raise it with every change
+inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
+
+// Calls visit(vector) for each vector of a row, const or not.
+template <class Row, class Visitor>
+void visit_vectors(Row& row, Visitor&& visit) {
+    using Kind = std::remove_const_t<Row>;
+    if constexpr (std::is_same_v<Kind, NodeMotion>) {
+        visit(row.r);
+        visit(row.Lambda.coeffs());
+        visit(row.v);
+        visit(row.omega);
+        visit(row.a);
+        visit(row.alpha);
+    } else if constexpr (std::is_same_v<Kind, SectionHistory>) {
+        visit(row.Lambda.coeffs());
+        visit(row.K);
+    } else if constexpr (std::is_same_v<Kind, AlgorithmicAcceleration>) {
+        visit(row.a);
+        visit(row.alpha);
+    } else {
+        static_assert(std::is_same_v<Kind, Vec6>);
+        visit(row);
+    }
+}
+
+template <class Row>
+hsize_t count_columns() {
+    hsize_t columns = 0;
+    Row row;
+    visit_vectors(row, [&](const auto& vector) { columns += static_cast<hsize_t>(vector.size()); });
+    return columns;
+}
+
+// Rows of numbers with so many columns.
+struct Table {
+    hsize_t columns;
+    std::vector<double> values = {};
+};
+
+template <class Row>
+Table table_of(std::span<const Row> rows) {
+    Table table{count_columns<Row>()};
+    table.values.reserve(rows.size() * table.columns);
+    for (const Row& row : rows) {
+        visit_vectors(row, [&](const auto& vector) {
+            table.values.insert(table.values.end(), vector.data(), vector.data() + vector.size());
+        });
+    }
+    return table;
+}
+
+template <class Row>
+std::vector<Row> rows_of(const Table& table) {
+    std::vector<Row> rows(table.values.size() / table.columns);
+    const double* next = table.values.data();
+    for (Row& row : rows) {
+        visit_vectors(row, [&](auto&& vector) {
+            std::copy_n(next, vector.size(), vector.data());
+            next += vector.size();
+        });
+    }
+    return rows;
+}
+
+// Calls visit(name, member) for each single number of a place.
+template <class Place, class Visitor>
+void visit_numbers(Place& place, Visitor&& visit) {
+    auto& [record, steps, frames] = place;
+    visit("steps", steps);
+    visit("frames", frames);
+    visit("time", record.steps.time);
+    visit("has_failed", record.steps.has_failed);
+    visit("next_step", record.steps.step);
+    visit("error_before", record.steps.error_before);
+    visit("just_rejected", record.steps.just_rejected);
+    visit("steps_by_error", record.steps.accepted);
+    visit("initial_energy", record.ledger.initial_energy);
+    visit("initial_potential", record.ledger.initial_potential);
+    visit("work", record.ledger.work);
+    visit("dissipated", record.ledger.dissipated);
+    visit("dissipated_by_scheme", record.ledger.dissipated_by_scheme);
+    visit("driving_power", record.ledger.driving_power);
+    visit("damping_power", record.ledger.damping_power);
+    visit("negative_pivots", record.negative_pivots);
+    visit("load_step", record.ledger.load_step);
+    visit("strain_energy", record.ledger.strain_energy);
+    visit("largest_strain_energy_or_work", record.ledger.largest_energy);
+    visit("is_framed", record.is_framed);
+    visit("accepted_steps", record.totals.steps);
+    visit("rejected_steps", record.totals.rejected_steps);
+    visit("newton_iterations", record.totals.newton_iterations);
+    visit("largest_energy", record.totals.largest_energy);
+    visit("largest_energy_error", record.totals.largest_energy_error);
+    visit("jumps", record.totals.jumps.count);
+    visit("jump_from", record.totals.jumps.largest.from);
+    visit("jump_to", record.totals.jumps.largest.to);
+    visit("jump_energy", record.totals.jumps.largest.energy);
+}
+
+inline DatasetLabel numbers_label() {
+    std::string names;
+    const RestartPlace none;
+    visit_numbers(none, [&](const char* name, const auto&) { names += std::string(" ") + name; });
+    return {"numbers", "single numbers, in order:" + names + " checksum_of_state", "none", ""};
+}
+
+inline std::uint32_t sum_of(const Table& table, std::uint32_t before) {
+    return checksum(std::span<const double>(table.values), before);
+}
+
+inline const DatasetLabel nodes_label{
+    "nodes",
+    "of each node: position, rotation as quaternion x y z w, velocity, angular "
+    "velocity, acceleration, angular acceleration",
+    "spatial",
+    ""};
+inline const DatasetLabel sections_label{
+    "sections",
+    "of each force point that remembers: section axes as quaternion x y z w, "
+    "material curvature",
+    "none",
+    ""};
+inline const DatasetLabel algorithmic_label{
+    "algorithmic", "of each node: algorithmic acceleration and angular acceleration", "spatial", ""};
+inline const DatasetLabel forces_label{
+    "forces", "force and moment that does work on each node", "spatial", ""};
+inline const DatasetLabel force_change_label{
+    "force_change", "what the last load step changed of these", "spatial", ""};
+inline const DatasetLabel movement_label{
+    "movement", "displacement and rotation vector of each node in the last load step", "spatial", ""};
+
+}  // namespace gxrod
