@@ -18,7 +18,7 @@ function(gxrod_embed_report_page page name output)
 namespace gxrod {
 
 std::span<const std::string_view> ${name}() {
-    static constexpr std::string_view pieces[] = {
+    static const std::string_view pieces[] = {
 ${pieces}    };
     return pieces;
 }
