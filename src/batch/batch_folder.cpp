@@ -64,7 +64,7 @@ void check_batch_folder(const fs::path& folder) {
 void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) throw FileError(folder, "cannot be made", error.message());
+    if (error) throw FileError(folder, "cannot be created", error.message());
 }
 
 void clear_batch_folder(const fs::path& folder) {

@@ -12,7 +12,7 @@ namespace gxrod {
 std::filesystem::path make_temporary_folder(const std::string& purpose) {
     std::string name = (std::filesystem::temp_directory_path() / ("gxrod-" + purpose + "-XXXXXX")).string();
     if (::mkdtemp(name.data()) == nullptr) {
-        throw FileError(name, "cannot be made", std::generic_category().message(errno));
+        throw FileError(name, "cannot be created", std::generic_category().message(errno));
     }
     return name;
 }

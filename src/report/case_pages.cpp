@@ -72,7 +72,7 @@ std::vector<CaseFiles> choose(const std::vector<CaseFiles>& kept,
 void make_folder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) throw FileError(folder, "cannot be made", error.message());
+    if (error) throw FileError(folder, "cannot be created", error.message());
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ std::string case_page_name(long number, long cases);
 
 // Writes the pages of cases whose results were kept, each of at most so many bytes; those that failed come
 // first, if there are too many. A page that is not older than its results stays as it is. Results that cannot
-// be shown keep no other page from being written. Throws FileError if the folder cannot be made.
+// be shown keep no other page from being written. Throws FileError if the folder cannot be created.
 CasePages write_case_pages(const std::filesystem::path& folder,
                            const BatchRecord& record,
                            const std::vector<CaseRow>& rows,

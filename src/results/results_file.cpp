@@ -35,7 +35,7 @@ using namespace std::chrono_literals;
 constexpr auto flush_interval = 200ms;
 constexpr std::size_t most_buffered_bytes = std::size_t{16} << 20;
 
-// Runs a step of writing; its errors become those of the file.
+// Runs a step of writing; its errors become WriteError.
 template <class Action>
 void writing(const std::filesystem::path& path, Action&& action) {
     try {
@@ -49,7 +49,7 @@ void writing(const std::filesystem::path& path, Action&& action) {
     }
 }
 
-// What HDF5 may keep of a frame: two chunks of each of its fields.
+// What HDF5 can keep of a frame: two chunks of each field.
 std::size_t count_frame_bytes(const Model& model) {
     constexpr std::size_t fields = 14;
     return fields * std::min(model.nodes.size() * sizeof(Vec3), 2 * most_chunk_bytes);
@@ -163,8 +163,8 @@ void ResultsFile::resume(const DeckRecord& deck,
     hdf5_->commit(OrderedFile::Order::shrinking);
     tables_->flush_frame_count();
     hdf5_->commit();
-    // Compressed frames would be written over those that are there, which a kill in between would tear. What
-    // becomes free must not be used again, as if nothing on disk referred to it: HDF5 forgets it.
+    // Compressed frames would overwrite those on disk, which a kill in between would tear. HDF5 must not
+    // reuse the space that becomes free either, so the file is closed: HDF5 then forgets it.
     tables_->trim();
     hdf5_->commit(OrderedFile::Order::shrinking);
     close_hdf5();
@@ -174,7 +174,7 @@ void ResultsFile::resume(const DeckRecord& deck,
     file_->seal();
 }
 
-// What is half done when an exception comes must not be written later: rows of some tables only, say.
+// After an exception, what is half done must never be written: rows of some tables only, for example.
 template <class Action>
 void ResultsFile::attempt(std::size_t bytes, Action&& action) {
     assert(tables_ && is_sound_);
@@ -187,7 +187,7 @@ void ResultsFile::attempt(std::size_t bytes, Action&& action) {
 }
 
 void ResultsFile::record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver) {
-    // Nothing of HDF5 here: only rows are gathered.
+    // Only gathers rows in memory; HDF5 is not called.
     attempt(0, [&] { tables_->append_step(snapshot, ledger, solver); });
 }
 
@@ -216,9 +216,9 @@ void ResultsFile::flush() {
         tables_->switch_restart();
         hdf5_->commit();
         file_->seal();
-        H5garbage_collect();  // what HDF5 keeps for more frames of that size
+        H5garbage_collect();  // buffers that HDF5 keeps for frames of that size
     });
-    // A slow disk takes at most a tenth of the time.
+    // Flushing takes at most a tenth of the time, even on a slow disk.
     const auto end = Clock::now();
     next_flush_ = end + std::max<Clock::duration>(flush_interval, 10 * (end - start));
 }

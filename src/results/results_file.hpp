@@ -22,7 +22,7 @@ class OrderedFile;
 class ResultsTables;
 
 enum class RunStatus { running, complete, failed, interrupted };
-// As files and summaries say it: "running" …
+// As written in files and summaries: "running" …
 const char* name_of(RunStatus status);
 
 struct ResultsFileOptions {
@@ -33,9 +33,9 @@ struct ResultsFileOptions {
 // The HDF5 file of a run: histories, ledger and solver record of each step, and frames that ParaView reads.
 // docs/guide/results.md has its layout.
 //
-// Steps and frames are gathered in memory; the caller writes them together with flush() when that is due.
-// Wherever the writer is killed, the file holds every step and frame of the last time it was written:
-// /VTKHDF/Steps@NSteps is raised after all else is there, then /histories/time and /VTKHDF/Steps/Values.
+// Steps and frames are gathered in memory; the caller writes them with flush() when that is due. Whenever the
+// writer is killed, the file holds every step and frame of the last flush: /VTKHDF/Steps@NSteps is raised
+// after everything else is on disk, then /histories/time and /VTKHDF/Steps/Values.
 //
 // Every member but the destructor throws WriteError if the file cannot be written, std::bad_alloc if there is
 // too little memory for that. After that the file still holds what was written before.
@@ -47,8 +47,8 @@ class ResultsFile {
                 const DeckRecord& deck,
                 const Model& model,
                 const OutputSettings& output);
-    // Goes on with a results file after the step that it can be resumed from. What the file has beyond is
-    // replaced; histories may come and go, the rest of the model must be the same.
+    // Resumes a results file at the step that its restart record holds. Later rows are replaced; histories
+    // can be added or dropped, the rest of the model must be the same.
     ResultsFile(const DeckRecord& deck, const Model& model, const OutputSettings& output, ResumableFile file);
     // Without close() the status stays "running". Never throws.
     ~ResultsFile();
@@ -59,17 +59,15 @@ class ResultsFile {
     void record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
     // Adds a frame to /VTKHDF.
     void write_frame(const Snapshot& snapshot);
-    // Whether no call has failed so far. After one that did, only the destructor may be called.
+    // Whether no call has failed so far. After a failure, only the destructor may be called.
     bool is_sound() const { return is_sound_; }
-    // Whether it is time to write what is gathered: five times a second, or when it is much.
+    // Whether it is time to flush: five times a second, or when much is buffered.
     bool is_flush_due() const;
-    // What a resumed run goes on from, once it is written: after the steps and frames added so far.
+    // The state that a resumed run starts from, once it is written: after the steps and frames added so far.
     void set_restart(RestartRecord record);
-    // Writes now what is gathered.
     void flush();
-    // Writes all, with the status, its reason and the nodes that the reason names. Nothing may be added after
-    // it. Throws FileError, too, if the file has another name by now.
-    // `warnings` are lines.
+    // Flushes, then writes the status, its reason, the nodes that the reason names and the lines of
+    // `warnings`. Nothing may be added afterwards. Throws FileError, too, if the file has been renamed.
     void close(RunStatus status,
                const std::string& reason,
                std::span<const std::int64_t> reason_nodes = {},
@@ -103,7 +101,7 @@ class ResultsFile {
     Clock::time_point next_flush_;
     std::size_t frame_bytes_ = 0;
     bool is_sound_ = true;
-    // Last, so that it goes first: whatever ends the writer, HDF5 can be closed after it.
+    // Last, so that it is destroyed first: HDF5 can be closed after it, whatever ended the writer.
     std::shared_ptr<void> abandonment_;
 };
 

@@ -5,8 +5,8 @@
 
 namespace gxrod {
 
-// What a run writes, as far as its deck tells: nothing of steps that are chosen by their error, and of frames
-// that are compressed.
+// What a run writes, as far as its deck determines it: without steps that are chosen by their error, and
+// without frames that are compressed.
 struct ResultsSize {
     double steps = 0.0;
     double frames = 0.0;

@@ -21,17 +21,17 @@ class ResultsTables {
 
     void append_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
     void append_frame(const Snapshot& snapshot);
-    // The run can go on from the steps and frames that were appended so far.
+    // A run can be resumed after the steps and frames that were appended so far.
     void set_restart(RestartRecord record);
-    // All rows but those that say how many there are …
+    // All rows except those that count the others …
     void flush_rows();
     // … the number of frames, when these are on disk …
     void flush_frame_count();
     // … then the times of steps and frames …
     void flush_times();
-    // … and last which state to go on from.
+    // … and last which slot holds the state to resume from.
     void switch_restart();
-    // Takes away what an earlier run wrote beyond the last row: of the times, or of all.
+    // Removes what an earlier run wrote beyond the last row: of the times, or of all tables.
     void trim_times();
     void trim();
     std::size_t buffered_bytes() const;

@@ -16,7 +16,8 @@ namespace gxrod {
 namespace {
 
 constexpr const char* failure = "cannot be resumed: ";
-constexpr const char* anew = "if its run was stopped before it first wrote, gxrod run --force begins it anew";
+constexpr const char* start_again =
+    "if its run was stopped before it first wrote, gxrod run --force starts it again";
 
 struct Contents {
     RestartPlace place;
@@ -24,23 +25,22 @@ struct Contents {
     bool is_complete;
 };
 
-// Throws std::runtime_error if there is nothing to go on from.
+// Throws std::runtime_error if there is nothing to resume from.
 Contents read_contents(const std::filesystem::path& path) {
     const Hdf5Reader file(path);
     if (!file.has_attribute("/", "gxrod_version"))
         throw std::runtime_error("it is not a results file of gxrod");
     std::optional<RestartPlace> place = read_restart(file);
-    if (!place) throw std::runtime_error("it has no state to go on from");
+    if (!place) throw std::runtime_error("it has no state to resume from");
     return {*std::move(place), read_deck_record(file), file.text_attribute("/", "status") == "complete"};
 }
 
-// Whether HDF5 comes back from a file of a run that was killed while it wrote. Throws FileError if not.
+// Throws FileError if HDF5 crashes or hangs on the file of a run that was killed while it wrote.
 void try_contents(const std::filesystem::path& path) {
     read_in_child(path, [&] {
         try {
             read_contents(path);
         } catch (const std::runtime_error&) {
-            // As it will be here.
         }
         return std::string();
     });
@@ -49,15 +49,16 @@ void try_contents(const std::filesystem::path& path) {
 Contents check_contents(const std::filesystem::path& path) {
     const SealState seal = look_at_seal(path);
     if (seal == SealState::missing)
-        throw FileError(
-            path, failure + std::string("it is not a results file of gxrod, or of an earlier version"), anew);
+        throw FileError(path,
+                        failure + std::string("it is not a results file of gxrod, or of an earlier version"),
+                        start_again);
     if (seal == SealState::violated)
-        throw FileError(path, failure + describe_doubt(seal), "gxrod run --force begins it anew");
+        throw FileError(path, failure + describe_doubt(seal), "gxrod run --force starts it again");
     if (seal == SealState::open) try_contents(path);
     try {
         return read_contents(path);
     } catch (const std::runtime_error& error) {
-        throw FileError(path, failure + std::string(error.what()), anew);
+        throw FileError(path, failure + std::string(error.what()), start_again);
     }
 }
 

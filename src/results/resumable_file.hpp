@@ -8,11 +8,11 @@
 
 namespace gxrod {
 
-// A results file that a run can go on with, open for writing and locked against a second writer.
+// A results file that can be resumed, open for writing and locked against a second writer.
 class ResumableFile {
   public:
     // Throws FileError if there is no such file, it cannot be written, another process writes it, or it has
-    // no state to go on from.
+    // no state to resume from.
     explicit ResumableFile(const std::filesystem::path& path);
     ~ResumableFile();
     ResumableFile(ResumableFile&& other) noexcept;

@@ -352,7 +352,7 @@ TEST_CASE("What cannot be resumed is told", "[analyses][resume]") {
     CHECK_THROWS_WITH(ResumableFile(text.path()), Catch::Contains("cannot be resumed: "));
     { const ResultsFile empty({runner.folder / "empty"}, sample::make_deck(), sample::make_model(), {}); }
     CHECK_THROWS_WITH(ResumableFile(runner.folder / "empty"),
-                      Catch::Contains("it has no state to go on from"));
+                      Catch::Contains("it has no state to resume from"));
 }
 
 }  // namespace gxrod::test

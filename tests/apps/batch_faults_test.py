@@ -102,7 +102,7 @@ class Faults(BatchTest):
     def test_a_folder_that_cannot_be_made(self):
         self.write("plan.toml", PLAN)
         done = self.gxrod("batch", "plan.toml", "-o", "plan.toml/x", code=4)
-        self.assertEqual(done.stderr, "gxrod: plan.toml/x: cannot be made (Not a directory)\n")
+        self.assertEqual(done.stderr, "gxrod: plan.toml/x: cannot be created (Not a directory)\n")
 
     @unittest.skipIf(SANITIZED, "the sanitizers need descriptors themselves")
     def test_no_process_can_be_had(self):

@@ -29,7 +29,7 @@ class ChangedResults(ProgramTest):
     def test_no_run_goes_on_from_them(self):
         before = (self.folder / "changed.vtkhdf").read_bytes()
         told = self.gxrod("resume", "changed.vtkhdf", "--set", "analysis.end_time=100", code=4).stderr
-        self.assertEqual(told, f"gxrod: changed.vtkhdf: cannot be resumed: {CHANGED} (gxrod run --force begins it anew)\n")
+        self.assertEqual(told, f"gxrod: changed.vtkhdf: cannot be resumed: {CHANGED} (gxrod run --force starts it again)\n")
         self.assertEqual((self.folder / "changed.vtkhdf").read_bytes(), before)
 
     def test_they_are_shown_with_a_warning(self):

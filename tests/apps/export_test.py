@@ -245,7 +245,7 @@ steps = 2
                     del file[f"VTKHDF/{data}/{name}"], file[f"VTKHDF/Steps/{data}Offsets/{name}"]
         self.gxrod("export", "two.vtkhdf", "--csv", "tables", "--series", "series")
         self.gxrod("report", "two.vtkhdf")
-        self.assertIn("two.vtkhdf: does not say where its rods are, as an earlier version of gxrod wrote it",
+        self.assertIn("two.vtkhdf: does not say where its rods are: an earlier version of gxrod wrote it",
                       self.gxrod("export", "two.vtkhdf", "--along", "arc", code=4).stderr)
 
     def test_a_full_disk_is_told(self):
@@ -263,9 +263,9 @@ steps = 2
         done = self.gxrod("export", "other.h5", "--csv", "tables", code=4)
         self.assertIn("other.h5: is not a results file of gxrod", done.stderr)
         done = self.gxrod("export", "body.vtkhdf", "--csv", "body.toml", code=4)
-        self.assertIn("body.toml: cannot be made", done.stderr)
+        self.assertIn("body.toml: cannot be created", done.stderr)
         done = self.gxrod("export", "body.vtkhdf", "--series", "body.toml", code=4)
-        self.assertIn("body.toml: cannot be made", done.stderr)
+        self.assertIn("body.toml: cannot be created", done.stderr)
         (self.folder / "series/body_0000.hdf").mkdir(parents=True)
         done = self.gxrod("export", "body.vtkhdf", "--series", "series", "--force", code=4)
         self.assertIn("series/body_0000.hdf: is a folder (give the name of a file)", done.stderr)

@@ -53,9 +53,9 @@ class SpecialFiles(ProgramTest):
             for arguments in (("report", name, "-o", "page.html"), ("export", name, "--csv", "tables"),
                               ("export", name, "--series", "frames"), ("resume", name)):
                 self.assertEqual(self.refuse(*arguments, code=4),
-                                 f"gxrod: {name}: is not a regular file, nor a results file\n")
+                                 f"gxrod: {name}: is not a regular file\n")
             told = self.refuse(name, program=GXROD_PLOT, preexec_fn=None, code=4)
-            self.assertIn(f"{name}: is not a regular file, nor a results file\n", told)
+            self.assertIn(f"{name}: is not a regular file\n", told)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["fifo"])
 
     def test_no_page(self):

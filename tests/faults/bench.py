@@ -13,7 +13,7 @@ import results
 
 SHIMS = ("file", "clock", "memory")
 # What gxrod resume says of a file whose run was stopped before it wrote a state to go on from.
-NOTHING_TO_RESUME = r"cannot be resumed: (it has no state|it is no HDF5 file|it is not a results file)"
+NOTHING_TO_RESUME = r"cannot be resumed: (it has no state|it is not an HDF5 file|it is not a results file)"
 
 
 @dataclasses.dataclass

@@ -35,7 +35,7 @@ def kill_halfway(bench, deck, **faults):
 
 
 def read_only(bench, deck, _):
-    """A folder and a file that may not be written: nothing is begun, and nothing is changed."""
+    """A folder and a file that are not writable: nothing is started and nothing changed."""
     kill_halfway(bench, deck)
     path = bench.path(deck)
     before = path.read_bytes()
@@ -46,7 +46,7 @@ def read_only(bench, deck, _):
     bench.folder.chmod(stat.S_IRWXU)
     path.chmod(stat.S_IRUSR | stat.S_IWUSR)
     trial = Trial(describe_end(begun.returncode), "")
-    trial.lost = expect_refusal(resumed, "cannot be written") or expect_refusal(begun, "may not be written")
+    trial.lost = expect_refusal(resumed, "cannot be written") or expect_refusal(begun, "is not writable")
     if path.read_bytes() != before:
         trial.lost = trial.lost or "the file was changed"
     return bench.recover(deck, trial)

@@ -176,7 +176,7 @@ TEST_CASE("Counts that are none are an error", "[issues]") {
         Damaged damaged;
         damaged.replace_dataset("/VTKHDF/NumberOfPoints", {1}, count);
         const std::string told =
-            unreadable(fmt::format("/VTKHDF/NumberOfPoints is {}, which is no count", count));
+            unreadable(fmt::format("/VTKHDF/NumberOfPoints is {}, which is not a count", count));
         CHECK(damaged.report_fault() == told);
         CHECK(damaged.series_fault() == told);
     }
@@ -203,8 +203,8 @@ TEST_CASE("A state has a checksum of its own, for files of runs that were killed
             damaged.change_number((std::string(slot) + table).c_str(), 3);
         damaged.open_seal();
         CHECK(damaged.resume_fault() ==
-              "cannot be resumed: its state is not the one that was written (if its run was stopped "
-              "before it first wrote, gxrod run --force begins it anew)");
+              "cannot be resumed: its state does not have the checksum that was written with it (if its "
+              "run was stopped before it first wrote, gxrod run --force starts it again)");
     }
 }
 
@@ -213,8 +213,8 @@ TEST_CASE("A state of another version is not gone on from", "[issues]") {
     damaged.replace_attribute("/restart", "version", {}, 99.0);
     damaged.open_seal();
     CHECK(damaged.resume_fault() ==
-          "cannot be resumed: its state was written in another form, by another version of gxrod (if its run "
-          "was stopped before it first wrote, gxrod run --force begins it anew)");
+          "cannot be resumed: its state was written by another version of gxrod, in another form (if its run "
+          "was stopped before it first wrote, gxrod run --force starts it again)");
 }
 
 // Over some of these HDF5's library breaks down, or does not come back.

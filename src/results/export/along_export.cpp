@@ -17,7 +17,7 @@ namespace {
 
 constexpr hsize_t vector_width = 3;
 
-// Vectors that frames have of points, or of cells.
+// Vector fields of points, or of cells.
 struct Field {
     std::string name;
     std::string path;
@@ -52,7 +52,7 @@ void append_number(TextBuffer& text, double number) {
     fmt::format_to(std::back_inserter(text), ",{}", number);
 }
 
-// What is known of a file, and what of it is asked for.
+// A results file and what to export of it.
 class AlongTables {
   public:
     AlongTables(const Hdf5Reader& file, const std::filesystem::path& results, const AlongRod& request)
@@ -127,8 +127,8 @@ class AlongTables {
             throw FileError(results, "has no rods");
         if (names.empty()) {
             throw FileError(results,
-                            "does not say where its rods are, as an earlier version of gxrod wrote it",
-                            "gxrod run writes it anew");
+                            "does not say where its rods are: an earlier version of gxrod wrote it",
+                            "run it again with gxrod run");
         }
         constexpr std::size_t most_named = 20;
         const std::size_t named = std::min(names.size(), most_named);
@@ -224,7 +224,7 @@ AlongExport export_along(const std::filesystem::path& results,
     read_results(results, [&](const Hdf5Reader& file) {
         const AlongTables tables(file, results, request);
         prepare_export(folder, done.files, existing);
-        existing = Existing::replace;  // what a further attempt finds is ours
+        existing = Existing::replace;  // a second attempt finds our own files
         done.times = tables.chosen_times();
         write_file(done.files[0], [&](std::ostream& out) { tables.write_nodes(out); });
         write_file(done.files[1], [&](std::ostream& out) { tables.write_elements(out); });

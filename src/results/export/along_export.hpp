@@ -9,10 +9,10 @@
 
 namespace gxrod {
 
-// What to write of a rod: of one frame or of all.
+// Which rod to export, and which frames.
 struct AlongRod {
     std::string rod;
-    std::optional<double> time;  // the frame nearest to it; the last one if there is none
+    std::optional<double> time;  // for the frame nearest to it; without it the last one
     bool all_frames = false;
 };
 
@@ -21,9 +21,9 @@ struct AlongExport {
     std::vector<double> times;  // of the frames written
 };
 
-// Writes what frames have along a rod as CSV, with all digits of their numbers: along_ROD_nodes.csv, a row
-// for each node, and along_ROD_elements.csv, a row for the middle of each element, from the rod's start to
-// its end, frame after frame. The folder is made if need be.
+// Writes the frames' values along a rod as CSV, with all digits: along_ROD_nodes.csv, a row for each node,
+// and along_ROD_elements.csv, a row for the middle of each element, from the rod's start to its end, frame
+// after frame. Creates the folder if it is missing.
 //
 // Throws FileError if the results cannot be read, have no such rod or no frame near the time, or a file
 // exists and is not to be replaced, or cannot be written.

@@ -71,7 +71,7 @@ void append_rows(const Hdf5Reader& file,
 void write_table(const Hdf5Reader& file, const std::string& group, const std::filesystem::path& path) {
     std::ofstream out(path, std::ios::binary);
     const std::vector<CsvColumn> columns = find_columns(file, group);
-    // The times are written last: their number is that of complete steps.
+    // The times are written last, so their number is that of complete steps.
     const hsize_t rows = file.size("/histories/time").at(0);
     std::string headings;
     for (const CsvColumn& column : columns) headings += (headings.empty() ? "" : ",") + column.heading();
@@ -109,7 +109,7 @@ std::vector<std::filesystem::path> export_csv(const std::filesystem::path& resul
         written.clear();
         for (const CsvTable& table : tables) written.push_back(table.path);
         prepare_export(folder, written, existing);
-        existing = Existing::replace;  // what a further attempt finds is ours
+        existing = Existing::replace;  // a second attempt finds our own files
         for (const CsvTable& table : tables) write_table(file, table.group, table.path);
     });
     return written;

@@ -46,13 +46,13 @@ DatasetCopy copy_rows(const Hdf5Reader& file, const std::string& path, hsize_t f
     const Hdf5Handle dataset = open_dataset(file.id(), path);
     copy.type = Hdf5Handle(H5Dget_type(dataset.id()), H5Tclose, "type");
     const H5T_class_t kind = H5Tget_class(copy.type.id());
-    if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw std::runtime_error(path + " holds no numbers");
+    if (kind != H5T_FLOAT && kind != H5T_INTEGER) throw std::runtime_error(path + " does not hold numbers");
     copy.bytes.resize(file.count_values(path, copy.size) * H5Tget_size(copy.type.id()));
     read_rows(dataset, first, copy);
     return copy;
 }
 
-// All of a group that has `rows` rows a frame, or so many for all frames.
+// All datasets of a group with `rows` rows a frame, or `rows` rows for all frames.
 void copy_data(
     const Hdf5Reader& file, const std::string& group, hsize_t frame, hsize_t rows, FrameCopy& copy) {
     for (const std::string& name : file.members(group)) {
@@ -62,7 +62,7 @@ void copy_data(
     }
 }
 
-// Groups on the way to a dataset are made when it is.
+// Creates the groups on the way to a dataset along with it.
 Hdf5Handle make_groups_on_the_way() {
     Hdf5Handle properties(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "link properties");
     check_hdf5(H5Pset_create_intermediate_group(properties.id(), 1), "link properties");
@@ -88,7 +88,7 @@ void write_copy(hid_t file, const DatasetCopy& copy) {
                "writing a dataset");
 }
 
-// A file in memory: where the library itself cannot write, it breaks down when the program ends.
+// A file in memory: if the library itself cannot write, it crashes when the program ends.
 Hdf5Handle create_image() {
     constexpr std::size_t growth = 65536;
     const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file properties");
@@ -136,8 +136,8 @@ void write_frame(const FrameCopy& frame, const std::filesystem::path& path) {
     std::vector<char> bytes;
     try {
         bytes = make_image(frame);
-    } catch (const Hdf5Error& error) {  // of results that were damaged: two fields of one name, say
-        throw FileError(path, "cannot be made of the results", error.what());
+    } catch (const Hdf5Error& error) {  // if results were damaged: two fields of the same name, for example
+        throw FileError(path, "cannot be made from the results", error.what());
     }
     std::ofstream out(path, std::ios::binary);
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

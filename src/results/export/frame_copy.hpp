@@ -10,7 +10,7 @@
 
 namespace gxrod {
 
-// Rows of a dataset in memory, bit for bit as the file has them.
+// Rows of a dataset in memory, bit for bit as in the file.
 struct DatasetCopy {
     std::string path;
     DatasetLabel label;
@@ -25,7 +25,7 @@ using FrameCopy = std::vector<DatasetCopy>;
 // Throws Hdf5Error or std::runtime_error if the file cannot be read, or has no such frame.
 FrameCopy read_frame(const Hdf5Reader& results, hsize_t frame);
 
-// Writes the frame as a file of its own, a VTKHDF 1.0 unstructured grid without times, over what is there.
+// Writes the frame as a file of its own, a VTKHDF 1.0 unstructured grid without times. Overwrites.
 // Throws FileError.
 void write_frame(const FrameCopy& frame, const std::filesystem::path& path);
 

@@ -10,14 +10,14 @@ namespace {
 constexpr std::size_t least_nodes = 2;
 constexpr std::size_t most_nodes = 5;
 
-// A whole number from 0 to below `end`.
+// An integer from 0 to below `end`.
 std::size_t index_of(double number, std::size_t end) {
     if (!(number >= 0.0 && number < static_cast<double>(end)) || number != std::floor(number))
         throw std::runtime_error("the table of its rods does not fit its frames");
     return static_cast<std::size_t>(number);
 }
 
-// Columns of /VTKHDF and /rods by which cells are found.
+// The columns of /VTKHDF and /rods that locate cells.
 struct Columns {
     std::vector<double> connectivity, offsets, entry_arc_length;
     std::size_t points = 0;
@@ -45,7 +45,7 @@ void add_element(const Columns& columns, std::size_t cell, double middle, RodLin
     const std::size_t first = index_of(columns.offsets[cell], columns.connectivity.size());
     const std::size_t end = index_of(columns.offsets[cell + 1], columns.connectivity.size() + 1);
     if (end < first + least_nodes || end > first + most_nodes)
-        throw std::runtime_error("a cell of a rod is no element");
+        throw std::runtime_error("a cell of a rod is not an element");
     RodLine::Element element{cell, middle, {}};
     for (std::size_t i = first; i < end; ++i)
         element.points.push_back(index_of(columns.connectivity[i], columns.points));

@@ -7,7 +7,7 @@
 
 namespace gxrod {
 
-// A rod as a results file has it: where its elements and nodes lie along it.
+// A rod of a results file: where its elements and nodes lie along it.
 struct RodLine {
     struct Element {
         std::size_t cell = 0;             // row in CellData
@@ -30,8 +30,8 @@ std::vector<std::string> read_rod_names(const Hdf5Reader& file);
 // Throws Hdf5Error, and std::runtime_error if the file's numbers do not fit together.
 RodLine read_rod_line(const Hdf5Reader& file, std::size_t rod);
 
-// How much the nodes of an element, as RodLine::Element lists them, count in its middle: its interpolation,
-// Lagrange's on Gauss-Lobatto points, at ξ = 0. Of 2 to 5 nodes.
+// Weights of the nodes of an element, in the order of RodLine::Element, at its middle: Lagrange interpolation
+// on Gauss-Lobatto points at ξ = 0. For 2 to 5 nodes.
 const std::vector<double>& middle_weights(std::size_t nodes);
 
 }  // namespace gxrod

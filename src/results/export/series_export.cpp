@@ -37,12 +37,12 @@ void write_series(const std::filesystem::path& path,
     if (!out) throw FileError(path, "cannot be written", std::generic_category().message(errno));
 }
 
-// "NAME_0012.hdf": what a file of the series NAME is called.
+// The name of a file of the series NAME: "NAME_0012.hdf".
 std::string frame_name(const std::string& name, std::size_t frame) {
     return fmt::format("{}_{:04}.hdf", name, frame);
 }
 
-// Names of frames that a series lists, if it can be read; what else it lists was not written by gxrod.
+// Names of frames that a series lists, if it can be read; gxrod did not write anything else that it lists.
 std::vector<std::string> read_frame_names(const std::filesystem::path& path, const std::string& name) {
     std::ifstream in(path, std::ios::binary);
     const auto series = nlohmann::json::parse(in, nullptr, false);

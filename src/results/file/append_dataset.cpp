@@ -28,8 +28,8 @@ hid_t memory_type() {
         return H5T_NATIVE_INT64;
 }
 
-// Rows come one after the other: two chunks are enough to hold. HDF5 would hold all that fit into its cache,
-// so that the memory of a run would grow for a million steps.
+// Rows come one after the other, so holding two chunks is enough. HDF5 would hold all that fit into its
+// cache: the memory of a run would grow for a million steps.
 Hdf5Handle make_access(std::size_t chunk_bytes) {
     Hdf5Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "dataset properties");
     check_hdf5(
@@ -95,7 +95,7 @@ void AppendDataset<Number>::open(const Hdf5Handle& group, const DatasetLabel& la
     const ChunkForm chunk = read_chunk_form(group, label.name);
     const Hdf5Handle access = make_access(chunk.bytes);
     dataset_ = Hdf5Handle(
-        H5Dopen2(group.id(), label.name.c_str(), access.id()), H5Dclose, "opening a dataset to go on with");
+        H5Dopen2(group.id(), label.name.c_str(), access.id()), H5Dclose, "opening a dataset to append to");
     const Hdf5Handle space(H5Dget_space(dataset_.id()), H5Sclose, "dataspace");
     std::array<hsize_t, 2> size{0, 1};
     const int rank = H5Sget_simple_extent_ndims(space.id());
@@ -115,7 +115,8 @@ void AppendDataset<Number>::create(const Hdf5Handle& group, const DatasetLabel& 
     const int rank = shape_.is_vector ? 2 : 1;
     const std::array<hsize_t, 2> size{0, columns};
     const std::array<hsize_t, 2> limit{H5S_UNLIMITED, columns};
-    constexpr hsize_t usual_bytes = text_heap_bytes - sizeof(Number);  // not to be taken for one
+    constexpr hsize_t usual_bytes =
+        text_heap_bytes - sizeof(Number);  // so that no chunk is taken for a heap of texts
     const hsize_t usual_rows = std::max<hsize_t>(1, usual_bytes / (columns * sizeof(Number)));
     const std::array<hsize_t, 2> chunk{chunks.rows > 0 ? chunks.rows : usual_rows, columns};
 
@@ -154,7 +155,7 @@ void AppendDataset<Number>::set_extent(hsize_t rows) {
 template <class Number>
 void AppendDataset<Number>::trim() {
     if (extent_ == rows_) return;
-    set_extent(extent_);  // so that HDF5 comes to all chunks
+    set_extent(extent_);  // so that HDF5 visits all chunks
     set_extent(rows_);
 }
 

@@ -22,7 +22,7 @@ inline constexpr std::size_t most_chunk_bytes = 262144;
 // How rows lie on disk.
 struct RowChunks {
     hsize_t rows = 0;          // in a chunk; 0: about 4 KiB of them
-    bool is_deflated = false;  // then a chunk may not be written twice: rows have to come by whole chunks
+    bool is_deflated = false;  // then no chunk may be written twice: rows must come in whole chunks
 };
 
 // A dataset that grows by rows. Rows are gathered in memory and written by flush(). Instantiated for double
@@ -30,8 +30,8 @@ struct RowChunks {
 template <class Number>
 class AppendDataset {
   public:
-    // Appends after the first `rows` rows of the dataset that the group has by that name; what follows them
-    // is replaced. If it has none, a new one, whose first `rows` rows are NaN (0 of whole numbers).
+    // Opens the dataset of that name and appends after its first `rows` rows; later ones are replaced. A new
+    // dataset begins with `rows` rows of NaN (0 for integers).
     AppendDataset(const Hdf5Handle& group,
                   const DatasetLabel& label,
                   RowShape shape,
@@ -46,7 +46,7 @@ class AppendDataset {
     void flush();
     // Ends the dataset on disk with its last row.
     void trim();
-    // The last row that was there already, empty if there was none.
+    // The last row that was there already; empty if there was none.
     std::vector<Number> last_row() const;
 
     std::size_t buffered_bytes() const { return buffer_.size() * sizeof(Number); }
@@ -60,7 +60,7 @@ class AppendDataset {
     Hdf5Handle dataset_;
     RowShape shape_;
     hsize_t rows_;        // written
-    hsize_t extent_ = 0;  // rows on disk, those to be replaced too, and of chunks beyond
+    hsize_t extent_ = 0;  // rows on disk, including those to be replaced and those of chunks beyond the end
     std::vector<Number> buffer_;
 };
 

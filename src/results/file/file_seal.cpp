@@ -93,7 +93,7 @@ SealState look_at_seal(const std::filesystem::path& path) {
     if (!begins_like_seal(block)) return SealState::missing;
     const std::optional<FileSeal> seal = read_seal(block);
     if (seal && seal->is_open) return SealState::open;
-    // Whoever changes the file changes the seal first.
+    // A writer changes the seal before anything else.
     const auto is_as_before = [&] { return file.read_block() == block; };
     try {
         if (seal && is_sum_kept(file, *seal)) return SealState::kept;

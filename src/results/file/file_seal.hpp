@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-// A results file's seal: the checksum of all its bytes behind the first 512, which are its own (a "user
+// A results file's seal: the checksum of all bytes after the first 512, which hold the seal itself (a "user
 // block" of HDF5). It is read without HDF5, before HDF5 reads anything.
 namespace gxrod {
 
@@ -21,13 +21,13 @@ struct FileSeal {
 };
 
 SealBlock write_seal(const FileSeal& seal);
-// Nothing if these bytes are not such as write_seal makes.
+// nullopt unless write_seal makes exactly these bytes.
 std::optional<FileSeal> read_seal(const SealBlock& block);
 // Whether a block at least begins like one with a seal.
 bool begins_like_seal(const SealBlock& block);
 
-// `kept`: the file is, to the bit, the one that was sealed; `violated`: it is not. `open` says nothing of its
-// bits, and `missing` that another program wrote it, or an earlier version.
+// `kept`: the file is, to the bit, the one that was sealed; `violated`: it is not. `open` says nothing about
+// its bits; `missing`: another program, or an earlier version, wrote it.
 enum class SealState { kept, violated, open, missing };
 // Reads the whole file. What a writer does meanwhile makes it `kept` or `open`. Throws std::system_error.
 SealState look_at_seal(const std::filesystem::path& path);

@@ -10,7 +10,7 @@ namespace gxrod {
 namespace {
 
 constexpr ChildLimits limits{.processor_seconds = 20};
-constexpr std::uintmax_t most_bytes = 2'000'000'000;  // that are looked at to no other end
+constexpr std::uintmax_t most_bytes = 2'000'000'000;  // that are read for the seal alone
 
 // The first byte of what a child returns.
 constexpr char is_done = '+';
@@ -46,7 +46,7 @@ std::string read_in_child(const std::filesystem::path& path, const std::function
             },
             limits);
     } catch (const ChildMemoryError&) {
-        throw FileError(path, "cannot be read: there is no memory for it");
+        throw FileError(path, "cannot be read: there is not enough memory");
     } catch (const ChildError& error) {
         throw FileError(path, std::string("is damaged: where HDF5's library reads it, ") + error.what());
     }
@@ -60,7 +60,7 @@ GuardedReading::GuardedReading(const std::filesystem::path& path) : path_(path) 
     try {
         if (std::filesystem::file_size(path) > most_bytes) return;
         const SealState seal = look_at_seal(path);
-        // A run may have resumed it meanwhile.
+        // A run can have resumed it meanwhile.
         if (is_being_written(path).value_or(true)) return;
         is_trusted_ = seal == SealState::kept;
         doubt_ = describe_doubt(seal);

@@ -8,17 +8,17 @@
 
 namespace gxrod {
 
-// How a results file is read: HDF5's library breaks down over some damaged files, or does not come back. So
-// whatever reads one that is not known to be what gxrod wrote does so in a process of its own.
+// HDF5 crashes or hangs on some damaged files. So a results file that is not known to be what gxrod wrote is
+// read in a process of its own.
 class GuardedReading {
   public:
     // Looks at the seal. Throws FileError if there is no such file, or it cannot be read.
     explicit GuardedReading(const std::filesystem::path& path);
 
-    // What speaks against trusting the file, a clause; "" if nothing does, and of one that is being written.
+    // A clause on why the file is not trusted; "" if it is, or while it is being written.
     const std::string& doubt() const { return doubt_; }
-    // Does `work`, which reads the file and may write others, and returns what it returns. Throws what it
-    // throws; in a process of its own that, and what else ends it, is FileError.
+    // Calls `work`, which reads the file and can write others, and returns its result. Throws what `work`
+    // throws; from a process of its own, FileError for that and for whatever else ends it.
     std::string read(const std::function<std::string()>& work) const;
 
   private:
@@ -27,10 +27,10 @@ class GuardedReading {
     bool is_trusted_ = false;
 };
 
-// Of a file with this seal that nobody writes; "" if it is kept.
+// For a file with this seal that no process is writing; "" if the seal is kept.
 std::string describe_doubt(SealState seal);
 
-// What GuardedReading does with a file that is not trusted.
+// How GuardedReading reads a file that is not trusted.
 std::string read_in_child(const std::filesystem::path& path, const std::function<std::string()>& work);
 
 }  // namespace gxrod

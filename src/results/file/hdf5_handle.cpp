@@ -23,7 +23,8 @@ std::string describe_failure(const char* action) {
 Hdf5Error::Hdf5Error(const char* action) : std::runtime_error(describe_failure(action)) {}
 
 void silence_hdf5() {
-    // All is closed when the program ends; what could not be closed for want of memory would crash it there.
+    // Everything is closed when the program ends; what lack of memory kept open would crash HDF5's exit
+    // handler.
     static const herr_t once = H5dont_atexit();
     static_cast<void>(once);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

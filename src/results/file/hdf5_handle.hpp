@@ -19,7 +19,7 @@ inline void check_hdf5(herr_t status, const char* action) {
     if (status < 0) throw Hdf5Error(action);
 }
 
-// Before all else of the library: stops it from printing its errors, which become exceptions.
+// Call before anything else of the library: stops it from printing errors, which become exceptions.
 void silence_hdf5();
 
 // Owns an HDF5 identifier.
@@ -42,7 +42,7 @@ class Hdf5Handle {
     }
 
     hid_t id() const { return id_; }
-    // The library's status of closing; 0 if nothing was open.
+    // The library's status from closing; 0 if nothing was open.
     herr_t reset() { return id_ < 0 ? 0 : closer_(std::exchange(id_, H5I_INVALID_HID)); }
 
   private:

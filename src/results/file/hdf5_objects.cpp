@@ -31,14 +31,14 @@ void write_attribute(hid_t object,
     check_hdf5(H5Awrite(attribute.id(), type.id(), value), "writing an attribute");
 }
 
-// Equal runs give equal files: no times of modification.
+// Without times of modification, so that equal runs give equal files.
 Hdf5Handle creation_properties() {
     Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "dataset properties");
     check_hdf5(H5Pset_obj_track_times(properties.id(), false), "dataset properties");
     return properties;
 }
 
-// The room in which texts are converted: the library's own, a megabyte, takes a millisecond to clear.
+// A small buffer for converting texts: the library's own, a megabyte, takes a millisecond to clear.
 Hdf5Handle transfer_properties() {
     constexpr std::size_t bytes = 65536;
     Hdf5Handle properties(H5Pcreate(H5P_DATASET_XFER), H5Pclose, "transfer properties");
@@ -219,7 +219,8 @@ std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t
     // What is read in the type of the file; no text of another kind is that long.
     constexpr std::size_t most = 1 << 20;
     const std::size_t size = H5Tget_size(type.id());
-    if (H5Tget_class(type.id()) != H5T_STRING || size > most) throw std::runtime_error("a text is none");
+    if (H5Tget_class(type.id()) != H5T_STRING || size > most)
+        throw std::runtime_error("a text has another type, or is too long");
     std::string text(size, '\0');
     check_hdf5(read(type.id(), text.data()), "reading a string");
     return text;

@@ -13,7 +13,7 @@
 // Groups, attributes and datasets of a results file. All throw Hdf5Error.
 namespace gxrod {
 
-// What a dataset is, as its attributes tell a reader.
+// What the attributes of a dataset say about it.
 struct DatasetLabel {
     std::string name;
     std::string description;
@@ -34,17 +34,17 @@ std::vector<std::string> list_members(hid_t group);
 // Size of a dataset in each direction; empty for a scalar.
 std::vector<hsize_t> extent_of(hid_t dataset);
 
-// Whether a dataset may have more rows.
+// Whether rows can be appended to a dataset.
 bool grows(hid_t dataset);
 
-// The first row of the chunk with the highest rows; nothing if there is no chunk.
+// The first row of the last chunk; nullopt if there is no chunk.
 std::optional<hsize_t> find_last_chunk(hid_t dataset);
 
-// Bytes that a dataset, or another object, can have in its file: deflate makes of a byte a thousand at most.
-// Small files may have rows that were never written.
+// The most bytes that a dataset, or another object, can have in its file: deflate makes at most a thousand
+// bytes of one. Small files can have rows that were never written.
 double most_bytes_of(hid_t object);
 
-// A dataset of texts has at most so many.
+// The most texts that a dataset has.
 inline constexpr std::size_t most_texts = std::size_t{1} << 16;
 // A string of any kind; `read` reads it as a type into a buffer.
 std::string read_string(const Hdf5Handle& type, const std::function<herr_t(hid_t, void*)>& read);
@@ -57,7 +57,7 @@ void rewrite_attribute(hid_t object, const std::string& name, const std::string&
 // A string of exactly its own length, as VTK demands of /VTKHDF@Type.
 void write_fixed_attribute(hid_t object, const std::string& name, const std::string& text);
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values);
-// Replaces an attribute, if it exists; the number of values may change.
+// Replaces an attribute, if it exists; the number of values can change.
 void rewrite_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values);
 void write_label(hid_t dataset, const DatasetLabel& label);
 
@@ -67,7 +67,7 @@ void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const double> values);
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::int64_t> values);
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::uint8_t> values);
-// Of doubles, to be written yet.
+// Of doubles, not yet written.
 Hdf5Handle create_dataset(const Hdf5Handle& group, const DatasetLabel& label, hsize_t rows, hsize_t columns);
 
 }  // namespace gxrod

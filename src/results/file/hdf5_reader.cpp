@@ -30,7 +30,7 @@ void add_datasets(hid_t group, const std::string& path, std::vector<std::string>
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) {
     silence_hdf5();
-    if (H5Fis_hdf5(path.c_str()) == 0) throw std::runtime_error("it is no HDF5 file");
+    if (H5Fis_hdf5(path.c_str()) == 0) throw std::runtime_error("it is not an HDF5 file");
     const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file properties");
     check_hdf5(H5Pset_file_locking(access.id(), false, true), "file properties");
     file_ = Hdf5Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, "opening a file");
@@ -102,7 +102,7 @@ int Hdf5Reader::count(const std::string& name) const {
     const double number = rows(name, 0, 1).at(0);
     const bool is_count =
         number >= 0.0 && number <= std::numeric_limits<int>::max() && number == std::floor(number);
-    if (!is_count) throw std::runtime_error(fmt::format("{} is {}, which is no count", name, number));
+    if (!is_count) throw std::runtime_error(fmt::format("{} is {}, which is not a count", name, number));
     return static_cast<int>(number);
 }
 
@@ -116,10 +116,11 @@ std::string Hdf5Reader::text(const std::string& name) const {
 
 std::vector<std::string> Hdf5Reader::texts(const std::string& name) const {
     const std::vector<hsize_t> extent = size(name);
-    if (extent.size() != 1 || extent[0] > most_texts) throw std::runtime_error(name + " is no list of texts");
+    if (extent.size() != 1 || extent[0] > most_texts)
+        throw std::runtime_error(name + " is not a list of texts");
     const Hdf5Handle dataset = open_dataset(name);
     const Hdf5Handle type(H5Dget_type(dataset.id()), H5Tclose, "type");
-    if (H5Tis_variable_str(type.id()) <= 0) throw std::runtime_error(name + " is no list of texts");
+    if (H5Tis_variable_str(type.id()) <= 0) throw std::runtime_error(name + " is not a list of texts");
     std::vector<char*> texts(extent[0], nullptr);
     check_hdf5(H5Dread(dataset.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, texts.data()),
                "reading texts");
@@ -133,7 +134,7 @@ std::vector<std::string> Hdf5Reader::texts(const std::string& name) const {
 
 std::string Hdf5Reader::bytes(const std::string& name) const {
     const std::vector<hsize_t> extent = size(name);
-    if (extent.size() != 1) throw std::runtime_error(name + " is no list of bytes");
+    if (extent.size() != 1) throw std::runtime_error(name + " is not a list of bytes");
     std::string bytes(count_values(name, extent), '\0');
     const Hdf5Handle dataset = open_dataset(name);
     check_hdf5(H5Dread(dataset.id(), H5T_NATIVE_UINT8, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data()),
@@ -175,7 +176,7 @@ std::vector<std::string> Hdf5Reader::members(const std::string& name) const {
 }
 
 bool Hdf5Reader::has(const std::string& path) const {
-    // Each link on the way has to exist before the next may be asked for.
+    // Each link on the way must exist before HDF5 can be asked for the next.
     for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
         const std::string part = path.substr(0, end);
         if (H5Lexists(file_.id(), part.c_str(), H5P_DEFAULT) <= 0) return false;

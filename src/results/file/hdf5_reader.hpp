@@ -10,26 +10,24 @@
 namespace gxrod {
 
 // Reads an HDF5 file through the library's own file driver, as any other program would, also while another
-// program writes it. Throws Hdf5Error, and std::runtime_error
-// where something is not what gxrod writes.
+// program writes it. Throws Hdf5Error, and std::runtime_error where something is not what gxrod writes.
 class Hdf5Reader {
   public:
     explicit Hdf5Reader(const std::filesystem::path& path);
 
     // Size in each direction; empty for a scalar.
     std::vector<hsize_t> size(const std::string& dataset) const;
-    // How many values so many in each direction are. Throws std::runtime_error if the file is too small for
-    // them.
+    // The product of `extent`. Throws std::runtime_error if the file is too small for so many values.
     std::size_t count_values(const std::string& dataset, const std::vector<hsize_t>& extent) const;
-    // How many numbers a row has, of which gxrod writes few; more are a std::runtime_error.
+    // How many numbers a row has. Throws std::runtime_error if they are more than gxrod writes.
     hsize_t width(const std::string& dataset) const;
     // All numbers, the last direction fastest.
     std::vector<double> numbers(const std::string& dataset) const;
     // `count` rows from `first` on; all of them must be there.
     std::vector<double> rows(const std::string& dataset, hsize_t first, hsize_t count) const;
-    // The same where each row must have so many numbers.
+    // The same; each row must have `width` numbers.
     std::vector<double> rows(const std::string& dataset, hsize_t first, hsize_t count, hsize_t width) const;
-    // The first number, which must be a whole one from 0 to the largest int.
+    // The first number, which must be an integer from 0 to the largest int.
     int count(const std::string& dataset) const;
     std::string text(const std::string& dataset) const;
     // All texts of a list.

@@ -7,7 +7,7 @@
 #include "results/file/file_seal.hpp"
 
 // The callbacks through which HDF5 reaches an OrderedFile (a "virtual file driver"). No exception may pass
-// through the library, and to the library no write fails: it goes to memory.
+// through the library, and no write fails for the library: it goes to memory.
 namespace gxrod {
 namespace {
 
@@ -30,7 +30,7 @@ OrderedFile::Part part_of(H5FD_mem_t type) {
         case H5FD_MEM_BTREE:
             return OrderedFile::Part::tree;
         case H5FD_MEM_DRAW:
-            return OrderedFile::Part::data;  // the global heap of strings comes as this too
+            return OrderedFile::Part::data;  // also the global heap of strings
         default:
             return OrderedFile::Part::header;
     }
@@ -70,15 +70,14 @@ herr_t set_allocated(H5FD_t* base, H5FD_mem_t, haddr_t end) {
 // Bytes after a piece that keep HDF5 from making it longer when it is the last of the file.
 constexpr haddr_t hedge = 8;
 
-// A heap of texts is raw data to a file driver; by its size it is known.
+// A file driver sees a heap of texts as raw data, recognizable by its size.
 bool is_within_page(H5FD_mem_t type, hsize_t size) {
     return type != H5FD_MEM_DRAW || size == text_heap_bytes;
 }
 
-// New room at the end. A killed write ends between two pages of memory, so what HDF5 needs whole, metadata
-// and heaps of texts, is not put across two if it fits into one, and stays there. HDF5's own alignment and
-// blocks of metadata would leave gaps that it keeps account of in memory, as long as the file is open: as
-// many as there are chunks.
+// New space at the end. A killed write ends between two pages of memory, so what HDF5 needs whole, metadata
+// and heaps of texts, is not put across two if it fits into one. HDF5's own alignment and blocks of metadata
+// would leave a gap for each chunk, which it keeps track of in memory as long as the file is open.
 haddr_t allocate(H5FD_t* base, H5FD_mem_t type, hid_t, hsize_t size) {
     constexpr haddr_t page = 4096;
     const bool is_whole = is_within_page(type, size);
@@ -105,7 +104,7 @@ herr_t write_bytes(
     try {
         ordered_file(base).write(part_of(type), offset, {static_cast<const std::byte*>(buffer), size});
     } catch (...) {
-        // For want of memory. The library would not survive it; so the next commit fails instead.
+        // Out of memory. The library would not survive an error here, so the next commit fails instead.
         ordered_file(base).abandon();
     }
     return 0;
@@ -134,8 +133,8 @@ H5FD_class_t make_driver() {
     return driver;
 }
 
-// For the rest of the program: when a file is closed, HDF5 lets go of the driver first and calls it then, so
-// it must not go with its last file.
+// Registered until the program ends: when a file is closed, HDF5 releases the driver before it calls it, so
+// the driver must outlive its last file.
 hid_t find_driver() {
     static const hid_t driver = [] {
         const H5FD_class_t description = make_driver();
@@ -160,7 +159,7 @@ Hdf5Handle create_hdf5(OrderedFile& file) {
     const Hdf5Handle access = make_ordered_access(file);
     const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "file properties");
     check_hdf5(H5Pset_userblock(creation.id(), seal_block_bytes), "room for the seal");
-    // The name matters to messages only.
+    // The name only appears in messages.
     return {H5Fcreate("results", H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose, "creating the file"};
 }
 

@@ -43,7 +43,7 @@ void OrderedFile::write(Part part, std::uint64_t offset, std::span<const std::by
     end_ = std::max(end_, offset + bytes.size());
     if (part == Part::data && try_to_write_now(offset, bytes)) return;
     if (part != Part::data) {
-        // Only the last image of a node or header counts; its level, and so its rank, may have changed.
+        // Only the last image of a node or header counts; its level, and so its rank, can have changed.
         const auto [found, is_new] = pending_metadata_.try_emplace(offset, pending_.size());
         if (!is_new) {
             pending_[found->second].bytes.clear();
@@ -54,7 +54,7 @@ void OrderedFile::write(Part part, std::uint64_t offset, std::span<const std::by
 }
 
 bool OrderedFile::try_to_write_now(std::uint64_t offset, std::span<const std::byte> bytes) {
-    // HDF5 may have freed a place in which something was to be, which must not come over this.
+    // HDF5 can have freed a place with a pending write, which must not overwrite this one.
     const bool is_taken = std::any_of(pending_.begin(), pending_.end(), [&](const Write& write) {
         return write.offset < offset + bytes.size() && offset < write.offset + write.bytes.size();
     });
@@ -62,7 +62,7 @@ bool OrderedFile::try_to_write_now(std::uint64_t offset, std::span<const std::by
     try {
         write_at(descriptor_, offset, bytes);
     } catch (const std::system_error&) {
-        return false;  // the commit tells of it
+        return false;  // the commit reports it
     }
     disk_size_ = std::max(disk_size_, offset + bytes.size());
     return true;
@@ -113,7 +113,7 @@ void OrderedFile::commit(Order direction) {
     std::stable_sort(
         order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [unused, write] : order) {
-        // Before: what is half written when an error comes has changed, too.
+        // Before writing: after an error, what is half written has changed, too.
         sums_.mark_changed(write->offset, write->bytes.size());
         write_at(descriptor_, write->offset, write->bytes);
     }
@@ -124,7 +124,7 @@ void OrderedFile::commit(Order direction) {
     pending_.clear();
     pending_metadata_.clear();
     if (size_ < disk_size_) resize(size_);
-    // There, other bytes may be before the next seal.
+    // Other bytes can be there before the next seal.
     if (size_ < committed_) sums_.mark_changed(size_, committed_ - size_);
     committed_ = end_ = size_;
 }

@@ -13,8 +13,8 @@
 
 namespace gxrod {
 
-// The bytes of an HDF5 file that change on disk in commits only, and within a commit in an order that leaves
-// a valid file wherever the writer is killed or the disk fills up:
+// An HDF5 file whose bytes change on disk in commits only, and within a commit in an order that leaves a
+// valid file whenever the writer is killed or the disk fills up:
 //
 //   1. raw data, and metadata in places that nothing on disk refers to yet;
 //   2. the superblock, with the new end of the file;
@@ -23,10 +23,10 @@ namespace gxrod {
 //      nor a link, nor is there a link before its name;
 //   5. object headers already on disk, which hold the sizes of datasets and the values of attributes.
 //
-// Until a commit, writes are held in memory and seen by read(), but for raw data past the end of what is
-// committed, which is much and of which nothing on disk can know. A failed commit may be tried again.
+// Until a commit, writes are held in memory, where read() sees them. Only raw data past the committed end is
+// written at once: it is large, and nothing on disk refers to it. A failed commit can be tried again.
 //
-// It is shared with HDF5, which may keep a file open when closing it failed for want of memory.
+// It is shared with HDF5, which can keep a file open when closing it failed for lack of memory.
 class OrderedFile : public std::enable_shared_from_this<OrderedFile> {
   public:
     enum class Part { data, superblock, heap, tree, header };
@@ -41,22 +41,21 @@ class OrderedFile : public std::enable_shared_from_this<OrderedFile> {
     void write(Part part, std::uint64_t offset, std::span<const std::byte> bytes);
     // Fills `bytes`; with zeros past the end of the file. Throws std::system_error.
     void read(std::uint64_t offset, std::span<std::byte> bytes) const;
-    // Takes all metadata below the size set last as being on disk: after HDF5 has opened a file that was not
+    // Takes all metadata below the size set last to be on disk: after HDF5 has opened a file that was not
     // empty.
     void adopt() { adopted_ = size_; }
     // The size that the next commit gives the file.
     void set_size(std::uint64_t size) { size_ = size; }
     // End of the file as it was last committed, or of the last byte written since.
     std::uint64_t end() const { return end_; }
-    // Opens the file's seal, then writes in the order above, or, of a file from which rows are only taken
-    // away, in the reverse one: sizes before what is no longer within them. Throws std::system_error, for
-    // instance when the disk is full.
+    // Opens the file's seal, then writes in the order above, or, if rows are only removed, in reverse: sizes
+    // before what is no longer within them. Throws std::system_error, for instance when the disk is full.
     enum class Order { growing, shrinking };
     void commit(Order order = Order::growing);
     // Closes the seal, once commits that belong together are done. Throws std::system_error.
     void seal();
-    // Forgets what is not committed, and whatever is written from here on: HDF5 can then be closed without
-    // memory or room on the disk. A commit throws std::bad_alloc.
+    // Drops what is not committed and everything written from now on, so that HDF5 can be closed without
+    // memory or disk space. A later commit throws std::bad_alloc.
     void abandon() noexcept;
     // Whether it still has a name in some folder.
     bool has_name() const;

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr const char* busy = "another process is writing it";
 constexpr const char* failure = "cannot create the results file: ";
 
-// A limit on file sizes then shows as an error of writing instead of ending the program.
+// Makes a limit on file sizes an error of writing instead of the end of the program.
 void ignore_size_limit_signal() {
     struct sigaction action {};
     if (::sigaction(SIGXFSZ, nullptr, &action) == 0 && action.sa_handler == SIG_DFL) {
@@ -31,11 +31,12 @@ std::string hint_for(const fs::path& path, int error) {
     if (error == ENOENT && !fs::exists(folder, ignored)) {
         return "the folder " + folder.string() + " does not exist";
     }
-    if (error == EACCES || error == EROFS) return "the folder " + folder.string() + " may not be written";
+    if (error == EACCES || error == EROFS) return "the folder " + folder.string() + " is not writable";
     return "";
 }
 
-// Of the open file, not of the process, and none that readers who lock whole files would see.
+// Locks belong to the open file, not to the process, and do not conflict with those of readers that lock
+// whole files.
 struct flock whole_file_lock() {
     struct flock whole {};
     whole.l_type = F_WRLCK;
@@ -43,7 +44,7 @@ struct flock whole_file_lock() {
     return whole;
 }
 
-// False if another process has it; true also where the file system knows no locks.
+// False if another process holds the lock; true also if the file system has no locks.
 bool lock(int descriptor) {
     struct flock whole = whole_file_lock();
     if (::fcntl(descriptor, F_OFD_SETLK, &whole) == 0) return true;
@@ -64,7 +65,7 @@ void make_way(const fs::path& path, Existing existing) {
         throw FileError(path, std::string(failure) + "it exists already", "--force replaces it");
     }
     if (is_being_written(path).value_or(false)) throw FileError(path, busy);
-    // Not truncated: whoever reads the old file goes on reading it.
+    // Not truncated: programs that have the old file open continue to read it.
     fs::remove(path, error);
     if (error) throw FileError(path, "cannot replace the results file: " + error.message());
 }
@@ -82,7 +83,7 @@ void check_results_path(const fs::path& path) {
     const fs::file_status status = fs::status(path, ignored);
     if (!fs::exists(status)) throw FileError(path, "there is no such file");
     if (fs::is_directory(status)) throw FileError(path, "is a folder, not a results file");
-    if (!fs::is_regular_file(status)) throw FileError(path, "is not a regular file, nor a results file");
+    if (!fs::is_regular_file(status)) throw FileError(path, "is not a regular file");
 }
 
 void check_export_file(const fs::path& path, Existing existing) {
@@ -97,7 +98,7 @@ void check_export_file(const fs::path& path, Existing existing) {
 std::optional<bool> is_being_written(const fs::path& path) {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (descriptor < 0) return false;
-    // Asked for, not taken: a writer must not find it gone.
+    // Tested, not taken: it must stay free for a writer.
     struct flock whole = whole_file_lock();
     const bool is_told = ::fcntl(descriptor, F_OFD_GETLK, &whole) == 0;
     ::close(descriptor);

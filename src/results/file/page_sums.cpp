@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t page_bytes = 4096;
 constexpr std::uint64_t pages_at_once = 64;
 
-// The page of a place in the file; of places in the seal, the first.
+// The page of an offset in the file; for offsets in the seal, the first.
 std::uint64_t page_of(std::uint64_t place) {
     return (std::max<std::uint64_t>(place, seal_block_bytes) - seal_block_bytes) / page_bytes;
 }

@@ -7,11 +7,11 @@
 
 namespace gxrod {
 
-// The checksum of a file's bytes behind its seal, made of those of its pages, so that while the file changes
-// only pages that did are read again: CRC-32 of the CRC-32s, as they lie in memory, of 4096 bytes each.
+// The checksum of a file's bytes after its seal, computed from those of its pages, so that only changed pages
+// are read again: CRC-32 of the CRC-32s, as they lie in memory, of 4096 bytes each.
 class PageSums {
   public:
-    // Bytes that are not what they were, or may not be.
+    // Bytes that have changed, or perhaps have.
     void mark_changed(std::uint64_t offset, std::size_t count);
     // Of a file of `size` bytes. Throws std::system_error if they cannot be read.
     std::uint32_t compute(int descriptor, std::uint64_t size);

@@ -46,7 +46,7 @@ void prepare_export(const std::filesystem::path& folder,
                     Existing existing) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (error) throw FileError(folder, "cannot be made", error.message());
+    if (error) throw FileError(folder, "cannot be created", error.message());
     for (const std::filesystem::path& file : files) check_export_file(file, existing);
 }
 

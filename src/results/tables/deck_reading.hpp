@@ -7,7 +7,7 @@
 
 namespace gxrod {
 
-// Where in /deck the deck's text is: "text", and of resumptions that changed it "text_2" …
+// Names of the deck's text in /deck: "text", and after resumptions that changed it "text_2" …
 std::string deck_text_name(std::size_t count);
 
 // The deck as run last, and the meshes, that a results file keeps. Throws Hdf5Error.

@@ -37,7 +37,7 @@ double rod_radius(const Model& model, const Rod& rod) {
 
 std::vector<double> node_radii(const Model& model) {
     std::vector<double> radii(model.nodes.size(), 0.0);
-    // Later ones win: the first rod over the next.
+    // Later ones overwrite: the first rod wins.
     for (auto rod = model.rods.rbegin(); rod != model.rods.rend(); ++rod) {
         for (const int node : rod->element_nodes)
             radii[static_cast<std::size_t>(node)] = rod_radius(model, *rod);
@@ -47,7 +47,7 @@ std::vector<double> node_radii(const Model& model) {
 
 std::vector<Quat> node_triads(const Model& model) {
     std::vector<Quat> triads(model.nodes.size(), Quat::Identity());
-    // Later ones win: rods over bodies, the first of each kind over the next.
+    // Later ones overwrite: rods win over bodies, the first of each kind over the next.
     for (auto body = model.bodies.rbegin(); body != model.bodies.rend(); ++body) {
         triads[static_cast<std::size_t>(body->node)] = body->attitude;
     }

@@ -7,7 +7,7 @@
 
 namespace gxrod {
 
-// The fixed topology of the frames, as VTK has it: a cell for each element of the rods in their order, then a
+// The fixed topology of the frames, in VTK's form: a cell for each element of the rods in their order, then a
 // vertex for each body.
 struct FrameMesh {
     std::vector<std::int64_t> connectivity;  // point numbers of the cells, one cell after the other

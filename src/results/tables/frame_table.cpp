@@ -37,8 +37,8 @@ const DatasetLabel point_radius_label{
 
 constexpr RowShape number_in_row{1, true};  // [S,1]
 
-// One frame in a chunk if it is compressed; else about that, within limits: small chunks cost time, large
-// ones space (docs/performance.md).
+// One frame a chunk if compressed; else about that, within limits: small chunks cost time, large ones space
+// (docs/performance.md).
 RowChunks frame_chunks(std::size_t frame_rows, std::size_t row_bytes, bool is_deflated) {
     constexpr std::size_t least = 8192;
     if (is_deflated) return {std::max<hsize_t>(frame_rows, 1), true};
@@ -87,7 +87,6 @@ FrameTable::FrameTable(const Hdf5Handle& root,
         write_topology();
         flush_count();
     }
-    // On disk now.
     mesh_.connectivity = mesh_.offsets = std::vector<std::int64_t>();
     mesh_.types = std::vector<std::uint8_t>();
     create_fields(root);
@@ -195,7 +194,7 @@ void FrameTable::append_cells(const Snapshot& snapshot) {
 }
 
 void FrameTable::flush_if_much(std::vector<AppendDataset<double>>& fields) const {
-    // Compressed chunks have to come whole.
+    // Compressed chunks must be written whole.
     if (is_compressed_ || fields[0].buffered_bytes() < most_chunk_bytes) return;
     for (AppendDataset<double>& field : fields) field.flush();
 }

@@ -9,19 +9,19 @@
 namespace gxrod {
 
 // /VTKHDF: frames in the temporal form of VTKHDF 2.0, which ParaView and VTK (from 9.3) read. Fixed topology;
-// N points and E cells are appended a frame; where they lie along the rods stands there once, with /rods.
+// N points and E cells are appended per frame; their places along the rods are stored once, with /rods.
 // Throws Hdf5Error.
 class FrameTable {
   public:
-    // Appends after the first `frames` frames; the count of those there follows with flush_count(), once the
-    // times are shortened on disk. `model` must outlive the table. Throws std::runtime_error if frames are
-    // there, but of another number of points.
+    // Appends after the first `frames` frames; flush_count() updates their number, once the times are
+    // shortened on disk. `model` must outlive the table. Throws std::runtime_error if existing frames have
+    // another number of points.
     FrameTable(const Hdf5Handle& root, const Model& model, const OutputSettings& output, hsize_t frames);
 
     void append(const Snapshot& snapshot);
     // Writes the frames; readers do not count them before flush_count() and, when that is on disk,
-    // flush_times(). In this order, as VTK reads all times into room for as many as are counted: more would
-    // overrun it.
+    // flush_times(). In this order, because VTK reads all times into a buffer for as many as are counted:
+    // more would overrun it.
     void flush_frames();
     void flush_count();
     void flush_times();

@@ -16,7 +16,7 @@ Quat section_axes(const Model& model, const RodPlace& place, int node) {
     const auto first =
         rod.element_nodes.begin() + static_cast<std::ptrdiff_t>(place.element) * (rod.order + 1);
     const auto local = std::find(first, first + rod.order + 1, node) - first;
-    // A rod of one element that comes back to its node has it twice.
+    // A rod of one element that closes on itself has its node twice.
     const bool is_end = place.xi == 1.0;
     return rod
         .triads[static_cast<std::size_t>(first - rod.element_nodes.begin() + (is_end ? rod.order : local))];

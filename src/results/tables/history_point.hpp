@@ -13,19 +13,19 @@ namespace gxrod {
 // The points of rods that the requests are about, in their order: those of Snapshot::points.
 std::vector<RodPlace> list_rod_places(const std::vector<HistoryRequest>& requests);
 
-// The values of one named point at a step. Quantities: those of the deck's [[history]].
+// The values of one named point at a step, for the quantities of the deck's [[history]].
 class HistoryPoint {
   public:
     // A row's numbers; vectors use the first three.
     using Row = std::array<double, 4>;
 
-    // Of requests[index]. `model` must outlive the point; snapshots must have the points of all requests.
+    // For requests[index]. `model` must outlive the point; snapshots must have the points of all requests.
     HistoryPoint(const Model& model, const std::vector<HistoryRequest>& requests, std::size_t index);
 
     PointKind kind() const { return body_ ? PointKind::body : PointKind::rod; }
     // Chooses the sign of each quaternion that is nearest to the one of the call before.
     Row compute(Quantity quantity, const Snapshot& snapshot);
-    // Takes a row computed earlier for the one of the call before.
+    // Sets the row that signs of quaternions follow.
     void go_on_from(Quantity quantity, std::span<const double> row);
 
   private:

@@ -24,7 +24,7 @@ RowShape shape_of(const Hdf5Handle& group, const std::string& name) {
     return {static_cast<int>(size[1]), true};
 }
 
-// Says what a history is of; throws if it is of another point already.
+// Writes which point a history is of; throws if it already belongs to another.
 void label_group(const Hdf5Handle& group, const HistoryRequest& request) {
     const bool is_new = H5Aexists(group.id(), "at") <= 0;
     if (is_new) {

@@ -12,8 +12,8 @@ namespace gxrod {
 // /histories/<name>/<quantity>, one row a step. Throws Hdf5Error.
 class HistoryTable {
   public:
-    // Appends after the first `rows` rows. What is asked for but was not recorded in them is NaN there; what
-    // was but is no longer asked for is NaN from there on. `model` must outlive the table.
+    // Appends after the first `rows` rows. Quantities that are new have NaN in these; those no longer
+    // requested have NaN from there on. `model` must outlive the table.
     HistoryTable(const Hdf5Handle& histories,
                  const Model& model,
                  const std::vector<HistoryRequest>& requests,
@@ -30,7 +30,7 @@ class HistoryTable {
         int width;
         AppendDataset<double> values;
     };
-    // No longer asked for.
+    // No longer requested.
     struct Ended {
         int width;
         AppendDataset<double> values;

@@ -10,7 +10,8 @@
 namespace gxrod {
 namespace {
 
-// Each under its file's name; where two folders have files of one name, the later with a number before it.
+// Each under its file's name; where two folders have files of the same name, the later gets a number as a
+// prefix.
 void write_meshes(const Hdf5Handle& parent, const std::vector<MeshRecord>& meshes) {
     const Hdf5Handle group = require_group(parent, "meshes");
     std::set<std::string> names;

@@ -10,11 +10,11 @@
 #include "results/file/hdf5_objects.hpp"
 #include "state/restart_record.hpp"
 
-// How a state to go on from lies in a slot of /restart: for what writes and what reads it.
+// How the state to resume from is stored in a slot of /restart.
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t form_version = 6;  // of what is in /restart; raise it with every change
+inline constexpr std::int64_t form_version = 6;  // of /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 // Calls visit(vector) for each vector of a row, const or not.
@@ -48,7 +48,6 @@ hsize_t count_columns() {
     return columns;
 }
 
-// Rows of numbers with so many columns.
 struct Table {
     hsize_t columns;
     std::vector<double> values = {};
@@ -142,7 +141,7 @@ inline const DatasetLabel algorithmic_label{
 inline const DatasetLabel forces_label{
     "forces", "force and moment that does work on each node", "spatial", ""};
 inline const DatasetLabel force_change_label{
-    "force_change", "what the last load step changed of these", "spatial", ""};
+    "force_change", "change of these in the last load step", "spatial", ""};
 inline const DatasetLabel movement_label{
     "movement", "displacement and rotation vector of each node in the last load step", "spatial", ""};
 

@@ -8,7 +8,7 @@ namespace gxrod {
 
 namespace {
 
-// A number as it was before it was written as a double.
+// Converts a number back from the double that it was written as.
 template <class Number>
 Number restore(double number) {
     constexpr double exactly_whole = 9007199254740992.0;  // 2^53
@@ -18,7 +18,7 @@ Number restore(double number) {
         return number != 0.0;
     } else {
         if (!(std::abs(number) <= exactly_whole && (std::is_signed_v<Number> || number >= 0.0))) {
-            throw std::runtime_error("its state has a count that is none");
+            throw std::runtime_error("its state has an invalid count");
         }
         return static_cast<Number>(number);
     }
@@ -39,7 +39,7 @@ std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
     const std::int64_t number = file.integer_attribute("/restart", "slot");
     if (number == no_slot) return std::nullopt;
     if (file.integer_attribute("/restart", "version") != form_version) {
-        throw std::runtime_error("its state was written in another form, by another version of gxrod");
+        throw std::runtime_error("its state was written by another version of gxrod, in another form");
     }
     if (number != 0 && number != 1) throw std::runtime_error("/restart@slot is damaged");
     const std::string slot = "/restart/" + slot_name(number) + "/";
@@ -68,7 +68,7 @@ std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
     const double written = single.values.back();
     single.values.pop_back();
     if (static_cast<double>(sum_of(single, sum)) != written)
-        throw std::runtime_error("its state is not the one that was written");
+        throw std::runtime_error("its state does not have the checksum that was written with it");
     std::size_t count = 0;
     visit_numbers(place, [&](const char*, auto& value) {
         value = restore<std::remove_reference_t<decltype(value)>>(single.values[count++]);

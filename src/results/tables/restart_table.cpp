@@ -10,7 +10,7 @@
 namespace gxrod {
 namespace {
 
-// The dataset of that name, with so many rows; a new one if there is none.
+// Opens the dataset of that name, or creates it, with so many rows.
 Hdf5Handle require_dataset(const Hdf5Handle& group,
                            const DatasetLabel& label,
                            hsize_t rows,
@@ -38,8 +38,8 @@ void write_rows(const Hdf5Handle& dataset, hsize_t first, const Table& table) {
         "writing a dataset");
 }
 
-// Piece by piece: of large models, all rows once more as numbers would be much. The checksum of what went
-// before becomes that with these rows.
+// Piece by piece: for large models, a copy of all rows as numbers would be large. `sum`, the checksum so far,
+// is extended by these rows.
 template <class Row>
 void put(const Hdf5Handle& group, const DatasetLabel& label, std::span<const Row> rows, std::uint32_t& sum) {
     constexpr std::size_t piece = 4096;

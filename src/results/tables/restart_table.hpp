@@ -8,7 +8,7 @@
 
 namespace gxrod {
 
-// /restart: the state to go on from. It is written into two slots by turns, so that one is always whole;
+// /restart: the state to resume from. It is written into two slots in turn, so that one is always whole;
 // /restart@slot names that one. Throws Hdf5Error.
 class RestartTable {
   public:
@@ -27,7 +27,7 @@ class RestartTable {
     bool is_written_ = false;
 };
 
-// Nothing if the file has no whole record. Throws Hdf5Error, and std::runtime_error if it is damaged.
+// nullopt if the file has no complete record. Throws Hdf5Error, and std::runtime_error if it is damaged.
 std::optional<RestartPlace> read_restart(const Hdf5Reader& file);
 
 }  // namespace gxrod

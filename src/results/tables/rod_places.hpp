@@ -7,7 +7,7 @@
 
 namespace gxrod {
 
-// Where cells, or points, of the frames lie along the rods. Bodies, and points where no rod is, have rod and
+// Where cells, or points, of the frames lie along the rods. Bodies, and points on no rod, have rod and
 // element −1 and arc length 0.
 struct RodPlaces {
     std::vector<std::int64_t> rod;      // number in Model::rods
@@ -15,13 +15,13 @@ struct RodPlaces {
     std::vector<double> arc_length;     // from the start of the rod
 };
 
-// Of the cells of FrameMesh: elements at their middles.
+// For the cells of FrameMesh: elements at their middles.
 RodPlaces find_cell_places(const Model& model);
 
-// Of the nodes: on the first rod there, and on its first element.
+// For the nodes: on the first rod there, and on its first element.
 RodPlaces find_point_places(const Model& model);
 
-// Of each entry of FrameMesh::connectivity, on the rod of its cell; 0 for bodies.
+// For each entry of FrameMesh::connectivity, on the rod of its cell; 0 for bodies.
 std::vector<double> list_arc_lengths(const Model& model);
 
 }  // namespace gxrod

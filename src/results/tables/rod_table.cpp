@@ -78,7 +78,7 @@ void write_rod_places(const PlaceGroups& groups, const Model& model) {
                  groups.no_offsets,
                  find_point_places(model),
                  ", on the first rod there");
-    // More names than are read at once.
+    // A list of more names would not be read.
     if (!model.rods.empty() && model.rods.size() <= most_texts) write_table(groups.root, model);
 }
 

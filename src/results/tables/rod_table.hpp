@@ -5,7 +5,7 @@
 
 namespace gxrod {
 
-// The groups of frames to which what stays the same in all of them is added.
+// The groups of frames to which places along the rods are added.
 struct PlaceGroups {
     const Hdf5Handle& root;
     const Hdf5Handle& point_data;
@@ -15,8 +15,8 @@ struct PlaceGroups {
     hid_t no_offsets;  // a dataset of a 0 for each frame
 };
 
-// Writes, once for all frames, where points and cells lie along the rods, and the table /rods. Nothing if a
-// file has them. Throws Hdf5Error.
+// Writes, once for all frames, where points and cells lie along the rods, and the table /rods, unless the
+// file has them already. Throws Hdf5Error.
 void write_rod_places(const PlaceGroups& groups, const Model& model);
 
 }  // namespace gxrod

@@ -7,7 +7,7 @@
 
 #include "state/step_record.hpp"
 
-// The columns of /ledger and /solver, a row a step: stated here for all that writes or names them.
+// The columns of /ledger and /solver, one row a step: the only list of them.
 namespace gxrod {
 
 template <class Row>
@@ -16,7 +16,7 @@ struct StepColumn {
     const char* description;
     const char* dimension;
     std::variant<double Row::*, Vec3 Row::*, int Row::*, std::int64_t Row::*> member;
-    bool is_of_statics = false;  // alone
+    bool is_of_statics = false;  // only
 
     constexpr int width() const { return std::holds_alternative<Vec3 Row::*>(member) ? 3 : 1; }
     constexpr const char* frame() const { return width() == 3 ? "spatial" : "none"; }
@@ -72,7 +72,7 @@ inline constexpr std::array<SolverColumn, 5> solver_columns{{
      true},
 }};
 
-// Numbers of a row of these columns.
+// How many numbers a row of these columns has.
 template <class Columns>
 constexpr int count_numbers(const Columns& columns, bool is_static) {
     int numbers = 0;
@@ -80,7 +80,7 @@ constexpr int count_numbers(const Columns& columns, bool is_static) {
     return numbers;
 }
 
-// The numbers of a column in a row; of a single number the first.
+// The numbers of a column in a row; a single number comes first.
 template <class Row>
 std::array<double, 3> numbers_of(const StepColumn<Row>& column, const Row& row) {
     return std::visit(

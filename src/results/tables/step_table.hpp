@@ -9,7 +9,7 @@
 
 namespace gxrod {
 
-// /ledger or /solver: a dataset for each of its columns, one row a step, after the `rows` that are there.
+// /ledger or /solver: a dataset for each of its columns, one row a step, after the `rows` that exist.
 // Instantiated for LedgerRow and SolverRow. Throws Hdf5Error.
 template <class Row>
 class StepTable {

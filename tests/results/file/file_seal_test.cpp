@@ -294,7 +294,7 @@ TEST_CASE("What breaks down over a file that is not trusted ends that alone", "[
     CHECK_THROWS_WITH(reading.read([]() -> std::string { throw FileError("b", "cannot be written"); }),
                       "b: cannot be written");
     CHECK_THROWS_WITH(reading.read([]() -> std::string { throw std::bad_alloc(); }),
-                      Catch::Contains("cannot be read: there is no memory for it"));
+                      Catch::Contains("cannot be read: there is not enough memory"));
     const auto break_down = []() -> std::string {
         std::signal(SIGSEGV, SIG_DFL);
         std::raise(SIGSEGV);

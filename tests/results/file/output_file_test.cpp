@@ -72,7 +72,7 @@ TEST_CASE("A missing folder is named", "[results]") {
                       Contains("the folder " + (folder / "none").string() + " does not exist"));
 }
 
-TEST_CASE("A folder that may not be written is named", "[results]") {
+TEST_CASE("The message names a folder that is not writable", "[results]") {
     const sample::ScratchFolder folder;
     fs::permissions(folder.path(), fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_exec);
     // Root may write everywhere: try as nobody.
@@ -82,7 +82,7 @@ TEST_CASE("A folder that may not be written is named", "[results]") {
         try {
             create(folder / "a.vtkhdf", Existing::refuse);
         } catch (const FileError& error) {
-            ::_exit(std::string(error.what()).find("may not be written") != std::string::npos ? 0 : 3);
+            ::_exit(std::string(error.what()).find("is not writable") != std::string::npos ? 0 : 3);
         }
         ::_exit(4);
     }
