@@ -12,7 +12,7 @@ namespace gxrod {
 // Counts the trials of steps that fail, and why and where they do.
 class CutTally {
   public:
-    // A trial of the step after so many.
+    // A failed trial of the step after so many.
     void add(const EquilibriumReport& report, long step);
 
     StepCuts count(long steps) const;

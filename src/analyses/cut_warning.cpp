@@ -8,7 +8,7 @@ namespace gxrod {
 namespace {
 
 constexpr std::int64_t few = 5;
-// From here on a ratio of stiffnesses is worth a word. One of 100 was seen to cut a step in ten.
+// Ratios of stiffnesses from here on are mentioned. One of 100 was seen to cut a step in ten.
 constexpr double notable_ratio = 30.0;
 
 std::string describe_ratio(const Model& model) {

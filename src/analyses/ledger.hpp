@@ -32,7 +32,7 @@ class Ledger {
     void add_step(const State& state, const Step& step);
 
     // Whether the work of the last load step parts so far from the strain energy, before the step is
-    // committed, that only equilibria in between can tell whether the structure jumped; and the ends of the
+    // committed, that only equilibria in between show whether the structure jumped; and the ends of the
     // step, to look for these, and the work that they make of it.
     bool is_unclear() const;
     struct LoadStepEnds {

@@ -27,7 +27,7 @@ LoadStep compute_load_step(const PathPoint& from, const PathPoint& to) {
 StepWork integrate_path(const PathPoint& from, const PathPoint& to, const PathSearch& search) {
     StepWork whole = compute_step_work(from.forces, compute_load_step(from, to), {});
     const double imbalance = std::abs(to.strain_energy - from.strain_energy - whole.work);
-    // Where work and strain energy agree, there is nothing to be unsure of.
+    // Where work and strain energy agree, there is no uncertainty.
     whole.uncertainty = std::min(whole.uncertainty, imbalance);
     if (imbalance <= search.tolerable || search.halvings == 0) return whole;
     const std::optional<PathPoint> middle =

@@ -14,7 +14,6 @@ class StaticAnalysis : public SteppedAnalysis {
 
     EquilibriumReport start() override;
     std::vector<std::string> list_warnings() const override;
-    // Whether its end, or a state before it that a touch would leave, is no answer to what was asked.
     bool is_unstable() const override;
 
   protected:

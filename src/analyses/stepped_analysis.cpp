@@ -85,7 +85,7 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
         record.algorithmic.size() == (integrator_->has_algorithmic_accelerations() ? nodes : 0);
     if (record.nodes.size() != nodes || record.sections.size() != state_.sections.size() || !has_forces ||
         !has_algorithmic) {
-        throw std::invalid_argument("the state to go on from belongs to another model");
+        throw std::invalid_argument("the state to resume from belongs to another model");
     }
     if (!steps_->resume(record.steps)) return false;
     state_.previous = state_.trial = record.nodes;
@@ -148,8 +148,8 @@ EquilibriumReport SteppedAnalysis::advance() {
         if (!shorten_step()) return report;
     }
     const PhaseTimer timer(workspace_.seconds.update);
-    // Allocations come before all that changes what a later run resumes from. And
-    // before the step is the last one: what `simo` elements ask of their nodes depends on it.
+    // All allocations come before anything that changes the state to resume from. And before the step becomes
+    // the last one: what `simo` elements ask of their nodes depends on it.
     reactions_ = system_.compute_reactions(workspace_.residual);
     point_values_ = system_.compute_point_values(state_, steps_->next_time(), watched_);
     ledger_->add_step(
@@ -179,8 +179,8 @@ std::optional<PathPoint> SteppedAnalysis::find_equilibrium(const PathPoint& from
     return point;
 }
 
-// Where work and strain energy part, equilibria between both ends of a load step say why. They are forgotten
-// afterwards; where none can be found, or memory for them, the books stay as they are.
+// Where work and strain energy part, equilibria between both ends of a load step say why. They are discarded
+// afterwards; if none can be found, or there is no memory for them, the books stay as they are.
 void SteppedAnalysis::look_into_load_step() {
     if (!ledger_->is_unclear()) return;
     constexpr double tolerable = 0.25 * energy_worth_a_word;

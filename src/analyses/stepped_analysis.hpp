@@ -40,16 +40,16 @@ class SteppedAnalysis {
     const StepSequence& steps() const { return *steps_; }
     const PhaseSeconds& seconds() const { return workspace_.seconds; }
 
-    // What is to be known of the steps so far before their results are trusted, a sentence each.
+    // Warnings about the steps so far, a sentence each.
     virtual std::vector<std::string> list_warnings() const { return {}; }
-    // Whether equilibria were accepted that no structure would stay at.
+    // Whether unstable equilibria were accepted.
     virtual bool is_unstable() const { return false; }
 
     LedgerRow ledger_row() const { return ledger_->row(state_); }
     const SolverRow& solver_row() const { return solver_row_; }
     // Of the steps since the start, or since it was resumed.
     const CutTally& cuts() const { return cuts_; }
-    // Likewise, of the trials: the largest estimated error, 0 if the scheme estimates none; and what Newton's
+    // Of the trials: the largest estimated error, 0 if the scheme estimates none; and what Newton's
     // method was asked for.
     double largest_error() const { return largest_error_; }
     const NewtonSettings& newton() const { return newton_; }
@@ -74,9 +74,9 @@ class SteppedAnalysis {
 
     // Takes the trial motions for the state at t = 0; the workspace has their residual.
     void accept_start();
-    // What a kind of analysis has against a step that converged, as an outcome of the report …
+    // Lets a kind of analysis reject a step that converged, as an outcome of the report …
     virtual void judge_equilibrium(EquilibriumReport&) {}
-    // … and what it keeps of one that is accepted, before it is committed.
+    // … and note what it needs of an accepted one, before it is committed.
     virtual void note_equilibrium() {}
     // Negative pivots of the tangent at the last accepted equilibrium; −1 where none are counted.
     virtual std::int64_t accepted_pivots() const { return -1; }
@@ -98,9 +98,9 @@ class SteppedAnalysis {
     // False if the step that failed is not to be tried with a shorter one.
     bool shorten_step();
     Failure::Phase failure_phase() const;
-    // What nothing resists at the last accepted state, or "".
+    // The motion that nothing resists at the last accepted state, or "".
     std::string find_weakness();
-    // Sets what a failure comes from, of what is not known from its report.
+    // Completes the report of a failure with its causes.
     void find_reason(Failure& failure);
     // An equilibrium beyond another one, apart from the state. The workspace has its residual afterwards.
     std::optional<PathPoint> find_equilibrium(const PathPoint& from, double load_factor);

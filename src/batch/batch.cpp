@@ -40,7 +40,7 @@ class BatchRun {
         try {
             run_cases();
         } catch (const FileError&) {
-            // What there is may be put in order all the same.
+            // The rows that exist can be sorted all the same.
             try {
                 gather();
             } catch (const FileError&) {
@@ -149,7 +149,7 @@ class BatchRun {
 
     void take(const WorkerReply& reply) {
         if (reply.kind == WorkerReply::Kind::was_killed && killed_.insert(reply.number).second) {
-            // By the system, or by someone, and perhaps not for the sake of this case: once more.
+            // By the system or a user, and perhaps not because of this case: try once more.
             queue_.push_back(reply.number);
             return;
         }
@@ -176,14 +176,14 @@ class BatchRun {
         if (reply.kind == WorkerReply::Kind::overtime) {
             row.status = CaseStatus::time_limit;
             row.reason = fmt::format(
-                "the time limit of {} s was over, and the step at hand or the setup took longer still; the "
+                "the time limit of {} s was over, and the current step or the setup took longer still; the "
                 "process was ended",
                 batch_.plan().time_limit);
         } else if (reply.kind == WorkerReply::Kind::overweight) {
             row.status = CaseStatus::out_of_memory;
             row.reason = explain_memory(batch_.plan());
         } else if (reply.kind == WorkerReply::Kind::was_killed) {
-            row.reason = "the process was killed twice, perhaps for want of memory";
+            row.reason = "the process was killed twice, perhaps for lack of memory";
         }
         std::error_code ignored;
         const std::string path = results_path(reply.number, batch_.cases().count());

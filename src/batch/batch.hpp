@@ -21,7 +21,7 @@ std::vector<long> list_wanted_cases(const std::map<long, CaseRow>& rows,
 enum class Interruption {
     none,
     finish_cases,  // hand out no more
-    stop           // leave the cases at hand
+    stop           // abandon running cases
 };
 
 struct BatchProgress {

@@ -16,7 +16,7 @@
 namespace gxrod {
 namespace {
 
-// Byte 0 of the file stands for the table, byte n for case n, the one after all cases for submitting them.
+// Byte 0 of the file locks the table, byte n case n, the one after all cases their submission.
 struct flock describe(off_t first, off_t count) {
     struct flock lock {};
     lock.l_type = F_WRLCK;

@@ -10,8 +10,8 @@
 
 namespace gxrod {
 
-// Keeps two processes from running the same cases of a folder, also on several machines where the file system
-// has locks. Held until the object goes, or its process dies with its workers.
+// Keeps two processes from running the same cases of a folder, also on several machines if the file system
+// has locks. Held until the object is destroyed, or its process dies with its workers.
 class BatchLock {
   public:
     // Of cases. Throws FileError if any of them is being run, and still is after two seconds.
@@ -22,7 +22,7 @@ class BatchLock {
     // Of submitting cases to a cluster. Throws FileError if another process does.
     static BatchLock of_submission(const std::filesystem::path& folder);
 
-    // Those of the cases that processes run; the second, who holds this lock leaves out what it locks itself.
+    // The cases that processes run; the second leaves out those that the holder of this lock has locked.
     static std::vector<CaseRange> list_running(const std::filesystem::path& folder, const CaseRange& range);
     std::vector<CaseRange> list_running(const CaseRange& range) const;
 

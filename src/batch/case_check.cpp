@@ -152,8 +152,8 @@ void add_size(const Problem& problem, KeptResults& kept) {
     if (size.steps == 0.0) ++kept.unknown;
 }
 
-// What is collected, of the deck as it is: where no case could be built, so that it is not reported a round
-// later.
+// What is collected, of the deck as it is: where no case could be built, so that the user need not
+// correct the cases first to see it.
 void check_deck_itself(const CaseContext& context, FaultList& faults) {
     try {
         check_collections(context.plan.collections, context.decks.front().build({}), faults);

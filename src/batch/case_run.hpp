@@ -10,7 +10,7 @@
 
 namespace gxrod {
 
-// All that the cases of a batch have in common; what it refers to must outlive it.
+// What the cases of a batch have in common; what it refers to must outlive it.
 struct CaseContext {
     const Plan& plan;
     const CaseList& cases;
@@ -34,7 +34,7 @@ struct CaseOutcome {
     std::string obstacle;  // "" if there is none
 };
 
-// Runs one case, whatever becomes of it: only a crash ends otherwise. Results stay as the plan says.
+// Runs one case; returns whatever happens, except after a crash. Results are kept as the plan says.
 CaseOutcome run_case(const CaseContext& context, long number);
 
 // As a line of text, and back. Throws FileError if it is not one.

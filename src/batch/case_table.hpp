@@ -35,7 +35,7 @@ void write_case_table(const std::filesystem::path& folder,
                       const BatchRecord& record,
                       const std::vector<CaseRow>& rows);
 
-// Appends rows to a table, each whole or not at all, wherever the program is killed. Throws FileError.
+// Appends rows to a table, each whole or not at all, whenever the program is killed. Throws FileError.
 class TableAppender {
   public:
     // Makes the table, with its header, if there is none; takes away a last line that was not completed.

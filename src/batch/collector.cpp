@@ -151,7 +151,7 @@ void TakenNumber::add_interval(double time, double value) {
     const double step = time - last_time_;
     integral_ += 0.5 * step * (last_ + value);
     square_integral_ += step * (last_ * last_ + last_ * value + value * value) / 3.0;
-    // The last step may miss the end, and so the time asked for, by round-off.
+    // The last step can miss the end, and so the requested time, by round-off.
     constexpr double round_off = 1e-12;
     if (!at_ || *at_ <= last_time_ || *at_ > time * (1.0 + round_off)) return;
     at_value_ = *at_ >= time ? value : last_ + (value - last_) * (*at_ - last_time_) / step;

@@ -9,8 +9,8 @@
 
 namespace gxrod {
 
-// Adds to the list what of the collections a case's deck does not have: histories, quantities, components,
-// times.
+// Adds to the list whatever the collections name that a case's deck does not have: histories, quantities,
+// components, times.
 void check_collections(const std::vector<Collection>& collections, const Problem& problem, FaultList& faults);
 
 // What a column holds: "largest z of position of tip".

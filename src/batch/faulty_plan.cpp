@@ -12,7 +12,7 @@
 namespace gxrod {
 namespace {
 
-// Beyond so many cases the first values stand for all.
+// Beyond so many cases only the first values are examined.
 constexpr std::size_t most_cases = 100;
 
 // A value within a distribution.

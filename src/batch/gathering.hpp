@@ -4,8 +4,8 @@
 #include "batch/batch_record.hpp"
 #include "batch/case_row.hpp"
 
-// Slices of a batch write parts of the table; who has the table's lock puts them into it. A slice begins its
-// part after it gathered those that are idle, while its cases are locked, so that no two parts have the same
+// Slices of a batch write parts of the table; the holder of the table's lock merges them. A slice begins its
+// part after merging those that are idle, while its cases are locked, so that no two parts have the same
 // case.
 namespace gxrod {
 

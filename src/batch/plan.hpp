@@ -12,7 +12,7 @@
 #include "model/settings.hpp"
 #include "results/tables/step_columns.hpp"
 
-// What a batch is asked to run. docs/plan.md is the reference of the text.
+// What a batch runs. docs/plan.md is the reference of the text.
 namespace gxrod {
 
 // A distribution of values.
@@ -26,7 +26,7 @@ struct Spread {
     double deviation = 1.0;
 };
 
-// Where the values of a table stand.
+// Where the values of a table are.
 struct Column {
     std::string name;
     int header_line = 1;
@@ -44,7 +44,7 @@ struct Variation {
     bool is_faulty = false;        // reported as such
 };
 
-// A number that is taken from each case.
+// A number that is collected from each case.
 struct Collection {
     std::string name;
     Place place;  // in the plan
@@ -86,8 +86,8 @@ Plan read_plan_text(std::string text, const std::filesystem::path& file);
 // A case for each deck.
 Plan plan_of_decks(std::vector<std::filesystem::path> decks);
 
-// Whether a file of TOML is a plan rather than a deck. Throws DeckError if it is no TOML or neither of them,
-// FileError if it cannot be read.
+// Whether a file of TOML is a plan rather than a deck. Throws DeckError if it is not TOML, or neither of
+// them, FileError if it cannot be read.
 bool is_plan(const std::filesystem::path& file);
 bool is_plan_text(const std::string& text, const std::filesystem::path& file);
 

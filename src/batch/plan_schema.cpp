@@ -60,7 +60,7 @@ std::vector<KeySpec> moment_keys(const Range& mean) {
             {.name = "from",
              .type = ValueType::number,
              .sentence = "Values below are left out: the rest of the distribution is scaled up."},
-            {.name = "to", .type = ValueType::number, .sentence = "Values above are left out likewise."}};
+            {.name = "to", .type = ValueType::number, .sentence = "Values above are left out, too."}};
 }
 
 const TableSpec& normal_table() {

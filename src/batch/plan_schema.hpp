@@ -10,7 +10,7 @@ namespace gxrod {
 // The top level of a plan.
 const TableSpec& plan_schema();
 
-// One entry of [vary] that is no list of values, and what it can hold.
+// An entry of [vary] that is not a list of values, and what it can hold.
 const TableSpec& variation_table();
 
 // The text of docs/plan.md, without its last line end.

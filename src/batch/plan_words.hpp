@@ -2,7 +2,7 @@
 
 #include "deck/schema/choices.hpp"
 
-// The words of a plan and what they stand for.
+// The words of a plan and what they mean.
 namespace gxrod {
 
 enum class Combination { grid, zip, latin_hypercube, table, decks };

@@ -77,7 +77,7 @@ class VariationReader {
   private:
     void add(const Place& place, const std::string& message) { faults_.add(place, path_, message); }
 
-    // A table of the deck, of which [vary] has single keys.
+    // A table of the deck, whose single keys [vary] has.
     static bool is_deck_table(const std::string& key) {
         const KeySpec* spec = deck_schema().find(key);
         return spec != nullptr && spec->table != nullptr;
@@ -85,7 +85,7 @@ class VariationReader {
 
     void explain_quotes(const DeckNode& node, const std::string& key) {
         const std::string inner = node.table()->empty() ? "KEY" : node.table()->front().key;
-        add(node.place, fmt::format("a key of the deck stands in quotes here: \"{}.{}\" = …", key, inner));
+        add(node.place, fmt::format("a key of the deck must be in quotes here: \"{}.{}\" = …", key, inner));
     }
 
     std::vector<std::string> read_list(const DeckNode& node) {

@@ -11,7 +11,7 @@ namespace gxrod {
 // The entries of [vary], in the order of the plan. What is wrong goes to the fault list.
 std::vector<Variation> read_variations(const DeckNode& vary, Combination combination, FaultList& faults);
 
-// Faults for keys of which one is the other, or a part of it: the value of one would be lost.
+// Faults for keys that are equal, or one a part of the other: the value of one would be lost.
 void check_conflicts(const std::vector<Variation>& variations, FaultList& faults);
 
 // Fills in the values of a table's columns: those that `variations` name, or a variation for each column if

@@ -105,7 +105,7 @@ std::string describe_end(int status) {
 
 WorkerPool::WorkerPool(const WorkerOptions& options, Work work) : options_(options), work_(std::move(work)) {
     workers_.resize(static_cast<std::size_t>(options.workers));
-    std::signal(SIGCHLD, SIG_DFL);  // were it ignored, nobody would know how a worker ended
+    std::signal(SIGCHLD, SIG_DFL);  // if it were ignored, the end of a worker would be lost
 }
 
 WorkerPool::~WorkerPool() {
@@ -161,7 +161,7 @@ void WorkerPool::serve(int channel) const {
     try {
         while (receive_number(channel, number)) {
             if (!send_text(channel, work_(number))) break;
-            ::malloc_trim(0);  // what a large case took is not the next one's
+            ::malloc_trim(0);  // return what a large case took
         }
     } catch (...) {
         ::_exit(1);

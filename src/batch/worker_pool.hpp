@@ -48,10 +48,10 @@ class WorkerPool {
 
     bool has_idle_worker() const;
     int busy_workers() const;
-    // To an idle worker. False if none could be started: there are fewer workers then. Throws
-    // std::system_error if there is none at all.
+    // Hands a number to an idle worker. False if none could be started: there are fewer workers then. Throws
+    // std::system_error if there is no worker at all.
     bool hand_out(long number);
-    // Waits for replies, for so long at most or until a signal comes; may come back with none.
+    // Waits for replies, for so long at most or until a signal comes; can return without any.
     std::vector<WorkerReply> wait(double seconds);
 
   private:

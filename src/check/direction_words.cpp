@@ -61,7 +61,7 @@ std::optional<Weakness> describe_weakness(const System& system,
     for (std::size_t i = 0; i < direction.size(); ++i) {
         direction[i] = system.equations().increment_of(static_cast<int>(i), weakest->scaled);
     }
-    // Where nothing holds a part, inverse iteration finds any mixture of what it may do; say all of it.
+    // If nothing holds a part, inverse iteration finds any mixture of its free motions; list all of them.
     const ModelPart& part = find_moving_part(describer.parts, direction);
     const std::string words = describe_free_motions(part, tangent, system, state);
     if (!words.empty()) return Weakness{describer.name(part) + " " + words, weakest->stiffness};

@@ -23,7 +23,7 @@ int sample_count(const DynamicSettings& settings) {
     return static_cast<int>(std::clamp(settings.steps, fewest_samples, most_samples));
 }
 
-// Steps that are chosen by their error may grow.
+// Steps that are chosen by their error can grow.
 double longest_step(const DynamicSettings& settings) {
     const double first = settings.time_step();
     if (!settings.adaptive || !std::isfinite(settings.adaptive->max_step)) return first;
@@ -138,7 +138,7 @@ class FunctionExamination {
                  more)});
     }
 
-    // Rods at rest of which one end moves at once.
+    // Rods at rest, one end of which moves at once.
     void examine_start(const std::string& node, std::size_t component, const TimeFunction& motion) {
         const auto is_at_rest = [](const Node& one) {
             return one.velocity.isZero(0.0) && one.angular_velocity.isZero(0.0);

@@ -19,8 +19,8 @@ enum class Detail { all, shortened };
 // The items, or of a long list the first two and what the rest is: "and 382 more rods; all 384: …".
 std::string describe(const ItemList& list, Detail detail);
 
-// The same of sentences that may differ in names and numbers alone: of those that do, the first and how many
-// are like it.
+// The same for sentences: of those that differ in names and numbers alone, the first and how many are like
+// it.
 std::vector<std::string> sum_up_repeats(const std::vector<std::string>& sentences);
 
 long count_lines(std::string_view text);

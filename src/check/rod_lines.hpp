@@ -19,7 +19,7 @@ std::vector<double> measure_lines(const Model& model);
 // stubs and stiff links: where a connected part has a slender line, too.
 std::string describe_thick_rods(const Model& model);
 
-// The same of rods of which an element turns by more than 45 degrees.
+// The same for rods that have an element that turns by more than 45 degrees.
 std::string describe_coarse_rods(const Model& model);
 
 }  // namespace gxrod

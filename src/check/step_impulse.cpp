@@ -9,7 +9,7 @@ namespace gxrod {
 namespace {
 
 constexpr double most_lost = 0.3;
-// Of ∫ |f| dt: what is less may be round-off.
+// Of ∫ |f| dt: less can be round-off.
 constexpr double smallest_loss = 1e-6;
 constexpr double steps_around = 5.0;
 constexpr std::size_t most_windows = 100;
@@ -103,7 +103,7 @@ class StepSums {
     std::vector<double> weights_;
 };
 
-// Near to a break errors of both signs may make up for each other: a pulse from one step to another one.
+// Near a break, errors of both signs can cancel: a pulse from one step to another one.
 double lost_at_break(const Sums& sums) { return std::abs(sums.given - sums.exact); }
 double lost_in_block(const Sums& sums) { return sums.wrong; }
 

@@ -31,7 +31,7 @@ struct LostImpulse {
 
 // The worst one, if any is wrong by more than 0.3 of what the load has there above a straight line: near to
 // breaks, over five steps to both sides; elsewhere, over eight steps of some hundred in all. So a load that
-// is switched on or off once is not reported wherever in a step that is: it comes at most half a step too
+// is switched on or off once is not reported, wherever in a step that is: it comes at most half a step too
 // soon or too late.
 std::optional<LostImpulse> find_lost_impulse(const TimedLoad& load,
                                              const StepTimes& times,

@@ -16,7 +16,7 @@ namespace gxrod {
 // Newton's method many iterations, or is not found.
 struct StiffnessContrast {
     int stiff_rod = -1;      // of Model::rods
-    int soft_rod = -1;       // likewise; may be the same
+    int soft_rod = -1;       // the same or another one
     double round_off = 0.0;  // of the forces, or moments, in the stiff one
     double bending = 0.0;    // a force, or moment, that bends the soft one
     bool is_of_moments = false;

@@ -109,7 +109,7 @@ Vec3 clean(const Vec3& direction) {
     return direction.unaryExpr([](double x) { return std::abs(x) < round_off ? 0.0 : x; });
 }
 
-// The turn of the motion (ω; v about the centre), which holds none of the free translations.
+// The turn of the motion (ω; v about the centre), without the free translations.
 UnsupportedMotion make_turn(const Eigen::Matrix<double, 6, 1>& motion,
                             const Vectors& translations,
                             const Extent& extent,

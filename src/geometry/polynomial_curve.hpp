@@ -49,7 +49,7 @@ class PolynomialCurve final : public Curve {
         double start;  // arc length of the curve at u = 0
         double length;
         Quat transport;  // from the start of the curve to u = 0
-        double turn;     // likewise
+        double turn;     // the same
     };
     struct Place {
         const Segment& segment;

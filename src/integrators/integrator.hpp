@@ -61,7 +61,7 @@ class Integrator {
     virtual bool has_algorithmic_accelerations() const { return false; }
     // Once, when the trial motions have the initial accelerations.
     virtual void start(State&) const {}
-    // Places the trial motions, wherever they were: an implicit scheme predicts, an explicit one sets what
+    // Places the trial motions, whatever they were: an implicit scheme predicts, an explicit one sets what
     // the accelerations are for.
     void begin_stage(State& state, const Stage& stage, const ThreadTeam& team = ThreadTeam::alone()) const;
     // Velocities and accelerations of the trial from its r, Λ and θ. Implicit schemes only.

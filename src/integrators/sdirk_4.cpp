@@ -114,7 +114,7 @@ StepError Sdirk4::estimate_error(const State& state, double time_step, const Nod
         }
         for (int first = 0; first < 6; first += 3) {
             for (const Vec6* part : {&placement, &rates}) {
-                // Lengths, so that steps do not depend on how the model stands in space.
+                // Lengths, so that steps do not depend on the model's orientation.
                 const double size = part->segment<3>(first).norm();
                 if (!(size > error.size)) continue;
                 int component = 0;

@@ -161,7 +161,7 @@ std::string run_in_child(const std::function<std::string()>& work, const ChildLi
         throw ChildError(
             fmt::format("it waits for something that has not come in {} s", limits.waiting_seconds));
     if (WIFEXITED(status) && WEXITSTATUS(status) == has_thrown)
-        throw ChildMemoryError("there is no memory for it");
+        throw ChildMemoryError("there is not enough memory");
     if (!WIFEXITED(status) || WEXITSTATUS(status) != done) throw ChildError(describe_end(status, limits));
     return bytes;
 }

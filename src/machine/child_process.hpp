@@ -23,7 +23,7 @@ class ChildError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// It had no memory for its work.
+// It ran out of memory.
 class ChildMemoryError : public ChildError {
   public:
     using ChildError::ChildError;

@@ -67,7 +67,7 @@ class Filter {
         jump(BPF_JGE, call_of_x32, SECCOMP_RET_KILL_PROCESS);
         for (const std::uint32_t call : deadly) jump(BPF_JEQ, call, SECCOMP_RET_KILL_PROCESS);
         for (const std::uint32_t call : refused) jump(BPF_JEQ, call, SECCOMP_RET_ERRNO | EACCES);
-        // Their arguments cannot be seen; whoever calls them does without.
+        // Their arguments cannot be seen; callers fall back to the older calls.
         jump(BPF_JEQ, SYS_clone3, SECCOMP_RET_ERRNO | ENOSYS);
         jump(BPF_JEQ, SYS_openat2, SECCOMP_RET_ERRNO | ENOSYS);
         constexpr std::uint32_t writing = O_WRONLY | O_RDWR | O_CREAT | O_TRUNC;

@@ -48,7 +48,8 @@ void try_to_load(std::span<const char* const> names) {
             },
             {.processor_seconds = most_seconds});
     } catch (const ChildError& error) {
-        throw MeshError(fmt::format("libgmsh cannot be loaded, as for want of memory: {}", error.what()));
+        throw MeshError(
+            fmt::format("libgmsh cannot be loaded, perhaps for lack of memory: {}", error.what()));
     }
     if (is_for_want_of_memory(reason)) throw MeshError("there is no memory for libgmsh: " + reason);
 }

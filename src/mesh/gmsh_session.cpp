@@ -41,7 +41,7 @@ std::string GmshSession::messages() const {
         gmsh_.release(lines[i]);
     }
     gmsh_.release(lines);
-    // It may quote a file that is no text.
+    // It can quote a file that is not text.
     std::replace_if(
         errors.begin(), errors.end(), [](unsigned char letter) { return letter < ' '; }, '?');
     return errors;

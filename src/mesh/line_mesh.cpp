@@ -85,7 +85,7 @@ void check_file(const std::filesystem::path& file) {
     std::error_code ignored;
     const std::filesystem::file_status status = std::filesystem::status(file, ignored);
     if (std::filesystem::is_directory(status)) throw MeshError("is a folder, expected a mesh");
-    // It is read several times; a device may have no end, and a pipe no writer.
+    // It is read several times; a device can have no end, and a pipe no writer.
     if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
         throw MeshError("is not a regular file, expected a mesh");
     std::ifstream stream(file);
@@ -135,7 +135,7 @@ std::string answer(const GmshLibrary& gmsh, const std::filesystem::path& file) {
 
 }  // namespace
 
-// Gmsh breaks down over some files that are no meshes, and a geometry script may run programs and write
+// Gmsh crashes on some files that are not meshes, and a geometry script can run programs and write
 // files: so it reads in a process of its own, which can do neither.
 LineMesh read_line_mesh(const std::filesystem::path& file) {
     constexpr int most_seconds = 600;

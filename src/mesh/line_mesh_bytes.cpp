@@ -108,7 +108,7 @@ LineMesh read_mesh_bytes(std::string_view bytes) {
     Reader reader(bytes);
     LineMesh mesh;
     visit_mesh(reader, mesh);
-    if (!reader.is_at_end()) throw MeshError("it has data behind its end");
+    if (!reader.is_at_end()) throw MeshError("it has data after its end");
     return mesh;
 }
 

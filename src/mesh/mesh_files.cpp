@@ -24,7 +24,7 @@ MeshFiles::MeshFiles(const std::vector<MeshRecord>& records) : is_kept_(true) {
 
 MeshFiles::~MeshFiles() { remove(); }
 
-// Each in a folder of its own: two may have one name, and the name tells Gmsh the format.
+// Each in a folder of its own: two can have the same name, and Gmsh finds the format by the name.
 void MeshFiles::write(const std::vector<MeshRecord>& records) {
     for (std::size_t i = 0; i < records.size(); ++i) {
         const fs::path path = folder_ / std::to_string(i) / fs::path(records[i].file).filename();

@@ -24,7 +24,7 @@ struct Switch {
 // Those that an argument of another rests on come before it.
 using Switches = std::vector<Switch>;
 
-// A number that may change with time: the value of a deck key that takes f(t).
+// A number that can change with time: the value of a deck key that takes f(t).
 // Calling one function from two threads at once is not allowed (an expression evaluates in place).
 class TimeFunction {
   public:
@@ -59,7 +59,7 @@ struct LineForm {
     bool is_even = false;  // the same all along the rod
 };
 
-// A number that may change with time and along a rod, f(t, s), s the arc length from the rod's start.
+// A number that can change with time and along a rod, f(t, s), s the arc length from the rod's start.
 class LineFunction {
   public:
     LineFunction(double constant = 0.0) : constant_(constant) {}

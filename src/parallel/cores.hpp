@@ -2,7 +2,7 @@
 
 namespace gxrod {
 
-// Cores that this process may use; at least 1.
+// Cores that this process can use; at least 1.
 int count_cores();
 
 }  // namespace gxrod

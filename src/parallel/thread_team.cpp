@@ -36,8 +36,8 @@ void wait_while(const std::atomic<T>& value, T old) {
 
 }  // namespace
 
-// The loop at hand, each thread's share of it, and the others. Whoever is done with its share helps with
-// those of others; a thread that comes too late is not waited for.
+// The current loop: each thread's share of it, and the others'. A thread that is done with its share helps
+// with those of others; a thread that comes too late is not waited for.
 struct ThreadTeam::Crew {
     struct alignas(cache_line) Share {
         std::atomic<std::size_t> next{0};

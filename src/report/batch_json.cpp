@@ -107,8 +107,8 @@ std::size_t count_bytes(const BatchStory& story, const BatchContent& content) {
     return write_script_json(describe_batch(story, content)).size();
 }
 
-// The largest number up to `most` of which `fits` is true; 0 if none is. What fits falls with the number.
-// Asks for no more than about twice what fits, so that nothing much larger is ever made.
+// The largest number up to `most` for which `fits` is true; 0 if there is none. If a number fits, smaller
+// ones do. Tries at most about twice what fits, so that nothing much larger is ever made.
 template <class Fits>
 std::size_t find_most(std::size_t most, Fits&& fits) {
     std::size_t good = 0, bad = std::min<std::size_t>(most, 1000);

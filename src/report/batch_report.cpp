@@ -74,7 +74,7 @@ std::string relative_address(const fs::path& folder, const fs::path& page) {
 BatchReportSummary write_batch_report(const BatchReportOptions& options) {
     if (!is_batch_folder(options.folder)) {
         throw FileError(options.folder,
-                        "is a folder without batch.json, so none of a batch",
+                        "is a folder without batch.json, so not the folder of a batch",
                         "give a results file of gxrod run, or the folder that gxrod batch wrote");
     }
     const BatchRecord record = read_batch_record(options.folder);

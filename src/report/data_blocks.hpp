@@ -12,7 +12,7 @@
 
 namespace gxrod {
 
-// What stands around the base64 text of one block of numbers in a page.
+// The text around the base64 text of one block of numbers in a page.
 inline constexpr std::size_t block_frame_bytes = 80;
 
 // Writes one script element of numbers, little-endian, that no browser runs: id "data-NAME". `write` gets the

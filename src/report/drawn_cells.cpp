@@ -18,7 +18,7 @@ Quat read_axes(const std::array<std::vector<double>, 3>& axes, std::size_t node)
     return Quat(matrix).normalized();
 }
 
-// Of a place in a list, or its end.
+// Of an index in a list, or its end.
 std::size_t index_of(double number, std::size_t size) {
     if (!(number >= 0.0 && number <= static_cast<double>(size)))
         throw std::runtime_error("a cell has points that are not there");

@@ -15,7 +15,7 @@ Json to_json(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 Json to_json(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
-// Of the homogeneous cuboid with this mass and these principal moments; 0 where there is none.
+// Of the homogeneous cuboid with this mass and these principal moments; 0 if there is none.
 Vec3 half_sizes(double mass, const Vec3& moments) {
     Vec3 sizes = Vec3::Zero();
     if (!(mass > 0.0)) return sizes;

@@ -5,8 +5,8 @@
 
 namespace gxrod {
 
-// A page in the making, so that one that is there stays as it is until the new one is whole. Removes what was
-// written unless it was finished.
+// A page being written: an existing one stays as it is until the new one is complete. An unfinished page is
+// removed.
 class PageFile {
   public:
     // Throws FileError if the page cannot be written, as all do.
@@ -16,7 +16,7 @@ class PageFile {
     ~PageFile();
 
     std::ostream& out() { return out_; }
-    // Now it is the page.
+    // Puts the page in its place.
     void finish();
 
   private:

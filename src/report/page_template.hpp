@@ -11,7 +11,7 @@ std::span<const std::string_view> page_template();
 std::span<const std::string_view> batch_template();
 std::span<const std::string_view> study_template();
 
-// What stands before and after the data of a page.
+// The text before and after the data of a page.
 struct PageShell {
     std::string before, after;
 

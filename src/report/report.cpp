@@ -33,7 +33,7 @@ std::size_t count_frames(const Hdf5Reader& file) {
                     static_cast<std::size_t>(file.size("/VTKHDF/Steps/Values").at(0)));
 }
 
-// A page in the making, of results that are open.
+// A page being made from open results.
 class Page {
   public:
     Page(const Hdf5Reader& file, const ReportOptions& options, const std::string& doubt)
@@ -65,7 +65,7 @@ class Page {
 
   private:
     void plan(std::size_t shell_bytes) {
-        // Sentences of what is left out come later.
+        // Sentences on what is left out come later.
         constexpr std::size_t sentences = 2000;
         const std::size_t fixed =
             shell_bytes + write_script_json(describe()).size() + sentences + most_blocks * block_frame_bytes;

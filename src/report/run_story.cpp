@@ -60,7 +60,7 @@ void add_drawing(RunStory& story) {
     for (std::size_t i = 0; i < supports; ++i) story.marked_nodes.push_back(model.supports[i].node);
 }
 
-// Bodies of which only the place is known.
+// Bodies whose places alone are known.
 Json bare_bodies(const RunStory& story, const NodeNumbers& number) {
     Json bodies = Json::array();
     for (const int node : story.topology.body_nodes) {

@@ -9,7 +9,7 @@ std::string write_script_json(const nlohmann::ordered_json& json) {
     const std::string text = json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
     std::string safe;
     safe.reserve(text.size());
-    // Outside of strings JSON has none of these characters.
+    // Outside of strings, JSON does not have these characters.
     for (const char c : text) {
         switch (c) {
             case '<':

@@ -74,7 +74,7 @@ std::vector<StepChart> list_charts(const Hdf5Reader& file, bool is_static) {
     energies.emplace_back("/ledger/strain_energy", "strain");
     energies.emplace_back("/ledger/external_work", "external work");
     energies.emplace_back("/ledger/dissipated_energy", "dissipated");
-    const std::string by_scheme = "/ledger/numerical_dissipation";  // which older files have not
+    const std::string by_scheme = "/ledger/numerical_dissipation";  // not in older files
     if (!is_static && file.has(by_scheme)) energies.emplace_back(by_scheme, "dissipated by the scheme");
     charts.push_back(make_chart(file, "energy", "Energies", energies));
     charts.push_back(make_chart(file, "energy", "Energy imbalance", {{"/ledger/energy_error", "imbalance"}}));
@@ -149,7 +149,7 @@ void write_step_blocks(const Hdf5Reader& file,
 EnergySurvey survey_energy(const Hdf5Reader& file, bool is_static, std::size_t steps) {
     const std::string uncertainty = "/ledger/work_uncertainty";
     EnergySurvey survey;
-    // Without it, of an older version's file, nothing is known of jumps.
+    // Files of older versions do not have it; their jumps are unknown.
     survey.is_static = is_static;
     const bool finds_jumps = is_static && file.has(uncertainty);
     EnergyPoint before;

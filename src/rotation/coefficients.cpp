@@ -23,7 +23,7 @@ constexpr auto b2_series = make_alternating_series<3, 2, 16>();
 constexpr auto c2_series = make_alternating_series<2, 2, 15>();
 
 // d = Σ_{k≥1} 2/((2πk)² − x), a sum of positive terms while Φ < 2π. The first term, whose pole is the near
-// one, is kept as it stands. The others are a power series that converges for Φ < 4π; its factor of x^j is 2
+// one, is kept as it is. The others are a power series that converges for Φ < 4π; its factor of x^j is 2
 // (ζ(2j + 2) − 1)/(2π)^(2j + 2).
 constexpr std::array<double, 20> far_poles = {
     0.032672741512164447611,   0.00010564110705334699024, 5.6373702828768453026e-7,

@@ -10,7 +10,7 @@
 namespace gxrod {
 namespace {
 
-// Within this of 0 or π an angle counts as singular: log is not accurate enough there to tell the axis, or
+// Within this of 0 or π an angle counts as singular: log is not accurate enough there to give the axis, or
 // its sign, from the rotation alone.
 constexpr double singular_angle = 1e-14;
 

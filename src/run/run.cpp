@@ -254,7 +254,7 @@ class Run {
     }
 
     void write_end() {
-        // For want of memory the last step may not have become a row; a resumed run takes it again.
+        // If memory ran out, the last step may not have become a row; a resumed run takes it again.
         if (has_started_ && recorded_time_ != analysis_->state().time) return;
         if (has_started_) file_->set_restart(restart_record());
         // The last frame, where none was due, is no part of what a run resumes from.

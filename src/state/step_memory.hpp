@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// Where a sequence of steps stands, enough to resume it.
+// The place in a sequence of steps, enough to resume it.
 struct StepMemory {
     bool has_failed = false;  // even with the shortest step after `time`
     double time = 0.0;        // of the last accepted step's end

@@ -79,7 +79,7 @@ class Judge {
 
     void judge_orientation() {
         if (study_->depends_on_orientation()) {
-            say("The motion depends on how the model stands in space, by more than its errors. If no "
+            say("The motion depends on the model's orientation in space, by more than its errors. If no "
                 "expression of the deck hides a direction, and a smaller newton.tolerance does not mend it, "
                 "please report it.");
         } else if (study_->hardly_moves()) {

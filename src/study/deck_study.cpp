@@ -102,7 +102,7 @@ class DeckExaminer {
         study_.runs.push_back(run);
     }
 
-    // What the machine does not give to one of the runs is no reason to lose the others.
+    // If the machine lacks resources for one of the runs, the others are kept.
     static void tell_unmade(VariantRun& run, const std::string& reason) {
         const bool must_be_equal =
             run.variant.kind == VariantKind::resumed || run.variant.kind == VariantKind::two_threads;

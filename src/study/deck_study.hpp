@@ -29,7 +29,7 @@ struct VariantRun {
     std::string failure;  // why it ended before its end; of the resumed and threaded runs, how they differ
     TraceBooks books;
     std::vector<std::string> warnings;
-    bool is_unstable = false;  // whether equilibria were accepted that no structure would stay at
+    bool is_unstable = false;  // whether unstable equilibria were accepted
 
     bool is_whole() const { return failure.empty(); }
 };
@@ -120,12 +120,12 @@ struct DeckStudy {
     double turned_limit(const SeriesReport& report) const;
     // Whether a turned model moves otherwise, by more than that, or fails where as it is it does not.
     bool depends_on_orientation() const;
-    // Whether all was run that was to be, from the deck as it is on.
+    // Whether all planned variants were run.
     bool is_whole() const;
     // Whether nothing was seen of what must not be for any step and mesh: that it depends on the orientation,
     // on stopping, on threads.
     bool is_sound() const;
-    // Whether each equilibrium of the deck as it is was one that a structure stays at.
+    // Whether each equilibrium of the deck as it is was stable.
     bool is_stable() const { return runs.empty() || !runs.front().is_unstable; }
     // Whether what step and mesh add to each series is within the tolerance …
     bool has_small_errors() const;

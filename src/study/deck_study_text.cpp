@@ -58,7 +58,7 @@ std::string describe_difference(const DeckStudy& study,
                                 double SeriesReport::*difference,
                                 const char* words = "differs by") {
     if (!run.is_whole()) return "failed";
-    if (!run.untried.empty()) return "not told: " + run.untried;
+    if (!run.untried.empty()) return "not known: " + run.untried;
     return fmt::format("{} {:.1e}", words, study.largest_difference(difference));
 }
 

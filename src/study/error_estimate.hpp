@@ -16,14 +16,14 @@ struct ErrorEstimate {
     std::vector<double> errors;
     // Whether the order seen, or that the last difference is round-off, supports the estimate.
     bool is_supported = false;
-    // Whether all there is of it is round-off.
+    // Whether it is nothing but round-off.
     bool is_round_off = false;
 
     bool is_known() const { return !differences.empty(); }
     double largest() const;
 };
 
-// What is less than this part of a tolerance matters to nobody, however it falls.
+// Errors below this part of a tolerance do not matter, however they fall.
 inline constexpr double negligible = 0.1;
 
 double largest_of(const std::vector<double>& values);  // 0 of none

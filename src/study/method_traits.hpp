@@ -18,8 +18,8 @@ double order_of(const AnalysisSettings& analysis);
 int lowest_order_of(const Model& model);
 bool has_elements_simo(const Model& model);
 
-// Where a study compares runs: at the ends of steps, 2001 times at most. Of steps by their error, of which
-// the first says nothing of how many there will be, at 1001 even times.
+// Where a study compares runs: at the ends of steps, at most 2001 times. With steps by their error, whose
+// number is not known beforehand, at 1001 even times.
 std::vector<double> choose_times(const AnalysisSettings& analysis);
 
 }  // namespace gxrod

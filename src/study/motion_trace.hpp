@@ -75,7 +75,7 @@ struct MotionTrace {
     double seconds = 0.0;
     std::string failure;                // or why it ended before its end
     std::vector<std::string> warnings;  // as SteppedAnalysis lists them
-    bool is_unstable = false;           // whether equilibria were accepted that no structure would stay at
+    bool is_unstable = false;           // whether unstable equilibria were accepted
 
     bool is_whole() const { return failure.empty(); }
 };

@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// What came of stopping a run midway and resuming it.
+// The outcome of stopping a run midway and resuming it.
 struct ResumedRun {
     double stopped_at = 0.0;
     std::vector<double> times;                         // of accepted steps after that

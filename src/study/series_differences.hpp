@@ -28,9 +28,9 @@ struct NaturalScales {
 };
 
 // How much each series changes in a run, the length by which its errors are to be judged: of places the way
-// from the start, of rotations at most 1 rad, of the rest the largest value. What is small beside the same
-// quantity elsewhere, or beside the model's own, or within ten times what round-off alone changes, is_still,
-// as is the moment at a free end; what is large there is its scale then.
+// from the start, of rotations at most 1 rad, of the rest the largest value. A series is_still if it
+// is small compared with the same quantity elsewhere or with the model's own, or within ten times what
+// round-off alone changes, such as the moment at a free end; its scale is then that larger quantity.
 struct SeriesScale {
     double scale = 0.0;
     bool is_still = false;

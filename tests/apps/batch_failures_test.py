@@ -51,7 +51,7 @@ class Failures(BatchTest):
         os.kill(self.wait_for_workers(process, 1)[0], signal.SIGSTOP)
         self.assertEqual(process.wait(60), 3)
         self.assertEqual([(row["status"], row["reason"]) for row in self.rows()],
-                         [("time limit", "the time limit of 0.5 s was over, and the step at hand or the setup took longer "
+                         [("time limit", "the time limit of 0.5 s was over, and the current step or the setup took longer "
                            "still; the process was ended")])
 
     def test_memory_limit(self):
@@ -106,7 +106,7 @@ results = "none"
         os.kill(second, signal.SIGKILL)
         self.assertEqual(process.wait(60), 3)
         self.assertEqual(self.rows()[0]["status"], "crashed")
-        self.assertEqual(self.rows()[0]["reason"], "the process was killed twice, perhaps for want of memory")
+        self.assertEqual(self.rows()[0]["reason"], "the process was killed twice, perhaps for lack of memory")
 
 
 if __name__ == "__main__":

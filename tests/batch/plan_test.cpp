@@ -101,7 +101,7 @@ TEST_CASE("What is wrong with a plan's keys is said at its place", "[batch]") {
           "plan.toml:1:1: vary: missing or empty; expected what differs from case to case\n"
           R"(plan.toml:2:1: combin: unknown key; did you mean "combine"?)");
     CHECK(PlanFiles(head + "[vary]\ntime_limit = 5\n").faults() ==
-          "plan.toml:3:1: vary.\"time_limit\": time_limit is a key of the top level, which stands before the "
+          "plan.toml:3:1: vary.\"time_limit\": time_limit is a key of the top level and must come before the "
           "first "
           "[table]; here it belongs to [vary]");
     CHECK(PlanFiles(head + "count = 5\n[vary]\ntitle = [\"a\"]\n").faults() ==
@@ -154,9 +154,9 @@ TEST_CASE("What is wrong with [vary] is said at its place", "[batch]") {
     CHECK(faults_of_vary("\"parameters.EI\" = { from = 1, to = 2 }", sampled) ==
           "plan.toml:5:19: vary.\"parameters.EI\": a sample between two numbers is uniform = { from = …, to "
           "= … }");
-    CHECK(
-        faults_of_vary("parameters.EI = [1, 2]") ==
-        "plan.toml:3:1: vary.\"parameters\": a key of the deck stands in quotes here: \"parameters.EI\" = …");
+    CHECK(faults_of_vary("parameters.EI = [1, 2]") ==
+          "plan.toml:3:1: vary.\"parameters\": a key of the deck must be in quotes here: \"parameters.EI\" = "
+          "…");
     // Of distributions that reach where they may not, one message for all samples.
     CHECK(
         faults_of_vary("\"section.s.stiffness.GJ\" = { normal = { mean = 1, deviation = 1 } }",

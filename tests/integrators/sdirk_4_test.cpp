@@ -112,7 +112,7 @@ TEST_CASE("the error estimate of sdirk-4 is that of the worst node, by lengths",
     check(weight * 0.2 * std::sqrt(409.0) / 5.0, 2);
     rates.alpha = Vec3(5.0, 0.0, 0.0);
     check(weight * 0.2 * 5.0, 3);
-    // However the model stands in space.
+    // Whatever the model's orientation.
     const Quat turn = exp_quaternion(Vec3(0.3, -1.1, 0.7));
     rates.alpha = turn * Vec3(5.0, 0.1, -0.2);
     CHECK(scheme.estimate_error(state, 0.2, [](int) { return 5.0; }).size ==

@@ -118,7 +118,7 @@ tip = { history = "tipp", quantity = "position", component = "z", take = "max" }
 top = { history = "tip", quantity = "position", component = "z", take = "highest" }
 )");
     CHECK(files.faults() ==
-          "plan.toml:5:1: vary.\"time_limit\": time_limit is a key of the top level, which stands before the "
+          "plan.toml:5:1: vary.\"time_limit\": time_limit is a key of the top level and must come before the "
           "first "
           "[table]; here it belongs to [vary]\n"
           "plan.toml:8:73: collect.top.take: expected one of \"min\", \"max\", \"mean\", \"rms\", \"final\", "

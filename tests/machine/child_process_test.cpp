@@ -47,7 +47,7 @@ TEST_CASE("A child process that breaks down harms nobody else", "[machine]") {
     };
     CHECK(end_of(fault) == "it breaks down: Segmentation fault");
     CHECK(end_of([]() -> std::string { std::abort(); }) == "it breaks down: Aborted");
-    CHECK(end_of([]() -> std::string { throw std::bad_alloc(); }) == "there is no memory for it");
+    CHECK(end_of([]() -> std::string { throw std::bad_alloc(); }) == "there is not enough memory");
     CHECK(end_of(loop_for_ever, {.processor_seconds = 1}) == "it does not come to an end in 1 s");
 }
 

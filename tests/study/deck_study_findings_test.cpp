@@ -10,7 +10,7 @@ TEST_CASE("what must not be is called a fault", "[study]") {
     DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3)});
     study.series[0].turned_difference = 0.01;
     CHECK_FALSE(study.is_sound());
-    CHECK(says(study, "The motion depends on how the model stands in space"));
+    CHECK(says(study, "The motion depends on the model's orientation in space"));
     study.series[0].turned_difference = 1e-7;
     CHECK(study.is_sound());
     for (const VariantKind kind : {VariantKind::resumed, VariantKind::two_threads}) {
@@ -31,7 +31,7 @@ TEST_CASE("a turned model may differ by the error, and where its steps are cut e
     study.series[0].turned_difference = 1.1 * study.series[0].error;
     CHECK_FALSE(study.is_sound());
     CHECK(says(study,
-               "The motion depends on how the model stands in space, by more than its errors. If no "
+               "The motion depends on the model's orientation in space, by more than its errors. If no "
                "expression of the "
                "deck hides a direction, and a smaller newton.tolerance does not mend it, please report it."));
     study.runs[0].steps = 90;
@@ -127,12 +127,12 @@ TEST_CASE("turned runs that fail are a fault unless round-off can decide it", "[
     CHECK(says(study,
                "A run that was turned in space failed, which round-off can decide where it grows or where "
                "steps are cut: nothing is said of the orientation."));
-    CHECK_THAT(describe_properties(study), Catch::Contains("round-off: not told: the turned run failed\n"));
+    CHECK_THAT(describe_properties(study), Catch::Contains("round-off: not known: the turned run failed\n"));
     CHECK_FALSE(study.knows_round_off());
     CHECK(to_json(study, false)["series"][0]["round_off"].is_null());
     study.runs.back().failure = "the step from t = 0 failed";
     CHECK_FALSE(study.is_sound());
-    CHECK(says(study, "The motion depends on how the model stands in space"));
+    CHECK(says(study, "The motion depends on the model's orientation in space"));
     // Where steps are cut, or round-off has grown, or the two fail otherwise, it may be round-off.
     study.runs[0].rejected_steps = 1;
     CHECK(study.is_sound());

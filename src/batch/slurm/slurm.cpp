@@ -54,7 +54,7 @@ SlurmJob submit_to_slurm(const std::filesystem::path& script, const std::vector<
     if (done.exit_code != 0) {
         throw SlurmError("sbatch",
                          "refused the job: " + describe_fault(done),
-                         "nothing was submitted; what stands behind -- are options of sbatch");
+                         "nothing was submitted; everything after -- is an option of sbatch");
     }
     SlurmJob job = read_submission(done.output);
     if (job.id.empty())

@@ -20,7 +20,7 @@ bool has_slurm();
 // Submits a script and returns the job's id and cluster. Throws SlurmError.
 SlurmJob submit_to_slurm(const std::filesystem::path& script, const std::vector<std::string>& options);
 
-// The tasks of these jobs that wait, run or end. Throws SlurmError; asks nobody if there are no jobs.
+// The tasks of these jobs that wait, run or end. Throws SlurmError. Without jobs, runs nothing.
 std::vector<SlurmTask> ask_slurm(const std::vector<SlurmJob>& jobs);
 
 }  // namespace gxrod

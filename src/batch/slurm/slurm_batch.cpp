@@ -56,7 +56,7 @@ SlurmJob submit(const Submission& submission, std::vector<SlurmJob> jobs) {
     const fs::path script = slurm_folder(folder) / submission.file;
     const std::string text = write_slurm_script(submission.script);
     make_folder(slurm_folder(folder));
-    write_slurm_jobs(jobs, folder);  // so that it is known before that it can be written
+    write_slurm_jobs(jobs, folder);  // now, to find out that it can be written
     replace_file(script, text);
     SlurmJob job;
     try {

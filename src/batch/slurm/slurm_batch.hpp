@@ -19,9 +19,9 @@ CaseHolders find_holders(const std::filesystem::path& folder, const std::vector<
 
 // Cases that are not done.
 struct Remainder {
-    std::vector<long> missing;       // nobody has them, nor have they a row
-    std::vector<long> failed;        // nobody has them
-    std::vector<long> failed_again;  // likewise, after a job was to run them once more
+    std::vector<long> missing;       // without a row, and not taken
+    std::vector<long> failed;        // not taken
+    std::vector<long> failed_again;  // the same, after a job was to run them once more
     long taken = 0;
 
     bool is_empty() const { return missing.empty() && failed.empty() && failed_again.empty() && taken == 0; }

@@ -69,7 +69,7 @@ std::vector<SlurmJob> read_slurm_jobs(const fs::path& folder) {
         for (const Json& job : json.at("jobs")) jobs.push_back(read_job(job));
         return jobs;
     } catch (const Json::exception& error) {
-        throw FileError(path, std::string("is no list of Slurm jobs: ") + error.what());
+        throw FileError(path, std::string("is not a list of Slurm jobs: ") + error.what());
     }
 }
 
@@ -83,7 +83,7 @@ void write_slurm_jobs(const std::vector<SlurmJob>& jobs, const fs::path& folder)
 }
 
 SlurmJob read_submission(std::string_view text) {
-    // A site may have it print more; the last line counts.
+    // A site can have it print more; the last line counts.
     while (text.ends_with('\n')) text.remove_suffix(1);
     const std::string_view line = text.substr(text.rfind('\n') + 1);
     const std::size_t end = line.find(';');

@@ -23,14 +23,14 @@ struct SlurmScript {
 // The text that sbatch reads. Throws FileError if a path holds what sbatch cannot read.
 std::string write_slurm_script(const SlurmScript& script);
 
-// A name of a job: what is no letter, digit, point, dash or underscore becomes an underscore.
+// A name of a job: letters, digits, points, dashes and underscores; anything else becomes an underscore.
 std::string make_job_name(const std::string& text);
 
 // A word of a command, as bash reads it; in quotes if it needs them.
 std::string quote_for_shell(std::string_view word);
 
-// Tasks for so many cases: four cases a core and task, or more, but no more than a hundred tasks. How many
-// cores a task has the options of sbatch say.
+// Tasks for so many cases: at least four cases a core and task, and at most a hundred tasks. The options of
+// sbatch say how many cores a task has.
 long choose_task_count(long cases, const std::vector<std::string>& sbatch_options);
 
 }  // namespace gxrod

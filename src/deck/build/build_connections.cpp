@@ -14,7 +14,7 @@ namespace {
 // Points nearer than this, relative to the model's size, are at one place.
 constexpr double same_place = 1e-9;
 
-// Which nodes become one. The one that the deck names first stands for all of them.
+// Which nodes become one: the one that the deck names first.
 class NodeMerge {
   public:
     explicit NodeMerge(std::size_t nodes) : parents_(nodes), ranks_(nodes, never) {
@@ -122,7 +122,7 @@ void apply(const NodeMerge& merge, BuildContext& context) {
     }
 }
 
-// A node of the rod that stands twice in one of its elements; -1 if there is none.
+// A node of the rod that occurs twice in one of its elements; -1 if there is none.
 int find_repeated_node(const Rod& rod) {
     const auto size = static_cast<std::ptrdiff_t>(rod.order) + 1;
     for (auto element = rod.element_nodes.begin(); element != rod.element_nodes.end(); element += size) {

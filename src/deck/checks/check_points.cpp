@@ -9,7 +9,7 @@ class PointCheck {
   public:
     explicit PointCheck(const BuildContext& context) : context_(context) {}
 
-    // The point of a text; nullopt, with a fault, if there is none.
+    // The point that a text names; nullopt, with a fault, if there is none.
     std::optional<Point> check(const std::string& text, const Place& place, const std::string& path) {
         const std::variant<Point, std::string> found = context_.names.find(text);
         if (const auto* message = std::get_if<std::string>(&found)) {

@@ -47,7 +47,7 @@ std::string describe_non_finite(double value) {
 
 class CompiledFunctions;
 
-// An expression and what it may use.
+// An expression and what it can use.
 struct Formula {
     const std::string& text;
     const Symbols& symbols;
@@ -154,7 +154,7 @@ CompiledExpression::CompiledExpression(const Formula& formula, CompiledFunctions
     }
 }
 
-// An expression, the functions that it calls, and where it stands.
+// An expression, the functions that it calls, and where it is.
 struct Program {
     Program(const Formula& formula, CompiledFunctions compiled)
         : text(formula.text), main(formula, compiled), functions(compiled.release()) {}

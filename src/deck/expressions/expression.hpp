@@ -34,7 +34,7 @@ struct FunctionDefinition {
     std::shared_ptr<const TableFunction> curve = nullptr;  // the table's, where it has been made already
 };
 
-// The names that a deck defines. A nullopt stands for one that is defined but wrong, and already reported.
+// The names that a deck defines. nullopt: defined but wrong, and already reported.
 struct Symbols {
     std::map<std::string, std::optional<double>, std::less<>> parameters;
     std::map<std::string, std::optional<FunctionDefinition>, std::less<>> functions;

@@ -52,7 +52,7 @@ class ExpressionCheck {
     // An open parenthesis.
     struct Group {
         bool of_function = false;
-        bool compared = false;  // a comparison stands in the operand at hand
+        bool compared = false;  // the current operand holds a comparison
     };
 
     const Token& token() const { return tokens_[at_]; }
@@ -113,7 +113,7 @@ class ExpressionCheck {
     void check_comma() {
         if (!groups_.back().of_function) {
             throw ExpressionError(
-                "a \",\" stands outside a function call; an expression has one value, and \".\" is its "
+                "a \",\" is outside a function call; an expression has one value, and \".\" is its "
                 "decimal point");
         }
         groups_.back().compared = false;

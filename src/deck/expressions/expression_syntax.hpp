@@ -10,7 +10,7 @@
 // ("t = 15" assigns, "1,2" is 2, "0 < t < 5" is always true).
 namespace gxrod {
 
-// What an expression may use besides numbers, pi and the deck's parameters.
+// What an expression can use in addition to numbers, pi and the deck's parameters.
 enum class Variables {
     none,  // nothing: a constant
     time,  // t, the time, and the deck's functions

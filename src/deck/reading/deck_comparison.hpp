@@ -9,7 +9,7 @@
 namespace gxrod {
 
 struct ComparisonRules {
-    std::vector<std::string> free_paths;  // what may differ: "output", "analysis.newton"
+    std::vector<std::string> free_paths;  // what can differ: "output", "analysis.newton"
     std::string before_has;               // begins what is said of a value: "the run to be resumed has "
 };
 

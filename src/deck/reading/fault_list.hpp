@@ -8,7 +8,7 @@
 
 namespace gxrod {
 
-// Where a key or value stands: a line and column of the deck, or one of the overrides. Orders as the deck
+// Where a key or value is: a line and column of the deck, or one of the overrides. Orders as the deck
 // does, overrides last.
 struct Place {
     int override_index = -1;  // of --set, from 0; -1 in the deck's text

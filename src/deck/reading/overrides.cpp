@@ -162,8 +162,8 @@ class Walk {
     const std::vector<KeyStep>& steps_;
     Place place_;
     DeckNode* node_;
-    const TableSpec* table_;            // of the table at hand, if the schema has one
-    const TableSpec* named_ = nullptr;  // of the tables that the table or list at hand holds
+    const TableSpec* table_;            // of the current table, if the schema has one
+    const TableSpec* named_ = nullptr;  // of the tables that the current table or list holds
     std::size_t at_ = 0;
 };
 

@@ -43,7 +43,7 @@ class ReadFile {
     }
 
   private:
-    // For a while; false if nothing has come then, and no end. A pipe without a writer may be waiting for
+    // Waits a while; false if neither data nor the end has come. A pipe without a writer can be waiting for
     // one.
     bool wait() const {
         constexpr int milliseconds = 1000;
@@ -58,8 +58,8 @@ class ReadFile {
     int descriptor_;
 };
 
-// Whether a text has two or four bytes a letter, by its mark at the beginning or by the zero beside its first
-// letter.
+// Whether a text has two or four bytes a letter, by its mark at the beginning or by the zero next to its
+// first letter.
 bool is_wide(std::string_view text) {
     if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) return true;
     return text.size() > 1 && (text[0] == '\0') != (text[1] == '\0');

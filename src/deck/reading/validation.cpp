@@ -161,7 +161,7 @@ class Validator {
         add(entry.place, full, "unknown key" + (hint.empty() ? "; known here: " + plain_list(known) : hint));
     }
 
-    // The word of the key that a condition is about; nullptr if there is none, or a wrong one.
+    // The word of the key that a condition is about; nullptr if it is missing or wrong.
     static const std::string* word_of(const Condition& condition, const CheckedTable& checked) {
         const CheckedValue* value = checked.find(condition.key);
         return value == nullptr ? nullptr : std::get_if<std::string>(&value->value);

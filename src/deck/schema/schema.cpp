@@ -101,7 +101,7 @@ bool is_top_level_value(const TableSpec& root, std::string_view key) {
 
 std::string explain_misplaced_key(std::string_view key, std::string_view heading) {
     return fmt::format(
-        "{} is a key of the top level, which stands before the first [table]; here it belongs to {}",
+        "{} is a key of the top level and must come before the first [table]; here it belongs to {}",
         key,
         heading);
 }

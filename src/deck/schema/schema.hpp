@@ -13,7 +13,7 @@
 // likewise (batch/plan_schema.hpp).
 namespace gxrod {
 
-// What a key takes. "Number" stands for a finite number or an expression that has one.
+// What a key takes. "Number" means a finite number, or an expression whose value is one.
 enum class ValueType {
     text,
     reference,  // the name of a table elsewhere in the deck
@@ -110,7 +110,7 @@ struct TableSpec {
 // The top level of a deck.
 const TableSpec& deck_schema();
 
-// Whether the key is one of the top level `root` that stands before the first [table], such as gravity.
+// Whether the key is one of the top level `root`, before the first [table], such as gravity.
 bool is_top_level_value(const TableSpec& root, std::string_view key);
 
 // Says that such a key was found in the table of `heading`.

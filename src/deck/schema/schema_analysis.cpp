@@ -196,7 +196,7 @@ const TableSpec& output_table() {
     static const TableSpec table{
         .path = "output",
         .heading = "[output]",
-        .sentence = "What the results file holds besides histories.",
+        .sentence = "What the results file holds in addition to histories.",
         .keys = {{.name = "every",
                   .type = ValueType::integer,
                   .range = {.lower = 1, .upper = static_cast<double>(largest_step_count)},

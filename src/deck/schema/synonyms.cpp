@@ -141,7 +141,7 @@ constexpr KeySynonyms keys[] = {
     {"analysis", "", "start_time", "an analysis begins at t = 0"},
 };
 
-// A word stands for the first of its choices that the key has.
+// A word means the first of its choices that the key has.
 constexpr WordSynonyms choices[] = {
     {"all", "clamped clamp fixed encastre rigid built_in full everything"},
     {"position", "pinned pin hinged ball displacement displacements translation translations xyz"},

@@ -34,10 +34,10 @@ std::vector<std::string> split_words(std::string_view words);
 // none.
 const KeySynonyms* find_synonym(const TableSpec& table, std::string_view key);
 
-// '; did you mean "at"?', or what stands for the key, for a message to end with; "" if nothing does.
+// '; did you mean "at"?', or what replaces the key, as the end of a message; "" if nothing does.
 std::string explain_synonym(const TableSpec& table, std::string_view key);
 
-// The one of `choices` that the word stands for; "" if none.
+// The one of `choices` that the word means; "" if none.
 std::string find_choice(std::string_view word, const std::vector<std::string>& choices);
 
 }  // namespace gxrod

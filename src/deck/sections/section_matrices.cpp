@@ -70,7 +70,7 @@ std::optional<MatrixFault> check_definiteness(const Mat6& matrix, const char* wh
                                    describe_direction(direction))};
 }
 
-// Entry (row, column) of a slice's matrix beside mass and J, from the others: nullopt for those that are
+// Entry (row, column) of a slice's matrix other than mass and J, from the others: nullopt for those that are
 // free.
 std::optional<double> find_slice_entry(const Mat6& matrix, int row, int column) {
     if (column < 3) return row == column ? matrix(0, 0) : 0.0;

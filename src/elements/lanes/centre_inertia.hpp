@@ -6,7 +6,7 @@
 
 namespace gxrod {
 
-// Inertia and mass-proportional damping of the centres of mass of a rod's sections, which may lie beside the
+// Inertia and mass-proportional damping of the centres of mass of a rod's sections, which may lie off the
 // nodes (docs/theory/rods.md, (R23)–(R27)); without what is lumped to the nodes.
 //
 // Legend: d from a node to its centre of mass, w the centre's velocity, m masses ∫ρA N_I N_J ds. Spatial.

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-// Products of small matrices of lanes, column by column: those of Eigen are calls for every entry wherever
+// Products of small matrices of lanes, column by column: those of Eigen are calls for every entry where
 // the compiler does not inline them.
 namespace gxrod {
 

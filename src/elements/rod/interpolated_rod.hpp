@@ -84,7 +84,7 @@ class InterpolatedRod {
     struct SectionState {
         Vec6 strain, resultants;
     };
-    // In the middle: of the point there, or the mean of the two beside it.
+    // In the middle: of the point there, or the mean of the two next to it.
     SectionState compute_middle_state(const LocalMotion<Nodes>& motion,
                                       const LocalMotion<Nodes>& rates,
                                       Histories histories) const;

@@ -39,7 +39,7 @@ class RodElement {
                               Histories histories,
                               const Linearizations<Nodes>& linearizations,
                               NodalMatrix<Nodes>& tangent) const;
-    // The same with `resultants` of its own in the place of C E wherever these turn with the motion.
+    // The same with `resultants` of its own in place of C E where these turn with the motion.
     void add_mixed_tangent(const Motions<Nodes>& motions,
                            Histories histories,
                            Resultants resultants,

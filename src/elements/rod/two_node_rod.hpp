@@ -152,7 +152,7 @@ auto TwoNodeRod<Real>::State::compute_tangents() const -> Tangents {
                (rotation_.y * phi_) * moment_.transpose() -
                cross_matrix<Real>((Real(0.5) * rotation_.t) * m_);
     b_p.diagonal().array() += rotation_.y * along;
-    // Of both moments together, of which m is the sum.
+    // Of both moments together, whose sum is m.
     const Mat3 sum_w = m_w - cross_matrix(m_);
     const Mat3 sum_b = push(sum_w, m_p);
 

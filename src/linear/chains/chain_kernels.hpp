@@ -41,7 +41,7 @@ struct ChainStep {
     std::int32_t first;         // unknown
     std::int32_t size;
     std::int32_t couplings;  // 0 to 2, behind those of the steps before
-    std::int32_t copies;     // to be made before it, likewise
+    std::int32_t copies;     // to be made before it
 };
 
 // Rows that follow each other in columns that do so, too.

@@ -192,7 +192,7 @@ class Builder {
         const std::size_t step = row == column ? steps_of_[row] : find(row, column).step;
         return tasks_of_[step];
     }
-    // Where the task at hand adds to it.
+    // Where the current task adds to it.
     std::int64_t find_target(int row, int column) {
         if (find_owner(row, column) == task_) return place_of(row, column, layout_.copies);
         const auto [found, is_new] = apart_.try_emplace({column, row}, layout_.size);
@@ -251,7 +251,7 @@ class Builder {
         task.apart.count = layout_.apart - task.apart.first;
     }
 
-    // What tasks before have for the one at hand.
+    // What earlier tasks have for the current one.
     void add_arrivals(ChainTask& task) {
         task.first_copies.first = static_cast<std::int64_t>(layout_.first_copies.size());
         task.merges.first = static_cast<std::int64_t>(layout_.merges.size());
@@ -297,7 +297,7 @@ class Builder {
     std::vector<std::vector<Arrival>> arrivals_;             // for each task, from tasks before
     std::vector<std::vector<VectorMerge>> vector_arrivals_;
     std::map<Pair, int> owners_;  // of blocks that are kept
-    // Of the task at hand:
+    // Of the current task:
     int task_ = 0;
     std::map<Pair, std::int64_t> apart_;
     std::map<int, std::int32_t> vector_apart_;

@@ -39,7 +39,7 @@ void copy_block(const BlockCopy& copy, const double* values, double* blocks) {
     }
 }
 
-// Runs that change different rows may be worked on at once; rows count by eights.
+// Runs that change different rows can be worked on at once; rows count by eights.
 WorkPhases find_run_phases(const std::vector<EntryRun>& runs, std::int64_t rows) {
     constexpr int together = 8;
     return {

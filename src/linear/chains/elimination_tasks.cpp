@@ -35,7 +35,7 @@ struct Forest {
         }
     }
 
-    // Each step behind its children.
+    // Each step after its children.
     std::vector<int> list_children_first() const {
         std::vector<int> list;
         list.reserve(parents.size());

@@ -7,7 +7,7 @@
 
 namespace gxrod {
 
-// The steps of an order in tasks that several threads may take at once: a step is in a later level than the
+// The steps of an order in tasks that several threads can take at once: a step is in a later level than the
 // steps of other tasks that it builds on. What a task changes of blocks that are not its own is added up
 // separately and belongs to the task that continues with them. Tasks depend on the matrix alone, not on the
 // threads.

@@ -14,7 +14,7 @@ struct FrontCopy {
     std::int32_t rows, columns;
 };
 
-// Rows of a front behind its pivots, which follow each other in the order of elimination and in the front
+// Rows of a front after its pivots, which follow each other in the order of elimination and in the front
 // above.
 struct FrontRun {
     std::int32_t unknown;  // in the order of elimination

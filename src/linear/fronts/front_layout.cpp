@@ -173,7 +173,7 @@ class Builder {
     std::vector<std::int32_t> first_unknowns_;  // by that place
     std::vector<int> parents_;                  // of each front that above it, or −1
     std::vector<std::int32_t> rows_of_ =
-        std::vector<std::int32_t>(order_.blocks.size());  // of a block in the front at hand
+        std::vector<std::int32_t>(order_.blocks.size());  // of a block in the current front
 };
 
 }  // namespace

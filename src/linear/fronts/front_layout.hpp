@@ -16,11 +16,10 @@ struct FrontLayout {
     std::vector<FrontRun> runs;
     std::vector<FrontCopy> copies;
     std::vector<std::int32_t> children;
-    std::vector<std::int64_t> unknowns;  // in the order of elimination
-    std::int64_t factors = 0;            // how many numbers
-    std::array<std::int64_t, 2> stacks{0,
-                                       0};  // likewise, of updates: those of even levels, those of odd ones
-    std::int64_t most_rows = 0;             // of a front behind its pivots
+    std::vector<std::int64_t> unknowns;        // in the order of elimination
+    std::int64_t factors = 0;                  // how many numbers
+    std::array<std::int64_t, 2> stacks{0, 0};  // the same of updates: those of even levels, those of odd ones
+    std::int64_t most_rows = 0;                // of a front, after its pivots
 
     FrontLayout(const SparsePattern& pattern, const BlockPartition& partition, const FrontOrder& order);
 };

@@ -7,7 +7,7 @@
 namespace gxrod {
 
 // LU by dense fronts over blocks of unknowns, such as those of a node, for systems whose blocks fill in:
-// those of junctions. Pivots are sought within no block, so whoever uses it must see to the residual. The
+// those of junctions. Pivots are sought within no block, so the caller must check the residual. The
 // pattern must be symmetric and have its diagonal.
 class FrontSolver {
   public:

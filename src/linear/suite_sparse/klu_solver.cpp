@@ -27,7 +27,7 @@ KluSolver::KluSolver(const SparsePattern& pattern)
                                        as_suite_sparse(columns_.column_starts),
                                        as_suite_sparse(columns_.rows),
                                        &handles_->common);
-    // A structurally singular matrix is told apart from a lack of memory when it is factorized.
+    // A structurally singular matrix is reported when it is factorized.
     if (!handles_->symbolic && handles_->common.status == KLU_OUT_OF_MEMORY) {
         throw_no_memory_to_order();
     }

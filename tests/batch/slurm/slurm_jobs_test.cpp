@@ -36,7 +36,7 @@ TEST_CASE("A list of jobs that is none is told", "[batch]") {
     const std::filesystem::path file = folder.write("slurm/jobs.json", "{\"jobs\": [{\"id\": 17}]}");
     CHECK_THROWS_AS(read_slurm_jobs(folder.path()), FileError);
     CHECK_THROWS_WITH(read_slurm_jobs(folder.path()),
-                      Catch::StartsWith(file.string() + ": is no list of Slurm jobs: "));
+                      Catch::StartsWith(file.string() + ": is not a list of Slurm jobs: "));
 }
 
 TEST_CASE("The number of a job is read from what sbatch prints", "[batch]") {

@@ -117,12 +117,10 @@ TEST_CASE("min and max do not hide what is not a number", "[deck]") {
 TEST_CASE("Expressions that muParser would misread are refused in plain words", "[deck]") {
     CHECK(refusal("") == "the expression is empty");
     CHECK(refusal("x = 5") == R"("=" would assign; write "==" to compare)");
-    CHECK(
-        refusal("1,2") ==
-        R"(a "," stands outside a function call; an expression has one value, and "." is its decimal point)");
-    CHECK(
-        refusal("(1,2)") ==
-        R"(a "," stands outside a function call; an expression has one value, and "." is its decimal point)");
+    CHECK(refusal("1,2") ==
+          R"(a "," is outside a function call; an expression has one value, and "." is its decimal point)");
+    CHECK(refusal("(1,2)") ==
+          R"(a "," is outside a function call; an expression has one value, and "." is its decimal point)");
     CHECK(refusal("1/0") == "the value is inf, not a finite number");
     CHECK(refusal("sqrt(-1)") == "the value is nan, not a finite number");
     CHECK(refusal("0x1F") == "hexadecimal, octal and binary numbers are not read; write a decimal number");

@@ -17,19 +17,19 @@ colour = 3)")) ==
           "x.toml:13:2: joint: unknown key; known here: title, units, gravity, parameters, function, "
           "section, rod, body, connect, load, support, initial, analysis, output, history");
     CHECK(faults_of(body_deck + "gravity = [0, 0, -9.81]") ==
-          "x.toml:8:1: analysis.gravity: gravity is a key of the top level, which stands before the first "
+          "x.toml:8:1: analysis.gravity: gravity is a key of the top level and must come before the first "
           "[table]; here it belongs to [analysis]");
     CHECK(faults_of(replaced(body_deck, "mass = 1.0", R"(mass = 1.0
 title = "late")")) ==
-          "x.toml:3:1: body.top.title: title is a key of the top level, which stands before the first "
+          "x.toml:3:1: body.top.title: title is a key of the top level and must come before the first "
           "[table]; here it belongs to [body.NAME]");
     CHECK(faults_of(body_deck + R"([parameters]
 gravity = [0, 0, -9.81])") ==
-          "x.toml:9:1: parameters.gravity: gravity is a key of the top level, which stands before the first "
+          "x.toml:9:1: parameters.gravity: gravity is a key of the top level and must come before the first "
           "[table]; here it belongs to [parameters]");
     CHECK(faults_of(body_deck + R"([parameters]
 title = "late")") ==
-          "x.toml:9:1: parameters.title: title is a key of the top level, which stands before the first "
+          "x.toml:9:1: parameters.title: title is a key of the top level and must come before the first "
           "[table]; here it belongs to [parameters]");
     CHECK(faults_of(replaced(rod_deck, "GJ = 500", "Gj = 500")) ==
           R"(x.toml:2:47: section.s.stiffness.Gj: unknown key; did you mean "GJ"?)");
