@@ -6,8 +6,8 @@
 #include <csignal>
 #include <memory>
 
+#include "batch_output.hpp"
 #include "batch_slurm.hpp"
-#include "batch_tell.hpp"
 #include "exit_code.hpp"
 #include "machine/file_error.hpp"
 #include "parallel/cores.hpp"
@@ -32,12 +32,12 @@ struct BatchArguments {
     long tasks = 0;
     std::optional<std::vector<std::string>> sbatch_options;
 
-    bool tells() const { return !quiet && summary != "-"; }
+    bool prints() const { return !quiet && summary != "-"; }
 };
 
 volatile std::sig_atomic_t signals = 0;
 
-// Ctrl-C asks to end after the cases at hand, again at once; SIGTERM, as of a cluster, at once.
+// Ctrl-C asks to end after the running cases, again at once; SIGTERM, as from a cluster, at once.
 extern "C" void ask_batch_to_end(int signal) { signals = signal == SIGTERM ? 2 : signals + 1; }
 
 Interruption read_interruption() {
@@ -50,13 +50,13 @@ void listen_to_signals() {
     action.sa_handler = ask_batch_to_end;  // without SA_RESTART: waiting ends
     ::sigaction(SIGINT, &action, nullptr);
     ::sigaction(SIGTERM, &action, nullptr);
-    std::signal(SIGPIPE, SIG_IGN);  // nobody has to read what it tells
+    std::signal(SIGPIPE, SIG_IGN);  // its output need not be read
     std::signal(SIGXFSZ, SIG_IGN);  // a limit of file sizes is an error of writing
 }
 
 Plan read_arguments(const std::vector<std::string>& files) {
     if (files.size() == 1) {
-        // Read once, as it may be a pipe.
+        // Read once, as it can be a pipe.
         std::string text = read_plan_file(files[0]);
         if (is_plan_text(text, files[0])) return read_plan_text(std::move(text), files[0]);
     }
@@ -113,15 +113,15 @@ int batch(const BatchArguments& arguments) {
     if (!is_on_cluster && (arguments.sbatch_options || arguments.tasks > 0)) {
         throw CLI::ValidationError(
             fmt::format("{} is for jobs of a cluster; expected --slurm or --gather too",
-                        arguments.tasks > 0 ? "--tasks" : "what stands behind --"));
+                        arguments.tasks > 0 ? "--tasks" : "the part after --"));
     }
-    BatchTelling telling(arguments.quiet, arguments.tells());
+    BatchOutput output(arguments.quiet, arguments.prints());
     Plan plan = read_arguments(arguments.files);
     std::optional<CaseRange> only;
     if (!arguments.only.empty()) only = read_range(arguments.only, CaseList(plan).count());
     const PreparedBatch prepared(
-        std::move(plan), only, [&](long examined, long cases) { telling.show_examined(examined, cases); });
-    telling.finish_line();
+        std::move(plan), only, [&](long examined, long cases) { output.show_examined(examined, cases); });
+    output.finish_line();
     BatchRequest request;
     request.folder =
         arguments.folder.empty() ? default_folder(prepared.plan()) : std::filesystem::path(arguments.folder);
@@ -131,19 +131,19 @@ int batch(const BatchArguments& arguments) {
     request.retry_failed = arguments.retry_failed;
     request.begin_anew = arguments.force;
     if (arguments.dry_run) {
-        telling.show_plan(prepared, request);
+        output.show_plan(prepared, request);
         return exit_done;
     }
-    telling.show_size(prepared, request);
+    output.show_size(prepared, request);
     listen_to_signals();
     request.interruption = read_interruption;
     request.report_progress = [&](const BatchProgress& progress) {
-        telling.show_progress(progress, signals == 1);
+        output.show_progress(progress, signals == 1);
     };
-    request.report_failure = [&](const CaseRow& row) { telling.show_failure(row, prepared.cases()); };
+    request.report_failure = [&](const CaseRow& row) { output.show_failure(row, prepared.cases()); };
     const BatchSummary summary = run_batch(prepared, request);
-    telling.finish_line();
-    telling.show_summary(summary, request);
+    output.finish_line();
+    output.show_summary(summary, request);
     if (!arguments.summary.empty()) write_batch_summary(arguments.summary, summary, request);
     return exit_code_of(summary);
 }
@@ -164,13 +164,13 @@ void add_batch_verb(CLI::App& program,
     verb->add_option("-j,--jobs", arguments->workers, "Cases that run at once [the cores]")
         ->check(CLI::Range(1, 4096));
     CLI::Option* only = verb->add_option(
-        "--only", arguments->only, "I..J: only these cases; several such may share a folder");
-    verb->add_flag("--retry-failed", arguments->retry_failed, "Run cases again that are not done, too");
+        "--only", arguments->only, "I..J: only these cases; several such runs can share a folder");
+    verb->add_flag("--retry-failed", arguments->retry_failed, "Also run again the cases that are not done");
     verb->add_flag("--dry-run", arguments->dry_run, "Read and examine all cases, list them, and run none");
-    verb->add_flag("--force", arguments->force, "Throw away what the folder holds, another batch too")
+    verb->add_flag("--force", arguments->force, "Discard what the folder holds, even another batch")
         ->excludes(only);
     verb->add_option("--summary", arguments->summary, "Write a summary as JSON to a file, or - for stdout");
-    verb->add_flag("--quiet", arguments->quiet, "Say nothing unless something is wrong");
+    verb->add_flag("--quiet", arguments->quiet, "Print only warnings and errors");
     auto* slurm =
         verb->add_flag("--slurm", arguments->slurm, "Submit an array job to Slurm that runs the cases");
     auto* gather = verb->add_flag(
@@ -184,7 +184,7 @@ void add_batch_verb(CLI::App& program,
     }
     gather->excludes(verb->get_option("--force"));
     verb->footer(
-        "What stands behind -- are options of sbatch: gxrod batch PLAN --slurm -- -c 8 --time 2:00:00\n"
+        "Everything after -- is an option of sbatch: gxrod batch PLAN --slurm -- -c 8 --time 2:00:00\n"
         "The same command resumes a batch that was stopped or killed: it runs what the table lacks.\n"
         "Exit codes: 0 if every case is done, 3 if not, 130 if interrupted.");
     verb->callback([arguments, &exit_code] { exit_code = batch(*arguments); });

@@ -6,8 +6,8 @@
 
 #include "batch/batch_lock.hpp"
 #include "batch/case_slices.hpp"
-#include "batch_slurm_tell.hpp"
-#include "batch_tell.hpp"
+#include "batch_output.hpp"
+#include "batch_slurm_output.hpp"
 #include "say.hpp"
 
 namespace gxrod {
@@ -27,9 +27,9 @@ class SlurmBatch {
     ExitCode gather();
 
   private:
-    bool tells() const { return !arguments_.quiet; }
+    bool prints() const { return !arguments_.quiet; }
     void begin();
-    ExitCode tell_of_nothing(const CaseHolders& holders, const Remainder& left) const;
+    ExitCode report_nothing_to_submit(const CaseHolders& holders, const Remainder& left) const;
     void submit_rest(const CaseHolders& holders, const Remainder& left) const;
     void submit(const CaseHolders& holders,
                 const std::vector<long>& missing,
@@ -77,8 +77,8 @@ ExitCode SlurmBatch::submit() {
     const Remainder left = find_remainder(rows, cases_, holders.taken, jobs_);
     const std::vector<long> failed =
         arguments_.retry_failed ? merge(left.failed, left.failed_again) : std::vector<long>();
-    if (left.missing.empty() && failed.empty()) return tell_of_nothing(holders, left);
-    if (tells()) print_holders(holders, left.taken);
+    if (left.missing.empty() && failed.empty()) return report_nothing_to_submit(holders, left);
+    if (prints()) print_holders(holders, left.taken);
     submit(holders, left.missing, failed, {});
     return exit_done;
 }
@@ -92,22 +92,21 @@ void SlurmBatch::begin() {
     jobs_ = read_slurm_jobs(folder_);
 }
 
-ExitCode SlurmBatch::tell_of_nothing(const CaseHolders& holders, const Remainder& left) const {
+ExitCode SlurmBatch::report_nothing_to_submit(const CaseHolders& holders, const Remainder& left) const {
     const std::size_t failed = left.failed.size() + left.failed_again.size();
     if (left.taken == 0 && failed == 0) {
-        if (tells()) say(stdout, "All cases are done; there is nothing to submit.\n");
+        if (prints()) say(stdout, "All cases are done; there is nothing to submit.\n");
         return exit_done;
     }
-    if (!tells()) return exit_not_converged;
+    if (!prints()) return exit_not_converged;
     say(stdout, "Nothing was submitted.\n");
     print_holders(holders, left.taken);
-    if (failed > 0)
-        say(stdout, "{} failed; --retry-failed submits what failed once more.\n", count_cases(failed));
+    if (failed > 0) say(stdout, "{} failed; --retry-failed submits them again.\n", count_cases(failed));
     return exit_not_converged;
 }
 
 ExitCode SlurmBatch::gather() {
-    if (!is_batch_folder(folder_)) throw FileError(folder_, "holds no batch yet", "--slurm begins one");
+    if (!is_batch_folder(folder_)) throw FileError(folder_, "holds no batch yet", "--slurm starts one");
     batch_.read_rows(folder_);  // throws if it is another batch
     lock_.emplace(BatchLock::of_submission(folder_));
     jobs_ = read_slurm_jobs(folder_);
@@ -119,11 +118,11 @@ ExitCode SlurmBatch::gather() {
         fault = error.what();
     }
     const std::vector<CaseRow> rows = gather_rows(folder_, batch_.record());
-    if (tells()) print_table(folder_, rows, cases_);
+    if (prints()) print_table(folder_, rows, cases_);
     const Remainder left = find_remainder(rows, cases_, holders.taken, jobs_);
     if (left.is_empty()) return exit_done;
     if (fault.empty()) {
-        if (tells()) print_holders(holders, left.taken);
+        if (prints()) print_holders(holders, left.taken);
         submit_rest(holders, left);
     } else {
         say(stderr, "gxrod: nothing was submitted: {}\n", fault);
@@ -132,9 +131,9 @@ ExitCode SlurmBatch::gather() {
 }
 
 void SlurmBatch::submit_rest(const CaseHolders& holders, const Remainder& left) const {
-    if (tells() && !arguments_.retry_failed && !left.failed_again.empty()) {
+    if (prints() && !arguments_.retry_failed && !left.failed_again.empty()) {
         say(stdout,
-            "{} not done that a job was to run once more; --retry-failed submits them again.\n",
+            "{} still not done after a repeated job; --retry-failed submits them again.\n",
             count_cases(left.failed_again.size()));
     }
     const std::vector<long> failed =
@@ -160,7 +159,7 @@ void SlurmBatch::submit(const CaseHolders& holders,
         return;
     }
     const SlurmJob job = gxrod::submit(submission, jobs_);
-    if (tells()) print_job(job, submission, missing.size() + failed.size(), gather_command());
+    if (prints()) print_job(job, submission, missing.size() + failed.size(), gather_command());
 }
 
 Submission SlurmBatch::make_submission(const CaseHolders& holders,

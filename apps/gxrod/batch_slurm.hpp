@@ -26,7 +26,7 @@ struct SlurmArguments {
 // Submits an array job of what is left of a batch. Throws FileError.
 ExitCode submit_batch(const PreparedBatch& batch, const SlurmArguments& arguments);
 
-// Completes the table, tells how far the batch is, and submits what is left and nobody has. Throws FileError.
+// Completes the table, reports progress, and submits the cases that are left and not taken. Throws FileError.
 ExitCode gather_batch(const PreparedBatch& batch, const SlurmArguments& arguments);
 
 }  // namespace gxrod

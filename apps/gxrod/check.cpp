@@ -39,7 +39,7 @@ std::string describe_size(const Problem& problem) {
            fmt::format("memory: about {:.0f} MB\n", estimate_memory(problem.model, size.bytes) / megabyte);
 }
 
-// What is said of a model before anything is solved.
+// What is printed about a model before anything is solved.
 struct CheckText {
     std::vector<ItemList> lists;
     std::string rest;  // total, analysis, output, sizes
@@ -83,7 +83,7 @@ void say_problem(const CheckText& text, bool all) {
     say_lines(stdout, text.warnings, detail);
     say_lines(stderr, text.errors, detail);
     if (detail == Detail::shortened)
-        say(stdout, "what repeats is summed up; gxrod check --all lists everything\n");
+        say(stdout, "repeated parts are summarized; gxrod check --all lists everything\n");
 }
 
 // Whether a load changes along its rod, so that it is integrated.
@@ -96,8 +96,8 @@ bool has_uneven_loads(const Model& model) {
         });
 }
 
-// The first thing that a run would do: a model without inertia somewhere is found here, and a load without an
-// integral. Throws EvaluationError.
+// The first step of a run: finds a model without inertia somewhere, and a load without an integral. Throws
+// EvaluationError.
 int start_analysis(const Problem& problem) {
     const auto* dynamic = std::get_if<DynamicSettings>(&problem.analysis);
     if (dynamic == nullptr) {

@@ -31,7 +31,6 @@ std::string export_along_rod(const ExportArguments& arguments, Existing existing
         arguments.results, arguments.folder, {arguments.along, arguments.time, arguments.all}, existing);
     std::string written;
     for (const auto& path : done.files) written += path.lexically_normal().string() + "\n";
-    // Where it was asked for another moment than that of a frame.
     if (arguments.time && done.times.size() == 1 && done.times[0] != *arguments.time)
         say(stderr, "the frame nearest to {:.10g} is that at {:.10g}\n", *arguments.time, done.times[0]);
     return written;
@@ -68,7 +67,7 @@ void add_export_verb(CLI::App& program, int& exit_code) {
     auto arguments = std::make_shared<ExportArguments>();
     CLI::App* verb =
         program.add_subcommand("export", "Write results in another form: as tables, frame by frame");
-    verb->add_option("RESULTS", arguments->results, "Results file of gxrod run; that of a running job too")
+    verb->add_option("RESULTS", arguments->results, "Results file of gxrod run, also of a running job")
         ->required();
     verb->add_option(
         "--csv", arguments->csv, "Folder for ledger.csv, solver.csv and a history_NAME.csv for each history");
@@ -80,7 +79,7 @@ void add_export_verb(CLI::App& program, int& exit_code) {
     CLI::Option* along = verb->add_option(
         "--along",
         arguments->along,
-        "Name of a rod: along_ROD_nodes.csv and along_ROD_elements.csv have what a frame has along it, from "
+        "Name of a rod: along_ROD_nodes.csv and along_ROD_elements.csv get a frame's values along it, from "
         "its start to its end");
     CLI::Option* time = verb->add_option("--time",
                                          arguments->time,

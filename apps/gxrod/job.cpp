@@ -24,13 +24,13 @@ namespace {
 
 volatile std::sig_atomic_t interrupt_signal = 0;
 
-// The first signal asks the run to end after the step at hand; the second ends it at once.
+// The first signal asks the run to end after the current step; the second ends it at once.
 extern "C" void ask_to_end(int signal) {
     interrupt_signal = signal;
     std::signal(signal, SIG_DFL);
 }
 
-void tell(const JobOptions& options, const RunSummary& summary, bool is_resumed) {
+void print(const JobOptions& options, const RunSummary& summary, bool is_resumed) {
     if (summary.status == RunStatus::failed) {
         say(stderr,
             "gxrod: {}\nResults up to t = {:.10g} are in {}\n",
@@ -40,11 +40,11 @@ void tell(const JobOptions& options, const RunSummary& summary, bool is_resumed)
     } else if (summary.status == RunStatus::interrupted) {
         say(stderr,
             "gxrod: interrupted at t = {:.10g}; results up to there are in {}\n"
-            "To go on: gxrod resume {}\n",
+            "To resume: gxrod resume {}\n",
             summary.time,
             options.results,
             options.results);
-    } else if (options.tells()) {
+    } else if (options.prints()) {
         say(stdout,
             "{} steps to t = {:.10g}, {} Newton iterations{}, {:.2f} s\nResults: {}\n",
             summary.totals.steps,
@@ -68,17 +68,17 @@ int exit_code_of(const RunSummary& summary, bool deck_fault) {
     return exit_done;
 }
 
-// After a fault that ended the program while it wrote: how to go on, if that is possible.
-void tell_resumption(const std::string& results) {
+// After an error that ended the program while it wrote: how to resume, if that is possible.
+void print_resumption(const std::string& results) {
     try {
         const double time = ResumableFile(results).place().record.steps.time;
         say(stderr,
-            "{} holds what was computed up to t = {:.10g}. To go on: gxrod resume {}\n",
+            "{} holds what was computed up to t = {:.10g}. To resume: gxrod resume {}\n",
             results,
             time,
             results);
     } catch (const std::exception&) {
-        // Nothing to go on from, or no memory to look.
+        // Nothing to resume from, or no memory to look.
     }
 }
 
@@ -91,18 +91,18 @@ void warn_of_threads(const JobOptions& options) {
         count_cores() == 1 ? "" : "s");
 }
 
-// Tells of what is suspicious; whether the model can be run.
+// Reports what is suspicious; returns whether the model can be run.
 bool examine(const JobOptions& options, const Problem& problem) {
     const std::vector<Finding> findings = examine_model(problem.model, problem.analysis);
     for (const Finding& finding : findings) {
-        const bool is_told =
+        const bool is_shown =
             finding.severity == Severity::error || (finding.severity == Severity::warning && !options.quiet);
-        if (is_told) say(stderr, "{}: {}\n", options.deck, describe(finding));
+        if (is_shown) say(stderr, "{}: {}\n", options.deck, describe(finding));
     }
     return !has_error(findings);
 }
 
-// Throws FileError if the disk is too small for what the run would write: told now, not after days.
+// Throws FileError if the disk is too small for what the run would write.
 void check_room(const JobOptions& options, const Problem& problem) {
     constexpr double gigabyte = 1e9;
     const ResultsSize size = estimate_results_size(problem.model, problem.analysis, problem.output);
@@ -121,11 +121,11 @@ void check_room(const JobOptions& options, const Problem& problem) {
         "a larger output.every makes fewer frames; each step is recorded");
 }
 
-// Runs and tells how it went.
+// Runs and reports the outcome.
 int run_and_tell(const RunRequest& request, const JobOptions& options, ProgressLine& line) {
     const RunSummary summary = run_analysis(request);
     line.finish();
-    tell(options, summary, request.resumed != nullptr);
+    print(options, summary, request.resumed != nullptr);
     for (const std::string& warning : summary.warnings) say(stderr, "warning: {}\n", warning);
     for (const std::string& sentence : {summary.cuts, summary.newton_limit}) {
         if (!sentence.empty() && !options.quiet) say(stderr, "warning: {}\n", sentence);
@@ -141,11 +141,11 @@ void add_job_options(CLI::App& verb, JobOptions& options) {
     constexpr int most_threads = 1024;
     verb.add_option("--threads",
                     options.threads,
-                    "Threads that share the work of one run; results are the same for any number. default 1")
+                    "Threads that share the work of one run; results are the same for any number [1]")
         ->check(CLI::Range(1, most_threads));
     verb.add_option(
         "--summary", options.summary, "Write a summary of the run as JSON to a file, or - for stdout");
-    verb.add_flag("--quiet", options.quiet, "Say nothing unless something is wrong");
+    verb.add_flag("--quiet", options.quiet, "Print only warnings and errors");
 }
 
 Problem read_job_problem(const std::string& deck, const std::vector<std::string>& overrides) {
@@ -173,7 +173,7 @@ int run_job(const Problem& problem, const JobOptions& options, ResumableFile* re
                        ResultsFileOptions{options.results, options.existing},
                        resumed};
     if (!options.quiet) request.report_progress = [&](const Progress& progress) { line.show(progress); };
-    if (options.tells()) {
+    if (options.prints()) {
         request.report_resumption = [&](double time) {
             say(stdout, "{} continues from t = {:.10g}\n", options.results, time);
             std::fflush(stdout);
@@ -186,12 +186,12 @@ int run_job(const Problem& problem, const JobOptions& options, ResumableFile* re
     } catch (const WriteError& error) {
         line.finish();
         say(stderr, "gxrod: {}\n", error.what());
-        tell_resumption(options.results);
+        print_resumption(options.results);
         return exit_file;
     } catch (const std::bad_alloc&) {
         line.finish();
         say_text(stderr, out_of_memory);
-        tell_resumption(options.results);
+        print_resumption(options.results);
         return exit_internal_error;
     }
 }

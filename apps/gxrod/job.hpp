@@ -9,7 +9,7 @@
 
 namespace gxrod {
 
-// What a user asks of a run beside the deck.
+// What a user asks of a run in addition to the deck.
 struct JobOptions {
     std::string deck;     // as the user named it
     std::string results;  // file
@@ -18,18 +18,18 @@ struct JobOptions {
     Existing existing = Existing::refuse;
     int threads = 1;
 
-    // Whether to say how things are on stdout.
-    bool tells() const { return !quiet && summary != "-"; }
+    // Whether to print on stdout.
+    bool prints() const { return !quiet && summary != "-"; }
 };
 
 // Declares --threads, --summary and --quiet.
 void add_job_options(CLI::App& verb, JobOptions& options);
 
-// Reads a deck, as read_problem does; of a plan it says how those are run.
+// Reads a deck, as read_problem does; given a plan, the error says how to run it.
 Problem read_job_problem(const std::string& deck, const std::vector<std::string>& overrides);
 
-// Runs a problem with a progress line, ends it tidily on Ctrl-C and tells how it went; `resumed` is taken
-// over, to go on with it. The exit code. Throws FileError.
+// Runs a problem with a progress line, ends it tidily on Ctrl-C and reports the outcome; or resumes the file
+// `resumed`. Returns the exit code. Throws FileError.
 int run_job(const Problem& problem, const JobOptions& options, ResumableFile* resumed = nullptr);
 
 }  // namespace gxrod

@@ -21,7 +21,7 @@
 
 namespace {
 
-// Throws if the first argument is meant as a verb and is none.
+// Throws if the first argument is meant as a verb but is not one.
 void check_verb(const CLI::App& program, int argc, char** argv) {
     const std::string verb = argc > 1 ? argv[1] : "-";
     if (verb.empty() || verb[0] == '-') return;
@@ -31,7 +31,7 @@ void check_verb(const CLI::App& program, int argc, char** argv) {
     throw CLI::ValidationError("gxrod has no verb '" + verb + "'" + gxrod::did_you_mean(verb, verbs));
 }
 
-// Throws if the environment asks for an instruction set that there is not.
+// Throws if the environment asks for an instruction set that the processor lacks.
 void check_instruction_set() {
     try {
         gxrod::find_instruction_set();
@@ -40,14 +40,14 @@ void check_instruction_set() {
     }
 }
 
-// Where one of them is closed, a file of ours would take its number, and what is told would go into it.
+// If one of them is closed, a file of ours would take its number and receive what is printed.
 void open_standard_files() {
     for (int descriptor = 0; descriptor <= 2; ++descriptor) {
         if (::fcntl(descriptor, F_GETFD) < 0) ::open("/dev/null", O_RDWR);
     }
 }
 
-// What stands behind "--" of a batch is for sbatch: takes it, and that itself, from the arguments.
+// Removes the "--" of a batch and what follows, the options of sbatch, from the arguments.
 std::optional<std::vector<std::string>> take_sbatch_options(int& argc, char** argv) {
     if (argc < 2 || argv[1] != std::string("batch")) return std::nullopt;
     char** end = argv + argc;
@@ -88,7 +88,7 @@ int run_program(int argc, char** argv) {
     return exit_code;
 }
 
-// The exit code; says so, if what was told did not all get where it was to go.
+// The exit code; reports output that could not be written.
 int check_output(int exit_code) {
     const std::string error = gxrod::describe_output_error();
     if (error.empty()) return exit_code;
@@ -96,7 +96,7 @@ int check_output(int exit_code) {
     return exit_code == gxrod::exit_done ? gxrod::exit_file : exit_code;
 }
 
-// Where no exception may pass, in a library or before main(), too little memory is still no abort.
+// Where exceptions cannot pass, in a library or before main(), lack of memory still does not abort.
 [[noreturn]] void end_without_memory() {
     try {
         if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
@@ -108,7 +108,7 @@ int check_output(int exit_code) {
     std::abort();
 }
 
-// Before all else that is made before main().
+// Before anything else that is constructed before main().
 struct TerminateHandler {
     TerminateHandler() { std::set_terminate(end_without_memory); }
 };

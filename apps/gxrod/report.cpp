@@ -33,7 +33,7 @@ struct ReportArguments {
     Existing existing() const { return force ? Existing::replace : Existing::refuse; }
 };
 
-void tell_page(const std::filesystem::path& page, std::size_t bytes) {
+void print_page(const std::filesystem::path& page, std::size_t bytes) {
     say(stdout, "{} ({:.1f} MB)\n", page.string(), static_cast<double>(bytes) / megabyte);
 }
 
@@ -51,7 +51,7 @@ int report_run(const ReportArguments& arguments) {
     const ReportSummary summary = write_report(options);
     for (const std::string& warning : summary.warnings) say(stderr, "warning: {}\n", printable(warning));
     for (const std::string& sentence : summary.left_out) say(stdout, "{}\n", printable(sentence));
-    tell_page(options.page, summary.bytes);
+    print_page(options.page, summary.bytes);
     return exit_done;
 }
 
@@ -80,7 +80,7 @@ CaseChoice read_choice(const std::string& text) {
     return choice;
 }
 
-void tell_case_pages(const CasePages& pages, bool is_chosen) {
+void print_case_pages(const CasePages& pages, bool is_chosen) {
     constexpr std::size_t most_faults = 5;
     for (std::size_t i = 0; i < std::min(pages.faults.size(), most_faults); ++i) {
         say(stderr, "warning: no page of a case: {}\n", printable(pages.faults[i]));
@@ -96,8 +96,9 @@ void tell_case_pages(const CasePages& pages, bool is_chosen) {
     }
     if (pages.passed_over > 0 && !is_chosen) {
         say(stdout,
-            "Of the cases with results, {} were passed over; those that failed came first (--cases all takes "
-            "all, --cases I..J some)\n",
+            "{} of the cases with results have no page; failed cases came first (--cases all makes all "
+            "pages, "
+            "--cases I..J some)\n",
             pages.passed_over);
     }
     if (pages.written + pages.kept > 0) {
@@ -119,12 +120,12 @@ int report_batch(const ReportArguments& arguments) {
     };
     const BatchReportSummary summary = write_batch_report(options);
     progress_line.finish();
-    tell_case_pages(summary.pages, !arguments.cases.empty());
+    print_case_pages(summary.pages, !arguments.cases.empty());
     if (summary.finished < static_cast<std::size_t>(summary.cases)) {
         say(stdout, "{} of {} cases have ended\n", summary.finished, summary.cases);
     }
     for (const std::string& sentence : summary.left_out) say(stdout, "{}\n", printable(sentence));
-    tell_page(options.page, summary.bytes);
+    print_page(options.page, summary.bytes);
     return exit_done;
 }
 
@@ -136,7 +137,7 @@ void add_report_verb(CLI::App& program, int& exit_code) {
         "report", "Write one HTML page that shows results: motion in 3D, charts, deck, model; or a batch");
     verb->add_option("RESULTS",
                      arguments->results,
-                     "Results file of gxrod run, that of a running job too; or the folder of a batch")
+                     "Results file of gxrod run, also of a running job; or the folder of a batch")
         ->required();
     verb->add_option(
         "-o,--output",
@@ -147,7 +148,7 @@ void add_report_verb(CLI::App& program, int& exit_code) {
         ->check(CLI::Range(1.0, 2000.0));
     verb->add_option("--cases",
                      arguments->cases,
-                     "Of a batch: cases that get a page each, in addition to the table: all, none, or I..J "
+                     "Of a batch: cases that get a page of their own: all, none, or I..J "
                      "[200, those that "
                      "failed first]");
     verb->add_flag("--force", arguments->force, "Overwrite an existing page");

@@ -39,9 +39,9 @@ int resume(ResumeArguments& arguments) {
     const Problem problem = read_resumption(file.deck(), job.deck, arguments.overrides);
     const double time = file.place().record.steps.time;
     const bool is_at_end = time == end_of(problem.analysis);
-    // A killed run may be at its end and not closed.
+    // A killed run can be at its end without being closed.
     if (is_at_end && file.is_complete() && job.summary.empty()) {
-        if (job.tells()) say(stdout, "{}", describe_end(problem.analysis, time, job.results));
+        if (job.prints()) say(stdout, "{}", describe_end(problem.analysis, time, job.results));
         return exit_done;
     }
     if (job.deck.empty()) job.deck = file.deck().name;
@@ -53,13 +53,13 @@ int resume(ResumeArguments& arguments) {
 void add_resume_verb(CLI::App& program, int& exit_code) {
     auto arguments = std::make_shared<ResumeArguments>();
     CLI::App* verb =
-        program.add_subcommand("resume", "Go on with a run that was ended, killed, or is to last longer");
-    verb->add_option("RESULTS", arguments->job.results, "Results file of gxrod run, which is continued")
-        ->required();
-    verb->add_option("--deck",
-                     arguments->job.deck,
-                     "Deck to go on with [the one in the results]; of it title, units, output, histories and "
-                     "of [analysis] end_time, time_step, steps, adaptive, newton, linear_solver may differ");
+        program.add_subcommand("resume", "Continue a run that was stopped or killed, or make it last longer");
+    verb->add_option("RESULTS", arguments->job.results, "Results file of gxrod run to continue")->required();
+    verb->add_option(
+        "--deck",
+        arguments->job.deck,
+        "Deck to continue with [the one in the results]; its title, units, output, histories and, "
+        "of [analysis], end_time, time_step, steps, adaptive, newton, linear_solver can differ");
     verb->add_option("--set",
                      arguments->overrides,
                      "KEY=VALUE: change such a key of the deck, say analysis.end_time=20")

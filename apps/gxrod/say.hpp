@@ -9,7 +9,7 @@
 
 namespace gxrod {
 
-// Prints, whether anybody reads it or not: work goes on where a pipe was closed or the disk is full.
+// Prints; a closed pipe or a full disk does not stop the work.
 void say_text(std::FILE* out, std::string_view text);
 
 template <class... Arguments>

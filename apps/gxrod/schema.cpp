@@ -27,7 +27,7 @@ std::string write_schema(const SchemaArguments& arguments) {
 void add_schema_verb(CLI::App& program, int& exit_code) {
     auto arguments = std::make_shared<SchemaArguments>();
     CLI::App* verb = program.add_subcommand("schema", "Print the JSON Schema of decks or plans, for editors");
-    verb->add_flag("--plan", arguments->plan, "Of plans, which gxrod batch runs, instead of decks");
+    verb->add_flag("--plan", arguments->plan, "Schema of plans, which gxrod batch runs, instead of decks");
     verb->add_flag(
         "--markdown", arguments->markdown, "Print the reference (docs/deck.md, docs/plan.md) instead");
     verb->callback([arguments, &exit_code] {

@@ -10,7 +10,7 @@ namespace gxrod {
 
 void add_run_verb(CLI::App& program, int& exit_code);
 void add_resume_verb(CLI::App& program, int& exit_code);
-// `sbatch_options` are what stands behind "--", if there is one.
+// `sbatch_options` come after "--", if there is one.
 void add_batch_verb(CLI::App& program,
                     int& exit_code,
                     std::optional<std::vector<std::string>> sbatch_options);

@@ -27,11 +27,11 @@ struct VerifyArguments {
     bool table = false;
     VerifyDeckArguments own;
 
-    // Whether what is compared is told in one table, and not study by study.
-    bool tells_table() const { return (all || table) && !json; }
+    // Whether comparisons are printed in one table, not study by study.
+    bool prints_table() const { return (all || table) && !json; }
 };
 
-// Whether a name is that of a file, and of no study.
+// Whether a name is that of a file, not of a study.
 bool is_deck(const std::string& name) {
     for (const Study& study : studies()) {
         if (study.name == name) return false;
@@ -80,8 +80,8 @@ nlohmann::ordered_json describe_check(const Study& study, const Check& check, do
     return json;
 }
 
-void tell(const VerifyArguments& arguments, const Study& study, const StudyResult& result, double seconds) {
-    if (arguments.tells_table()) {
+void print(const VerifyArguments& arguments, const Study& study, const StudyResult& result, double seconds) {
+    if (arguments.prints_table()) {
         say(stdout, "{}", describe_checks(study, result, seconds));
     } else {
         say(stdout, "{}: {}\n{}\n", study.name, study.sentence, result.table);
@@ -89,11 +89,11 @@ void tell(const VerifyArguments& arguments, const Study& study, const StudyResul
     std::fflush(stdout);
 }
 
-// Options that have no meaning for what is named.
+// Rejects options that do not apply.
 void refuse(const CLI::App& verb, const std::vector<std::string>& options, const std::string& whose) {
     for (const std::string& option : options) {
         if (verb.get_option(option)->count() > 0)
-            throw CLI::ValidationError(option, fmt::format("is of {} alone", whose));
+            throw CLI::ValidationError(option, fmt::format("is only for {}", whose));
     }
 }
 
@@ -114,7 +114,7 @@ int verify(const CLI::App& verb, VerifyArguments& arguments) {
     ValidationTotals totals;
     nlohmann::ordered_json json;
     nlohmann::ordered_json checks = nlohmann::ordered_json::array();
-    if (arguments.tells_table()) say(stdout, "{}", validation_head());
+    if (arguments.prints_table()) say(stdout, "{}", validation_head());
     for (const Study* study : choose_studies(arguments)) {
         double seconds = 0.0;
         try {
@@ -122,7 +122,7 @@ int verify(const CLI::App& verb, VerifyArguments& arguments) {
             add_to(totals, result, seconds);
             json[study->name] = result.json;
             for (const Check& check : result.checks) checks.push_back(describe_check(*study, check, seconds));
-            if (!arguments.json) tell(arguments, *study, result, seconds);
+            if (!arguments.json) print(arguments, *study, result, seconds);
             if (!result.matches()) say(stderr, "gxrod: {} missed its reference\n", study->name);
         } catch (const std::runtime_error& error) {
             // As where Newton's method does not converge: the other studies are run all the same.
@@ -134,7 +134,7 @@ int verify(const CLI::App& verb, VerifyArguments& arguments) {
     }
     json["checks"] = checks;
     if (arguments.json) say(stdout, "{}\n", json.dump(2));
-    if (arguments.tells_table()) say(stdout, "{}", describe_totals(totals));
+    if (arguments.prints_table()) say(stdout, "{}", describe_totals(totals));
     if (!arguments.figures.empty()) draw_figures(arguments.figures);
     return totals.missed == 0 ? exit_done : exit_verification;
 }
@@ -149,16 +149,15 @@ void add_study_options(CLI::App& verb, VerifyArguments& arguments) {
 
 void add_deck_options(CLI::App& verb, VerifyDeckArguments& own) {
     verb.add_option("--set", own.overrides, "KEY=VALUE: change a key of the deck")->allow_extra_args(false);
-    verb.add_option(
-            "--levels",
-            own.levels,
-            "How often steps and mesh are halved; with 1 orders are assumed, not seen, at half the cost [2]")
+    verb.add_option("--levels",
+                    own.levels,
+                    "How often steps and mesh are halved; 1 assumes orders instead of measuring them, at "
+                    "half the cost [2]")
         ->check(CLI::Range(1, 2));
-    verb.add_option(
-            "--tolerance", own.tolerance, "Errors that are called right, by the largest change [0.01]")
+    verb.add_option("--tolerance", own.tolerance, "Acceptable error, relative to the largest change [0.01]")
         ->check(CLI::PositiveNumber);
-    verb.add_option("--seed", own.seed, "Of the random rotation of the deck [1]");
-    verb.add_option("-o,--output", own.page, "Write what was found of a deck as a page for a browser, too");
+    verb.add_option("--seed", own.seed, "Seed of the random rotation of the deck [1]");
+    verb.add_option("-o,--output", own.page, "Also write the findings on a deck as a page for a browser");
     verb.add_flag("--force", own.force, "Overwrite an existing page");
 }
 
@@ -169,8 +168,8 @@ void add_verify_verb(CLI::App& program, int& exit_code) {
     CLI::App* verb = program.add_subcommand(
         "verify", "Run built-in verification studies, or examine a deck by running it in several ways");
     verb->add_option("NAME", arguments->names, "Studies, which --list names; or a deck (TOML)");
-    verb->add_flag("--all", arguments->all, "Run every study, and print a table of all that is compared");
-    verb->add_flag("--table", arguments->table, "Print that table of the studies named");
+    verb->add_flag("--all", arguments->all, "Run every study, and print a table of all comparisons");
+    verb->add_flag("--table", arguments->table, "Print this table for the named studies");
     verb->add_flag("--list", arguments->list, "List the studies");
     verb->add_flag("--json", arguments->json, "Print JSON instead of tables");
     add_study_options(*verb, *arguments);

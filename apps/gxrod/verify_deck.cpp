@@ -17,13 +17,13 @@ namespace {
 
 volatile std::sig_atomic_t is_asked_to_end = 0;
 
-// The first signal ends the study after the step at hand, with what is known; the second ends it at once.
+// The first signal ends the study after the current step, with what is known; the second ends it at once.
 extern "C" void ask_study_to_end(int signal) {
     is_asked_to_end = 1;
     std::signal(signal, SIG_DFL);
 }
 
-// Tells of what is suspicious; whether the model can be run.
+// Reports what is suspicious; returns whether the model can be run.
 bool examine(const Problem& problem, const std::string& deck) {
     const std::vector<Finding> findings = examine_model(problem.model, problem.analysis);
     for (const Finding& finding : findings) {
@@ -32,7 +32,7 @@ bool examine(const Problem& problem, const std::string& deck) {
     return !has_error(findings);
 }
 
-void tell_run(const VariantRun& run, double cost_of_rest) {
+void print_run(const VariantRun& run, double cost_of_rest) {
     say(stdout, "{}", describe_run(run));
     if (run.variant.kind == VariantKind::as_it_is && run.is_whole())
         say(stdout, "  the others will take about {:.2g} s\n", cost_of_rest * run.seconds);
@@ -64,7 +64,7 @@ int verify_deck(const VerifyDeckArguments& arguments) {
         if (!problem.record.title.empty()) say(stdout, "{}\n", problem.record.title);
         say(stdout, "{}{}", describe_plan(variants), run_head());
         std::fflush(stdout);
-        options.report_run = [&](const VariantRun& run) { tell_run(run, total_cost(variants) - 1.0); };
+        options.report_run = [&](const VariantRun& run) { print_run(run, total_cost(variants) - 1.0); };
     }
     const DeckStudy study = study_deck(deck, arguments.overrides, variants, options);
     if (arguments.json) {

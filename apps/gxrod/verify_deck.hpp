@@ -16,7 +16,7 @@ struct VerifyDeckArguments {
     bool json = false;
 };
 
-// Examines a user's deck and tells; the exit code.
+// Examines a user's deck and prints the findings; the exit code.
 int verify_deck(const VerifyDeckArguments& arguments);
 
 }  // namespace gxrod

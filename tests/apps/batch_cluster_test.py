@@ -169,7 +169,7 @@ class Trouble(ClusterTest):
                                    (["--gather", "--force"], "--force excludes --gather"),
                                    (["--tasks", "2"], "--tasks is for jobs of a cluster"),
                                    (["--slurm", "--tasks", "0"], "--tasks"),
-                                   (["--", "-c", "2"], "what stands behind -- is for jobs of a cluster")):
+                                   (["--", "-c", "2"], "the part after -- is for jobs of a cluster")):
             self.assertIn(message, self.batch("sweep.toml", *arguments, code=2).stderr)
         self.assertFalse((self.folder / "sweep").exists())
 

@@ -70,7 +70,7 @@ class BatchGuide(ProgramTest):
         for number, plan in enumerate(plans):
             with self.subTest(plan=plan):
                 done = self.gxrod("batch", self.write(f"plan_{number}.toml", plan), "--dry-run")
-                self.assertIn("read and found right", done.stdout)
+                self.assertIn("read and checked", done.stdout)
 
 
 if __name__ == "__main__":

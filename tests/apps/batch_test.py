@@ -93,7 +93,7 @@ x = { history = "tip", quantity = "position", component = "x", at = 0 }
         self.write("plan.toml", PLAN)
         done = self.gxrod("batch", "plan.toml", "--dry-run", "-j", "3")
         self.assertIn("4: parameters.EI = 200, analysis.time_step = 0.02\n", done.stdout)
-        self.assertIn("6 cases read and found right, 6 to run into plan on 3 at a time", done.stdout)
+        self.assertIn("6 cases read and checked, 6 to run into plan, 3 at a time", done.stdout)
         self.assertFalse((self.folder / "plan").exists())
         self.gxrod("batch", "plan.toml", "--only", "2..3", "--quiet")
         done = self.gxrod("batch", "plan.toml", "--dry-run")

@@ -95,7 +95,7 @@ class Resume(ProgramTest):
         process = self.start_long_run()
         process.send_signal(signal.SIGINT)
         self.assertEqual(process.wait(), 130)
-        self.assertIn("To go on: gxrod resume long.vtkhdf", process.stderr.read())
+        self.assertIn("To resume: gxrod resume long.vtkhdf", process.stderr.read())
         self.gxrod("resume", "long.vtkhdf", "--quiet")
         with h5py.File(self.folder / "long.vtkhdf") as file:
             self.assertEqual(file.attrs["status"], "complete")

@@ -119,8 +119,8 @@ class VerifyDeck(ProgramTest):
         both = self.gxrod("verify", "bend_45", self.write(), code=2)
         self.assertIn("swing.toml", both.stderr)
         for options in (("--all",), ("--steps", "100"), ("--figures", "pictures")):
-            self.assertIn("is of the built-in studies alone", self.gxrod("verify", self.write(), *options, code=2).stderr)
-        self.assertIn("is of a deck alone", self.gxrod("verify", "bend_45", "--seed", "2", code=2).stderr)
+            self.assertIn("is only for the built-in studies", self.gxrod("verify", self.write(), *options, code=2).stderr)
+        self.assertIn("is only for a deck", self.gxrod("verify", "bend_45", "--seed", "2", code=2).stderr)
 
     def test_a_model_that_cannot_be_run(self):
         deck = self.write(SWING.replace('fix = "all"', 'fix = "position"')

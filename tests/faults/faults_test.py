@@ -60,7 +60,7 @@ class Faults(unittest.TestCase):
         for trial in resumed:
             name = trial.message.split(":")[1].strip()
             self.assertRegex(trial.message, rf"^gxrod: {name}: cannot write: No space left on device\n"
-                                            rf"{name} holds what was computed up to t = \S+\. To go on: gxrod resume {name}$")
+                                            rf"{name} holds what was computed up to t = \S+\. To resume: gxrod resume {name}$")
 
     def test_a_failed_allocation_is_told(self):
         trials = self.check("allocation")

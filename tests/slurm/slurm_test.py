@@ -232,7 +232,7 @@ class Failing(SlurmTest):
         self.wait_for_empty_queue()
         [text] = [path.read_text() for path in (self.folder / "sweep" / "slurm").glob(f"{self.jobs()[1]['id']}_*.out")]
         self.assertIn("1 run now", text)
-        self.assertIn("1 case not done that a job was to run once more", self.batch("sweep.toml", "--gather", code=3).stdout)
+        self.assertIn("1 case still not done after a repeated job", self.batch("sweep.toml", "--gather", code=3).stdout)
         self.assertEqual(len(self.jobs()), 2)
         self.batch("sweep.toml", "--gather", "--retry-failed", code=3)
         self.assertEqual(len(self.jobs()), 3)

@@ -2,7 +2,7 @@
 
 #include "batch/slurm/slurm_batch.hpp"
 
-// What `gxrod batch --slurm` and `--gather` say, on standard output.
+// What `gxrod batch --slurm` and `--gather` print on standard output.
 namespace gxrod {
 
 // Which tasks Slurm has, and how many cases are not done but taken.
@@ -11,13 +11,13 @@ void print_holders(const CaseHolders& holders, long taken);
 // The script and the command that would submit it.
 void print_script(const Submission& submission);
 
-// `gather_command` is what to do then.
+// `gather_command` completes the table afterwards.
 void print_job(const SlurmJob& job,
                const Submission& submission,
                std::size_t cases,
                const std::string& gather_command);
 
-// The table as it stands; what failed, on standard error.
+// The table so far; failures on standard error.
 void print_table(const std::filesystem::path& folder, const std::vector<CaseRow>& rows, long cases);
 
 }  // namespace gxrod

@@ -14,10 +14,10 @@ std::string count_cases(std::size_t count);
 // Cases that are not done, to standard error.
 void print_failures(const std::vector<CaseGroup>& failures);
 
-// What a batch says while it runs: progress and failures on standard error, the rest on standard output.
-class BatchTelling {
+// What a batch prints: progress and failures on standard error, the rest on standard output.
+class BatchOutput {
   public:
-    BatchTelling(bool is_quiet, bool tells) : is_quiet_(is_quiet), tells_(tells) {}
+    BatchOutput(bool is_quiet, bool prints) : is_quiet_(is_quiet), prints_(prints) {}
 
     void show_examined(long examined, long cases);
     void show_progress(const BatchProgress& progress, bool is_ending);
@@ -25,19 +25,19 @@ class BatchTelling {
     void show_failure(const CaseRow& row, const CaseList& cases);
     void finish_line() { line_.finish(); }
 
-    // How large the results will be that are kept.
+    // How large the kept results will be.
     void show_size(const PreparedBatch& batch, const BatchRequest& request) const;
     // The cases that would be run.
     void show_plan(const PreparedBatch& batch, const BatchRequest& request) const;
     void show_summary(const BatchSummary& summary, const BatchRequest& request) const;
 
   private:
-    bool was_told(long number) const;
+    bool was_shown(long number) const;
 
     bool is_quiet_;
-    bool tells_;
-    bool has_told_of_ending_ = false;
-    std::vector<CaseRow> told_;  // failures, the first of each kind
+    bool prints_;
+    bool has_shown_ending_ = false;
+    std::vector<CaseRow> shown_;  // failures, the first of each kind
     ProgressLine line_;
 };
 

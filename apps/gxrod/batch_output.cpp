@@ -1,4 +1,4 @@
-#include "batch_tell.hpp"
+#include "batch_output.hpp"
 
 #include <fmt/format.h>
 
@@ -60,30 +60,30 @@ void print_failures(const std::vector<CaseGroup>& failures) {
     print_groups(stderr, failures, true);
 }
 
-void BatchTelling::show_examined(long examined, long cases) {
+void BatchOutput::show_examined(long examined, long cases) {
     if (is_quiet_) return;
     line_.show([&] { return fmt::format("examining the cases: {}/{}", examined, cases); });
 }
 
-void BatchTelling::show_progress(const BatchProgress& progress, bool is_ending) {
+void BatchOutput::show_progress(const BatchProgress& progress, bool is_ending) {
     if (is_quiet_) return;
-    if (is_ending && !has_told_of_ending_) {
+    if (is_ending && !has_shown_ending_) {
         line_.finish();
         say(stderr,
-            "gxrod: ends after the {} at hand; Ctrl-C again leaves them\n",
+            "gxrod: ends after the running {}; Ctrl-C again leaves them\n",
             count_cases(static_cast<std::size_t>(progress.running)));
-        has_told_of_ending_ = true;
+        has_shown_ending_ = true;
     }
     if (progress.cases > 0) line_.show([&] { return describe(progress); });
 }
 
-void BatchTelling::show_failure(const CaseRow& row, const CaseList& cases) {
+void BatchOutput::show_failure(const CaseRow& row, const CaseList& cases) {
     if (is_quiet_) return;
-    // Those that will be in one group are told once.
-    if (told_.size() == most_groups) return;
-    told_.push_back(row);
-    if (group_failures(told_).size() < told_.size()) {
-        told_.pop_back();
+    // Once for failures that will be in one group.
+    if (shown_.size() == most_groups) return;
+    shown_.push_back(row);
+    if (group_failures(shown_).size() < shown_.size()) {
+        shown_.pop_back();
         return;
     }
     line_.finish();
@@ -95,8 +95,9 @@ void BatchTelling::show_failure(const CaseRow& row, const CaseList& cases) {
         row.reason);
 }
 
-bool BatchTelling::was_told(long number) const {
-    return std::any_of(told_.begin(), told_.end(), [&](const CaseRow& row) { return row.number == number; });
+bool BatchOutput::was_shown(long number) const {
+    return std::any_of(
+        shown_.begin(), shown_.end(), [&](const CaseRow& row) { return row.number == number; });
 }
 
 namespace {
@@ -112,7 +113,7 @@ std::string describe_room(const std::filesystem::path& folder, double bytes) {
         static_cast<double>(room.available) / 1e9);
 }
 
-// "" where no results are kept of cases that are done.
+// "" if results of cases that are done are not kept.
 std::string describe_kept(const PreparedBatch& batch, const BatchRequest& request) {
     constexpr double gigabyte = 1e9;
     if (batch.plan().keeping != Keeping::all) return "";
@@ -135,7 +136,7 @@ std::string describe_kept(const PreparedBatch& batch, const BatchRequest& reques
 
 }  // namespace
 
-void BatchTelling::show_plan(const PreparedBatch& batch, const BatchRequest& request) const {
+void BatchOutput::show_plan(const PreparedBatch& batch, const BatchRequest& request) const {
     constexpr long most_lines = 20;
     const CaseRange range = request.only.value_or(batch.all());
     std::map<long, CaseRow> rows;
@@ -153,7 +154,7 @@ void BatchTelling::show_plan(const PreparedBatch& batch, const BatchRequest& req
         say(stdout, "{}: {}{}\n", number, batch.cases().describe(number), state);
     }
     say(stdout,
-        "{} read and found right, {} to run into {} on {} at a time\n",
+        "{} read and checked, {} to run into {}, {} at a time\n",
         count_cases(static_cast<std::size_t>(range.count())),
         wanted.size(),
         request.folder.string(),
@@ -161,20 +162,20 @@ void BatchTelling::show_plan(const PreparedBatch& batch, const BatchRequest& req
     say(stdout, "{}", describe_kept(batch, request));
 }
 
-void BatchTelling::show_size(const PreparedBatch& batch, const BatchRequest& request) const {
-    if (!is_quiet_ && tells_) say(stdout, "{}", describe_kept(batch, request));
+void BatchOutput::show_size(const PreparedBatch& batch, const BatchRequest& request) const {
+    if (!is_quiet_ && prints_) say(stdout, "{}", describe_kept(batch, request));
 }
 
-void BatchTelling::show_summary(const BatchSummary& summary, const BatchRequest& request) const {
+void BatchOutput::show_summary(const BatchSummary& summary, const BatchRequest& request) const {
     const long cases = summary.range.count();
     const long done = summary.count(CaseStatus::done);
     const std::vector<CaseGroup> failures = group_failures(summary.rows);
-    // What is to be said of a single case was said when it happened.
-    std::vector<CaseGroup> untold = failures;
-    std::erase_if(untold, [&](const CaseGroup& group) {
-        return group.numbers.size() == 1 && was_told(group.numbers[0]);
+    // Reasons of single cases were printed when they failed.
+    std::vector<CaseGroup> unshown = failures;
+    std::erase_if(unshown, [&](const CaseGroup& group) {
+        return group.numbers.size() == 1 && was_shown(group.numbers[0]);
     });
-    print_failures(untold);
+    print_failures(unshown);
     const std::vector<CaseGroup> warnings = group_warnings(summary.rows);
     if (!warnings.empty()) {
         say(stderr, "Warnings:\n");
@@ -185,7 +186,7 @@ void BatchTelling::show_summary(const BatchSummary& summary, const BatchRequest&
             "gxrod: interrupted; {} left to run. The same command resumes the batch.\n",
             count_cases(static_cast<std::size_t>(summary.left)));
     }
-    if (!tells_) return;
+    if (!prints_) return;
     say(stdout,
         "{} of {} done{}; {} run now in {}\nTable: {}\n",
         done,
@@ -199,7 +200,7 @@ void BatchTelling::show_summary(const BatchSummary& summary, const BatchRequest&
         return group.status != CaseStatus::failed && group.status != CaseStatus::deck_fault;
     });
     if (is_worth_a_try && !summary.is_interrupted)
-        say(stdout, "--retry-failed runs again what is not done.\n");
+        say(stdout, "--retry-failed runs the cases that are not done again.\n");
 }
 
 void write_batch_summary(const std::string& target,

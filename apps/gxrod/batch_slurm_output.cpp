@@ -1,11 +1,11 @@
-#include "batch_slurm_tell.hpp"
+#include "batch_slurm_output.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
-#include "batch_tell.hpp"
+#include "batch_output.hpp"
 #include "say.hpp"
 
 namespace gxrod {
