@@ -112,7 +112,7 @@ def read_results(path, draw):
     if path.is_dir():
         raise FileFault(f"{path}: is a folder, not a results file")
     if not path.is_file():
-        raise FileFault(f"{path}: is not a regular file, nor a results file")
+        raise FileFault(f"{path}: is not a regular file")
     attempts = 4
     for attempt in range(1, attempts + 1):
         try:

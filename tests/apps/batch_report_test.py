@@ -194,7 +194,7 @@ class Heading(BatchPageTest):
         self.open("grid")
         self.assertEqual(self.text("#plan pre code"), 'deck = "rod.toml"\ncombine = "grid"\n')
         self.assertEqual(self.text("#deck pre code"), "title = 'A rod'\n")
-        self.assertIn("Every case that has ended is here", self.text("#about"))
+        self.assertIn("Nothing is left out", self.text("#about"))
 
 
 class Table(BatchPageTest):

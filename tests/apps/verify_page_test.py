@@ -35,7 +35,7 @@ class VerifyPage(ProgramTest):
         self.assertEqual(self.texts("#errors tbody th"), ["tip position", "tip moment", "root reaction force"])
         self.assertIn("the same to the last bit", self.texts("#properties td.words"))
         self.assertEqual(len(self.texts("#runs tbody tr")), 11)
-        self.assertIn("tip position: estimated error, by its change", self.texts("#charts h3"))
+        self.assertIn("tip position: estimated error, relative to its change", self.texts("#charts h3"))
         self.browser.wait(lambda: self.browser.run("return document.querySelectorAll('#charts canvas').length") > 1)
         for size in (PHONE, LAPTOP):
             self.browser.resize(size, size == PHONE)

@@ -8,7 +8,7 @@ import { readTheme } from "./theme.js";
 import { unitOf } from "./units.js";
 
 const height = 190;
-const roundOff = 1e-6; // beside the magnitude: numbers in a page have seven digits
+const roundOff = 1e-6; // relative to the magnitude: numbers in a page have seven digits
 
 // Where a quantity is known along a rod: { s, row } by arc length, of nodes or of the middles of elements.
 function listPlaces(data, rod, of) {
@@ -37,7 +37,7 @@ export class Along {
     this.unit = make("small", {});
     this.now = make("span", { className: "value" });
     this.body = make("div", { className: "chart-body" });
-    this.body.plotted = () => this.plot.data; // for whoever looks at it from outside: arc length, range, present
+    this.body.plotted = () => this.plot.data; // for tests: arc length, range, present
     this.element = make("section", { className: "chart along" }, make("h2", {}, "Along a rod"), this.makeChoices(), this.makeKeys(), this.body);
     if (data.quantities.moment) this.quantity.value = "moment";
     this.rod.hidden = this.rods.length < 2;
@@ -46,7 +46,7 @@ export class Along {
     this.component.addEventListener("change", () => this.choose());
     clock.listen(() => this.follow());
     new ResizeObserver(() => this.resize()).observe(this.body);
-    // Out of sight it need not follow.
+    // Not updated while out of sight.
     new IntersectionObserver(([entry]) => {
       this.isSeen = entry.isIntersecting;
       this.follow();

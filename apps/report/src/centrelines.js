@@ -11,7 +11,7 @@ function makeLines(points, opacity) {
   return lines;
 }
 
-// Segments along all cells between nodes at these positions; curves in a few pieces.
+// Segments along all cells between nodes at these positions; a few per curve.
 function addSegments({ connectivity, offsets }, positions, points) {
   const weights = new Map();
   for (let cell = 0; cell + 1 < offsets.length; cell++) {

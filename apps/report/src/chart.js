@@ -55,7 +55,7 @@ export class Chart {
     return key;
   }
 
-  // Whether a column beside others is zero throughout.
+  // Whether a column is zero throughout while others are not.
   isNothing(i) {
     const { columns, group } = this.chart;
     return columns.length > 1 && group !== "history" && columns[i].every((value) => value === 0);
@@ -151,8 +151,8 @@ function axesInWords(frame) {
   return frame === "spatial" || frame === "material" ? `${frame} axes` : frame;
 }
 
-// What is less beside a vector's magnitude, or an energy's imbalance beside the energies, is round-off: numbers in a page have
-// seven digits, and equilibria are found to some eight.
+// Relative to a vector's magnitude, or to the energies: less is round-off. Numbers in a page have seven digits, and equilibria
+// are found to some eight.
 const roundOff = 1e-6;
 const imbalanceRoundOff = 1e-8;
 
@@ -199,11 +199,11 @@ export function showCharts(data, clock, { timeName, units, along }) {
   const panel = find("charts");
   if (along) panel.append(along.element);
   if (data.stepTimes.length === 0) {
-    panel.append(make("p", { className: "note" }, "The run has no step, so there is nothing to draw over time."));
+    panel.append(make("p", { className: "note" }, "The run has no steps, so there is nothing to draw over time."));
     return charts;
   }
   if (unstable.length > 0) {
-    panel.append(make("p", { className: "note" }, "Where charts are shaded, the structure would not stay at these equilibria."));
+    panel.append(make("p", { className: "note" }, "Shaded: equilibria that are unstable."));
   }
   const byElement = new Map(charts.map((chart) => [chart.element, chart]));
   const observer = new IntersectionObserver((entries) => {

@@ -25,11 +25,11 @@ export class Clock {
     this.listeners.push(listener);
   }
 
-  tell() {
+  notify() {
     for (const listener of this.listeners) listener(this);
   }
 
-  // Where a page opens; it plays from the start all the same.
+  // Where a page opens; it still plays from the start.
   openAt(frame) {
     this.goToFrame(frame);
     this.isOpening = true;
@@ -38,7 +38,7 @@ export class Clock {
   goToFrame(frame) {
     this.isOpening = false;
     this.position = Math.max(0, Math.min(this.last, Math.round(frame)));
-    this.tell();
+    this.notify();
   }
 
   // To the nearest frame.
@@ -76,11 +76,11 @@ export class Clock {
       before = now;
       this.position = this.positionAt(time);
       if (this.position >= this.last) this.playing = false;
-      this.tell();
+      this.notify();
       if (this.playing) requestAnimationFrame(advance);
     };
     requestAnimationFrame(advance);
-    this.tell();
+    this.notify();
   }
 
   pause() {

@@ -10,7 +10,7 @@ function decode(name, Type) {
   return new Type(bytes.buffer);
 }
 
-// With null, which charts draw as a gap, where there is no number: a resumed run may not have recorded all of a history.
+// NaN becomes null, which charts draw as a gap: a resumed run may not have recorded all of a history.
 function withGaps(column) {
   return column.every(Number.isFinite) ? column : Array.from(column, (value) => (Number.isFinite(value) ? value : null));
 }

@@ -50,7 +50,7 @@ function bindThickness(data, picture) {
   const slider = find("thickness");
   const { rods } = picture.parts;
   slider.closest("label").hidden = rods.cells === 0;
-  const tell = () => {
+  const notify = () => {
     const factor = rods.thickness * rods.drawnRadii.factor;
     find("thickness-text").textContent = factor > 0 ? `${formatNumber(factor, 2)}× true` : "not to scale";
   };
@@ -58,7 +58,7 @@ function bindThickness(data, picture) {
     rods.thickness = 2 ** Number(slider.value);
     rods.move();
     picture.stage.draw();
-    tell();
+    notify();
   });
-  tell();
+  notify();
 }

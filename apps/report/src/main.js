@@ -28,7 +28,7 @@ function makePicture() {
     return picture;
   } catch (error) {
     find("no-picture").hidden = false;
-    find("no-picture").textContent = `This browser shows no 3D picture here (${error.message}). The charts work all the same.`;
+    find("no-picture").textContent = `This browser cannot draw in 3D here (${error.message}). The charts still work.`;
     return null;
   }
 }

@@ -81,7 +81,7 @@ export function rangeOf(quantity, component) {
   return least <= largest ? [least, largest] : [0, 0];
 }
 
-// The frame in which a node is farthest from where it was at t = 0; if none moves to speak of, the last.
+// The frame in which a node is farthest from its place at t = 0; the last one if nothing moves noticeably.
 export function findMostMoved(data) {
   const { values } = data.quantities.displacement;
   const frames = data.times.length;

@@ -78,7 +78,7 @@ export class Picture {
     ];
   }
 
-  // Along the shortest side of what is flat, else from above and beside.
+  // Along the shortest side of what is flat, else obliquely from above.
   resetView() {
     const [least, largest] = this.motion.bounds();
     const sides = least.map((x, i) => largest[i] - x);
@@ -105,7 +105,7 @@ export class Picture {
   }
 }
 
-// What is less beside the magnitude is round-off of single precision, and gets one colour.
+// Relative to the magnitude: less is round-off of single precision, and gets one colour.
 const roundOff = 1e-6;
 
 function widenRoundOff(quantity, component) {

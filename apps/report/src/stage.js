@@ -79,7 +79,7 @@ export class Stage {
     this.draw();
   }
 
-  // From which all corners of the box are within the picture, with a margin.
+  // The distance from which all corners of the box are within the picture, with a margin.
   distanceFor(back) {
     const tangent = Math.tan((fieldOfView * Math.PI) / 360) * 0.84;
     const right = new Vector3().setFromMatrixColumn(this.camera.matrix, 0);

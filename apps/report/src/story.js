@@ -59,16 +59,16 @@ export function showAbout(data, picture) {
   const { info } = data;
   const budget = `${formatNumber(info.budget_megabytes)} MB`;
   const kept = info.left_out.length === 0
-    ? [make("p", {}, "Nothing is left out: every frame and every step of the results is here.")]
-    : [make("p", {}, `To stay within ${budget}, or to turn smoothly, this was left out:`),
+    ? [make("p", {}, "Nothing is left out: the page has every frame and every step of the results.")]
+    : [make("p", {}, `To stay within ${budget}, or to move smoothly, the page leaves out:`),
        make("ul", { id: "left-out" }, ...info.left_out.map((sentence) => make("li", {}, sentence)))];
-  const rounding = "Numbers are rounded to single precision, some seven digits; times are exact. Between two frames, while it plays, the picture is interpolated; standing still, it shows a frame as it was computed.";
+  const rounding = "Numbers are rounded to single precision, some seven digits; times are exact. While the motion plays, the picture is interpolated between frames; when it is paused, it shows a computed frame.";
   const drawing = [
-    "Rods are ellipses with semi-axes 2√(EIz/EA) along section y and 2√(EIy/EA) along z, within limits so that thin rods are seen and thick ones stay slender. The dark stripe is on the side of section y.",
-    "Bodies are cuboids of the same mass and inertia; the line behind one is the path of its centre of mass or, if that rests, of its z axis. Axes x, y, z are red, green, blue.",
-    "Supports: a block holds a node altogether, a ball lets it turn, a cylinder is a hinge about its axis; else each cone holds a displacement and each ring a rotation. Violet ones move as prescribed.",
+    "Rods are ellipses with semi-axes 2√(EIz/EA) along section y and 2√(EIy/EA) along z, within limits: thin rods stay visible and thick ones slender. The dark stripe marks the side of section y.",
+    "Bodies are cuboids of the same mass and inertia; the line they leave is the path of the centre of mass or, if that does not move, of the z axis. Axes x, y, z are red, green, blue.",
+    "Supports: a block clamps a node, a ball lets it rotate, a cylinder is a hinge about its axis; otherwise each cone holds a displacement and each ring a rotation. Violet supports move as prescribed.",
     "Thin lines are the shape at t = 0 and, fainter, shapes at other times.",
-    "Orange arrows are forces, magenta ones with two heads moments, as long as their present value beside the largest.",
+    "Orange arrows are forces; magenta arrows with two heads are moments. Their length is the current value relative to the largest.",
     ...(picture ? [`A square of the grid is ${formatNumber(picture.gridStep)} wide.`] : []),
   ];
   find("about").append(
@@ -78,12 +78,12 @@ export function showAbout(data, picture) {
     make("h2", {}, "How it is drawn"),
     make("ul", {}, ...drawing.map((sentence) => make("li", {}, sentence))),
     make("h2", {}, "Keys"),
-    make("p", {}, "Space plays and pauses; left and right go by a frame, Home and End to the first and the last. Press or drag in a chart to go to its time."),
+    make("p", {}, "Space plays and pauses; the left and right keys move by one frame, Home and End to the first and the last. Click or drag in a chart to go to that time."),
     make("details", {}, make("summary", {}, "Libraries and their licences"), make("pre", {}, find("licences").textContent)),
   );
 }
 
-// A failed run's reason beside the picture.
+// A failed run's reason, over the picture.
 export function showFailure(info) {
   if (info.fail_nodes.length === 0) return;
   find("failure").hidden = false;

@@ -62,8 +62,8 @@ function wholeSymbol({ fixed, moved }, size) {
   return hinge;
 }
 
-// Forces as arrows, moments as arrows with two heads, each as long as its present value beside the largest of its kind
-// over all frames; those per length half as long.
+// Forces as arrows, moments as arrows with two heads, each as long as its present value relative to the
+// largest of its kind over all frames; those per length half as long.
 export class Loads {
   constructor(data, motion, size) {
     this.data = data;

@@ -1,5 +1,5 @@
 // TOML by its parts, for colouring: a list of lines, each of them [{ kind, text }], with kind "heading", "key", "text", "number",
-// "word", "comment" or none. What is no TOML stays plain.
+// "word", "comment" or none. What is not TOML stays plain.
 
 const quotes = ['"""', "'''", '"', "'"];
 const isSpace = (letter) => letter === " " || letter === "\t" || letter === "\r";
@@ -82,7 +82,7 @@ class Lexer {
     this.add(isKey ? "key" : isNumber(word) ? "number" : word === "true" || word === "false" ? "word" : "", word.length);
   }
 
-  // Behind the letter at a place, or behind the text that begins there.
+  // Past the letter at a place, or past the text that begins there.
   afterOne(at) {
     const quote = quotes.find((candidate) => this.text.startsWith(candidate, at));
     if (!quote) return at + 1;

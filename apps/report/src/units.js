@@ -10,7 +10,7 @@ const names = {
 const forceNames = { "kg m s": "N", "t m s": "kN", "t mm s": "N", "g mm ms": "N", "kg mm ms": "kN", "g cm s": "dyn", "slug ft s": "lbf" };
 const superscripts = { 2: "²", 3: "³", 4: "⁴" };
 
-// For length, time, mass, force and angle, as far as the label tells: a product [[unit, power], …]. null where the label says
+// For length, time, mass, force and angle, as far as the label names them: a product [[unit, power], …]. null if the label says
 // anything else, or a unit twice.
 export function readUnits(label) {
   const words = {};

@@ -13,15 +13,15 @@ export class Attention {
   point(row) {
     if (row === this.pointed) return;
     this.pointed = row;
-    this.tell("pointed");
+    this.notify("pointed");
   }
 
   choose(row) {
     this.chosen = row === this.chosen ? -1 : row;
-    this.tell("chosen");
+    this.notify("chosen");
   }
 
-  tell(what) {
+  notify(what) {
     for (const listener of this.listeners) listener(what);
   }
 }

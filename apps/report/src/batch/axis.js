@@ -43,7 +43,7 @@ export class Axis {
     return value === 0 ? NaN : Math.abs(value);
   }
 
-  // As many as tell one tick from the next.
+  // As many digits as distinguish neighbouring ticks.
   get digits() {
     const [least, largest] = this.range;
     const size = Math.max(Math.abs(least), Math.abs(largest));
@@ -56,7 +56,7 @@ export class Axis {
     return this.takesSize ? `|${name}|, logarithmic` : `${name}, logarithmic`;
   }
 
-  // Whether the names of places lie on the slant, as they would touch one another in a row.
+  // Whether the names of places are slanted, since they would touch one another in a row.
   isSlanted(pixels) {
     return Boolean(this.places) && widthOfNames(this.names) > pixels;
   }
@@ -86,7 +86,7 @@ export class Axis {
 // Of all names in a row, in pixels.
 const widthOfNames = (names) => names.length * (14 + 6.4 * Math.max(...names.map((name) => name.length), 1));
 
-// All places, or every so many of them where not even their lines, which may lie on the slant, have room.
+// All places, or every n-th if even slanted labels do not fit.
 function thinPlaces(count, pixels) {
   const stride = Math.max(1, Math.ceil((count * 18) / pixels));
   return Array.from({ length: count }, (_, i) => i).filter((i) => i % stride === 0);

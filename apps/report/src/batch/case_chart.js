@@ -9,7 +9,7 @@ import { count, PointFigure } from "./point_figure.js";
 import { summarise } from "./statistics.js";
 import { readTheme } from "../theme.js";
 
-// The chart of the cases that are shown, its keys and what is to be known of it.
+// The chart of the cases that are shown, with its keys and notes.
 export class CaseChart {
   constructor(cases, attention) {
     this.cases = cases;

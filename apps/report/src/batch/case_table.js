@@ -4,7 +4,7 @@ import { saveRows } from "./save_rows.js";
 
 const rowHeight = 27;
 const spare = 12; // rows drawn beyond those in sight, above and below
-const mostMeasured = 5000; // rows that widths of columns are found from
+const mostMeasured = 5000; // rows from which widths of columns are found
 const { compare: inOrder } = new Intl.Collator("en", { numeric: true });
 
 // The table of the cases. Only the rows in sight are in the document, between two empty ones as high as the rest.
@@ -86,7 +86,7 @@ export class CaseTable {
     this.draw(true);
   }
 
-  // What is missing comes last either way; what is equal stays in the order of the cases.
+  // Missing values come last either way; equal ones stay in the order of the cases.
   sort() {
     const { field, falls } = this.sorted;
     if (!field) return;
@@ -187,7 +187,7 @@ function listFields(cases) {
   status.width += 14;
   const fields = [number, status, ...cases.parameters.map(ofColumn), ...cases.collected.map(ofColumn)];
   if (cases.reasons.some(Boolean)) fields.push(ofTexts("reason", "why the case failed", cases.reasons));
-  if (cases.warnings.some(Boolean)) fields.push(ofTexts("warning", "what to mind about a case", cases.warnings));
+  if (cases.warnings.some(Boolean)) fields.push(ofTexts("warning", "warning about the case", cases.warnings));
   fields.push(...cases.run.map(ofColumn));
   return fields;
 }

@@ -89,7 +89,7 @@ export class ChartChoices {
     if (!axes.includes(this.by) || this.by === this.across) by.value = axes.find((column) => column !== this.across).key;
   }
 
-  // What goes with the choice of now: names, what may be chosen, menus of the other parameters.
+  // Updates names, enabled choices and menus of the other parameters.
   update() {
     const { kind } = this;
     const isHeat = kind === "heat";

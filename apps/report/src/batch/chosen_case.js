@@ -8,7 +8,7 @@ export function bindChosenCase(cases, attention) {
     panel.hidden = row < 0;
     if (row < 0) return;
     const page = cases.page(row);
-    const close = make("button", { type: "button", className: "close", "aria-label": "Let the case go" }, "×");
+    const close = make("button", { type: "button", className: "close", "aria-label": "Deselect the case" }, "×");
     close.addEventListener("click", () => attention.choose(row));
     panel.replaceChildren(
       make("p", {}, make("strong", {}, `Case ${cases.numbers[row]}`), ` ${cases.varied.map((column) => `${column.name} = ${column.show(row)}`).join(", ")}`),

@@ -2,7 +2,7 @@ import { formatNumber } from "../format.js";
 
 const isNumber = (text) => text.trim() !== "" && Number.isFinite(Number(text));
 
-// One column of the table of cases: numbers (NaN where there is none), or texts such as schemes, which are categories.
+// One column of the table of cases: numbers (NaN if missing), or texts such as schemes, which are categories.
 export class Column {
   constructor({ key, name = key, group, description = "", texts = null, numbers = null }) {
     Object.assign(this, { key, name, group, description });
@@ -13,7 +13,7 @@ export class Column {
     if (!this.isNumeric) this.sortIntoCategories();
   }
 
-  // Texts become the numbers 0, 1, 2 … in the order in which they first stand.
+  // Texts become the numbers 0, 1, 2 … in the order of their first appearance.
   sortIntoCategories() {
     const places = new Map();
     this.numbers = this.texts.map((text) => {
@@ -23,7 +23,7 @@ export class Column {
     this.categories = [...places.keys()];
   }
 
-  // All that there are, rising, without NaN.
+  // All values, rising, without NaN.
   get values() {
     this.found ??= [...new Set(this.numbers)].filter(Number.isFinite).sort((a, b) => a - b);
     return this.found;
@@ -34,7 +34,7 @@ export class Column {
     return this.isNumeric ? formatNumber(value, digits) : (this.categories[value] ?? "");
   }
 
-  // Of a row, as short as may be.
+  // Of a row, as short as possible.
   show(row) {
     return this.isNumeric ? this.say(this.numbers[row]) : this.texts[row];
   }

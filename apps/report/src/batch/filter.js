@@ -8,7 +8,7 @@ const comparisons = {
   "=": (a, b) => a === b,
 };
 
-// "EI>=100" as a test of a row; null if it is no comparison of a column with a number.
+// "EI>=100" as a test of a row; null if it does not compare a column with a number.
 function readComparison(word, cases) {
   const match = /^(.+?)(<=|>=|<|>|=)(.+)$/.exec(word);
   if (!match) return null;

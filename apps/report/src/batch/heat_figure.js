@@ -27,7 +27,7 @@ export class HeatFigure {
     return isKept ? this.value.numbers[row] : NaN;
   }
 
-  // What the colour tells: the value or the power of ten of its size.
+  // What the colour shows: the value or the power of ten of its size.
   level(row) {
     const place = this.scaleAxis.place(this.valueOf(row));
     return this.scaleAxis.isLog ? Math.log10(place) : place;
@@ -91,7 +91,7 @@ export class HeatFigure {
     const empty = this.x.places.length * this.y.places.length - this.cells.size;
     const notes = [];
     if (failed > 0) notes.push(`Red crosses: ${count(failed, "case")} that failed.`);
-    if (empty > 0) notes.push(`${empty === 1 ? "One place is" : `${empty} places are`} empty: no case there is shown or has ended.`);
+    if (empty > 0) notes.push(`${empty === 1 ? "One cell is" : `${empty} cells are`} empty: no case there has ended, or is shown.`);
     if (this.hidden > 0) notes.push(`${count(this.hidden, "case")} hidden behind others with the same values.`);
     return notes;
   }

@@ -96,7 +96,7 @@ export class HistogramFigure {
   notes() {
     const notes = [];
     if (this.levels.length > 1 && !this.x.takesSize) notes.push("Orange: mean and, dashed, a standard deviation to each side.");
-    if (this.levels.length < this.rows.length) notes.push("Values of zero have no place on a logarithmic axis.");
+    if (this.levels.length < this.rows.length) notes.push("Zeros cannot be shown on a logarithmic axis.");
     return notes;
   }
 }

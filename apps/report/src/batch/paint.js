@@ -1,6 +1,6 @@
 import { ColourScale } from "../colours.js";
 
-const most = 8; // values that get a name each beside the chart
+const most = 8; // values that get a name each next to the chart
 
 // Colours of the values of one column: a few get a key each, many numbers a scale; null is no column.
 export class Paint {

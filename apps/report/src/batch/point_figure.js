@@ -20,7 +20,7 @@ export class PointFigure {
     this.slopes = this.x.isLog && this.y.isLog ? this.findSlopes() : new Map();
   }
 
-  // What a case that failed reached is its own affair only in columns of the run itself.
+  // A failed case has values only in columns of the run itself.
   hasValue(row) {
     const isFinite = Number.isFinite(this.value.numbers[row]);
     return isFinite && (this.value.group !== "collected" || this.cases.isDone(row));
@@ -166,7 +166,7 @@ export class PointFigure {
     const failed = lost.filter((point) => !point.isDone).length;
     if (failed > 0) notes.push(`Red crosses at the lower edge: ${count(failed, "case")} that failed.`);
     if (lost.length > failed) notes.push(`Grey crosses at the lower edge: ${count(lost.length - failed, "case")} without a value.`);
-    if (this.zeros > 0) notes.push(`${count(this.zeros, "case")} at zero, which has no place on a logarithmic axis.`);
+    if (this.zeros > 0) notes.push(`${count(this.zeros, "case")} at zero, which a logarithmic axis cannot show.`);
     if (this.hasNoPlace > 0) notes.push(`${count(this.hasNoPlace, "case")} without a value of ${this.across.name}, not shown.`);
     return notes;
   }

@@ -42,7 +42,7 @@ export function showHeader(cases) {
 export function showPlan(info) {
   const panel = find("plan");
   if (!info.plan_text) {
-    panel.append(make("p", { className: "note" }, "There is no plan: decks were run as they are."));
+    panel.append(make("p", { className: "note" }, "There is no plan: the decks were run as they are."));
     return;
   }
   panel.append(make("p", { className: "note" }, `${info.plan}, as run.`), makeDeck(info.plan_text));
@@ -52,7 +52,7 @@ export function showPlan(info) {
 export function showDecks({ decks }) {
   const panel = find("deck");
   if (decks.length === 0) {
-    panel.append(make("p", { className: "note" }, "No text of a deck is in the page; About says why."));
+    panel.append(make("p", { className: "note" }, "The page holds no text of a deck; About says why."));
     return;
   }
   const place = make("div");
@@ -70,8 +70,8 @@ export function showDecks({ decks }) {
 export function showAbout(cases) {
   const { info } = cases;
   const kept = info.left_out.length === 0
-    ? [make("p", {}, "Every case that has ended is here, with all its numbers.")]
-    : [make("p", {}, `To stay within ${formatNumber(info.budget_megabytes)} MB this was left out:`),
+    ? [make("p", {}, "Nothing is left out: the page has every case that has ended, with all its numbers.")]
+    : [make("p", {}, `To stay within ${formatNumber(info.budget_megabytes)} MB, the page leaves out:`),
        make("ul", { id: "left-out" }, ...info.left_out.map((sentence) => make("li", {}, sentence)))];
   const lines = (sentences) => make("ul", {}, ...sentences.map((sentence) => make("li", {}, sentence)));
   const pages = info.pages.cases.length;
@@ -79,20 +79,20 @@ export function showAbout(cases) {
     make("h2", {}, "What is in this page"),
     ...kept,
     make("p", {}, pages === 0
-      ? "No case has a report of its own beside this page."
-      : `${formatCount(pages)} case${pages === 1 ? " has its" : "s have their"} own report; the number of the case leads to it. Those pages lie in ${decodeURIComponent(info.pages.folder)}, seen from this one.`),
+      ? "No case has a report of its own."
+      : `${formatCount(pages)} case${pages === 1 ? " has its" : "s have their"} own report, linked from the number of the case. These pages are in ${decodeURIComponent(info.pages.folder)}, relative to this one.`),
     make("h2", {}, "The chart"),
     lines([
-      "It shows the cases that the table shows: what is filtered out is in neither.",
-      "Lines join cases in which all other parameters are the same, in the order of the axis; a case that failed leaves a gap.",
-      "A cross is a case that failed, or has no value of this column. Failed cases keep what they had collected in the table, but not in the chart, in statistics and in histograms.",
-      "Logarithmic axes show sizes, |value|, where there are negative numbers, and say so. With both axes logarithmic, each line's slope by least squares stands beside it: the order of convergence.",
-      "In a heat map each value of a parameter takes the same room, whatever lies between them.",
-      "Click a point or a row to choose a case, click again to let it go.",
+      "It shows the cases that the table shows: a filter applies to both.",
+      "Lines join cases whose other parameters are all equal, in the order of the axis; a failed case leaves a gap.",
+      "A cross is a case that failed, or has no value in this column. What failed cases had collected is in the table, but not in the chart, the statistics and the histograms.",
+      "If there are negative numbers, logarithmic axes show |value|, and say so. With both axes logarithmic, each line is labelled with its slope by least squares: the order of convergence.",
+      "In a heat map all values of a parameter are equally spaced.",
+      "Click a point or a row to choose a case, click again to deselect it.",
     ]),
     make("h2", {}, "The filter"),
     lines([
-      "Words must all be in a case, anywhere: in a value, its status, its reason, its warning.",
+      "A case must contain all words: in a value, its status, its reason or its warning.",
       "EI>=100, steps<50, scheme=sdirk-4 compare a column with a value.",
     ]),
     make("details", {}, make("summary", {}, "Libraries and their licences"), make("pre", {}, find("licences").textContent)),

@@ -6,7 +6,7 @@ import { nameOf } from "./story.js";
 
 const height = 150;
 
-// A chart over the run: lines = [{ label, values }], null where there is none.
+// A chart over the run: lines = [{ label, values }], null where there is no value.
 class StudyChart {
   constructor({ title, lines, isLog = false, times }) {
     this.lines = lines;
@@ -74,7 +74,7 @@ function componentsOf(series) {
   return names.map((label, i) => ({ label, values: series.values.map((row) => row[i]) }));
 }
 
-// On a scale of powers of ten, where nothing has no place.
+// For a logarithmic scale, without zeros.
 function errorsOf(series, tolerance, count) {
   const line = (label, part) => {
     const values = Array.from({ length: count }, (_, i) => (part.errors[i] > 0 ? part.errors[i] / series.scale : null));
@@ -83,7 +83,7 @@ function errorsOf(series, tolerance, count) {
   const lines = [];
   if (series.steps) lines.push(line("of the step", series.steps));
   if (series.mesh) lines.push(line("of the mesh", series.mesh));
-  // Of a series without a scale there is nothing to draw them by.
+  // Errors of a series without a scale are not drawn.
   const isSeen = series.scale > 0 && lines.some(({ values }) => values.some((value) => value !== null));
   return isSeen ? [...lines, { label: "tolerance", values: Array(count).fill(tolerance) }] : [];
 }
@@ -96,7 +96,7 @@ export function showSeries(study) {
     const times = study.times.slice(0, series.values.length);
     charts.push(new StudyChart({ title: `${nameOf(series)} over ${clock}`, lines: componentsOf(series), times }));
     const errors = errorsOf(series, study.tolerance, times.length);
-    if (errors.length > 0) charts.push(new StudyChart({ title: `${nameOf(series)}: estimated error, by its change`, lines: errors, times, isLog: true }));
+    if (errors.length > 0) charts.push(new StudyChart({ title: `${nameOf(series)}: estimated error, relative to its change`, lines: errors, times, isLog: true }));
   }
   const byElement = new Map(charts.map((chart) => [chart.element, chart]));
   const observer = new IntersectionObserver(

@@ -19,7 +19,7 @@ export function showHeader(study) {
   const state = base?.failure || study.sound === false ? "failed" : study.interrupted ? "interrupted" : study.accurate ? "complete" : "running";
   const goal = formatShare(study.tolerance);
   const words = {
-    failed: base && base.failure ? "does not reach its end" : "something does not hold",
+    failed: base && base.failure ? "does not reach its end" : "a property is violated",
     interrupted: "interrupted",
     complete: `right to ${goal}`,
     running: study.series.some((series) => series.error === null) ? "errors are not known" : `not all is right to ${goal}`,
@@ -72,8 +72,8 @@ export function showErrors(study) {
     make(
       "p",
       { className: "note" },
-      `Largest errors of the run by the largest change (of rotations 1 rad at most; without a change by what is large in the model), estimated from the finer runs. ` +
-        `A question mark stands where they do not fall as errors do. Right: below ${goal}.`,
+      `Largest errors of the run relative to the largest change (at most 1 rad for rotations; without a change, to what is large in the model), estimated from the finer runs. ` +
+        `A question mark means that differences do not fall as errors do. Right: below ${goal}.`,
     ),
   );
 }
@@ -89,7 +89,7 @@ function describeBalance(study, of, by) {
 
 function describeDifference(study, run, quantity) {
   if (run.failure) return run.failure;
-  if (run.untried) return `not told: ${run.untried}`;
+  if (run.untried) return `not known: ${run.untried}`;
   const largest = Math.max(0, ...study.series.map((series) => quotient(series[quantity], series.scale)));
   return `differs by ${formatShare(largest)} at most`;
 }
@@ -131,7 +131,7 @@ export function showRuns(study) {
 export function showAbout() {
   const licences = make("pre", {}, find("licences").textContent);
   find("about").append(
-    make("p", { className: "note" }, "Written by gxrod verify. The page loads nothing from elsewhere; in it is:"),
+    make("p", { className: "note" }, "Written by gxrod verify. The page loads nothing from elsewhere. It contains:"),
     make("details", {}, make("summary", {}, "licences of libraries"), licences),
   );
 }
