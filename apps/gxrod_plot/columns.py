@@ -41,7 +41,7 @@ def ledger_columns(results, quantity, component):
 
 
 def components(start, series, component):
-    """Of a vector its components, or the one named; "magnitude" is its length."""
+    """The components of a vector, or the one named; "magnitude" is its length."""
     name = start + series.name.replace("_", " ")
     values = series.values.reshape(len(series.values), -1)
     if values.shape[1] == 1:

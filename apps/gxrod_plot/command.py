@@ -40,12 +40,12 @@ def main(arguments):
 
 
 def draw(request):
-    """Draws the results that are asked for; gives the picture's path."""
+    """Draws the requested results; returns the picture's path."""
     output = output_path(request)
     warn_of_doubt(request.results)
     if is_comparison(request):
         if request.what == "shapes" or request.times or request.frames or request.view:
-            raise UsageError("shapes are drawn of one file, without --x and --y")
+            raise UsageError("shapes need one file, without --x and --y")
         names = short_names(request.results)
         runs = [read_results(path, lambda results, name=name: read_run(results, request, name))
                 for path, name in zip(request.results, names)]
@@ -70,7 +70,7 @@ def parse(arguments):
         prog="gxrod-plot", description="Draws the results of gxrod.", epilog=EPILOG, allow_abbrev=False,
         formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("results", nargs="*", metavar="RESULTS.vtkhdf",
-                        help="results file, also of a job that runs or was killed; of several, histories or energies "
+                        help="results file, also of a running or killed job; histories or energies of several files "
                              "are drawn in one figure, a colour for each file")
     parser.add_argument("-o", "--output", metavar="FILE", help="picture, .png, .svg or .pdf (RESULTS.png)")
     parser.add_argument("--what", choices=("shapes", "histories", "ledger", "all"), default="all")
@@ -80,19 +80,19 @@ def parse(arguments):
     which.add_argument("--times", nargs="+", type=float, metavar="T", help="times of the shapes to draw")
     which.add_argument("--frames", type=positive_integer, metavar="N", help="how many shapes to draw (12)")
     parser.add_argument("--view", choices=("xy", "xz", "yz", "3d"),
-                        help="plane or space (space, unless all lies in a plane)")
+                        help="plane or space (by default space, or the plane that holds everything)")
     parser.add_argument("--x", metavar="NAME", help="what to draw over instead of time: time, ledger/ENERGY, or "
                                                     "NAME/QUANTITY/COMPONENT of a history; COMPONENT is w, x, y, z or magnitude")
     parser.add_argument("--y", nargs="+", action="extend", metavar="NAME", default=[],
                         help="what to draw, named as for --x; without a component, all of them")
     parser.add_argument("--size", nargs=2, type=positive_number, metavar=("WIDTH", "HEIGHT"),
-                        help="of the picture, in inches (as large as its contents ask)")
+                        help="size of the picture in inches (by default what its contents need)")
     titles = parser.add_mutually_exclusive_group()
-    titles.add_argument("--title", metavar="TEXT", help="heading (the deck's title; of several files none)")
+    titles.add_argument("--title", metavar="TEXT", help="heading (by default the deck's title; none for several files)")
     titles.add_argument("--no-title", action="store_true", help="no heading")
     parser.add_argument("--figures", metavar="DIR",
                         help="draw the figures of the rubin2007 study from DIR/fig*.csv")
-    parser.add_argument("--format", choices=("png", "svg", "pdf"), default="png", help="of --figures (png)")
+    parser.add_argument("--format", choices=("png", "svg", "pdf"), default="png", help="format of --figures (png)")
     request = parser.parse_args(arguments)
     if bool(request.results) == bool(request.figures):
         parser.error("give a results file, or --figures DIR")

@@ -57,7 +57,7 @@ def names_upwards(results, request):
 
 
 def short_names(paths):
-    """Their stems, or as they were given where two have the same."""
+    """Their stems, or the paths as given if two stems are equal."""
     stems = [Path(path).stem for path in paths]
     return stems if len(set(stems)) == len(stems) else [str(path) for path in paths]
 
@@ -71,7 +71,7 @@ def draw_runs(runs, request):
     panels = {}
     for run in runs:
         for column in run.upwards:
-            # Of one file, curves of one kind share a panel.
+            # Curves of the same kind of one file share a panel.
             key = column.dimension if len(runs) == 1 else column.label
             panels.setdefault(key, []).append((run, column))
     if not panels:

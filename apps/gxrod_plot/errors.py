@@ -1,4 +1,4 @@
-"""Faults that end gxrod-plot with a message and an exit code of gxrod's."""
+"""Faults that end gxrod-plot with a message and one of gxrod's exit codes."""
 
 
 class PlotError(Exception):

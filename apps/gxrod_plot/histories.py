@@ -43,14 +43,14 @@ def draw_series(axes, times, history, series):
 
 
 def describe_frame(series):
-    """What a title says of the axes that the components are in; nothing of the global ones."""
+    """What a title says about the axes of the components; nothing for the global ones."""
     if series.frame == "material":
         return "" if "material" in series.name else ", material"
     return f", {series.frame}" if series.frame.startswith("axes of ") else ""
 
 
 def break_at_jumps(times, values):
-    """Parts the curves of a rotation vector where it jumps from one end of a diameter to the other."""
+    """Splits the curves of a rotation vector where it jumps from one end of a diameter to the other."""
     jumps = np.flatnonzero(np.linalg.norm(np.diff(values, axis=0), axis=1) > np.pi) + 1
     return np.insert(times, jumps, np.nan), np.insert(values, jumps, np.nan, axis=0)
 

@@ -32,7 +32,7 @@ def draw_energies(axes, results, ledger):
         "work": (ledger["external_work"].values, GREEN),
         "dissipated": (ledger["dissipated_energy"].values, PURPLE),
     }
-    if "numerical_dissipation" in ledger:  # which files of older versions have not
+    if "numerical_dissipation" in ledger:  # not in files of older versions
         curves["dissipated by the scheme"] = (ledger["numerical_dissipation"].values, AXIS_COLOURS["x"])
     always = "strain" if results.is_static else "kinetic"
     shown = {name: curve for name, curve in curves.items() if name == always or curve[0].any()}

@@ -16,12 +16,12 @@ SHAPES_HEIGHT = 7.6
 PANEL_HEIGHT = 2.3
 TITLE_HEIGHT, FACTS_HEIGHT, HEADING_MARGIN = 0.27, 0.19, 0.14  # of a line each
 TITLE_LETTER, FACTS_LETTER = 0.125, 0.073  # width, inches
-FLAT = 0.5  # a scene that needs less than this part of the height of an overview has a section of its own
+FLAT = 0.5  # scenes below this part of the height of an overview have a section of their own
 LONGEST_REASON = 90  # characters; the whole one is in the file
 
 
 def draw_page(results, request):
-    """The figure that the command line asks for."""
+    """The figure that the command line requests."""
     file = request.results[0]
     if len(results.times) == 0:
         raise FileFault(f"{file}: holds no complete step yet")
@@ -74,7 +74,7 @@ def draw_sections(results, request, sections, width=WIDTH):
     heading_height = HEADING_MARGIN + sum(line.height for line in heading) if heading else 0.0
     figure = new_figure(*(request.size or (width, heading_height + sum(heights))))
     if request.size:
-        # Of the height that is asked for, sections get what the heading leaves.
+        # Sections get what the heading leaves of the requested height.
         left = max(request.size[1] - heading_height, 0.3 * request.size[1])
         heights = [height * left / sum(heights) for height in heights]
     if heading:
@@ -97,7 +97,7 @@ class Line:
 
 
 def heading_lines(results, request, width):
-    """The title and facts of the run, or a title of one's own, in as many lines as they need."""
+    """The title and facts of the run, or the user's title, in as many lines as they need."""
     title = {"fontsize": 14, "fontweight": "bold", "color": BLACK}
     lines = [Line(text, TITLE_HEIGHT, title)
              for text in textwrap.wrap(request.title or results.title, max(int(width / TITLE_LETTER), 10))]

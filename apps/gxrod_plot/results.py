@@ -46,7 +46,7 @@ class Results:
         self.units = text_of(file.attrs, "units")
         self.is_static = text_of(file.attrs, "analysis") == "static"
         self.time_label = "load factor" if self.is_static else "time"
-        # The times are written last: their number is the number of complete steps.
+        # The times are written last, so their number is that of complete steps.
         self.times = file["histories/time"][()]
         self.frame_times = self._grid["Steps/Values"][()]
         self._points = int(self._grid["NumberOfPoints"][0])
@@ -105,7 +105,7 @@ def text_of(attributes, name):
 
 
 def read_results(path, draw):
-    """Calls `draw` with the Results of the file at `path`; again if a job is just writing it."""
+    """Calls `draw` with the Results of the file at `path`; again if a job is writing it meanwhile."""
     path = Path(path)
     if not path.exists():
         raise FileFault(f"{path}: there is no such file")

@@ -1,4 +1,4 @@
-"""The seal of a results file: a checksum before the HDF5 file, of all bytes behind it."""
+"""The seal of a results file: a checksum of all bytes after it, before the HDF5 file."""
 
 import struct
 import zlib
@@ -9,7 +9,7 @@ MAGIC = b"gxrod\r\n\x1a"
 
 
 def doubt_of(path):
-    """What speaks against trusting a results file, a clause; "" if nothing does or a run changes the file just now."""
+    """A clause on why a results file is not trusted; "" if it is, or while a run changes it."""
     with open(path, "rb") as file:
         block = file.read(BLOCK)
         if block[:8] != MAGIC:

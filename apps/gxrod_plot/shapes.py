@@ -17,14 +17,14 @@ MOST_TRACED = 2000  # frames of a trace
 PLANES = {"xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
 AXES = "xyz"
 ELEVATION, AZIMUTH = 22, -58  # degrees, of views in space
-BESIDE, BELOW = 1.7, 1.0  # inches that ticks, labels, title and colour bar take
+SIDES, BELOW = 1.7, 1.0  # inches that ticks, labels, title and colour bar take
 LEAST_WIDTH, LEAST_HEIGHT = 3.2, 2.2
-FLATTEST = 0.7  # height of a view in space beside its width
+FLATTEST = 0.7  # height of a view in space relative to its width
 
 
 @dataclass
 class Scene:
-    """All that is drawn: lines of points in space, with their times or colours."""
+    """Everything that is drawn: lines of points in space, with their times or colours."""
 
     shapes: list  # (points [n,3], time)
     traces: list  # (points [F,3], times [F])
@@ -106,7 +106,7 @@ def best_view(scene):
 
 
 def prepare_shapes(results, frames, view=None):
-    """A scene, and the view that shows it: the one asked for, or the best."""
+    """A scene, and the view that shows it: the requested one, or the best."""
     scene = make_scene(results, frames)
     return scene, view or best_view(scene)
 
@@ -115,13 +115,13 @@ def fitting_size(shapes, most_width, most_height):
     """Width and height of a figure that the scene fills, with room for ticks and the colour bar."""
     width_of, height_of = picture_sides(*shapes)
     aspect = height_of / width_of
-    height = min(most_height, aspect * (most_width - BESIDE) + BELOW)
-    width = min(most_width, (height - BELOW) / aspect + BESIDE)
+    height = min(most_height, aspect * (most_width - SIDES) + BELOW)
+    width = min(most_width, (height - BELOW) / aspect + SIDES)
     return max(width, LEAST_WIDTH), max(height, LEAST_HEIGHT)
 
 
 def picture_sides(scene, view):
-    """How wide and how high what is drawn is, in the scene's own units."""
+    """Width and height of what is drawn, in the scene's own units."""
     low, high = limits(scene)
     extent = high - low
     if view != "3d":
@@ -184,7 +184,7 @@ def draw_in_plane(axes, scene, norm, plane, view):
 def zoom_for(figure):
     """Matplotlib fits a scene into a square; this lets a tall one, as a column's, reach beyond it above and below."""
     box = figure.bbox.transformed(figure.dpi_scale_trans.inverted())
-    width, height = max(box.width - BESIDE, 0.5), max(box.height - BELOW, 0.5)
+    width, height = max(box.width - SIDES, 0.5), max(box.height - BELOW, 0.5)
     return 1.05 * max(1.0, 0.76 * height / width)
 
 

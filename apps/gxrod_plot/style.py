@@ -10,7 +10,7 @@ from matplotlib.colors import ListedColormap  # noqa: E402
 
 BLUE, ORANGE, GREEN, PURPLE, GREY, BLACK = "#0066b3", "#e0641b", "#12946a", "#a0479c", "#8a8f98", "#22262b"
 AXIS_COLOURS = {"x": "#d1373f", "y": GREEN, "z": BLUE}
-# Dark to bright with time, without the pale end, which paper swallows.
+# Dark to bright with time, without the pale end, which is invisible on paper.
 TIME_COLOURS = ListedColormap(matplotlib.colormaps["plasma"](np.linspace(0.0, 0.88, 256)), "time")
 MOST_POINTS = 20000  # of a drawn curve
 
@@ -70,7 +70,7 @@ def draw_curves(axes, times, curves, title, label):
 
 
 def draw_panel(axes, curves, title, across, label, has_legend):
-    """Draws curves (x, y, colour, name); x need not grow, so that all points are drawn."""
+    """Draws curves (x, y, colour, name); x need not grow, so all points are drawn."""
     for x, y, colour, name in curves:
         count = min(len(x), len(y))
         axes.plot(x[:count], y[:count], color=colour, label=name)

@@ -14,7 +14,7 @@ std::string advise(const std::string& deck) {
 
 }  // namespace
 
-TEST_CASE("A few cuts are not worth telling, more are", "[analyses]") {
+TEST_CASE("A few cuts are not reported, more are", "[analyses]") {
     CHECK_FALSE(are_worth_telling({100, 0, 0, 0}));
     CHECK_FALSE(are_worth_telling({100, 5, 5, 0}));
     CHECK(are_worth_telling({100, 5, 6, 0}));

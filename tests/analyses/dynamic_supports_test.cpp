@@ -116,7 +116,7 @@ TEST_CASE("the reaction of a carried body is what changes its momenta, its work 
     }
 }
 
-TEST_CASE("a support may start with a jerk and turn at a corner", "[analyses][supports]") {
+TEST_CASE("a support can start with a jerk and turn at a corner", "[analyses][supports]") {
     // Neither leaves anything behind in the accelerations.
     Model model = make_free_body(Vec3(1.0, 2.0, 4.0), Vec3::Zero());
     Support support{.fixed = {false, true, true, true, true, true}, .axes = Q};

@@ -283,7 +283,7 @@ TEST_CASE("two runs with error control are equal to the last bit", "[analyses]")
     CHECK(rejected > 0);  // the first step turns by more than π
 }
 
-TEST_CASE("a tolerance that the shortest step misses is told", "[analyses]") {
+TEST_CASE("a tolerance that the shortest step misses is reported", "[analyses]") {
     const Model model = heavy_top::make_model();
     DynamicAnalysis analysis(model, make_adaptive(1.0, 500, {.tolerance = 1e-9, .min_step = 1e-3}));
     REQUIRE(analysis.start().converged());

@@ -40,7 +40,7 @@ DynamicSettings make_scheme(Scheme scheme, double parameter, long steps) {
 
 }  // namespace
 
-TEST_CASE("the dissipation of generalized-alpha is what its discrete balance says", "[analyses]") {
+TEST_CASE("the dissipation of generalized-alpha follows its discrete balance", "[analyses]") {
     // R = −½ δ h v·Md + ⅛ δ² h² (3 a·Ma − 8 a·Md + 7 d·Md), d = a − A, δ = α_f − α_m.
     for (const double radius : {0.0, 0.5, 0.9}) {
         INFO("spectral radius " << radius);
@@ -67,7 +67,7 @@ TEST_CASE("the dissipation of generalized-alpha is what its discrete balance say
     }
 }
 
-TEST_CASE("schemes without dissipation of their own book none", "[analyses]") {
+TEST_CASE("schemes without numerical dissipation book none", "[analyses]") {
     Model model = make_bar();
     model.nodes[1].angular_velocity.x() = 1.5;
     for (const DynamicSettings& settings : {make_scheme(Scheme::newmark_simplified, 0.6, 40),

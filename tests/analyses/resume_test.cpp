@@ -135,7 +135,7 @@ TEST_CASE("A resumed run equals one in one piece to the last bit", "[analyses][r
     CHECK(Hdf5Reader(runner.folder / "parts").text_attribute("/", "status") == "complete");
 }
 
-TEST_CASE("Bodies go on to the last bit under every integrator", "[analyses][resume]") {
+TEST_CASE("Bodies resume to the last bit with every integrator", "[analyses][resume]") {
     const std::string scheme = GENERATE(
         "newmark-simplified", "newmark-ibrahimbegovic", "generalized-alpha", "sdirk-4", "runge-kutta-4");
     const Problem problem =
@@ -163,7 +163,7 @@ TEST_CASE("A run made longer equals one that was long from the start", "[analyse
     CHECK(Hdf5Reader(runner.folder / "longer").text("/deck/text_2") == whole.record.text);
 }
 
-TEST_CASE("Steps may be shortened where a run stopped", "[analyses][resume]") {
+TEST_CASE("Steps can be shortened where a run stopped", "[analyses][resume]") {
     const Runner runner;
     runner.run(read(swinging), "parts", 7);
     const RunSummary summary =
@@ -176,7 +176,7 @@ TEST_CASE("Steps may be shortened where a run stopped", "[analyses][resume]") {
     CHECK(times.back() == 1.0);
 }
 
-TEST_CASE("A run whose steps were equal goes on with steps by their error", "[analyses][resume]") {
+TEST_CASE("A run with equal steps is resumed with steps by their error", "[analyses][resume]") {
     const Runner runner;
     runner.run(read(with_integrator("sdirk-4")), "parts", 7);
     const std::string adaptive =
@@ -189,7 +189,7 @@ TEST_CASE("A run whose steps were equal goes on with steps by their error", "[an
     CHECK(summary.totals.largest_energy_error < 1e-3 * summary.totals.largest_energy);
 }
 
-TEST_CASE("A run that failed goes on as if it had been run so from the start", "[analyses][resume]") {
+TEST_CASE("A failed run is resumed as if it had been run so from the start", "[analyses][resume]") {
     const Runner runner;
     SECTION("Newton had too few iterations") {
         const std::string strict =
@@ -266,7 +266,7 @@ TEST_CASE("A history that comes back has its point", "[analyses][resume]") {
     CHECK(!std::isnan(x[3 * 7]));
 }
 
-TEST_CASE("A run does not go on between the steps of another grid", "[analyses][resume]") {
+TEST_CASE("A run is not resumed between the steps of another grid", "[analyses][resume]") {
     const Runner runner;
     runner.run(read(swinging), "parts", 7);
     const std::string other = GENERATE(as<std::string>{}, "time_step = 0.03", "steps = 7");
@@ -277,7 +277,7 @@ TEST_CASE("A run does not go on between the steps of another grid", "[analyses][
     CHECK(Hdf5Reader(runner.folder / "parts").text_attribute("/", "status") == "interrupted");
 }
 
-TEST_CASE("A run does not go on after its end", "[analyses][resume]") {
+TEST_CASE("A run is not resumed after its end", "[analyses][resume]") {
     const Runner runner;
     runner.run(read(swinging), "parts", 7);
     CHECK_THROWS_WITH(runner.resume(read(replaced(swinging, "end_time = 1.0", "end_time = 0.1")), "parts"),
@@ -289,7 +289,7 @@ TEST_CASE("A run does not go on after its end", "[analyses][resume]") {
         FileError);
 }
 
-TEST_CASE("A run does not go on with another model", "[analyses][resume]") {
+TEST_CASE("A run is not resumed with another model", "[analyses][resume]") {
     const Runner runner;
     runner.run(read(swinging), "parts", 7);
     const std::string other = GENERATE(replaced(swinging, "elements = 4", "elements = 5"),
@@ -323,7 +323,7 @@ TEST_CASE("Histories that come and go are NaN where they were not recorded", "[a
     CHECK(parts.text_attribute("/histories/top", "at") == "r.start");
 }
 
-TEST_CASE("Quaternions keep their sign where a run goes on", "[analyses][resume]") {
+TEST_CASE("Quaternions keep their sign where a run is resumed", "[analyses][resume]") {
     // Two turns and more: w changes its sign.
     const Problem problem =
         read(replaced(body_deck, "inertia = [1, 1, 1]", "inertia = [1, 1, 1]\nangular_velocity = [0, 0, 9]") +
@@ -344,7 +344,7 @@ TEST_CASE("Two processes do not write one file", "[analyses][resume]") {
                       Catch::Contains("another process is writing it"));
 }
 
-TEST_CASE("What cannot be resumed is told", "[analyses][resume]") {
+TEST_CASE("What cannot be resumed is reported", "[analyses][resume]") {
     const Runner runner;
     CHECK_THROWS_WITH(ResumableFile(runner.folder / "none"), Catch::Contains("there is no such file"));
     CHECK_THROWS_WITH(ResumableFile(runner.folder.path()), Catch::Contains("is a folder"));

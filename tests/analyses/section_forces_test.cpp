@@ -125,7 +125,7 @@ TEST_CASE("Strains of a point belong to its section forces", "[analyses]") {
     }
 }
 
-TEST_CASE("Damping is no part of a point's strain", "[analyses]") {
+TEST_CASE("Damping does not change a point's strain", "[analyses]") {
     // So strongly damped that the resultants are those of damping mostly; strains start from zero. Between
     // force points damping is interpolated.
     DeckRun run("clamped",

@@ -58,7 +58,7 @@ TEST_CASE("a step that is too long is cut and the run recovers", "[analyses][sta
     CHECK((analysis.state().trial.back().r - fine.tip().r).norm() < 1e-8);
 }
 
-TEST_CASE("an element that would be bent or twisted beyond half a turn is told", "[analyses][static]") {
+TEST_CASE("an element that would be bent or twisted beyond half a turn is reported", "[analyses][static]") {
     for (const Vec3& axis : {Vec3(0.0, 0.0, 1.0), Vec3(1.0, 0.0, 0.0)}) {
         for (const long steps : {1L, 7L}) {
             // 0.9 of half a turn is reached, exactly; 1.1 is not, nor mistaken for its complement.

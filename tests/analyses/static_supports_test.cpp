@@ -142,7 +142,7 @@ TEST_CASE("frames of loads and supports that turn rigidly leave strains as they 
     CHECK((analysis.state().trial.back().r - exp_quaternion(angle * axis) * tip).norm() < 1e-8);
 }
 
-TEST_CASE("supports may not wind an element beyond half a turn", "[analyses][static]") {
+TEST_CASE("supports cannot wind an element beyond half a turn", "[analyses][static]") {
     Model model = make_rod_model(along_x, length, {1, 1}, section);
     clamp(model, 0);
     Support turning{.node = 1, .fixed = {true, true, true, false, true, true}};
@@ -168,7 +168,7 @@ TEST_CASE("a rod follows its clamp through a fifth of a turn a step", "[analyses
     }
 }
 
-TEST_CASE("a static move may begin with any rotation", "[analyses][static]") {
+TEST_CASE("a static move can begin with any rotation", "[analyses][static]") {
     // Of a rod in 8 elements, the first step of ten twists it by more than half a turn.
     for (const double sense : {1.0, -1.0}) {
         Model model = make_rod_model(along_x, length, {8, 1}, section);

@@ -111,7 +111,7 @@ class Submitting(ClusterTest):
         self.assertIn(" batch body.toml other.toml \\\n", script)
         self.assertIn("  [2]=2\n", script)
 
-    def test_only_cases_that_nobody_has_are_submitted(self):
+    def test_only_cases_that_are_not_taken_are_submitted(self):
         self.answer("sbatch", "17")
         self.answer("squeue", "17|2|PENDING|Priority")
         self.batch("sweep.toml", "--slurm", "--tasks", "3", "--", "--nice")

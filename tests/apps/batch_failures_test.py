@@ -10,7 +10,7 @@ from batches import COUNT, ENDLESS, FAILING, MANY, SANITIZED, BatchTest
 
 
 class Failures(BatchTest):
-    def test_cases_fail_and_the_rest_go_on(self):
+    def test_cases_fail_and_the_rest_continue(self):
         self.write("plan.toml", FAILING)
         done = self.gxrod("batch", "plan.toml", code=3)
         rows = self.rows()
@@ -97,7 +97,7 @@ results = "none"
         self.assertEqual([int(row["case"]) for row in rows], list(range(1, count + 1)))
         self.assertEqual({row["status"] for row in rows}, {"done"})
 
-    def test_a_case_whose_worker_is_killed_twice_is_told(self):
+    def test_a_case_whose_worker_is_killed_twice_is_reported(self):
         self.write("plan.toml", ENDLESS.replace("[100, 200]", "[100]"))
         process = self.start("plan.toml", "-j", "1")
         first = self.wait_for_workers(process, 1)[0]

@@ -83,7 +83,7 @@ class Faults(BatchTest):
         self.gxrod("batch", "plan.toml", "--quiet")
         self.assertEqual({row["status"] for row in self.rows()}, {"done"})
 
-    def test_nobody_listens(self):
+    def test_closed_standard_streams(self):
         self.write("plan.toml", FAILING)
         for closing in (">&- 2>&-", "<&- >&- 2>&-"):
             done = subprocess.run(["bash", "-c", f"exec \"$0\" batch plan.toml --force {closing}", GXROD],

@@ -176,7 +176,7 @@ def count_red(pixels):
 
 
 class Heading(BatchPageTest):
-    def test_tells_what_became_of_the_cases(self):
+    def test_counts_the_cases_by_status(self):
         self.open("grid")
         self.assertEqual(self.text("#title"), "A rod of many kinds")
         self.assertEqual(self.text("#status"), "2 failed")
@@ -289,7 +289,7 @@ class Chart(BatchPageTest):
         self.open("sample")
         self.assertEqual(self.menu("#kind"), {"value": "points", "options": ["lines", "points", "histogram"]})
 
-    def test_tells_the_case_at_the_pointer_and_chooses_it(self):
+    def test_shows_the_case_at_the_pointer_and_chooses_it(self):
         self.open("grid")
         # EI from 100 to 500 has a twentieth of its span to spare on each side; crosses are 8 pixels above the edge.
         x, y = self.place(0.05 / 1.1, 0)
@@ -328,7 +328,7 @@ class Chart(BatchPageTest):
             return [row.top - box.top, box.height, row.height]""")
         self.assertTrue(0 <= top <= height - first, (top, height))
 
-    def test_draws_sizes_on_logarithmic_axes_and_tells_slopes(self):
+    def test_draws_sizes_on_logarithmic_axes_and_labels_slopes(self):
         self.open("grid")
         self.choose("#value", "error")
         self.choose("#across", "analysis.time_step")
@@ -381,7 +381,7 @@ class Chart(BatchPageTest):
         picture = Image.open(io.BytesIO(self.browser.driver.get_screenshot_as_png())).convert("RGB")
         return np.asarray(picture.getpixel((int(x), int(y)))).astype(int)
 
-    def test_of_samples_tells_their_statistics(self):
+    def test_of_samples_shows_their_statistics(self):
         self.open("sample")
         with open(self.folder / "sample" / "index.csv") as file:
             values = [float(row["tip"]) for row in csv.DictReader(file) if row["status"] == "done"]
@@ -534,7 +534,7 @@ class Links(ProgramTest):
         self.assertEqual(browser.take_errors(), [])
         return [pathlib.Path(urllib.parse.unquote(urllib.parse.urlparse(url).path)) for url in urls]
 
-    def test_are_written_beside_the_page_and_go_with_the_folder(self):
+    def test_are_written_next_to_the_page_and_go_with_the_folder(self):
         done = self.gxrod("report", self.root)
         self.assertIn("3 written, 0 kept", done.stdout)
         self.assertIn("4 of 5 cases have ended", done.stdout)
@@ -583,7 +583,7 @@ class Links(ProgramTest):
         self.gxrod("report", self.root, "--force", "--cases", "none")
         self.assertEqual(self.linked(), [2, 3])
 
-    def test_of_results_that_cannot_be_shown_are_told(self):
+    def test_of_results_that_cannot_be_shown_are_listed(self):
         (self.root / "cases" / "0002.vtkhdf").write_bytes(b"no results")
         (self.root / "cases" / "0003.vtkhdf").unlink()
         done = self.gxrod("report", self.root)
@@ -599,7 +599,7 @@ class Links(ProgramTest):
         self.assertIn("not named .html", done.stderr)
         self.assertEqual((self.root / "index.csv").read_text(), table)
 
-    def test_a_broken_batch_is_told(self):
+    def test_a_broken_batch_is_reported(self):
         done = self.gxrod("report", ".", code=4)
         self.assertIn("is a folder without batch.json", done.stderr)
         self.assertIn("gxrod batch", done.stderr)

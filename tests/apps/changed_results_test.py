@@ -26,7 +26,7 @@ class ChangedResults(ProgramTest):
         return subprocess.run([os.environ["GXROD_PLOT"], *arguments], cwd=self.folder, text=True, capture_output=True,
                               check=True)
 
-    def test_no_run_goes_on_from_them(self):
+    def test_no_run_resumes_from_them(self):
         before = (self.folder / "changed.vtkhdf").read_bytes()
         told = self.gxrod("resume", "changed.vtkhdf", "--set", "analysis.end_time=100", code=4).stderr
         self.assertEqual(told, f"gxrod: changed.vtkhdf: cannot be resumed: {CHANGED} (gxrod run --force starts it again)\n")

@@ -40,7 +40,7 @@ class Check(ProgramTest):
                           "a static analysis needs supports that prevent it", done.stderr)
         self.assertFalse((self.folder / "beam.vtkhdf").exists())
 
-    def test_warnings_are_told_unless_quiet(self):
+    def test_warnings_are_printed_unless_quiet(self):
         tail = '[rod.tail]\nsection = "s"\nline = { from = [4, 0, 0], to = [4, 1, 0] }\nelements = 1\nelement = "simo"\n'
         self.write("beam.toml", BEAM + 'fix = "all"\n' + tail + '[[support]]\nat = "tail.end"\nfix = "all"\n')
         warning = ("warning: beam.end and tail.start are at one place and not connected; to connect them write "
@@ -52,7 +52,7 @@ class Check(ProgramTest):
         self.assertEqual(self.gxrod("run", "beam.toml", "--force", "--quiet").stderr, "")
 
     @unittest.skipIf(os.environ.get("GXROD_SANITIZED") == "1", "AddressSanitizer has memory of its own")
-    def test_memory_is_told_beforehand(self):
+    def test_memory_is_estimated_beforehand(self):
         self.write("beam.toml", BEAM + 'fix = "all"\n')
         many = ("beam.toml", "--set", "rod.beam.elements=30000", "--set", "rod.beam.order=2")
         told = int(re.search(r"^memory: about (\d+) MB$", self.gxrod("check", *many).stdout, re.MULTILINE)[1])

@@ -103,13 +103,13 @@ steps = 2
         self.assertEqual(headings[0], "load_factor")
         np.testing.assert_array_equal(values[:, 0], [0.0, 0.5, 1.0])
 
-    def test_files_are_kept_unless_told_otherwise(self):
+    def test_files_are_kept_by_default(self):
         self.gxrod("export", "body.vtkhdf", "--csv", "tables")
         done = self.gxrod("export", "body.vtkhdf", "--csv", "tables", code=4)
         self.assertIn("tables/ledger.csv: exists already (--force overwrites it)", done.stderr)
         self.gxrod("export", "body.vtkhdf", "--csv", "tables", "--force")
 
-    def test_a_series_is_kept_unless_told_otherwise(self):
+    def test_a_series_is_kept_by_default(self):
         done = self.gxrod("export", "body.vtkhdf", "--series", "a/series", "--csv", "tables")
         self.assertEqual(done.stdout.split()[-1], "a/series/body.hdf.series")
         names = [f"body_{i:04}.hdf" for i in range(11)]
@@ -248,7 +248,7 @@ steps = 2
         self.assertIn("two.vtkhdf: does not say where its rods are: an earlier version of gxrod wrote it",
                       self.gxrod("export", "two.vtkhdf", "--along", "arc", code=4).stderr)
 
-    def test_a_full_disk_is_told(self):
+    def test_a_full_disk_is_reported(self):
         for form, file in (("--csv", "ledger.csv"), ("--series", "body_0000.hdf")):
             done = self.gxrod("export", "body.vtkhdf", form, "full", code=4, preexec_fn=limit_file_size(5000))
             self.assertIn(f"full/{file}: cannot be written (File too large)", done.stderr)

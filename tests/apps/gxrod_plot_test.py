@@ -231,7 +231,7 @@ quantities = ["displacement"]
 
 
 class Modules(PlotTest):
-    def test_what_is_missing_is_told_in_plain_words(self):
+    def test_what_is_missing_is_reported_in_plain_words(self):
         for module in ("h5py", "numpy", "matplotlib"):
             (self.folder / "without").mkdir(exist_ok=True)
             fake = self.folder / "without" / f"{module}.py"

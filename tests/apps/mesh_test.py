@@ -30,7 +30,7 @@ class Mesh(ProgramTest):
         shutil.copy(SOURCE / "meshes" / "truss.geo", self.folder / "decks")
         self.write("decks/truss.toml", DECK)
 
-    def test_is_found_beside_its_deck_and_kept_with_the_results(self):
+    def test_is_found_next_to_its_deck_and_kept_with_the_results(self):
         done = self.gxrod("run", "decks/truss.toml")
         self.assertNotIn("Info", done.stdout + done.stderr)
         with h5py.File(self.folder / "truss.vtkhdf") as file:

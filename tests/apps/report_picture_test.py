@@ -185,7 +185,7 @@ class Charts(PageTest):
         self.assertEqual(self.text("#frame-text"), "frame 16 of 21")
         self.assertAlmostEqual(self.cursor(), 0.75, delta=0.01)
 
-    def test_tell_the_value_at_the_time(self):
+    def test_show_the_value_at_the_time(self):
         self.open("rod")
         self.slide(12)
         with h5py.File(self.folder / "rod.vtkhdf") as file:
@@ -207,7 +207,7 @@ class Charts(PageTest):
     def headings(self):
         return self.browser.run("return [...document.querySelectorAll('.chart h3')].map((h) => h.textContent)")
 
-    def test_tell_units_and_axes(self):
+    def test_show_units_and_axes(self):
         self.open("frame")
         self.assertEqual([heading for heading in self.headings() if ":" in heading],
                          ["foot: reaction forceN, spatial axes", "foot: reaction momentN·mm, spatial axes",

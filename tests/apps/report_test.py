@@ -14,7 +14,7 @@ def setUpModule():
 
 
 class Words(PageTest):
-    def test_a_failed_run_tells_why_and_marks_where(self):
+    def test_a_failed_run_says_why_and_marks_where(self):
         self.open("failing")
         self.assertIn("failed", self.text("#status"))
         with h5py.File(self.folder / "failing.vtkhdf") as file:
@@ -27,7 +27,7 @@ class Words(PageTest):
         self.open("rod")
         self.assertEqual(self.text("#warnings"), "")
 
-    def test_tells_the_model_and_the_deck(self):
+    def test_shows_the_model_and_the_deck(self):
         self.open("rod")
         model = self.text("#model")
         for words in ("nodes13", "elements6", "unknowns75", "newmark-simplified", "rhoA", "arm.startx y z"):
@@ -134,7 +134,7 @@ class Resumed(PageTest):
 
 
 class Budget(PageTest):
-    def test_is_kept_and_what_was_left_out_is_told(self):
+    def test_is_kept_and_what_was_left_out_is_listed(self):
         run = ["run", "body.toml", "--quiet", "--force", "-o", "long.vtkhdf", "--set", "analysis.steps=20000"]
         subprocess.run([GXROD, *run, "--set", "output.every=4"], cwd=self.folder, check=True)
         report = subprocess.run([GXROD, "report", "long.vtkhdf", "--budget", "1"], cwd=self.folder, check=True,
@@ -167,7 +167,7 @@ class Program(ProgramTest):
         self.assertIn("is the results file itself", done.stderr)
         h5py.File(self.folder / "body.vtkhdf").close()
 
-    def test_tells_what_is_no_results_file(self):
+    def test_rejects_what_is_not_a_results_file(self):
         for name, said in (("none.vtkhdf", "there is no such file"), (".", "is a folder"),
                            ("body.toml", "cannot be read as results of gxrod")):
             self.assertIn(said, self.gxrod("report", name, "-o", "x.html", code=4).stderr)

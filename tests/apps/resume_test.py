@@ -62,7 +62,7 @@ class Resume(ProgramTest):
                 self.assertEqual(a.attrs[attribute], b.attrs[attribute])
             self.assertEqual(a["VTKHDF/Steps"].attrs["NSteps"], b["VTKHDF/Steps"].attrs["NSteps"])
 
-    def test_a_killed_run_goes_on_to_the_last_bit(self):
+    def test_a_killed_run_resumes_to_the_last_bit(self):
         process = self.start_long_run()
         process.kill()
         process.wait()
@@ -73,7 +73,7 @@ class Resume(ProgramTest):
         self.gxrod("run", "long.toml", "-o", "whole.vtkhdf", "--quiet")
         self.check_equal("whole.vtkhdf", "long.vtkhdf")
 
-    def test_a_resumed_run_may_be_killed_too(self):
+    def test_a_resumed_run_can_be_killed_too(self):
         process = self.start_long_run()
         process.kill()
         process.wait()
@@ -91,7 +91,7 @@ class Resume(ProgramTest):
         self.gxrod("run", "long.toml", "-o", "whole.vtkhdf", "--quiet")
         self.check_equal("whole.vtkhdf", "long.vtkhdf")
 
-    def test_an_interrupted_run_says_how_to_go_on(self):
+    def test_an_interrupted_run_says_how_to_resume(self):
         process = self.start_long_run()
         process.send_signal(signal.SIGINT)
         self.assertEqual(process.wait(), 130)
@@ -121,7 +121,7 @@ class Resume(ProgramTest):
         with h5py.File(self.folder / "body.vtkhdf") as file:
             self.assertIn(b"end_time = 2.5", file["deck/text_2"][()])
 
-    def test_the_deck_may_be_edited_where_that_changes_no_state(self):
+    def test_the_deck_can_be_edited_where_that_changes_no_state(self):
         self.gxrod("run", "body.toml")
         edited = SPINNING_BODY.replace("end_time = 1.0", "end_time = 2.0").replace("steps = 100", "steps = 200")
         self.write("edited.toml", edited.replace("every = 10", "every = 5"))
@@ -141,7 +141,7 @@ class Resume(ProgramTest):
         self.assertIn("--set parameters.torque=3: the run to be resumed has 0.5", done.stderr)
         self.assertEqual((self.folder / "body.vtkhdf").read_bytes(), before)
 
-    def test_what_cannot_be_resumed_is_told(self):
+    def test_what_cannot_be_resumed_is_reported(self):
         self.assertIn("there is no such file", self.gxrod("resume", "none.vtkhdf", code=4).stderr)
         self.write("text.vtkhdf", "no HDF5")
         self.assertIn("text.vtkhdf: cannot be resumed", self.gxrod("resume", "text.vtkhdf", code=4).stderr)

@@ -215,7 +215,7 @@ class Run(ProgramTest):
         for verb in ("run", "check", "verify", "schema"):
             self.assertIn("Usage", self.gxrod(verb, "--help").stdout)
 
-    def test_a_faulty_deck_is_told_by_line_and_column(self):
+    def test_a_faulty_deck_is_reported_by_line_and_column(self):
         self.write("faulty.toml", SPINNING_BODY.replace("mass = 2.0", "mas = 2.0"))
         done = self.gxrod("run", "faulty.toml", code=2)
         self.assertIn("faulty.toml:5:1:", done.stderr)
@@ -265,7 +265,7 @@ steps = 10
         done = self.gxrod("run", "arch.toml", "--quiet", "--force", "--set", "load[0].force=[0, 0, -0.1]")
         self.assertEqual(done.stderr, "")
 
-    def test_a_load_that_is_no_number_ends_the_run_and_keeps_its_results(self):
+    def test_a_load_that_is_nan_ends_the_run_and_keeps_its_results(self):
         # Finite on the whole step grid; sdirk-4 asks for it at t = 0.6025, within a step.
         self.write("poles.toml", SPINNING_BODY.replace('"torque*sin(t)"', '"abs(t - 0.6025) < 1e-9 ? 1/0 : 1"'))
         done = self.gxrod("run", "poles.toml", "--set", "analysis.integrator=sdirk-4", code=2)

@@ -77,7 +77,7 @@ class SpecialFiles(ProgramTest):
             self.assertEqual(told, f"gxrod: {folder.name}/{name}: is not a regular file (give the name of one)\n")
             self.assertEqual([path.name for path in folder.iterdir()], [name])
 
-    def test_pipes_that_nobody_writes_to(self):
+    def test_pipes_without_a_writer(self):
         self.write("plan.toml", 'deck = "fifo"\n[vary]\n"parameters.torque" = [1, 2]\n')
         for arguments in (("check", "fifo"), ("run", "fifo"), ("verify", "fifo"), ("batch", "fifo"), ("batch", "plan.toml")):
             self.assertEqual(self.refuse(*arguments, code=4), "gxrod: fifo: is a pipe that nobody writes to\n")

@@ -39,7 +39,7 @@ class Unprintable(ProgramTest):
         self.run_full("run", "faulty.toml", stderr=True, code=2)
         self.run_full("run", "body.toml", stderr=True, code=0)
 
-    def test_threads_that_cannot_be_had_are_told(self):
+    def test_threads_that_cannot_be_started_are_reported(self):
         if os.environ.get("GXROD_SANITIZED") == "1":
             self.skipTest("the sanitizers need memory themselves")
 

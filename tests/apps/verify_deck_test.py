@@ -43,7 +43,7 @@ class VerifyDeck(ProgramTest):
         (self.folder / name).write_text(text)
         return name
 
-    def test_tells_what_can_be_trusted(self):
+    def test_says_what_can_be_trusted(self):
         told = self.gxrod("verify", self.write()).stdout
         self.assertIn("A beam that swings\n11 runs, which cost about 20.5 times what the deck costs as it is\n", told)
         self.assertIn("the others will take about", told)
@@ -57,7 +57,7 @@ class VerifyDeck(ProgramTest):
         self.assertIn("times as many elements would bring that to", told)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["swing.toml"])
 
-    def test_steps_that_are_cut_tell_nothing(self):
+    def test_steps_that_are_cut_show_nothing(self):
         options = ("--set", "analysis.time_step=1", "--set", "load[0].force=[0, '300*sin(t)^2', 0]")
         told = self.gxrod("verify", self.write(), *options).stdout
         self.assertRegex(told, r"\ntip position .*-      - .* \?         \?\n")

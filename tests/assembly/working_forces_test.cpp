@@ -59,8 +59,7 @@ TEST_CASE("gravity that changes with time drives by the weight of every node", "
     CHECK(system.compute_balance(state, 0.4).gravity_potential == 0.0);
 }
 
-TEST_CASE("a moving support drives with the force that it exerts, one that stands still does not",
-          "[assembly]") {
+TEST_CASE("a moving support drives with the force that it exerts, one at rest does not", "[assembly]") {
     Model model = make_sample_model();
     model.loads.clear();
     Support& ball_joint = model.supports[0];

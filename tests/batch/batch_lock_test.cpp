@@ -50,7 +50,7 @@ TEST_CASE("Only one submits cases at a time", "[batch]") {
     const BatchLock second = BatchLock::of_submission(folder.path());
 }
 
-TEST_CASE("A folder that cannot be locked is told", "[batch]") {
+TEST_CASE("A folder that cannot be locked is reported", "[batch]") {
     CHECK_THROWS_WITH(BatchLock::of_cases("/nowhere", {1, 2}),
                       "/nowhere/lock: cannot be written (No such file or directory)");
 }

@@ -76,7 +76,7 @@ TEST_CASE("Seeds are recorded", "[batch]") {
     CHECK(read_batch_record(files.folder()).seed == 12345678901234ULL);
 }
 
-TEST_CASE("A record that is none is an error", "[batch]") {
+TEST_CASE("An invalid record is an error", "[batch]") {
     const ScratchFolder folder;
     CHECK_FALSE(is_batch_folder(folder.path()));
     folder.write("batch.json", "{\"cases\": 5}");

@@ -80,7 +80,7 @@ TEST_CASE("A row is one line whatever its reason", "[batch]") {
     CHECK(read_back(write_case_row(row)).reason == "first second");
 }
 
-TEST_CASE("A line that is no row of the batch is an error with its place", "[batch]") {
+TEST_CASE("A line that is not a row of the batch is an error with its place", "[batch]") {
     const std::string hint = " (take the line out, and the case is run again)";
     CHECK_THROWS_WITH(read_back("1,2"), "i.csv:1: no row of the batch: it has 2 fields, expected 14" + hint);
     CHECK_THROWS_WITH(read_back("21,a,b,done,,1,1,1,1,0,1,1,,"),

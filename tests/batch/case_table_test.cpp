@@ -132,7 +132,7 @@ TEST_CASE("The table of another batch is not read", "[batch]") {
                       path + ": is the table of another batch: its columns differ from those of batch.json");
 }
 
-TEST_CASE("A table that cannot be written is told", "[batch]") {
+TEST_CASE("A table that cannot be written is reported", "[batch]") {
     CHECK_THROWS_WITH(TableAppender("/nowhere/index.csv", of_cases(1)),
                       "/nowhere/index.csv: cannot be written (No such file or directory)");
     CHECK_THROWS_WITH(replace_file("/nowhere/index.csv", "x"),

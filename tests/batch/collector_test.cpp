@@ -68,7 +68,7 @@ TEST_CASE("Mean, rms and values between steps are those of straight lines", "[ba
     CHECK(take(Take::largest_absolute, {}) == 3.0);
 }
 
-TEST_CASE("A run that made no step, or one, has what there is", "[batch]") {
+TEST_CASE("A run of no step, or one, collects what there is", "[batch]") {
     CHECK(std::isnan(TakenNumber(Take::mean, {}).value()));
     TakenNumber mean(Take::mean, {});
     mean.add(0.0, -2.0);

@@ -193,7 +193,7 @@ TEST_CASE("Keys and values that the deck does not take are errors before anythin
           "[case 2 and 1 more: parameters.EI = -1.0]");
 }
 
-TEST_CASE("A deck that is wrong in every case is told once", "[batch]") {
+TEST_CASE("A deck that is wrong in every case is reported once", "[batch]") {
     const std::string plan = head + "[vary]\n\"parameters.EI\" = [1.0, 2.0]\n";
     std::string deck = cantilever_deck;
     deck.replace(deck.find("elements = 2"), 12, "elements = 0");
@@ -297,7 +297,7 @@ TEST_CASE("What gxrod check calls an error is one of the plan", "[batch]") {
               .starts_with("deck.toml: rod r can "));
 }
 
-TEST_CASE("A plan is told from a deck", "[batch]") {
+TEST_CASE("A plan is distinguished from a deck", "[batch]") {
     const PlanFiles files(head + "[vary]\n\"parameters.EI\" = [1.0]\n");
     CHECK(is_plan(files.folder() / "plan.toml"));
     CHECK_FALSE(is_plan(files.folder() / "deck.toml"));

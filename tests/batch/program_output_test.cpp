@@ -25,7 +25,7 @@ TEST_CASE("A program that prints much does not wait for a reader", "[batch]") {
 
 TEST_CASE("A program that reads finds nothing", "[batch]") { CHECK(run_program({"cat"}).output.empty()); }
 
-TEST_CASE("A program that is missing is told", "[batch]") {
+TEST_CASE("A missing program is reported", "[batch]") {
     CHECK_FALSE(run_program({"gxrod-has-no-such-program"}).was_found);
 }
 

@@ -43,13 +43,13 @@ TEST_CASE("Workers work through many numbers each", "[batch]") {
     CHECK(pool.busy_workers() == 0);
 }
 
-TEST_CASE("Replies may be long", "[batch]") {
+TEST_CASE("Replies can be long", "[batch]") {
     WorkerPool pool(
         {}, [](long number) { return std::string(static_cast<std::size_t>(number) * 1'000'000, 'x'); });
     CHECK(run_all(pool, 3).at(3).text.size() == 3'000'000);
 }
 
-TEST_CASE("A worker that ends is replaced, and its end is told", "[batch]") {
+TEST_CASE("A worker that ends is replaced, and its end is reported", "[batch]") {
     WorkerPool pool({.workers = 2}, [](long number) -> std::string {
         if (number == 2) ::_exit(7);
         if (number == 4) {
@@ -111,7 +111,7 @@ TEST_CASE("How a worker ended is known where the ends of children are ignored", 
 }
 
 #if !defined(__SANITIZE_ADDRESS__)  // the sanitizers need file descriptors themselves
-TEST_CASE("Where no more processes can be had, there are fewer workers", "[batch]") {
+TEST_CASE("If no more processes can be started, there are fewer workers", "[batch]") {
     struct rlimit before {};
     ::getrlimit(RLIMIT_NOFILE, &before);
     // Room for some channels.

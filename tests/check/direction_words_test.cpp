@@ -53,7 +53,7 @@ TEST_CASE("a free rod moves and turns in every way", "[check]") {
     CHECK(find_mechanism(model) == "rod flyer moves along x, y or z, or turns about x, y or z");
 }
 
-TEST_CASE("a rod that is left one displacement says which", "[check]") {
+TEST_CASE("a rod with one free displacement is described by it", "[check]") {
     CHECK(find_mechanism(make_cantilever({0, 2, 3, 4, 5})) == "the whole model moves along y");
     Model model;
     add_rod(model, {"slider", Vec3::Zero(), tip});
@@ -64,7 +64,7 @@ TEST_CASE("a rod that is left one displacement says which", "[check]") {
     CHECK(find_mechanism(model) == "the whole model moves along (0, 0.6, 0.8)");
 }
 
-TEST_CASE("a clamp reduced to a hinge or a ball joint says about what the rod turns", "[check]") {
+TEST_CASE("a clamp reduced to a hinge or a ball joint names the axis of the rod's turn", "[check]") {
     CHECK(find_mechanism(make_cantilever({0, 1, 2, 3, 4})) ==
           "the whole model turns about z through cable.start");
     CHECK(find_mechanism(make_cantilever({0, 1, 2})) ==
@@ -192,7 +192,7 @@ TEST_CASE("without unknowns or finite values there is no weakness", "[check]") {
     CHECK_FALSE(describe_weakness(system, state, compute_static_tangent(system, state)));
 }
 
-TEST_CASE("a screw is none of the simple motions", "[check]") {
+TEST_CASE("a screw is not one of the simple motions", "[check]") {
     const Model model = make_cantilever({});
     const System system(model);
     const State state = system.initial_state();

@@ -36,7 +36,7 @@ TEST_CASE("a step without convergence names the time, the worst places and what 
           "order) there; or a larger newton.max_iterations");
 }
 
-TEST_CASE("a load step says load factor and thinks of jumps", "[check]") {
+TEST_CASE("advice on a load step names the load factor and jumps", "[check]") {
     Failure failure = make_failure(Phase::load_step, Outcome::out_of_iterations);
     failure.iterations = 7;
     failure.residual = 2.0;
@@ -49,7 +49,7 @@ TEST_CASE("a load step says load factor and thinks of jumps", "[check]") {
           "structure cannot carry without a jump to another shape");
 }
 
-TEST_CASE("beside a stiff rod round-off is the reason", "[check]") {
+TEST_CASE("next to a stiff rod round-off is the reason", "[check]") {
     Failure failure = make_failure(Phase::load_step, Outcome::singular);
     failure.places = {"q.end (z)"};
     failure.contrast = "rod q is too stiff compared with what bends rod r";
@@ -86,7 +86,7 @@ TEST_CASE("in dynamics a singular system lacks inertia", "[check]") {
           "the initial accelerations cannot be found: the system of equations is singular. Try " + inertia);
 }
 
-TEST_CASE("an explicit scheme that blows up is told from a bad load", "[check]") {
+TEST_CASE("an explicit scheme that blows up is distinguished from a bad load", "[check]") {
     Failure failure = make_failure(Phase::explicit_step, Outcome::not_finite);
     failure.places = {"tip (z)"};
     CHECK(describe_failure(failure) ==

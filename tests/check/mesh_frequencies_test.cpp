@@ -100,7 +100,7 @@ TEST_CASE("a motion without inertia has no frequency", "[check]") {
     CHECK_FALSE(find_mesh_frequencies(model));
 }
 
-TEST_CASE("damping ratios and the longest explicit step are told", "[check]") {
+TEST_CASE("damping ratios and the longest explicit step are printed", "[check]") {
     Model model = make_rod_model(along_x, 1.0, {4, 1}, make_steel());
     clamp(model, 0);
     model.sections[0].name = "bar";

@@ -36,7 +36,7 @@ TEST_CASE("A part that can drift in a static analysis is an error that names the
     CHECK_FALSE(has_error({{Severity::warning, ""}, {Severity::note, ""}}));
 }
 
-TEST_CASE("Round-off beside what is soft is warned of where stiffnesses are solved with", "[check]") {
+TEST_CASE("Round-off that hides soft parts is warned of where stiffnesses are solved with", "[check]") {
     const auto stiffened = [](const std::string& deck) {
         return replaced(deck, "EA = 1e4", "EA = 1e18") + load + clamp;
     };
@@ -50,7 +50,7 @@ TEST_CASE("Round-off beside what is soft is warned of where stiffnesses are solv
     CHECK(examine(stiffened(rod_deck + "integrator = \"runge-kutta-4\"\n")).empty());
 }
 
-TEST_CASE("A part may drift in a dynamic analysis", "[check]") { CHECK(examine(rod_deck + load).empty()); }
+TEST_CASE("A part can drift in a dynamic analysis", "[check]") { CHECK(examine(rod_deck + load).empty()); }
 
 TEST_CASE("Each part is examined, and parts are listed", "[check]") {
     const std::string other =

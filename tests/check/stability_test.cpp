@@ -127,7 +127,7 @@ TEST_CASE("with a little load sideways a column goes where the elastica is", "[c
     }
 }
 
-TEST_CASE("a load that follows tells of divergence alone", "[check]") {
+TEST_CASE("with a load that follows only divergence is reported", "[check]") {
     // Hinged at both ends and pushed along its axis there (Pflüger's column): it diverges at π² EI / L², four
     // times the load of the clamped column.
     Model model =

@@ -42,7 +42,7 @@ std::vector<std::string> find(const std::string& deck) {
 
 }  // namespace
 
-TEST_CASE("A rod whose forces have round-off as large as what bends its neighbour is told of", "[check]") {
+TEST_CASE("A rod whose forces have round-off as large as what bends its neighbour is reported", "[check]") {
     CHECK(find(make_deck("1")).empty());
     CHECK(find(make_deck("1e8")).empty());
     // Round-off of 2.2e-16 of 2 along 0.5, times EA = 1e16, beside EI/L² = 1.
@@ -67,7 +67,7 @@ TEST_CASE("Rods that nothing connects do not disturb each other", "[check]") {
     CHECK(find(apart).empty());
 }
 
-TEST_CASE("A rod without bending stiffness is not soft beside round-off", "[check]") {
+TEST_CASE("A rod without bending stiffness is not soft compared with round-off", "[check]") {
     Model model = test::read(make_deck("1")).model;
     for (Section& section : model.sections) section.stiffness(4, 4) = section.stiffness(5, 5) = 0.0;
     CHECK(find_stiffness_contrasts(model, find_parts(model)).empty());
@@ -103,7 +103,7 @@ kind = "static"
 
 }  // namespace
 
-TEST_CASE("A bending or twisting stiffness of which round-off bends the rod is told of", "[check]") {
+TEST_CASE("A bending or twisting stiffness whose round-off bends the rod is reported", "[check]") {
     const auto strip = [](const std::string& GJ, const std::string& EIz) {
         return find(make_strip("stiffness = { EA = 1e4, GAy = 1e4, GAz = 1e4, GJ = " + GJ +
                                ", EIy = 1, EIz = " + EIz + " }"));
@@ -121,7 +121,7 @@ TEST_CASE("A bending or twisting stiffness of which round-off bends the rod is t
     CHECK(strip("1e14", "1").size() == 1);
 }
 
-TEST_CASE("A stiffness that only a full matrix shows is told of", "[check]") {
+TEST_CASE("A stiffness that only a full matrix shows is reported", "[check]") {
     Model model =
         test::read(make_strip("stiffness = { EA = 1e4, GAy = 1e4, GAz = 1e4, GJ = 1e3, EIy = 1, EIz = 1 }"))
             .model;

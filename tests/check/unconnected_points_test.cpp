@@ -19,7 +19,7 @@ using Sentences = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("Ends of rods at one place are told", "[check]") {
+TEST_CASE("Ends of rods at one place are reported", "[check]") {
     const std::string corner = rod("q", "[10, 0, 0]", "[10, 5, 0]");
     CHECK(found("").empty());
     CHECK(found(corner) == Sentences{"r.end and q.start are at one place and not connected; to connect them "
@@ -34,7 +34,7 @@ TEST_CASE("Ends of rods at one place are told", "[check]") {
                     "points = [\"r.end\", \"p.end\"]"});
 }
 
-TEST_CASE("An end of a rod inside another one, or where a body is, is told", "[check]") {
+TEST_CASE("An end of a rod inside another one, or where a body is, is reported", "[check]") {
     CHECK(found(rod("q", "[3, 0, 0]", "[3, 5, 0]")) ==
           Sentences{"r@0.3 and q.start are at one place and not connected; to connect them write [[connect]] "
                     "points = [\"r@0.3\", \"q.start\"]"});
@@ -46,7 +46,7 @@ TEST_CASE("An end of a rod inside another one, or where a body is, is told", "[c
     CHECK(found(rod("q", "[2, -2, 0]", "[2, 2, 0]")).empty());
 }
 
-TEST_CASE("Ends that nearly meet are told", "[check]") {
+TEST_CASE("Ends that nearly meet are reported", "[check]") {
     CHECK(
         found(rod("q", "[10, 1e-6, 0]", "[10, 5, 0]")) ==
         Sentences{"r.end and q.start are only 1e-06 apart and not connected; points that are to be one must "
@@ -54,7 +54,7 @@ TEST_CASE("Ends that nearly meet are told", "[check]") {
     CHECK(found(rod("q", "[10, 1e-4, 0]", "[10, 5, 0]")).empty());
 }
 
-TEST_CASE("Clamps at one place are no finding", "[check]") {
+TEST_CASE("Clamps at one place are not a finding", "[check]") {
     const std::string corner = rod("q", "[0, 0, 0]", "[0, 5, 0]");
     const std::string clamps =
         "[[support]]\nat = \"r.start\"\nfix = \"all\"\n[[support]]\nat = \"q.start\"\nfix = ";

@@ -60,7 +60,7 @@ TEST_CASE("derivatives of a smooth function err by the power 6 of the step, seco
     }
 }
 
-TEST_CASE("a corner at an end of the step is none", "[constraints]") {
+TEST_CASE("a corner at an end of the step does not count", "[constraints]") {
     const auto corner = [](double t) { return std::abs(t - 0.4); };
     for (const double t : {0.4, 0.5, 0.7}) {
         CHECK(differentiate(corner, t, {0.4, 0.3}).first == Approx(1.0).epsilon(1e-13));

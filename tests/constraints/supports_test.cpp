@@ -192,7 +192,7 @@ TEST_CASE("a support on a hinge of its own leaves the rotation to it", "[constra
     CHECK((state.trial[0].r - model.nodes[0].position - axes * Vec3(0.0, 0.5, 0.0)).norm() < 1e-14);
 }
 
-TEST_CASE("rates of held components are those of f, or none where fixed", "[constraints]") {
+TEST_CASE("rates of held components are those of f, or zero where fixed", "[constraints]") {
     // x and z move by polynomials of degree 6, which differences know exactly; y is fixed.
     Support support{.fixed = {false, true, false, false, false, false}, .axes = axes};
     support.moved = {true, false, true, false, false, false};

@@ -47,13 +47,13 @@ class Faults(unittest.TestCase):
     def test_every_fault_is_tried(self):
         self.assertEqual(COUNTS.keys(), FAULTS.keys())
 
-    def test_a_kill_in_writing_comes_before_and_after_there_is_a_state_to_go_on_from(self):
+    def test_a_kill_in_writing_comes_before_and_after_there_is_a_state_to_resume_from(self):
         trials = self.check("kill_in_write")
         self.assertEqual({trial.end for trial in trials}, {"signal 9"})
         if not SANITIZED:
             self.assertEqual({trial.recovery for trial in trials}, {"begun anew", "resumed"})
 
-    def test_a_full_disk_is_told_with_how_to_go_on(self):
+    def test_a_full_disk_is_reported_with_how_to_resume(self):
         trials = self.check("disk_full")
         resumed = [trial for trial in trials if trial.recovery == "resumed"]
         self.assertGreater(len(resumed), 0)
@@ -62,12 +62,12 @@ class Faults(unittest.TestCase):
             self.assertRegex(trial.message, rf"^gxrod: {name}: cannot write: No space left on device\n"
                                             rf"{name} holds what was computed up to t = \S+\. To resume: gxrod resume {name}$")
 
-    def test_a_failed_allocation_is_told(self):
+    def test_a_failed_allocation_is_reported(self):
         trials = self.check("allocation")
         self.assertGreater(sum("out of memory" in trial.message for trial in trials), 12)
 
 
-    def test_too_little_memory_is_told(self):
+    def test_too_little_memory_is_reported(self):
         if SANITIZED:
             self.skipTest("sanitizers have memory of their own")
         deck = LARGE

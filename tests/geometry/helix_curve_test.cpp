@@ -60,7 +60,7 @@ TEST_CASE("A helix is right-handed if angle and rise have one sign", "[geometry]
     CHECK(handedness(5.0, -3.0) < 0.0);
 }
 
-TEST_CASE("Axes carried along a helix fall behind its own frame by torsion times length", "[geometry]") {
+TEST_CASE("Axes carried along a helix lag its own frame by torsion times length", "[geometry]") {
     const double angle = 7.0, rise = 3.0, radius = 2.0;
     const HelixCurve helix(make_shape(angle, rise));
     // κ = R/c², τ = p/c² with p = rise/angle and c² = R² + p².

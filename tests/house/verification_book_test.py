@@ -83,7 +83,7 @@ class Comparison(unittest.TestCase):
         for name in KEPT["cases"]:
             self.assertEqual(self.faults_of(name, lambda case: None), [])
 
-    def test_each_change_is_told(self):
+    def test_each_change_is_reported(self):
         row = KEPT["cases"]["bend_45"]["rows"][1]
         for key, value in (("error", 1.03 * row["error"]), ("order", row["order"] + 0.1), ("steps", row["steps"] + 1),
                            ("unknowns", row["unknowns"] + 6), ("newton_iterations", row["newton_iterations"] + 3)):
@@ -91,7 +91,7 @@ class Comparison(unittest.TestCase):
                 found = self.faults_of("bend_45", lambda case: case["rows"][1].update({key: value}))
                 self.assertEqual(found, [f"{row['set']}: {key} is {value}, results.json has {row[key]}"])
 
-    def test_round_off_is_not_told(self):
+    def test_round_off_is_not_reported(self):
         def change(case):
             case["rows"][1]["error"] *= 1.01
             case["rows"][1]["newton_iterations"] += 1
@@ -109,7 +109,7 @@ class Comparison(unittest.TestCase):
         self.assertEqual(len(found), 1, found)
         self.assertIn("crown reaction_force, t = 1; order 3: error is 1e-06, results.json has", found[0])
 
-    def test_missing_runs_and_other_sources_are_told(self):
+    def test_missing_runs_and_other_sources_are_reported(self):
         self.assertEqual(self.faults_of("bend_45", lambda case: case["rows"].pop()),
                          ["there are 16 rows, results.json has 17"])
         found = self.faults_of("arch", lambda case: case.update(kind="dynamics"))

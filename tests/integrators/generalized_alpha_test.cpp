@@ -25,7 +25,7 @@ struct Parameters {
 
 }  // namespace
 
-TEST_CASE("generalized-alpha begins a step as if A_n went on", "[integrators]") {
+TEST_CASE("generalized-alpha begins a step as if A_n continued", "[integrators]") {
     const GeneralizedAlpha scheme(0.4);
     State state = make_random_state(scheme, 92);
     scheme.begin_stage(state, make_stage(0));

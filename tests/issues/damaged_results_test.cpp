@@ -159,7 +159,7 @@ TEST_CASE("The sample that is damaged can be read", "[issues]") {
     CHECK(Damaged().go_on_fault() == "");
 }
 
-TEST_CASE("Rows of another width are an error, not what lies behind them", "[issues]") {
+TEST_CASE("Rows of another width are an error", "[issues]") {
     for (const char* name :
          {"/VTKHDF/PointData/axis_x", "/VTKHDF/PointData/displacement", "/VTKHDF/Points"}) {
         Damaged damaged;
@@ -171,7 +171,7 @@ TEST_CASE("Rows of another width are an error, not what lies behind them", "[iss
     CHECK(damaged.report_fault() == unreadable("/histories/time has rows of another width"));
 }
 
-TEST_CASE("Counts that are none are an error", "[issues]") {
+TEST_CASE("Invalid counts are an error", "[issues]") {
     for (const double count : {-1.0, 0.5, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
         Damaged damaged;
         damaged.replace_dataset("/VTKHDF/NumberOfPoints", {1}, count);
@@ -208,7 +208,7 @@ TEST_CASE("A state has a checksum of its own, for files of runs that were killed
     }
 }
 
-TEST_CASE("A state of another version is not gone on from", "[issues]") {
+TEST_CASE("A state of another version is not resumed", "[issues]") {
     Damaged damaged;
     damaged.replace_attribute("/restart", "version", {}, 99.0);
     damaged.open_seal();

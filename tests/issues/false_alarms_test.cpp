@@ -60,7 +60,7 @@ std::string with_velocity(const std::string& components) {
 
 }  // namespace
 
-TEST_CASE("Rods that go on into each other are judged as one", "[issues]") {
+TEST_CASE("Rods that continue into each other are judged as one", "[issues]") {
     // The radius of gyration of the section is √0.06; a rod of length 0.5 alone has a slenderness of 2.
     CHECK(thick_rods_of(row_of_rods(1, 0.5, 0.0)) ==
           "rod p0 is thicker than long; are all lengths in one unit?");
@@ -74,7 +74,7 @@ TEST_CASE("Rods that go on into each other are judged as one", "[issues]") {
           "rods p0, p1, p2 are thicker than long; are all lengths in one unit?");
 }
 
-TEST_CASE("A stub on a slender rod of its section is no sign of mixed units", "[issues]") {
+TEST_CASE("A stub on a slender rod of its section is not a sign of mixed units", "[issues]") {
     const std::string stub =
         "[rod.stub]\nsection = \"s\"\nline = { from = [10, 0, 0], to = [10, 0, 0.1] }\nelements = 1\n";
     const std::string joined = "[[connect]]\npoints = [\"r.end\", \"stub.start\"]\n";
@@ -82,7 +82,7 @@ TEST_CASE("A stub on a slender rod of its section is no sign of mixed units", "[
     CHECK(thick_rods_of(rod_deck + stub) == "rod stub is thicker than long; are all lengths in one unit?");
 }
 
-TEST_CASE("Of several rods at a node the straightest goes on", "[issues]") {
+TEST_CASE("Of several rods at a node the straightest continues", "[issues]") {
     const std::string branches =
         "[rod.a]\nsection = \"s\"\nline = { from = [10, 0, 0], to = [14, 1, 0] }\nelements = 1\n"
         "[rod.b]\nsection = \"s\"\nline = { from = [10, 0, 0], to = [13, -2, 0] }\nelements = 1\n"

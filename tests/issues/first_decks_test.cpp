@@ -35,7 +35,7 @@ std::string why_unreadable(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("A deck in UTF-16 is told from one that is not TOML", "[issues]") {
+TEST_CASE("A deck in UTF-16 is distinguished from one that is not TOML", "[issues]") {
     const std::string hint =
         "is in UTF-16 or UTF-32, expected a deck in UTF-8 (save it with the encoding UTF-8, or convert it: "
         "iconv -f "
@@ -98,7 +98,7 @@ TEST_CASE("The linear static answer is that of a cantilever", "[issues]") {
     CHECK(scale->time == 1.0);
 }
 
-TEST_CASE("A plan in UTF-16 is told likewise, and so is its table", "[issues]") {
+TEST_CASE("A plan in UTF-16 is reported, and so is its table", "[issues]") {
     PlanFiles files("deck = \"deck.toml\"\ncombine = \"table\"\ntable = \"cases.csv\"\n");
     files.write("cases.csv", "\xff\xfe" + widened("parameters.EI\n1\n", true));
     CHECK_THROWS_WITH(files.read(), Catch::Contains("is in UTF-16 or UTF-32, expected a table in UTF-8"));
@@ -144,7 +144,7 @@ tip = { history = "tip", quantity = "position", component = "z", take = "max" }
     CHECK_THAT(faults, Catch::Contains("expected an integer from 1 to 10000000, found 0 [case 2"));
 }
 
-TEST_CASE("A faulty plan whose deck is faulty says both, and one without a deck says that", "[issues]") {
+TEST_CASE("A faulty plan with a faulty deck reports both, and a missing deck is reported", "[issues]") {
     const std::string plan = "deck = \"deck.toml\"\nsweep = 1\n[vary]\n\"parameters.EI\" = [1.0]\n";
     const PlanFiles wrong(plan, replaced(cantilever_deck, "elements", "elemets"));
     CHECK_THAT(wrong.faults(), Catch::Contains("sweep: unknown key; did you mean \"vary\"?"));

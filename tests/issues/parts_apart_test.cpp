@@ -66,7 +66,7 @@ std::string make_dynamic(const std::string& integrator) {
 
 }  // namespace
 
-TEST_CASE("A hair beside a beam hangs as it does alone", "[issues]") {
+TEST_CASE("A hair next to a beam hangs as it does alone", "[issues]") {
     const Vec3 alone = run_hair(make_hair("0", "1", held_alone) + one_step);
     CHECK(alone.x() == Approx(-0.0555).margin(1e-4));
     CHECK(alone.z() == Approx(-0.0811).margin(1e-4));
@@ -80,7 +80,7 @@ TEST_CASE("A hair on a beam hangs as on a clamp", "[issues]") {
     CHECK((run_hair(make_hair("1", "0", connected) + beam + one_step) - alone).norm() < 1e-4);
 }
 
-TEST_CASE("A hair that moves beside a beam moves as it does alone", "[issues]") {
+TEST_CASE("A hair that moves next to a beam moves as it does alone", "[issues]") {
     for (const std::string integrator :
          {"", "integrator = \"sdirk-4\"\n", "integrator = \"generalized-alpha\"\n"}) {
         CAPTURE(integrator);

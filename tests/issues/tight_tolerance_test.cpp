@@ -136,7 +136,7 @@ TEST_CASE("Newton's tolerance bounds no finer run of a verification", "[issues]"
                                    "analysis.newton.tolerance=0.0009765625"});
 }
 
-TEST_CASE("Equal steps too short for Newton's tolerance are told of at the end", "[issues]") {
+TEST_CASE("Equal steps too short for Newton's tolerance are reported at the end", "[issues]") {
     const auto limit = [](const std::string& lines) {
         const Problem problem = read(replaced(top_deck, "end_time = 2.0", "end_time = 0.1") + lines);
         return run_analysis({problem.model, problem.analysis, problem.output, problem.record, {}})

@@ -162,7 +162,7 @@ TEST_CASE("A step's solution is that of a dense LU, in the same bits by all sets
     });
 }
 
-TEST_CASE("A pivot that vanishes is told wherever it is", "[linear]") {
+TEST_CASE("A pivot that vanishes is reported wherever it is", "[linear]") {
     for (const int size : {3, 6, 12, 18, 24, 30}) {
         for (int k = 0; k < size; ++k) {
             CAPTURE(size, k);

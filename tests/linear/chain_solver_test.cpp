@@ -152,7 +152,7 @@ TEST_CASE("Members of a net are shared by threads", "[linear]") {
     }
 }
 
-TEST_CASE("Of a net its junctions are left", "[linear]") {
+TEST_CASE("Junctions of a net are left", "[linear]") {
     for (const int order : {1, 2, 4}) {
         CAPTURE(order);
         constexpr int width = 5;
@@ -180,7 +180,7 @@ TEST_CASE("A system without any chain is solved as well", "[linear]") {
     CHECK(ChainSolver(pattern).works_by_blocks());
 }
 
-TEST_CASE("Chains beside each other and single nodes are solved", "[linear]") {
+TEST_CASE("Chains next to each other and single nodes are solved", "[linear]") {
     std::vector<NodeGroup> groups{{0}, {1}};
     int next_node = 6;
     add_rod(2, 3, 3, 1, next_node, groups);
@@ -218,7 +218,7 @@ TEST_CASE("What chains and junctions lose in digits is found and solved again", 
     }
 }
 
-TEST_CASE("Junctions that are singular are told", "[linear]") {
+TEST_CASE("Singular junctions are reported", "[linear]") {
     const SparsePattern pattern = make_net_pattern(4, 4);
     std::vector<double> values = make_unsymmetric_values(pattern, 4);
     pattern.visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t slot) {

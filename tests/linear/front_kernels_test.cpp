@@ -123,7 +123,7 @@ TEST_CASE("Fronts of any size are eliminated as by a dense LU, in the same bits 
     }
 }
 
-TEST_CASE("A pivot of a front that vanishes is told wherever it is", "[linear]") {
+TEST_CASE("A pivot of a front that vanishes is reported wherever it is", "[linear]") {
     for (const int pivots : {3, 6, 20}) {
         for (int k = 0; k < pivots + 6; ++k) {
             CAPTURE(pivots, k);

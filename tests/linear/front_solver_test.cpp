@@ -114,7 +114,7 @@ TEST_CASE("Fronts solve nets and graphs of any size as a dense LU does", "[linea
     }
 }
 
-TEST_CASE("Fronts solve nodes of which some components are held as a dense LU does", "[linear]") {
+TEST_CASE("Fronts solve nodes with held components as a dense LU does", "[linear]") {
     const std::vector<NodeGroup> groups = make_random_graph(40, 4.0, 2);
     for (const int free : {1, 2, 3, 5}) {
         CAPTURE(free);
@@ -137,7 +137,7 @@ TEST_CASE("Fronts hold all that an elimination couples, whatever the order", "[l
     }
 }
 
-TEST_CASE("Fronts tell a pivot that vanishes, and recover", "[linear]") {
+TEST_CASE("Fronts report a pivot that vanishes, and recover", "[linear]") {
     const SparsePattern pattern = make_net_pattern(6, 6);
     const std::vector<double> sound = make_unsymmetric_values(pattern, 3);
     FrontSolver solver(pattern);

@@ -40,7 +40,7 @@ TEST_CASE("A child process hands back what it made", "[machine]") {
     CHECK(run_in_child([] { return std::string(); }, {}).empty());
 }
 
-TEST_CASE("A child process that breaks down harms nobody else", "[machine]") {
+TEST_CASE("A child process that crashes harms no other", "[machine]") {
     const auto fault = [] {
         std::raise(SIGSEGV);
         return std::string();

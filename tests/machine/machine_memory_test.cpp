@@ -6,7 +6,7 @@
 
 namespace gxrod::test {
 
-TEST_CASE("What may be used is some of what the machine has", "[machine]") {
+TEST_CASE("The usable memory is part of the machine's", "[machine]") {
     const double machine =
         static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
     CHECK(count_usable_bytes() <= machine);

@@ -25,7 +25,7 @@ TEST_CASE("A message is UTF-8, whatever it quotes", "[machine]") {
     CHECK(printable(ends) == ends);
 }
 
-TEST_CASE("Control characters are found, layout is none", "[machine]") {
+TEST_CASE("Control characters are found; layout is not one", "[machine]") {
     CHECK(find_control_character("two\nlines,\ta tab\r\n") == std::string_view::npos);
     CHECK(find_control_character("½\x1b") == 2);
     CHECK(find_control_character("a\xC2\x85") == 1);

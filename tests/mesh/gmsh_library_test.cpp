@@ -16,7 +16,7 @@ TEST_CASE("Without libgmsh, the error says what to install", "[mesh]") {
                           "libgmsh4.13 on Debian 13 (libgxrod-has-no-such-library.so.1: cannot open"));
 }
 
-TEST_CASE("A library that is not Gmsh's is told", "[mesh]") {
+TEST_CASE("A library that is not Gmsh's is reported", "[mesh]") {
     const std::array names{"libgxrod-has-no-such-library.so.1", "libm.so.6"};
     CHECK_THROWS_WITH(load_gmsh(names), "libgmsh has no function gmshInitialize");
 }

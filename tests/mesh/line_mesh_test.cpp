@@ -68,7 +68,7 @@ TEST_CASE("Geometry is meshed at the order that it asks for, ends of elements ou
     CHECK(read_line_mesh(meshes + "l_frame.geo").lines.at(0).orders == std::vector<int>{2});
 }
 
-TEST_CASE("Groups of surfaces, of mixed and of high order are told apart", "[mesh]") {
+TEST_CASE("Groups of surfaces, of mixed and of high order are distinguished", "[mesh]") {
     const ScratchFile file("mixed.msh", R"($MeshFormat
 2.2 0 8
 $EndMeshFormat

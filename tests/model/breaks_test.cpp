@@ -64,7 +64,7 @@ TEST_CASE("Narrow excursions between two places are found", "[model]") {
         touched.begin(), touched.end(), [](double s) { return std::abs(s - std::numbers::pi) < 1e-6; }));
 }
 
-TEST_CASE("Switches of the other variable, and arguments that are no numbers, have no breaks", "[model]") {
+TEST_CASE("Switches of the other variable, and NaN arguments, have no breaks", "[model]") {
     Switch of_time = make_switch([](double t, double) { return t - 0.5; });
     of_time.has_arc_length = false;
     CHECK(along({of_time}).empty());

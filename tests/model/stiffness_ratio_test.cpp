@@ -62,7 +62,7 @@ TEST_CASE("The rod with the largest ratio counts", "[model]") {
     CHECK_FALSE(find_stiffness_ratio(Model{}));
 }
 
-TEST_CASE("A ratio is found in a full matrix, and an offset of the axes makes none", "[model]") {
+TEST_CASE("A ratio is found in a full matrix, and not from an offset of the axes", "[model]") {
     const auto of = [](const Mat6& stiffness) {
         return find_stiffness_ratio(make_model({stiffness}))->ratio;
     };

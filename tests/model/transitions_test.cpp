@@ -40,7 +40,7 @@ TEST_CASE("A jump is found with its time and both values", "[model]") {
               .is_jump);
 }
 
-TEST_CASE("A kink is found with its slopes, and smooth transitions are none", "[model]") {
+TEST_CASE("A kink is found with its slopes; smooth transitions are not kinks", "[model]") {
     const auto found = find(
         make_function([](double t) { return t < 0.25 ? 4.0 * t : 1.0; }, [](double t) { return t - 0.25; }));
     REQUIRE(found.size() == 1);

@@ -6,7 +6,7 @@
 
 using namespace gxrod;
 
-TEST_CASE("Cores are those that the process may use", "[parallel]") {
+TEST_CASE("Cores are those that the process can use", "[parallel]") {
     cpu_set_t all;
     REQUIRE(sched_getaffinity(0, sizeof(all), &all) == 0);
     CHECK(count_cores() == CPU_COUNT(&all));

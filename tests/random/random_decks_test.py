@@ -163,7 +163,7 @@ class Campaign(unittest.TestCase):
         self.assertEqual(judge(5, True, 0.0).message, "\nIt is so.")
         self.assertEqual(judge(-11, True).kind, "finding")
 
-    def test_a_study_may_be_long_only_of_a_long_run(self):
+    def test_a_study_is_long_only_for_a_long_run(self):
         with tempfile.TemporaryDirectory() as folder:
             judge = Judge(GXROD, SEED, pathlib.Path(folder))
 

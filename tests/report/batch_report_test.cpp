@@ -100,7 +100,7 @@ std::size_t size_of(const BatchStory& story, const BatchContent& content) {
 
 }  // namespace
 
-TEST_CASE("The page of a batch tells its cases, column by column", "[report]") {
+TEST_CASE("The page of a batch holds its cases, column by column", "[report]") {
     const BatchRecord record = make_record(5);
     std::vector<CaseRow> rows = make_rows(3);
     rows[1].status = CaseStatus::time_limit;
@@ -220,7 +220,7 @@ TEST_CASE("A page does not take the place of what a batch is made of", "[report]
                       Catch::Contains("none: ") && Catch::Contains("batch.json"));
 }
 
-TEST_CASE("Of too many cases those that failed get their page first", "[report]") {
+TEST_CASE("If cases are too many, failed ones get their page first", "[report]") {
     const sample::ScratchFolder scratch;
     std::vector<CaseRow> rows = make_rows(5);
     for (CaseRow& row : rows) {

@@ -94,7 +94,7 @@ TEST_CASE("Bodies that are not drawn take no room", "[report]") {
     CHECK(plan_report(content, megabyte).nodes.size() == 22);
 }
 
-TEST_CASE("Every thinning is told", "[report]") {
+TEST_CASE("Every thinning is reported", "[report]") {
     const FrameTopology small = make_line(20);
     ReportPlan plan = plan_report(make_content(small, 100000, 0), 10 * megabyte);
     REQUIRE(plan.left_out.size() == 1);

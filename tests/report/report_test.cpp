@@ -127,7 +127,7 @@ TEST_CASE("Numbers of nodes have their room in a budget", "[report]") {
     }
 }
 
-TEST_CASE("Of very many supports and loads the first are drawn", "[report]") {
+TEST_CASE("If supports and loads are very many, the first are drawn", "[report]") {
     const sample::ScratchFolder folder;
     const Problem problem = make_large_problem(503, 302);
     write_still(folder / "a.vtkhdf", problem.record, problem.model);
@@ -137,7 +137,7 @@ TEST_CASE("Of very many supports and loads the first are drawn", "[report]") {
                    Catch::VectorContains(std::string("Of 503 supports, the first 500 are drawn.")));
 }
 
-TEST_CASE("Very many bodies fit, of which the first are drawn", "[report]") {
+TEST_CASE("Very many bodies fit; the first are drawn", "[report]") {
     const sample::ScratchFolder folder;
     Model model;
     for (int i = 0; i < 30000; ++i) {

@@ -33,7 +33,7 @@ TEST_CASE("Small groups and few steps keep all", "[report]") {
     CHECK(thin({}, 100).empty());
 }
 
-TEST_CASE("Thinned columns have the count they say, and the extremes of all values", "[report]") {
+TEST_CASE("Thinned columns have the promised count, and the extremes of all values", "[report]") {
     for (const std::size_t steps : {4, 5, 17, 100, 1001, 4096}) {
         std::vector<double> values;
         for (std::size_t i = 0; i < steps; ++i) {
@@ -70,7 +70,7 @@ TEST_CASE("The group for a count leaves no more than that, and not much less", "
     CHECK(StepThinning::group_for(0, 0) == 1);
 }
 
-TEST_CASE("What is no number gives way to what is one", "[report]") {
+TEST_CASE("NaN gives way to numbers", "[report]") {
     const double none = std::numeric_limits<double>::quiet_NaN();
     CHECK(thin({0, none, 2, 1, 0}, 3) == std::vector<float>{0, 2, 1, 0});
     CHECK(thin({0, 2, none, 1, 0}, 3) == std::vector<float>{0, 2, 1, 0});

@@ -138,7 +138,7 @@ bool is_complete(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("A killed writer leaves a file with all that it had flushed", "[results]") {
+TEST_CASE("A killed writer leaves a file with everything that it had flushed", "[results]") {
     const sample::ScratchFolder folder;
     const Model model = sample::make_model();
     std::mt19937 random(7);
@@ -333,7 +333,7 @@ TEST_CASE("A full disk is an error, and what was written before stays", "[result
     CHECK(is_complete(path));
 }
 
-TEST_CASE("A results file that the disk has no room for is not left behind", "[results]") {
+TEST_CASE("A results file that the disk has no space for is removed", "[results]") {
     const sample::ScratchFolder folder;
     const Model model = sample::make_model();
     const auto path = folder / "full";

@@ -37,7 +37,7 @@ TEST_CASE("A results file that was removed takes no more", "[results]") {
     CHECK(!file.is_sound());
 }
 
-TEST_CASE("A results file that was removed is not told to be complete", "[results]") {
+TEST_CASE("A results file that was removed is not reported as complete", "[results]") {
     const sample::ScratchFolder folder;
     const Model model = sample::make_model();
     const auto path = folder / "a.vtkhdf";
@@ -48,7 +48,7 @@ TEST_CASE("A results file that was removed is not told to be complete", "[result
                       Catch::Contains("cannot write: it was removed while the run wrote it"));
 }
 
-TEST_CASE("A results file that was moved is complete and told of", "[results]") {
+TEST_CASE("A results file that was moved is complete and reported", "[results]") {
     const sample::ScratchFolder folder;
     const Model model = sample::make_model();
     const auto path = folder / "a.vtkhdf";

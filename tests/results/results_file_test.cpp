@@ -254,7 +254,7 @@ TEST_CASE("After a while, or with much to write, a flush is due", "[results]") {
     CHECK(file.is_flush_due());
 }
 
-TEST_CASE("Two results files may be open at once", "[results]") {
+TEST_CASE("Two results files can be open at once", "[results]") {
     const sample::ScratchFolder folder;
     const Model model = sample::make_model();
     {

@@ -41,7 +41,7 @@ TEST_CASE("The size of results is known before the run", "[results]") {
     CHECK(size.bytes > 0.8 * written);
 }
 
-TEST_CASE("Of results whose size the deck does not tell only what it tells is estimated", "[results]") {
+TEST_CASE("Only the size that the deck determines is estimated", "[results]") {
     const Model model = sample::make_model();
     OutputSettings output;
     DynamicSettings dynamic;

@@ -64,7 +64,7 @@ std::vector<std::string> chunks_beyond(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("A run that goes on leaves no chunk beyond its rows, however often it was killed before",
+TEST_CASE("A resumed run leaves no chunk beyond its rows, however often it was killed before",
           "[results][resume]") {
     const sample::ScratchFolder folder;
     const auto path = folder / "a.vtkhdf";

@@ -123,7 +123,7 @@ class Submitting(SlurmTest):
         self.batch("sweep.toml", "--gather")
         self.assert_complete(cases=30)
 
-    def test_what_sbatch_refuses_is_told_and_not_recorded(self):
+    def test_what_sbatch_refuses_is_reported_and_not_recorded(self):
         self.write("sweep.toml", PLAN.format(steps=QUICK))
         done = self.batch("sweep.toml", "--slurm", "--", "--partition", "moon", code=4)
         self.assertIn("sbatch: refused the job: exit code 1", done.stderr)
@@ -199,7 +199,7 @@ class Failing(SlurmTest):
         self.assert_complete()
         self.assert_none_was_run_again(before)
 
-    def test_a_task_that_slurm_starts_again_goes_on(self):
+    def test_a_task_that_slurm_restarts_continues(self):
         job, before = self.run_with_a_node_that_dies("--requeue")
         cluster.wait_until(lambda: any(line.startswith(f"{job}_2 PENDING") for line in self.queue()), "the task waits again")
         told = self.batch("sweep.toml", "--gather", code=3).stdout

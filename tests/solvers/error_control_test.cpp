@@ -122,7 +122,7 @@ TEST_CASE("the end is met exactly and without a sliver", "[solvers]") {
     }
 }
 
-TEST_CASE("a reader is told of accepted steps and of time", "[solvers]") {
+TEST_CASE("progress counts accepted steps and time", "[solvers]") {
     ErrorControl steps(1.0, 0.1, order, {.max_step = 0.1});
     CHECK(steps.steps_in_all() == 0);
     CHECK(steps.is_frame_due(3));

@@ -66,7 +66,7 @@ TEST_CASE("KLU and UMFPACK solve unsymmetric patterns with zeros on the diagonal
     }
 }
 
-TEST_CASE("a pivot small beside its column costs no digits", "[solvers]") {
+TEST_CASE("a pivot that is small compared with its column costs no digits", "[solvers]") {
     // Without a pivot search, [ε 1; 1 1] loses as many digits as 1/ε has.
     for_each_solver([](LinearSolverKind kind) {
         Eigen::MatrixXd dense = make_indefinite_matrix(size, 3);
@@ -144,7 +144,7 @@ TEST_CASE("a matrix with an empty column is found singular", "[solvers]") {
     });
 }
 
-TEST_CASE("values that are no numbers do not pass for a solution", "[solvers]") {
+TEST_CASE("NaN does not pass for a solution", "[solvers]") {
     for (const double value :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
         for_each_solver([value](LinearSolverKind kind) {
@@ -187,7 +187,7 @@ TEST_CASE("rods and nets are solved by blocks, what has no diagonal by KLU", "[s
     CHECK(choose(make_sparse(make_unsymmetric_matrix(size, 1)).pattern) == LinearSolverKind::klu);
 }
 
-TEST_CASE("of the general solvers KLU takes rods and small nets, UMFPACK those that fill", "[solvers]") {
+TEST_CASE("KLU takes rods and small nets, UMFPACK matrices that fill", "[solvers]") {
     for (const int nodes : {2, 10, 100, 1000})
         CHECK(make_general_solver(make_net_pattern(1, nodes))->kind() == LinearSolverKind::klu);
     CHECK(make_general_solver(make_net_pattern(6, 6))->kind() == LinearSolverKind::klu);

@@ -52,7 +52,7 @@ TEST_CASE("a step that fails is halved and doubled again on the grid", "[solvers
     CHECK(control.time() == 8.0);
 }
 
-TEST_CASE("a failure within a cut step goes on from where it is", "[solvers]") {
+TEST_CASE("after a failure within a cut step, steps continue from there", "[solvers]") {
     StepControl control(2.0, 2);
     REQUIRE(control.reject());
     control.accept();
@@ -103,7 +103,7 @@ TEST_CASE("parts of a step are not steps, and frames stand on the grid", "[solve
     CHECK(control.is_frame_due(2));
 }
 
-TEST_CASE("steps go on from a time that they meet", "[solvers]") {
+TEST_CASE("steps resume at a time that they meet", "[solvers]") {
     StepControl first(1.0, 10);
     first.accept();
     REQUIRE(first.reject());

@@ -35,7 +35,7 @@ TEST_CASE("times and steps of a grid do not depend on where a run ends", "[solve
     CHECK(rounded > 10);  // or nothing was tried
 }
 
-TEST_CASE("a step that is no fraction is counted as it is", "[solvers]") {
+TEST_CASE("a step that is not a fraction is counted as it is", "[solvers]") {
     const double step = 0.01 * std::numbers::pi;
     const StepGrid grid(step, 1024);
     CHECK(grid.at(100 * 1024) == 100.0 * step);

@@ -4,7 +4,8 @@
 
 using namespace gxrod;
 
-TEST_CASE("A jump is an imbalance beyond what the work may be off and a hundredth of the energy", "[state]") {
+TEST_CASE("A jump is an imbalance beyond the uncertainty of the work and a hundredth of the energy",
+          "[state]") {
     const EnergyPoint before{0.4, 5.0, 7.0, 100.0};
     // Strain energy rises by 1.
     CHECK_FALSE(find_jump(before, {0.5, 6.0, 9.0, 1.0}, 0.0));
@@ -19,7 +20,7 @@ TEST_CASE("A jump is an imbalance beyond what the work may be off and a hundredt
     CHECK(gained->energy == 0.25);
 }
 
-TEST_CASE("Of jumps the largest is kept", "[state]") {
+TEST_CASE("The largest jump is kept", "[state]") {
     EnergyJumps jumps;
     add_jump({0.1, 0.2, 3.0}, jumps);
     add_jump({0.2, 0.3, 5.0}, jumps);

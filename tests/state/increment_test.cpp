@@ -23,7 +23,7 @@ double distance(const Quat& a, const Quat& b) { return a.angularDistance(b); }
 
 }  // namespace
 
-TEST_CASE("a placed node stands where it was put", "[state]") {
+TEST_CASE("a placed node is where it was put", "[state]") {
     RandomValues random(51);
     const NodeMotion previous = make_previous(random);
     const Vec3 r = random.vector();

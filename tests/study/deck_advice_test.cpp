@@ -31,7 +31,7 @@ TEST_CASE("what is not is named, with its error, until when it is, and what to r
     CHECK(says(other, "Elements of the next order change tip position by 3 %."));
 }
 
-TEST_CASE("of errors that are out of reach no refinement is named", "[study]") {
+TEST_CASE("for errors out of reach no refinement is named", "[study]") {
     CHECK(
         says(make_study({make_report("tip", 43.4, 0.0)}),
              "The step adds 4300 % to tip position. It falls too slowly to say what would mend that: refine "
@@ -43,7 +43,7 @@ TEST_CASE("of errors that are out of reach no refinement is named", "[study]") {
                "The step adds more than 100000 % to tip position."));
 }
 
-TEST_CASE("errors that do not fall, or too slowly, are told", "[study]") {
+TEST_CASE("errors that do not fall, or too slowly, are reported", "[study]") {
     DeckStudy study = make_study({make_report("tip", 0.3, 0.0)});
     study.series[0].steps = estimate_error({{0.1}, {0.1}}, 2.0, 1e-12);
     CHECK(says(study, "Errors do not fall with the step (tip position: 0.1, 0.1)"));

@@ -13,7 +13,7 @@ TEST_CASE("what is right is said to be, and then nothing is asked for", "[study]
     CHECK(study.is_accurate());
 }
 
-TEST_CASE("where finer steps are no finer, nothing is said of errors", "[study]") {
+TEST_CASE("if finer steps are not finer, nothing is said of errors", "[study]") {
     DeckStudy study = make_study({make_report("tip", 1e-9, 1e-3)});
     CHECK(study.is_accurate());
     study.runs[0].steps = 90;
@@ -106,7 +106,7 @@ TEST_CASE("where no finer run reached its end, errors are not known", "[study]")
     CHECK_FALSE(study.is_accurate());
 }
 
-TEST_CASE("round-off is told, and no refinement against it", "[study]") {
+TEST_CASE("round-off is reported, and no refinement against it", "[study]") {
     DeckStudy study = make_study({make_report("root", 1e-3, 1e-3), make_report("tip", 1e-3, 1e-3)});
     SeriesReport& tip = study.series[1];
     tip.round_off = 0.02;
@@ -132,7 +132,7 @@ TEST_CASE("round-off is told, and no refinement against it", "[study]") {
     CHECK_FALSE(study.is_sound());
 }
 
-TEST_CASE("where nothing changes there is nothing to judge by", "[study]") {
+TEST_CASE("if nothing changes, there is no scale to judge by", "[study]") {
     DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3), make_report("root", 1e-3, 1e-3)});
     SeriesReport& root = study.series[1];
     root.scale = 0.0;
@@ -152,7 +152,7 @@ TEST_CASE("where nothing changes there is nothing to judge by", "[study]") {
     CHECK(says(study, "Not right to 1 %: root position (it changes in finer runs alone)."));
 }
 
-TEST_CASE("what finer runs do not tell is not called right", "[study]") {
+TEST_CASE("what finer runs do not show is not called right", "[study]") {
     DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3), make_report("root", 1e-3, 1e-3)});
     study.series[1].error = std::numeric_limits<double>::infinity();
     CHECK_FALSE(study.is_accurate());
@@ -166,7 +166,7 @@ TEST_CASE("what finer runs do not tell is not called right", "[study]") {
     CHECK(says(study, "not known, as the elements of rods from mesh files (cable) cannot be refined here"));
 }
 
-TEST_CASE("energy out of balance, and runs that failed, are told", "[study]") {
+TEST_CASE("energy out of balance and failed runs are reported", "[study]") {
     DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3)});
     study.runs[0].books.largest_energy_error = 0.5;
     CHECK(

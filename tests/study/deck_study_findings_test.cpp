@@ -23,7 +23,7 @@ TEST_CASE("what must not be is called a fault", "[study]") {
     }
 }
 
-TEST_CASE("a turned model may differ by the error, and where its steps are cut elsewhere by anything",
+TEST_CASE("a turned model can differ by the error, and by anything if its steps are cut elsewhere",
           "[study]") {
     DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3)});
     study.series[0].turned_difference = 0.9 * study.series[0].error;
@@ -47,7 +47,7 @@ TEST_CASE("a turned model may differ by the error, and where its steps are cut e
     CHECK_THAT(describe_properties(study), Catch::Contains("by 0 rad: differs by 2.2e-03\n"));
 }
 
-TEST_CASE("of a model that hardly moves, nothing is said of its orientation", "[study]") {
+TEST_CASE("nothing is said of the orientation of a model that hardly moves", "[study]") {
     DeckStudy study = make_study({make_report("tip", 1e-3, 1e-3)});
     study.series[0].turned_difference = 1.1 * study.series[0].error;
     study.motion = 1.1e-12;

@@ -20,7 +20,7 @@ std::vector<std::vector<double>> differences_of(double order, double c, int leve
 
 }  // namespace
 
-TEST_CASE("of errors C h^p their order and size are found exactly", "[study]") {
+TEST_CASE("order and size of errors C h^p are found exactly", "[study]") {
     for (const double order : {1.0, 2.0, 3.3, 4.0}) {
         const ErrorEstimate estimate = estimate_error(differences_of(order, 0.1, 2), 4.0, 1e-12);
         REQUIRE(estimate.order);
@@ -51,7 +51,7 @@ TEST_CASE("differences that do not fall are said to support nothing", "[study]")
     CHECK(estimate.largest() > 1.9);
 }
 
-TEST_CASE("differences of round-off show no order and are no reproach", "[study]") {
+TEST_CASE("differences of round-off show no order and raise no warning", "[study]") {
     const ErrorEstimate estimate = estimate_error({{1e-13}, {2e-13}}, 2.0, 1e-12);
     CHECK_FALSE(estimate.order);
     CHECK(estimate.is_supported);
@@ -59,7 +59,7 @@ TEST_CASE("differences of round-off show no order and are no reproach", "[study]
     CHECK(estimate.is_round_off);
 }
 
-TEST_CASE("a fall into round-off shows no order, and is no reproach", "[study]") {
+TEST_CASE("a fall into round-off shows no order, and raises no warning", "[study]") {
     // The last two would be of orders 0.2 and 1.3, but for what is round-off in the second difference.
     for (const auto& [first, second] : {std::pair{1e-3, 1e-15}, {1.1e-12, 0.9e-12}, {2.4e-12, 1e-12}}) {
         const ErrorEstimate estimate = estimate_error({{first}, {second}}, 2.0, 1e-12);

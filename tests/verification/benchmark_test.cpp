@@ -50,7 +50,7 @@ TEST_CASE("a run is compared at the times at which values are known", "[verifica
     CHECK(run.energy_error < 1e-15);
 }
 
-TEST_CASE("errors are distances over a scale; what is no number is not compared", "[verification]") {
+TEST_CASE("errors are distances over a scale; NaN is not compared", "[verification]") {
     BenchmarkValue value = half_way;
     value.reference = {0.005 + 0.003, 0.004, 0.0};
     CHECK(run_benchmark(make_benchmark(value), {}).error == Approx(0.005));
@@ -72,7 +72,7 @@ TEST_CASE("values of the ledger are compared", "[verification]") {
     }
 }
 
-TEST_CASE("of a value for all times the worst is compared", "[verification]") {
+TEST_CASE("for a value at all times the worst error is compared", "[verification]") {
     BenchmarkValue value = half_way;
     value.is_constant = true;
     const BenchmarkRun run = run_benchmark(make_benchmark(value), {});
@@ -81,7 +81,7 @@ TEST_CASE("of a value for all times the worst is compared", "[verification]") {
     CHECK(run.error == run.values[0].error);
 }
 
-TEST_CASE("of a quaternion the nearer sign is compared", "[verification]") {
+TEST_CASE("quaternions are compared with the nearer sign", "[verification]") {
     const BenchmarkValue turned{"end", "quaternion", 1.0, false, {-1.0, 0.0, 0.0, 0.0}};
     Benchmark benchmark = make_benchmark(turned);
     benchmark.deck.replace(benchmark.deck.find("\"displacement\""), 14, "\"quaternion\"");
@@ -119,7 +119,7 @@ TEST_CASE("a wrong reference, order or tolerance is missed", "[verification]") {
     CHECK_FALSE(level.matches());
 }
 
-TEST_CASE("what a run does not have is told", "[verification]") {
+TEST_CASE("missing values of a run are reported", "[verification]") {
     const auto run = [](const BenchmarkValue& value) { run_benchmark(make_benchmark(value), {}); };
     CHECK_THROWS_WITH(run({"end", "displacement", 0.3, false, {0.0}}),
                       "bar: no step ends at t = 0.3, where a value is known");

@@ -8,7 +8,7 @@
 using namespace gxrod;
 using namespace gxrod::test;
 
-TEST_CASE("steps that are cut wherever they begin tell nothing of errors", "[verification]") {
+TEST_CASE("steps that are cut wherever they begin say nothing about errors", "[verification]") {
     const DeckStudy cut = study(swing,
                                 {VariantKind::finer_steps, VariantKind::turned},
                                 {"analysis.time_step=1", "load[0].force=[0,\"300*sin(t)^2\",0]"});
@@ -37,7 +37,7 @@ TEST_CASE("a run of one step cannot be stopped midway", "[verification]") {
     CHECK(single.is_sound());
 }
 
-TEST_CASE("round-off is seen where it is all there is", "[verification]") {
+TEST_CASE("round-off is recognized where there is nothing else", "[verification]") {
     // Stiffnesses of 1e16 and a force of 1: of forces there are no digits, of places there are.
     const DeckStudy stiff =
         study(swing,
@@ -59,7 +59,7 @@ TEST_CASE("round-off is seen where it is all there is", "[verification]") {
     for (const SeriesReport& report : soft.series) CHECK(report.relative(report.round_off) < 1e-9);
 }
 
-TEST_CASE("how far a model moves is told", "[verification]") {
+TEST_CASE("how far a model moves is reported", "[verification]") {
     const DeckStudy swinging = study(swing, {});
     CHECK(swinging.motion > 0.1);
     CHECK_FALSE(swinging.hardly_moves());
@@ -69,7 +69,7 @@ TEST_CASE("how far a model moves is told", "[verification]") {
     CHECK(resting.is_sound());
 }
 
-TEST_CASE("a run that cannot be made is told, and the others are kept", "[verification]") {
+TEST_CASE("a run that cannot be made is reported, and the others are kept", "[verification]") {
     // Half the step meets the singular time.
     const DeckStudy found = study(swing,
                                   {VariantKind::finer_steps, VariantKind::turned},
@@ -131,7 +131,7 @@ TEST_CASE("a deck that does not converge ends its study", "[verification]") {
     CHECK_FALSE(failed.is_accurate());
 }
 
-TEST_CASE("a study that is interrupted tells what it has", "[verification]") {
+TEST_CASE("an interrupted study reports what it has", "[verification]") {
     DeckStudyOptions options;
     int runs = 0;
     int most_runs = 2;

@@ -91,7 +91,7 @@ TEST_CASE("a value is of the end, load factor 1, unless it says when", "[verific
     CHECK_FALSE(benchmark.values[1].is_constant);
 }
 
-TEST_CASE("each fault of a reference is told with its place", "[verification]") {
+TEST_CASE("each fault of a reference is reported with its place", "[verification]") {
     const auto says = [](const std::string& what, const std::string& instead, const std::string& expected) {
         CHECK_THAT(find_fault(what, instead), Catch::Contains(expected));
     };

@@ -30,7 +30,7 @@ TEST_CASE("a line has the vector's worst entry, its error, tolerance and order",
     CHECK_THAT(text, !Catch::Contains("MISSED"));
 }
 
-TEST_CASE("of many checks some are told, and each that failed", "[verification]") {
+TEST_CASE("of many checks some are listed, and each that failed", "[verification]") {
     StudyResult result = make_result(20);
     CHECK_THAT(describe_checks(study, result, 0.0), Catch::EndsWith("  … and 12 more within tolerance\n"));
     result.checks.push_back({"moment", {2.0}, 0.0, {3.0}, 1.0, 1e-3});
@@ -54,7 +54,7 @@ TEST_CASE("columns stand below their names, whatever letters are in them", "[ver
     CHECK(characters(head) == characters(line));
 }
 
-TEST_CASE("the totals tell what was missed", "[verification]") {
+TEST_CASE("the totals count missed checks", "[verification]") {
     CHECK_THAT(describe_totals({3, 20, 0, 1.5}),
                Catch::EndsWith("3 cases, 20 checks, none missed in 1.5 s\n"));
     CHECK_THAT(describe_totals({3, 20, 2, 1.5}), Catch::EndsWith("3 cases, 20 checks, 2 MISSED in 1.5 s\n"));

@@ -16,7 +16,7 @@ using Numbers = std::vector<long>;
 
 }  // namespace
 
-TEST_CASE("Cases that are not done are sorted by who has them and what became of them", "[batch]") {
+TEST_CASE("Cases that are not done are sorted by their holders and status", "[batch]") {
     const std::vector<CaseRow> rows{make_row(1, CaseStatus::done),
                                     make_row(3, CaseStatus::failed),
                                     make_row(4, CaseStatus::crashed),
@@ -37,7 +37,7 @@ TEST_CASE("Cases that are not done are sorted by who has them and what became of
     CHECK_FALSE(taken.is_empty());
 }
 
-TEST_CASE("Of a batch that is done nothing remains", "[batch]") {
+TEST_CASE("Nothing remains of a batch that is done", "[batch]") {
     CHECK(find_remainder({make_row(1, CaseStatus::done)}, 1, {{1, 1}}, {}).is_empty());
     CHECK_FALSE(find_remainder({}, 1, {{1, 1}}, {}).is_empty());
 }

@@ -30,7 +30,7 @@ TEST_CASE("Jobs of a folder are as they were written", "[batch]") {
     CHECK(read_slurm_jobs(folder.path()) == std::vector<SlurmJob>{first, second});
 }
 
-TEST_CASE("A list of jobs that is none is told", "[batch]") {
+TEST_CASE("An invalid list of jobs is reported", "[batch]") {
     const ScratchFolder folder;
     std::filesystem::create_directory(slurm_folder(folder.path()));
     const std::filesystem::path file = folder.write("slurm/jobs.json", "{\"jobs\": [{\"id\": 17}]}");

@@ -77,7 +77,7 @@ TEST_CASE("A spline passes its points at its ends", "[deck]") {
     CHECK(rod.model.rods[0].length > 2.0 * std::sqrt(5.0));
 }
 
-TEST_CASE("What an arc cannot be is told", "[deck]") {
+TEST_CASE("Impossible arcs are reported", "[deck]") {
     CHECK(faults_of(with("arc = { from = [0, 0, 0], through = [1, 0, 0], to = [2, 0, 0] }")) ==
           "x.toml:6:37: rod.r.arc.through: on a line with from and to; expected a point off it");
     CHECK(faults_of(with("arc = { from = [0, 1, 0], through = [1, 0, 0], to = [0, 1, 0] }")) ==
@@ -113,7 +113,7 @@ TEST_CASE("What an arc cannot be is told", "[deck]") {
           "x.toml:6:36: rod.r.arc.axis: expected a direction, found a vector of zero length");
 }
 
-TEST_CASE("What a helix cannot be is told", "[deck]") {
+TEST_CASE("Impossible helices are reported", "[deck]") {
     const std::string axis = "helix = { centre = [0, 0, 0], axis = [0, 0, 1], ";
     CHECK(faults_of(with(axis + "from = [1, 0, 0], turns = 0, pitch = 1 }")) ==
           "x.toml:6:75: rod.r.helix.turns: expected a number other than 0");
@@ -123,7 +123,7 @@ TEST_CASE("What a helix cannot be is told", "[deck]") {
           "x.toml:6:9: rod.r.helix.pitch: missing; expected a number or an expression");
 }
 
-TEST_CASE("What a polyline or spline cannot be is told by its point", "[deck]") {
+TEST_CASE("Impossible polylines and splines are reported by their point", "[deck]") {
     CHECK(faults_of(with("polyline = [[0, 0, 0], [1, 0, 0], [1, 0, 0]]")) ==
           "x.toml:6:35: rod.r.polyline[2]: the same point as the one before");
     CHECK(faults_of(with("polyline = [[0, 0, 0], [1, 0, 0], [0.5, 0, 0]]")) ==

@@ -50,7 +50,7 @@ TEST_CASE("Connected points are one node", "[deck]") {
     CHECK((model.loads[0].axes * Vec3::UnitX()).isApprox(Vec3::UnitY(), 1e-14));
 }
 
-TEST_CASE("Connections go on from one to the next, under the first name", "[deck]") {
+TEST_CASE("Connections chain from one to the next, under the first name", "[deck]") {
     const Model model =
         read(branch + connect(R"("q.start", "p.start")") + connect(R"("r.end", "q.start")")).model;
     REQUIRE(model.nodes.size() == 15);

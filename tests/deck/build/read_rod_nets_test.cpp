@@ -74,7 +74,7 @@ TEST_CASE("A geometry script of a record is not run, and no other file read", "[
     CHECK_THROWS_WITH(rebuild_problem(missing), Catch::Contains("is not kept in the results file"));
 }
 
-TEST_CASE("Rods may be groups of one mesh, whose bytes are kept once", "[deck]") {
+TEST_CASE("Rods can be groups of one mesh, whose bytes are kept once", "[deck]") {
     const Problem problem =
         read(mesh_deck("truss.geo", "\"truss\"") + "[rod.q]\nsection = \"s\"\nmesh = { file = \"" + meshes +
              "truss.geo\", group = 22 }\n[rod.c]\nsection = \"s\"\nmesh = { file = \"" + meshes +
@@ -98,7 +98,7 @@ TEST_CASE("A mesh is found from the folder of its deck", "[deck]") {
     CHECK(message_of(deck) == "line.geo: cannot be read (No such file or directory)");
 }
 
-TEST_CASE("What is wrong with a mesh or its group is told", "[deck]") {
+TEST_CASE("Faults of a mesh or its group are reported", "[deck]") {
     CHECK(faults_of(deck_of("no.msh", "\"a\"")) ==
           "x.toml:6:17: rod.r.mesh.file: no.msh: cannot be read (No such file or directory)");
     CHECK(message_of(mesh_deck("truss.geo", "\"trus\"")) ==
@@ -127,7 +127,7 @@ TEST_CASE("What is wrong with a mesh or its group is told", "[deck]") {
           "physical group edge has elements of order 4; expected order 1 to 3");
 }
 
-TEST_CASE("A group without elements, or with elements of two orders, is told", "[deck]") {
+TEST_CASE("A group without elements, or with elements of two orders, is reported", "[deck]") {
     const std::string nodes = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 2 0 0\n4 1.5 0 0\n$EndNodes\n";
     const std::string head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
     const ScratchFile mixed("mixed.msh",

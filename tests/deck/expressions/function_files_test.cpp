@@ -43,7 +43,7 @@ double force_at(const Problem& problem, double time) { return problem.model.load
 
 }  // namespace
 
-TEST_CASE("A function takes its rows from a file beside the deck", "[deck]") {
+TEST_CASE("A function takes its rows from a file next to the deck", "[deck]") {
     const Beside beside("t,x,y\n0,0,5\n1,2,6\n# a comment\n2,8,7\n");
     CHECK(force_at(beside.read("file = \"motion.csv\"\n"), 0.5) == 1.0);
     CHECK(force_at(beside.read("file = \"motion.csv\"\ncolumns = [\"t\", \"y\"]\n"), 1.5) == 6.5);
@@ -69,7 +69,7 @@ TEST_CASE("The file is kept with the deck, and read again from there", "[deck]")
     CHECK_THROWS_WITH(rebuild_problem(without), Catch::Contains("is not kept in the results file"));
 }
 
-TEST_CASE("A run goes on with the file that it began with only", "[deck]") {
+TEST_CASE("A run is resumed only with the file that it began with", "[deck]") {
     const Beside beside("0,0\n1,2\n");
     std::ofstream(beside.deck) << deck_with("file = \"motion.csv\"\n");
     const Problem problem = read_problem(beside.deck);

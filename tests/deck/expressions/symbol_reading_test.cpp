@@ -58,7 +58,7 @@ expression = "f(t)")x") == "x.toml:9:14: function.f.expression: the function dep
 expression = "f(t)")x") == "x.toml:9:14: function.f.expression: the function depends on itself: f → f");
 }
 
-TEST_CASE("A function may be a whole number", "[deck]") {
+TEST_CASE("A function can be an integer", "[deck]") {
     const Model model = read(body_deck + R"x([function.f]
 expression = 3
 [[load]]

@@ -47,7 +47,7 @@ TEST_CASE("A field that is written is read back", "[deck]") {
     }
 }
 
-TEST_CASE("Files that cannot be read are told", "[deck]") {
+TEST_CASE("Files that cannot be read are reported", "[deck]") {
     CHECK_THROWS_WITH(read_text_file("/nowhere/x.csv"),
                       "/nowhere/x.csv: cannot be read (No such file or directory)");
     CHECK_THROWS_WITH(read_text_file("/tmp"), "/tmp: is a folder, expected a file");

@@ -46,7 +46,7 @@ TEST_CASE("Values have their types", "[deck]") {
     CHECK(std::holds_alternative<double>(deck.find("n")->node.value));
 }
 
-TEST_CASE("A deck may have Windows line ends and a byte order mark", "[deck]") {
+TEST_CASE("A deck can have Windows line ends and a byte order mark", "[deck]") {
     const DeckNode deck = read_toml("\xEF\xBB\xBFtitle = \"x\"\r\n[a]\r\nb = 1\r\n", "");
     CHECK(keys_of(deck) == std::vector<std::string>{"title", "a"});
     CHECK(deck.find("a")->node.find("b")->node.place == Place{-1, 3, 5});

@@ -40,7 +40,7 @@ std::string faults_of_change(const std::string& old_text, const std::string& new
 
 }  // namespace
 
-TEST_CASE("A deck may go on with another end, other steps and other output", "[deck][resume]") {
+TEST_CASE("A run can be resumed with another end, other steps and other output", "[deck][resume]") {
     CHECK(faults_of_change("end_time = 1.0", "end_time = 2") == "");
     CHECK(faults_of_change("steps = 10", "time_step = 0.05") == "");
     CHECK(faults_of_change("steps = 10",
@@ -109,7 +109,7 @@ TEST_CASE("An override that differs is named as it was given", "[deck][resume]")
     CHECK(dynamic_of(longer).end_time == 5.0);
 }
 
-TEST_CASE("A run does not go on with another mesh", "[deck][resume]") {
+TEST_CASE("A run is not resumed with another mesh", "[deck][resume]") {
     const std::string line =
         "Point(1) = {0, 0, 0};\nPoint(2) = {10, 0, 0};\nLine(1) = {1, 2};\n"
         "Transfinite Curve {1} = 4;\nPhysical Curve(\"cable\") = {1};\n";

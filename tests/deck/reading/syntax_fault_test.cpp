@@ -5,7 +5,7 @@
 
 namespace gxrod::test {
 
-TEST_CASE("Numbers without a digit beside the point are explained", "[deck]") {
+TEST_CASE("Numbers without a digit next to the point are explained", "[deck]") {
     CHECK(faults_of(replaced(body_deck, "mass = 1.0", "mass = 1.")) ==
           "x.toml:2:8: TOML does not read 1., a number with no digit next to its point: write 1.0");
     CHECK(faults_of(replaced(body_deck, "mass = 1.0", "mass = .5")) ==

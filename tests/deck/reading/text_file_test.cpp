@@ -33,7 +33,7 @@ TEST_CASE("What has no end is read up to a limit", "[deck]") {
     CHECK(read_text_file("/dev/null").empty());
 }
 
-TEST_CASE("A regular file may have as many bytes as it is allowed", "[deck]") {
+TEST_CASE("A regular file can have as many bytes as the limit", "[deck]") {
     const sample::ScratchFolder folder;
     const std::string text(200'000, 'x');
     std::ofstream(folder / "file") << text;
@@ -43,7 +43,7 @@ TEST_CASE("A regular file may have as many bytes as it is allowed", "[deck]") {
                       EndsWith("has more than 0 MB, expected a deck"));
 }
 
-TEST_CASE("A pipe is read while there is who writes to it", "[deck]") {
+TEST_CASE("A pipe is read as long as it has a writer", "[deck]") {
     const TimeLimit limit(60);
     const sample::ScratchFolder folder;
     const std::string path = (folder / "pipe").string();

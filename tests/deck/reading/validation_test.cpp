@@ -37,7 +37,7 @@ title = "late")") ==
           R"(x.toml:1:1: integrator: unknown key; did you mean "analysis.integrator"?)");
 }
 
-TEST_CASE("Missing keys are errors that say what is expected", "[deck]") {
+TEST_CASE("Errors on missing keys say what is expected", "[deck]") {
     CHECK(faults_of(replaced(body_deck, "mass = 1.0\n", "")) ==
           "x.toml:1:1: body.top.mass: missing; expected a number greater than 0 or an expression");
     CHECK(faults_of(replaced(rod_deck, "section = \"s\"\n", "")) ==

@@ -90,7 +90,7 @@ TEST_CASE("A condition on a key or group names words of another key of the table
     CHECK(conditions == 13);
 }
 
-TEST_CASE("Ranges know their bounds and say them", "[deck]") {
+TEST_CASE("Ranges know and describe their bounds", "[deck]") {
     const Range half_open{.lower = 0.0, .at_lower = Bound::open, .upper = 0.5};
     CHECK_FALSE(half_open.contains(0.0));
     CHECK(half_open.contains(1e-300));

@@ -48,7 +48,7 @@ void collect_choices(const TableSpec& table, std::vector<std::vector<std::string
 
 }  // namespace
 
-TEST_CASE("Every synonym of a key leads to a key that there is", "[deck]") {
+TEST_CASE("Every synonym of a key leads to an existing key", "[deck]") {
     const auto of_deck = all_tables(deck_schema());
     const auto of_plan = all_tables(plan_schema());
     for (const KeySynonyms& synonyms : key_synonyms()) {

@@ -67,7 +67,7 @@ TEST_CASE("The square section of the 45 degree bend has its published constants"
     CHECK((square.stiffness.diagonal() - expected).cwiseQuotient(expected).cwiseAbs().maxCoeff() < 1e-11);
 }
 
-TEST_CASE("G stands for E/(2(1 + nu)), also in the shear factor", "[deck]") {
+TEST_CASE("G means E/(2(1 + nu)), also in the shear factor", "[deck]") {
     const std::string shape = "shape = { tube = { outer_radius = 2, inner_radius = 1 } }\n";
     const Section by_nu = section_of(shape + "material = { E = 260, nu = 0.3, density = 1 }\n");
     const Section by_G = section_of(shape + "material = { E = 260, G = 100, density = 1 }\n");
@@ -81,7 +81,7 @@ TEST_CASE("G stands for E/(2(1 + nu)), also in the shear factor", "[deck]") {
     CHECK_NOTHROW(section_of(shape + "material = { E = 300, G = 100, density = 1 }\n"));
 }
 
-TEST_CASE("A reader is told what a shear factor means and which one a section has", "[deck]") {
+TEST_CASE("Messages explain shear factors and name the one that a section has", "[deck]") {
     const auto note = [](const std::string& shape, const std::string& material) {
         return read(with_section("shape = { " + shape + " }\nmaterial = { density = 1, " + material + " }\n"))
             .notes.at(0);
@@ -99,7 +99,7 @@ TEST_CASE("A reader is told what a shear factor means and which one a section ha
           meaning + "shear_factor 1 is given");
 }
 
-TEST_CASE("A section may be matrices", "[deck]") {
+TEST_CASE("A section can be matrices", "[deck]") {
     const Section section = section_of(
         "stiffness_matrix = [\n"
         "  [1e6,   0,   0,   0,   0,   0],\n"

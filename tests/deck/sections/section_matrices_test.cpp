@@ -29,7 +29,7 @@ Mat6 make_slice(const Vec3& d, const Mat3& J) {
 
 }  // namespace
 
-TEST_CASE("A stiffness matrix may couple anything, if it is symmetric and positive definite", "[deck]") {
+TEST_CASE("A stiffness matrix can couple anything, if it is symmetric and positive definite", "[deck]") {
     Mat6 matrix = make_diagonal();
     CHECK(stiffness_fault(matrix).empty());
     matrix(0, 4) = matrix(4, 0) = 1e3;
@@ -40,7 +40,7 @@ TEST_CASE("A stiffness matrix may couple anything, if it is symmetric and positi
     CHECK(matrix == matrix.transpose());
 }
 
-TEST_CASE("What a stiffness matrix cannot be is told by its entry", "[deck]") {
+TEST_CASE("An impossible stiffness matrix is reported by its entry", "[deck]") {
     Mat6 matrix = make_diagonal();
     matrix(4, 3) = 10.0;
     CHECK(stiffness_fault(matrix) == "[4][3]: expected a symmetric matrix, found 10 here and 0 at [3][4]");
@@ -65,7 +65,7 @@ TEST_CASE("A mass matrix is that of a rigid slice, offset or not", "[deck]") {
     CHECK(mass_fault(make_slice(Vec3(0.1, 0.3, -0.4), turned * J * turned.transpose())).empty());
 }
 
-TEST_CASE("What a mass matrix cannot be is told by its entry", "[deck]") {
+TEST_CASE("An impossible mass matrix is reported by its entry", "[deck]") {
     const Mat3 J = Vec3(0.03, 0.02, 0.015).asDiagonal();
     const std::string slice = " as in the inertia of a rigid slice, [m 1, −m [d]×; m [d]×, J], found ";
     Mat6 matrix = make_slice(Vec3(0, 0.3, -0.4), J);

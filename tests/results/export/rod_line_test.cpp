@@ -70,7 +70,7 @@ TEST_CASE("A file says where its rods lie", "[results]") {
     }
 }
 
-TEST_CASE("A table of rods that does not fit its frames is told", "[results]") {
+TEST_CASE("A table of rods that does not fit its frames is reported", "[results]") {
     const sample::ScratchFolder folder;
     CHECK_THROWS_AS(read_rod_line(write_frame(folder, make_two_rods(2)), 2), std::runtime_error);
     const char* const dataset = GENERATE("/rods/first_cell", "/rods/elements", "/VTKHDF/Offsets");

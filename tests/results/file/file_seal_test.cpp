@@ -81,7 +81,7 @@ bool is_refused(Action&& action) {
 
 }  // namespace
 
-TEST_CASE("A seal is read as it was written, and with any other bit it is none", "[results]") {
+TEST_CASE("A seal is read as it was written, and is invalid with any other bit", "[results]") {
     for (const FileSeal& seal : {FileSeal{}, FileSeal{false, 123456789012, 0xdeadbeef}}) {
         const SealBlock block = write_seal(seal);
         const std::optional<FileSeal> read = read_seal(block);
@@ -164,7 +164,7 @@ TEST_CASE("A commit opens an ordered file's seal, and sealing closes it", "[resu
     CHECK_THROWS_AS(file.seal(), std::bad_alloc);
 }
 
-TEST_CASE("Bytes that were cut off and written anew between two seals count", "[results]") {
+TEST_CASE("Bytes that were cut off and rewritten between two seals count", "[results]") {
     const sample::ScratchFolder folder;
     const auto path = folder / "a";
     OrderedFile file(create(path));
@@ -236,7 +236,7 @@ TEST_CASE("A results file is sealed from its start to its end", "[results]") {
     CHECK(is_sealed(path, std::filesystem::file_size(path)));
 }
 
-TEST_CASE("A run goes on from a file whose seal is open, and closes it", "[results][resume]") {
+TEST_CASE("A run resumes from a file whose seal is open, and closes it", "[results][resume]") {
     const sample::ScratchFolder folder;
     const auto path = folder / "a.vtkhdf";
     const Model model = sample::make_model();
@@ -256,7 +256,7 @@ TEST_CASE("A run goes on from a file whose seal is open, and closes it", "[resul
     CHECK(GuardedReading(path).doubt().empty());
 }
 
-TEST_CASE("Any changed bit of a sealed file is reported, and no run goes on from it", "[results][resume]") {
+TEST_CASE("Any changed bit of a sealed file is reported, and no run resumes from it", "[results][resume]") {
     const sample::ScratchFolder folder;
     const auto path = folder / "a.vtkhdf";
     const Model model = sample::make_model();

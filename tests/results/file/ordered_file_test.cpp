@@ -81,7 +81,7 @@ TEST_CASE("Data past what is committed are on disk at once, unless something is 
     CHECK(content(folder / "a") == "headabcdefghij");
 }
 
-TEST_CASE("A commit that fails leaves what was there and may be tried again", "[results]") {
+TEST_CASE("A commit that fails leaves what was there and can be tried again", "[results]") {
     const sample::ScratchFolder folder;
     OrderedFile file(create(folder / "a"));
     file.write(Part::superblock, begin + 0, bytes("S1"));

@@ -45,7 +45,7 @@ TEST_CASE("Replacing a link replaces what it points to", "[results]") {
     CHECK(content(folder / "target").empty());
 }
 
-TEST_CASE("What could not be begun is taken away, and a link to it stays", "[results]") {
+TEST_CASE("A file that could not be started is removed, and a link to it stays", "[results]") {
     const sample::ScratchFolder folder;
     std::ofstream(folder / "target") << "old";
     fs::create_symlink("target", folder / "link");
@@ -56,7 +56,7 @@ TEST_CASE("What could not be begun is taken away, and a link to it stays", "[res
     CHECK(!fs::exists(folder / "target"));
 }
 
-TEST_CASE("A folder or a device is no results file", "[results]") {
+TEST_CASE("A folder or a device is not a results file", "[results]") {
     const sample::ScratchFolder folder;
     for (const Existing existing : {Existing::refuse, Existing::replace}) {
         CHECK_THROWS_WITH(create(folder.path(), existing), Contains("it is a directory"));

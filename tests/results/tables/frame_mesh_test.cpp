@@ -52,7 +52,7 @@ TEST_CASE("A node carries the axes of its first rod, else those of its body", "[
     CHECK(mesh.triads[3].coeffs() == model.bodies[1].attitude.coeffs());
 }
 
-TEST_CASE("Cells and nodes of rods carry a radius, bodies none", "[results]") {
+TEST_CASE("Cells and nodes of rods carry a radius, bodies do not", "[results]") {
     Model model = sample::make_model();
     model.sections.push_back(model.sections[0]);
     model.sections[1].stiffness(0, 0) *= 4.0;

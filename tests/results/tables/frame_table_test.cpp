@@ -73,7 +73,7 @@ TEST_CASE("Frames have the form that VTK asks for", "[results]") {
     }
 }
 
-TEST_CASE("Where cells and points lie along rods stands there once for all frames", "[results]") {
+TEST_CASE("Places of cells and points along rods are stored once for all frames", "[results]") {
     const sample::ScratchFolder folder;
     const Hdf5Reader file = write_frames(folder);
     using Numbers = std::vector<double>;
@@ -128,7 +128,7 @@ TEST_CASE("The points of a frame carry their motion and axes", "[results]") {
     }
 }
 
-TEST_CASE("The cells of a frame carry section values, bodies none", "[results]") {
+TEST_CASE("The cells of a frame carry section values, bodies do not", "[results]") {
     const sample::ScratchFolder folder;
     const Hdf5Reader file = write_frames(folder);
     for (std::size_t frame = 0; frame < times.size(); ++frame) {

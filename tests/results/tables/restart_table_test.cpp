@@ -67,7 +67,7 @@ void check_equal(const RestartRecord& a, const RestartRecord& b) {
 
 }  // namespace
 
-TEST_CASE("The state to go on from comes back to the last bit", "[results][resume]") {
+TEST_CASE("The state to resume from comes back to the last bit", "[results][resume]") {
     const sample::ScratchFolder folder;
     const Model model = sample::make_model();
     ResultsFile file({folder / "a"}, sample::make_deck(), model, sample::make_output());

@@ -25,7 +25,7 @@ Model make_branched() {
 
 }  // namespace
 
-TEST_CASE("Cells lie on their rods at the middles of elements, bodies on none", "[results]") {
+TEST_CASE("Cells lie on their rods at the middles of elements, bodies on no rod", "[results]") {
     const RodPlaces cells = find_cell_places(make_branched());
     CHECK(cells.rod == Numbers{0, 0, 1, 1, -1, -1});
     CHECK(cells.element == Numbers{0, 1, 0, 1, -1, -1});
