@@ -25,7 +25,7 @@ BLOCKS = re.compile(r"solve_eigen_blocks/(\d+)$")
 
 
 def read(name):
-    """A file of data beside this script."""
+    """A file of data next to this script."""
     return json.loads((FOLDER / name).read_text())
 
 
@@ -69,7 +69,7 @@ def draw_peers(axes, peers, quantity, point):
 
 
 def finish(figure, axes, name):
-    """Puts the legend beside the axes and writes the picture."""
+    """Puts the legend next to the axes and writes the picture."""
     axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0), borderaxespad=0.0, handlelength=2.0)
     figure.savefig(FOLDER / name)
 

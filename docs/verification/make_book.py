@@ -21,7 +21,7 @@ def read_arguments():
     parser.add_argument("program", nargs="?", help="gxrod [build/release/gxrod]")
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--pages", action="store_true", help="renew pages and pictures from results.json, without a run")
-    what.add_argument("--check", action="store_true", help="change nothing; tell what is not current")
+    what.add_argument("--check", action="store_true", help="change nothing; report what is not current")
     what.add_argument("--only", nargs="+", metavar="NAME", help="run these cases; keep the others as they are")
     parser.add_argument("--figures", action="store_true", help="draw all pictures, not only those whose data changed")
     return parser.parse_args()

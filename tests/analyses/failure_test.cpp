@@ -1,4 +1,4 @@
-// What a reader is told of a step that fails.
+// Messages about a step that fails.
 #include <numbers>
 
 #include "analyses/dynamic.hpp"
@@ -13,7 +13,7 @@ using namespace gxrod::tools;
 
 namespace {
 
-// A cantilever of length 2 in 4 elements, pushed sideways, soft about z as told.
+// A cantilever of length 2 in 4 elements, pushed sideways, as soft about z as requested.
 Model make_cantilever(double EIz) {
     Model model = make_rod_model(along_x, 2.0, {4}, make_section({1e3, 1e3, 1e3, 10.0, 10.0, EIz}));
     clamp(model, 0);

@@ -7,7 +7,7 @@
 #include "solvers/step_control.hpp"
 #include "tools/catch.hpp"
 
-// A run that was stopped and goes on, against the same run in one piece: equal to the last bit.
+// A run that was stopped and resumed, against the same run in one piece: equal to the last bit.
 
 namespace gxrod::test {
 namespace {
@@ -52,7 +52,7 @@ std::string loaded() {
         "move = { x = \"0.1*t\", ry = \"t\" }");
 }
 
-// Of all datasets of numbers but those that say where a run came from and how it would go on.
+// Of all datasets of numbers but those that say where a run came from and how it would resume.
 std::vector<std::string> names_of(const Hdf5Reader& file) {
     std::vector<std::string> names = file.datasets();
     std::erase_if(names, [](const std::string& name) {
@@ -156,7 +156,7 @@ TEST_CASE("A run made longer equals one that was long from the start", "[analyse
     runner.run(read(swinging), "longer");
     runner.run(whole, "whole");
     runner.resume(whole, "longer");
-    // t = 1 was the last frame of the shorter run and is none of the longer one.
+    // t = 1 was the last frame of the shorter run and is not a frame of the longer one.
     REQUIRE(Hdf5Reader(runner.folder / "longer").size("/VTKHDF/Steps/Values") ==
             std::vector<hsize_t>{end == "1.7" ? 23U : 16U});
     CHECK(runner.differences("whole", "longer") == std::vector<std::string>{});

@@ -1,4 +1,4 @@
-// How static runs get through: steps that fail are cut, elements that turn too far are told, the books close.
+// How static runs succeed: steps that fail are cut, elements that turn too far are reported, the books close.
 #include <numbers>
 
 #include "rotation/rotation_map.hpp"

@@ -120,7 +120,7 @@ std::string in_stages(const std::string& deck) {
     return test::replaced(in_motion(deck), "generalized-alpha", "sdirk-4");
 }
 
-// Of nodes along x, of which a mesh may be told from either end.
+// Of nodes along x; a mesh can list them from either end.
 Vec3 find_tip(const State& state) {
     const auto nearer = [](const NodeMotion& a, const NodeMotion& b) { return a.r.x() < b.r.x(); };
     return std::max_element(state.trial.begin(), state.trial.end(), nearer)->r;
@@ -244,7 +244,7 @@ TEST_CASE("A rod of hardly any length changes nothing but its end", "[analyses][
         INFO(length);
         CHECK((tip_of(length) - expected).norm() < 1.01 * length + 1e-11);
     }
-    // What is no length beside the coordinates is refused.
+    // A length that vanishes compared with the coordinates is refused.
     CHECK_THAT(test::faults_of(section("a", 1e4, 1.0) + rod("r", "a", 1.0, 1.0 + 1e-13, 1) + clamped),
                Catch::Contains("the rod has no length"));
     CHECK_THAT(test::faults_of(section("a", 1e4, 1.0) +

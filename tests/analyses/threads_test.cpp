@@ -9,7 +9,7 @@ namespace gxrod::test {
 namespace {
 
 // Rods that share nodes, long enough for several parts of every loop; with what assembly treats apart: a
-// body, `simo` elements, damping, a section whose mass lies beside its line, loads along rods, a roller in
+// body, `simo` elements, damping, a section whose mass lies off its line, loads along rods, a roller in
 // its own axes and a support that moves.
 const std::string structure = R"deck(gravity = [0, 0, "-9.81*cos(t)"]
 [section.s]

@@ -17,7 +17,7 @@ results = "none"
 
 
 class ClusterTest(ProgramTest):
-    """Commands that write down how they were called, and answer as told."""
+    """Commands that record how they were called, and answer as set."""
 
     def setUp(self):
         super().setUp()

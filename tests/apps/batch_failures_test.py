@@ -1,4 +1,4 @@
-"""`gxrod batch`: cases that fail, and the rest goes on."""
+"""`gxrod batch`: cases that fail do not stop the others."""
 
 import os
 import signal

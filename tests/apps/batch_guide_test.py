@@ -15,7 +15,7 @@ class BatchGuide(ProgramTest):
     def setUp(self):
         super().setUp()
         self.page = GUIDE.read_text(encoding="utf-8")
-        # "`sweep.toml`, beside the deck:" and what follows it.
+        # "`sweep.toml`, next to the deck:" and what follows it.
         for name, text in re.findall(r"`(\w+\.(?:toml|csv))`[^`.]*:\n\n```(?:toml)?\n(.*?)```", self.page, re.DOTALL):
             self.write(name, text)
 

@@ -578,7 +578,7 @@ class Links(ProgramTest):
         self.assertIn("1 written, 2 kept", done.stdout)
         self.assertGreater(old.stat().st_mtime, 1.1e9)
         self.assertEqual(new.stat().st_mtime_ns, stamp)
-        # Old pages that are not written anew are not linked.
+        # Old pages that are not rewritten are not linked.
         os.utime(old, (1e9, 1e9))
         self.gxrod("report", self.root, "--force", "--cases", "none")
         self.assertEqual(self.linked(), [2, 3])

@@ -61,7 +61,7 @@ class Stopping(BatchTest):
         os.killpg(process.pid, signal.SIGINT)
         _, errors = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130)
-        self.assertRegex(errors, r"gxrod: ends after the \d cases? at hand; Ctrl-C again leaves them")
+        self.assertRegex(errors, r"gxrod: ends after the running \d cases?; Ctrl-C again leaves them")
         self.assertRegex(errors, r"gxrod: interrupted; \d+ cases left to run\. The same command resumes the batch\.")
         rows = self.rows()
         self.assertLess(len(rows), count)

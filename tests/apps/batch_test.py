@@ -53,7 +53,7 @@ class Running(BatchTest):
         self.assertEqual(self.values_of("alone.vtkhdf"), self.values_of("plan/cases/0004.vtkhdf"))
 
     def values_of(self, name):
-        """The bytes of every dataset, but for states to go on from: the older of two is that of some moment of the clock."""
+        """The bytes of every dataset, except states to resume from: the older of two depends on the clock."""
         values = {}
         with h5py.File(self.folder / name) as file:
             file.visititems(lambda path, item: values.update({path: np.asarray(item[()]).tobytes()})

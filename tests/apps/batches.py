@@ -56,7 +56,7 @@ FAILING = """deck = "swinger.toml"
 lowest = { history = "tip", quantity = "position", component = "z", take = "min" }
 """
 
-# Cases that go on until they are stopped.
+# Cases that run until they are stopped.
 ENDLESS = """deck = "swinger.toml"
 [vary]
 "parameters.EI" = [100, 200]

@@ -42,7 +42,7 @@ class Browser:
         self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
 
     def open(self, page):
-        """Loads a page from disk and waits until it has set itself up; forgets what was logged before."""
+        """Loads a page from disk and waits until it has set itself up; clears the log."""
         self.take_errors()
         self.take_requests()
         self.driver.get(page.as_uri())

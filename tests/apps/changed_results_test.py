@@ -1,4 +1,4 @@
-"""Results in which the disk changed a bit: what a user is told of them."""
+"""Results in which the disk changed a bit: what a user sees of it."""
 
 import os
 import shutil

@@ -181,7 +181,7 @@ class Examples(ProgramTest):
             rigid = self.work_on_rigid_rod(peak)
             self.assertAlmostEqual(work[2] / rigid, 1.0, delta=0.021)
             self.assertTrue(2.35 < work[0] / rigid < 3.15, work[0] / rigid)
-        # One case is the deck as it stands, and its results are those of a run.
+        # One case is the deck as it is, and its results are those of a run.
         self.run_command("gxrod run docs/examples/free_flight/free_flight.toml --quiet")
         with self.open("free_flight") as run, self.open("free_flight_grid/cases/0009") as kept:
             np.testing.assert_array_equal(run["ledger/external_work"][:], kept["ledger/external_work"][:])

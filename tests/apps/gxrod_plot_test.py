@@ -159,7 +159,7 @@ class Pictures(PlotTest):
                 picture = self.read_picture(self.folder / f"{name}.png")
                 wide, high = self.drawn_box(picture)
                 self.assertGreater(max(wide, high), 0.6)
-                # Inches of picture beside what is drawn.
+                # Inches of picture around what is drawn.
                 other = picture.shape[1] * (1 - wide) if high > wide else picture.shape[0] * (1 - high)
                 self.assertLess(other / 160, 4.0, "the picture is half blank")
                 ended = self.run_plot(path, "-o", f"{name}_all.png")
@@ -243,7 +243,7 @@ class Modules(PlotTest):
             fake.unlink()
             self.assertEqual((ended.returncode, ended.stdout), (1, ""))
             self.assertTrue(ended.stderr.startswith(
-                f"gxrod-plot needs the Python module {module}; it is not there for /opt/python and {sys.executable}.\n"))
+                f"gxrod-plot needs the Python module {module}; it is not installed for /opt/python and {sys.executable}.\n"))
             self.assertIn("python3 -m pip install h5py numpy matplotlib", ended.stderr)
 
     def test_the_python_of_the_path_runs_it(self):
@@ -259,11 +259,11 @@ class Errors(PlotTest):
                                 (("--y", "tap/moment/x"), "there is no history 'tap'"),
                                 (("--y", "ledger/heat"), "the ledger has no 'heat'"),
                                 (("--y", "ledger/kinetic_energy/x"), "is one number, without a component 'x'"),
-                                (("--x", "tip/moment/x", "--what", "shapes"), "shapes are drawn of one file"),
+                                (("--x", "tip/moment/x", "--what", "shapes"), "shapes need one file"),
                                 (("--size", "0", "4"), "from 0.5 to 100 inches"),
                                 (("--title", "a", "--no-title"), "not allowed with")):
             self.assert_fails(2, self.sample, *arguments, says=[said])
-        self.assert_fails(2, self.sample, self.sample, "--times", "1", says=["shapes are drawn of one file"])
+        self.assert_fails(2, self.sample, self.sample, "--times", "1", says=["shapes need one file"])
 
     def test_results_that_are_not_there(self):
         self.assert_fails(4, "none.vtkhdf", says=["none.vtkhdf", "no such file"])

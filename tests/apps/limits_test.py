@@ -1,4 +1,4 @@
-"""docs/guide/limits.md is true: what it says that gxrod does not do is refused, with the message that stands there."""
+"""docs/guide/limits.md is true: what it says that gxrod does not do is refused, with the message quoted there."""
 
 import re
 import shlex

@@ -74,14 +74,14 @@ class ProgramTest(unittest.TestCase):
         return name
 
     def gxrod(self, *arguments, code=0, program=GXROD, timeout=300, **options):
-        """Runs the program; the exit code must be as told."""
+        """Runs the program; the exit code must be `code`."""
         done = subprocess.run([program, *map(str, arguments)], cwd=self.folder, text=True, timeout=timeout,
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, **options)
         self.assertEqual(done.returncode, code, f"{arguments}\n{done.stdout}\n{done.stderr}")
         return done
 
     def run_command(self, command, timeout=300):
-        """Runs a command as a page states it, from the project's folder; "# exit code 3" may stand behind it."""
+        """Runs a command as a page states it, from the project's folder; "# exit code 3" can follow it."""
         program, *arguments = shlex.split(command, comments=True)
         paths = {"gxrod": GXROD, "gxrod-plot": GXROD_PLOT, "python3": sys.executable}
         arguments = [str(SOURCE / word) if word.startswith("docs/") else word for word in arguments]

@@ -1,4 +1,4 @@
-"""gxrod report: what its page tells, that nothing of a deck runs in it, and the program's own words."""
+"""gxrod report: what its page shows, that nothing of a deck runs in it, and the program's own words."""
 
 import subprocess
 import time
@@ -68,7 +68,7 @@ class Words(PageTest):
 
 class Resumed(PageTest):
     def make_page(self):
-        """Of a run to t = 1 that went on to t = 2 with another history, and without one of the first's quantities."""
+        """Of a run to t = 1 that was resumed to t = 2 with another history, and without one of the first's quantities."""
         before = ROD.replace("end_time = 2.0", "end_time = 1.0")
         after = ROD.replace(', "velocity"]', "]").replace('"A swinging rod"', '"Resumed"')
         after += '[[history]]\nname = "mid_span"\nat = "arm@0.5"\nquantities = ["position"]\n'

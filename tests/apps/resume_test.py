@@ -1,4 +1,4 @@
-"""gxrod resume: killed, interrupted and finished runs go on as if they had never stopped."""
+"""gxrod resume: killed, interrupted and finished runs continue as if they had never stopped."""
 
 import os
 import signal
@@ -46,7 +46,7 @@ class Resume(ProgramTest):
             return 0
 
     def check_equal(self, first, second):
-        """Every dataset but the state to go on from and the deck, to the last bit."""
+        """Every dataset but the state to resume from and the deck, to the last bit."""
         with h5py.File(self.folder / first) as a, h5py.File(self.folder / second) as b:
             names = []
             a.visititems(lambda name, item: names.append(name) if isinstance(item, h5py.Dataset) else None)

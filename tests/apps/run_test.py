@@ -81,7 +81,7 @@ class Run(ProgramTest):
             files.append(h5py.File(self.folder / f"{threads}.vtkhdf"))
         names = []
         files[0].visititems(lambda name, item: names.append(name) if isinstance(item, h5py.Dataset) else None)
-        # What a resumed run goes on from depends on when it was written last.
+        # The state to resume from depends on when it was written last.
         names = [name for name in names if not name.startswith("restart/")]
         self.assertGreater(len(names), 20)
         for name in names:

@@ -19,7 +19,7 @@ class Unprintable(ProgramTest):
         return device
 
     def run_full(self, *arguments, code, stdout=False, stderr=False):
-        """Runs with a full disk behind one of the streams; returns what the other one got."""
+        """Runs with one of the streams to a full disk; returns what the other one got."""
         done = subprocess.run([GXROD, *arguments], cwd=self.folder, text=True, check=False, timeout=300,
                               stdout=self.full() if stdout else subprocess.PIPE,
                               stderr=self.full() if stderr else subprocess.PIPE)

@@ -50,7 +50,7 @@ class VerifyDeck(ProgramTest):
         self.assertIn("tip position", told)
         self.assertIn("stopped midway and resumed: the same to the last bit\n", told)
         self.assertIn("two threads: the same to the last bit\n", told)
-        # At the free end there is no moment, and what solvers leave there is no error.
+        # At the free end there is no moment, and what solvers leave there is not an error.
         self.assertRegex(told, r"tip moment +0 ")
         self.assertIn("\n- Right to 1 % of their largest change: tip moment", told)
         self.assertIn("- Not right to 1 %: ", told)

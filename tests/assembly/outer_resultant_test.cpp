@@ -13,7 +13,7 @@ using namespace gxrod::tools;
 
 namespace {
 
-// The momenta a time later, of nodes that go on with their velocities and accelerations.
+// The momenta a time later, of nodes that continue with their velocities and accelerations.
 Momentum move_on(const System& system, const State& state, double time, double later) {
     State moved = state;
     for (NodeMotion& node : moved.trial) {

@@ -14,7 +14,7 @@ namespace {
 
 const Vec3 gravity(0.3, -9.0, 1.0);
 
-// What a section has beside its stiffness and the inertia of a centre of mass on the line.
+// What a section has in addition to its stiffness and the inertia of a centre of mass on the line.
 struct Extras {
     bool offset = false;
     double kelvin_voigt = 0.0;

@@ -84,7 +84,7 @@ TEST_CASE("Parts of slices go into the table", "[batch]") {
     { TableAppender(part, record).append(row_of(4, "new")); }
     CHECK(numbers_and_reasons(read_case_rows(folder.path(), record)) == "1 4new ");
     {
-        // It goes on being written.
+        // Writing continues.
         const BatchLock writer = BatchLock::of_cases(folder.path(), {4, 6});
         CHECK(numbers_and_reasons(gather_rows(folder.path(), record)) == "1 4new ");
         CHECK(std::filesystem::exists(part));

@@ -11,7 +11,7 @@ namespace gxrod::test {
 
 TEST_CASE("The page docs/plan.md is what the schema says", "[batch]") {
     const bool is_current = read_text_file(GXROD_SOURCE_DIR "/docs/plan.md") == plan_reference() + "\n";
-    INFO("Write it anew: gxrod schema --plan --markdown > docs/plan.md");
+    INFO("Regenerate it: gxrod schema --plan --markdown > docs/plan.md");
     CHECK(is_current);
 }
 

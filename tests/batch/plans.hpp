@@ -28,7 +28,7 @@ class ScratchFolder {
 // quaternion.
 extern const std::string cantilever_deck;
 
-// A plan beside the deck "deck.toml", the cantilever unless told otherwise.
+// A plan next to the deck "deck.toml", by default the cantilever.
 class PlanFiles {
   public:
     explicit PlanFiles(const std::string& plan, const std::string& deck = cantilever_deck);

@@ -70,7 +70,7 @@ class Case:
 
     @property
     def name(self):
-        """As it stands in the record."""
+        """As in the record."""
         return f"{self.order} {self.section}".strip()
 
     @property
@@ -203,7 +203,7 @@ def compare(counts, compiler):
 
 
 def record(counts, compiler):
-    """Keeps the counts beside this script."""
+    """Keeps the counts next to this script."""
     rows = ",\n".join(f'    "{case}": {json.dumps(row)}' for case, row in counts.items())
     RECORD.write_text(f'{{\n  "compiler": "{compiler}",\n  "counts": {{\n{rows}\n  }}\n}}\n')
     print_table(counts, {})

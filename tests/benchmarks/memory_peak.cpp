@@ -24,7 +24,7 @@ double read_status(const std::string& key) {
 
 MemoryPeak::MemoryPeak() {
     malloc_trim(0);
-    std::ofstream("/proc/self/clear_refs") << "5";  // forgets the peak so far
+    std::ofstream("/proc/self/clear_refs") << "5";  // resets the peak
     before_ = read_status("VmRSS:");
 }
 

@@ -59,7 +59,7 @@ TEST_CASE("a rod with one free displacement is described by it", "[check]") {
     add_rod(model, {"slider", Vec3::Zero(), tip});
     add_support(model, 0, {1, 2, 3, 4, 5});
     CHECK(find_mechanism(model) == "the whole model moves along x");
-    // In the support's own axes, x of which is the rod's.
+    // In the support's own axes, whose x is the rod's.
     model.supports[0].axes = Quat::FromTwoVectors(Vec3::UnitX(), tip);
     CHECK(find_mechanism(model) == "the whole model moves along (0, 0.6, 0.8)");
 }
@@ -156,7 +156,7 @@ TEST_CASE("what is weak is named, not what it carries", "[check]") {
 }
 
 TEST_CASE("section axes turn with the rod", "[check]") {
-    // Weak about the section's y, which stands along the global −x after a quarter turn of everything about
+    // Weak about the section's y, which points along the global −x after a quarter turn of everything about
     // z.
     Model model = make_cantilever({0, 1, 2, 3, 4, 5});
     model.sections[0].stiffness(4, 4) = 1e-6;

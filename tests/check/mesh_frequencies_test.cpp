@@ -124,7 +124,7 @@ TEST_CASE("damping ratios and the longest explicit step are printed", "[check]")
     CHECK_THAT(text, Catch::Contains("damping of section bar: 0.5 of critical at the lowest"));
     CHECK_THAT(text, Catch::Contains("stable up to time steps of "));
     CHECK_THAT(text, Catch::Contains("this deck's, 0.01, will fail"));
-    // Of real rates, 2.785 over the largest: beside ζ = ½ω/ω₁ at the highest, ω(ζ + √(ζ² − 1)).
+    // Of real rates, 2.785 over the largest: with ζ = ½ω/ω₁ at the highest, ω(ζ + √(ζ² − 1)).
     const double zeta = 0.5 * found->highest / found->lowest;
     const double rate = found->highest * (zeta + std::sqrt(zeta * zeta - 1.0));
     CHECK_THAT(text, Catch::Contains(fmt::format("up to time steps of {:.3g}:", 2.785293563 / rate)));

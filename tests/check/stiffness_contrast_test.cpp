@@ -45,7 +45,7 @@ std::vector<std::string> find(const std::string& deck) {
 TEST_CASE("A rod whose forces have round-off as large as what bends its neighbour is reported", "[check]") {
     CHECK(find(make_deck("1")).empty());
     CHECK(find(make_deck("1e8")).empty());
-    // Round-off of 2.2e-16 of 2 along 0.5, times EA = 1e16, beside EI/L² = 1.
+    // Round-off of 2.2e-16 of 2 along 0.5, times EA = 1e16, compared with EI/L² = 1.
     const std::vector<std::string> found = find(make_deck("1e12"));
     REQUIRE(found.size() == 1);
     CHECK(found[0] ==
@@ -54,7 +54,7 @@ TEST_CASE("A rod whose forces have round-off as large as what bends its neighbou
           "is about 8.9, a force that bends rod soft about 1; expected EA, GAy and GAz up to 0.0003 of what "
           "they "
           "are, or longer elements");
-    // A rod alone: stretching beside its own bending.
+    // A rod alone: stretching compared with its own bending.
     const std::string alone = test::replaced(test::static_rod_deck, "EA = 1e4", "EA = 1e18");
     REQUIRE(find(alone).size() == 1);
     CHECK_THAT(find(alone)[0], Catch::StartsWith("rod r is too stiff compared with what bends it for"));
@@ -82,7 +82,7 @@ TEST_CASE("A contrast is found at the nodes of its part", "[check]") {
         CHECK(find_contrast_at(model, node_of(rod)).has_value() == (model.rods[rod].name != "apart"));
     }
     CHECK(find_contrast_at(model, {}).has_value());
-    // What has no stiffness at all resists nothing, and is to be told of instead.
+    // What has no stiffness at all resists nothing, and is reported instead.
     Model loose = model;
     for (Section& section : loose.sections) section.stiffness(3, 3) = 0.0;
     CHECK_FALSE(find_contrast_at(loose, {}).has_value());
@@ -108,7 +108,7 @@ TEST_CASE("A bending or twisting stiffness whose round-off bends the rod is repo
         return find(make_strip("stiffness = { EA = 1e4, GAy = 1e4, GAz = 1e4, GJ = " + GJ +
                                ", EIy = 1, EIz = " + EIz + " }"));
     };
-    // 2.2e-16 along 0.1 times EIz, beside EIy/L: some thousandths at 1e12, and Newton's method has 24
+    // 2.2e-16 along 0.1 times EIz, compared with EIy/L: some thousandths at 1e12, and Newton's method has 24
     // iterations for 18; at 1e14 it has 42, and 110 for a twist.
     CHECK(strip("1", "1e12").empty());
     REQUIRE(strip("1", "1e14").size() == 1);

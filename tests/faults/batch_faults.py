@@ -67,7 +67,7 @@ def find_batch(bench):
 
 
 def kill_batch(bench, _, random):
-    """The first process is killed at any moment; the same command goes on."""
+    """The first process is killed at any moment; the same command resumes."""
     batch = find_batch(bench)
     process = batch.start()
     time.sleep(random.uniform(0.0, batch.seconds))
@@ -75,7 +75,7 @@ def kill_batch(bench, _, random):
     process.communicate()
     table = bench.folder / "plan" / "index.csv"
     before = read_table(table.parent) if table.exists() else {}
-    trial = Trial(describe_end(process.returncode), "resumed" if before else "begun anew")
+    trial = Trial(describe_end(process.returncode), "resumed" if before else "started again")
     done = bench.run("batch", "plan.toml", "--quiet", "-j", "2")
     trial.lost = done.stderr if done.returncode != 0 else batch.compare(before)
     return trial

@@ -12,7 +12,7 @@ import time
 import results
 
 SHIMS = ("file", "clock", "memory")
-# What gxrod resume says of a file whose run was stopped before it wrote a state to go on from.
+# What gxrod resume says of a file whose run was stopped before it wrote a state to resume from.
 NOTHING_TO_RESUME = r"cannot be resumed: (it has no state|it is not an HDF5 file|it is not a results file)"
 
 
@@ -20,8 +20,8 @@ NOTHING_TO_RESUME = r"cannot be resumed: (it has no state|it is not an HDF5 file
 class Trial:
     """One fault and what became of it. `lost` is empty unless something was."""
     end: str          # how the disturbed run ended: "killed", "exit 4" …
-    recovery: str     # "resumed", "begun anew", "had ended"
-    time: float = -1  # from which it went on
+    recovery: str     # "resumed", "started again", "had ended"
+    time: float = -1  # from which it resumed
     lost: str = ""
     message: str = ""
 
@@ -61,7 +61,7 @@ class Bench:
                               capture_output=True, check=False, env=environment, **options)
 
     def arguments(self, deck, is_long=False, name=None):
-        """Those of `gxrod run` that begin a deck anew."""
+        """Those of `gxrod run` that start a deck again."""
         for file, text in ((f"{deck.name}.toml", deck.text), *deck.files):
             (self.folder / file).write_text(text)
         changes = [word for change in (deck.long if is_long else ()) for word in ("--set", change)]
@@ -101,7 +101,7 @@ class Bench:
         return int(counted.read_text())
 
     def recover(self, deck, trial, is_long=False, refusal=NOTHING_TO_RESUME):
-        """Looks at what a fault left, and goes on."""
+        """Looks at what a fault left, and resumes."""
         path = self.path(deck)
         steps = results.count_steps(path) if path.exists() else None
         if steps is not None:
@@ -110,7 +110,7 @@ class Bench:
 
     def go_on(self, deck, trial, is_long=False, refusal=NOTHING_TO_RESUME):
         """Goes on after a fault, as a user would, and compares with the undisturbed run. A file that cannot be
-        resumed, with such a refusal, is begun anew."""
+        resumed, with such a refusal, is started again."""
         whole = self.whole(deck, is_long)[1]
         path = self.path(deck)
         if path.exists():
@@ -123,10 +123,10 @@ class Bench:
             trial.lost = trial.lost or f"cannot be resumed: {done.returncode} {done.stderr}"
             return trial
         else:
-            trial.recovery = "begun anew"
+            trial.recovery = "started again"
             done = self.run(*self.arguments(deck, is_long), "--quiet")
             if done.returncode != 0:
-                trial.lost = trial.lost or f"cannot be begun anew: {done.stderr}"
+                trial.lost = trial.lost or f"cannot be started again: {done.stderr}"
                 return trial
         differences = results.list_differences(path, whole)
         if differences:

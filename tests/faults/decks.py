@@ -143,7 +143,7 @@ class Deck:
     long: tuple = ()
     threads: int = 1
     files: tuple = ()  # that it names: name and text
-    later: tuple = ()  # changes with which a run that has ended goes on
+    later: tuple = ()  # changes with which a run that has ended is resumed
 
 
 DYNAMIC = 'kind = "dynamic"\nend_time = 0.6\ntime_step = 0.01'

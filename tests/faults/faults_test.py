@@ -51,7 +51,7 @@ class Faults(unittest.TestCase):
         trials = self.check("kill_in_write")
         self.assertEqual({trial.end for trial in trials}, {"signal 9"})
         if not SANITIZED:
-            self.assertEqual({trial.recovery for trial in trials}, {"begun anew", "resumed"})
+            self.assertEqual({trial.recovery for trial in trials}, {"started again", "resumed"})
 
     def test_a_full_disk_is_reported_with_how_to_resume(self):
         trials = self.check("disk_full")

@@ -83,7 +83,7 @@ bool fails(Call kind) {
     return true;
 }
 
-// Bytes of a write up to the page's end behind its middle, or else before it; 0 if it is within a page.
+// Bytes of a write up to the page's end after its middle, or else before it; 0 if it is within a page.
 std::size_t cut_at_page(std::size_t size, off64_t offset) {
     constexpr off64_t page = 4096;
     const off64_t end = (offset + static_cast<off64_t>(size + 1) / 2 + page - 1) / page * page;

@@ -88,7 +88,7 @@ def removed(bench, deck, random):
 
 
 def moved(bench, deck, random):
-    """The results file is moved while the run writes it: it is complete under its new name, and that is told."""
+    """The results file is moved while the run writes it: it is complete under its new name, and this is reported."""
     new = bench.folder / "moved.vtkhdf"
     trial = take_away(bench, deck, random, lambda path: path.rename(new), "was moved while the run wrote it")
     new.rename(bench.path(deck))

@@ -1,7 +1,7 @@
 // Stands before the C library's allocation (LD_PRELOAD) and lets it fail:
 //
 //   MEMORY_AT   the number of the call from which on it fails, from 1
-//   MEMORY_FOR  how many calls fail; 1 unless told
+//   MEMORY_FOR  how many calls fail; by default 1
 //   MEMORY_LOG  a file for the number of calls, at the process's end
 //
 // Allocations of HDF5 itself, and of the C library for it, are spared: it does not bear it, and may crash.

@@ -29,6 +29,6 @@ def flip_bit(content, bit):
 
 
 def count_sealed_bytes(path):
-    """How many bytes the seal of a file stands for; 0 if a run was killed while it wrote them."""
+    """How many bytes the seal of a file covers; 0 if a run was killed while it wrote them."""
     seal = path.read_bytes()[:24]
     return int.from_bytes(seal[16:], "little") if seal[12:16] == b"SEAL" else 0

@@ -17,7 +17,7 @@ def readers(bench, name):
 
 
 def judge_reading(reader, done, name):
-    """A file that cannot be read is told by name, with an exit code and without a traceback."""
+    """A file that cannot be read is reported by name, with an exit code and without a traceback."""
     if done.returncode == 0:
         return ""
     codes = (1, 2, 4) if reader == "gxrod-plot" else (4,)
@@ -94,8 +94,8 @@ def flipped(bench, deck, random):
         trial.lost = trial.lost or judge_reading(reader, done, path.name)
         trial.end = describe_end(done.returncode)
     trial = bench.go_on(deck, trial, is_long=True, refusal="cannot be resumed")
-    if trial.recovery != "begun anew":
-        trial.lost = trial.lost or f"a run goes on with bit {bit} changed"
+    if trial.recovery != "started again":
+        trial.lost = trial.lost or f"a run resumes with bit {bit} changed"
     return trial
 
 

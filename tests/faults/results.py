@@ -2,7 +2,7 @@
 
 import h5py
 
-# Groups of which every dataset has a row a step.
+# Groups whose datasets all have a row per step.
 STEPS = ("histories", "ledger", "solver")
 
 
@@ -14,7 +14,7 @@ def plain(value):
 
 
 def read_contents(path):
-    """Every dataset and attribute by name. The state to go on from is told under one name, whichever slot it is in."""
+    """Every dataset and attribute by name. The state to resume from has one name, whichever slot it is in."""
     contents = {}
     with h5py.File(path, "r", locking=False) as file:
         slot = f"restart/{'ab'[file['restart'].attrs['slot']]}/"
@@ -88,7 +88,7 @@ def find_fault(path, whole_path):
                 continue
             if len(file[name]) < rows:
                 return f"{name} has {len(file[name])} rows, {rows} are promised"
-            # The last frame of a run that ended early may be of a step that is none of the whole run's frames.
+            # The last frame of a run that ended early can be of a step that is not a frame of the whole run.
             if group not in STEPS:
                 rows -= rows // max(frames, 1)
             if file[name][:rows].tobytes() != whole[name][:rows].tobytes():

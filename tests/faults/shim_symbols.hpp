@@ -8,7 +8,7 @@
 // What the libraries that stand before the C library in a faulted process (LD_PRELOAD) have in common.
 namespace gxrod::faults {
 
-// The function that this library stands before.
+// The function that this library replaces.
 template <class Function>
 Function* real(Function*, const char* name) {
     return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));

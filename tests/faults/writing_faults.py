@@ -29,7 +29,7 @@ def at_calls(fault):
 
 
 def judge_write_error(done, name):
-    """A write that failed is told with the file's name and cause, or was made good."""
+    """A write that failed is reported with the file's name and cause, or was recovered."""
     if done.returncode == 0 and not done.stderr:
         return ""
     told = re.search(r"No space left on device|Input/output error|File too large", done.stderr)
@@ -127,7 +127,7 @@ def fill_disk(bench, deck, random):
 
 
 def kill_resumed(bench, deck, random):
-    """A kill at a random moment of a run, and another of what goes on from there."""
+    """A kill at a random moment of a run, and another of the resumed run."""
     bench.path(deck).unlink(missing_ok=True)
     seconds = bench.seconds(deck)
     code, errors = 0, ""

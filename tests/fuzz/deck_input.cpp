@@ -52,13 +52,13 @@ void check_again(const Problem& problem, const std::string& text) {
     try {
         again = read_problem_text(text, file);
     } catch (const DeckError& error) {
-        throw BrokenPromise("written anew, the deck is refused: " + std::string(error.what()) + "\n" + text);
+        throw BrokenPromise("written again, the deck is refused: " + std::string(error.what()) + "\n" + text);
     }
-    expect(again.model.nodes.size() == problem.model.nodes.size(), "written anew, the deck has other nodes");
-    expect(again.model.loads.size() == problem.model.loads.size(), "written anew, the deck has other loads");
+    expect(again.model.nodes.size() == problem.model.nodes.size(), "written again, the deck has other nodes");
+    expect(again.model.loads.size() == problem.model.loads.size(), "written again, the deck has other loads");
     for (std::size_t i = 0; i < problem.model.nodes.size(); ++i) {
         expect(again.model.nodes[i].position == problem.model.nodes[i].position,
-               "written anew, the deck has nodes elsewhere");
+               "written again, the deck has nodes elsewhere");
     }
 }
 

@@ -8,7 +8,7 @@ namespace gxrod::fuzz {
 
 // A deck. Lines that start with "#set " are overrides too. What is accepted can be written and read again.
 void try_deck(std::string_view input);
-// A plan, which finds a deck "deck.toml" and a table "table.csv" beside it; its cases' overrides are made.
+// A plan, which finds a deck "deck.toml" and a table "table.csv" next to it; its cases' overrides are made.
 void try_plan(std::string_view input);
 // An expression, as each kind of value takes it.
 void try_expression(std::string_view input);

@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view deck = "[analysis]\nkind = \"static\"\n";
 constexpr std::string_view table = "EI,load,note\n1,2,a\n\"3\",4e3,\"b, c\"\n5,-6,\n";
 
-// A table that the input brings along, behind a line of its own.
+// A table that the input brings along, after a separating line.
 constexpr std::string_view table_mark = "\n#table\n";
 
 const ScratchFolder& folder() {

@@ -20,7 +20,7 @@ ScratchFolder::~ScratchFolder() {
 
 std::filesystem::path ScratchFolder::write(const std::string& name, std::string_view bytes) const {
     const std::filesystem::path path = path_ / name;
-    // A new file: what HDF5 could not close goes on holding the lock of the one before.
+    // A new file: what HDF5 could not close still holds the lock of the one before.
     std::filesystem::remove(path);
     std::ofstream file(path, std::ios::binary | std::ios::trunc);
     file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

@@ -1,4 +1,4 @@
-"""The page that apps/report was bundled into is that of the sources beside it, checked without Node."""
+"""The page that apps/report was bundled into is that of the sources next to it, checked without Node."""
 
 import hashlib
 import os
@@ -33,7 +33,7 @@ class ReportPage(unittest.TestCase):
         for name in PAGES:
             stated = re.search(r"sources sha256:([0-9a-f]{64})", read_page(name))
             self.assertEqual(stated.group(1), digest_sources(FOLDER),
-                             f"build {name} anew: cd apps/report && npm ci && npm run build")
+                             f"rebuild {name}: cd apps/report && npm ci && npm run build")
 
     def test_holds_its_data_mark_once_and_the_licences(self):
         for name, libraries in PAGES.items():

@@ -66,7 +66,7 @@ TEST_CASE("Rods that continue into each other are judged as one", "[issues]") {
           "rod p0 is thicker than long; are all lengths in one unit?");
     CHECK(thick_rods_of(row_of_rods(40, 0.5, 0.0)).empty());
     CHECK(thick_rods_of(row_of_rods(40, 0.5, 0.3)).empty());
-    // Around a corner they do not go on.
+    // Around a corner they do not continue.
     CHECK(thick_rods_of(row_of_rods(6, 0.5, M_PI / 2.0)) ==
           "rods p0, p1, p2, p3 and 2 more are thicker than long; are all lengths in one unit?");
     // The row may be too short, too: in millimetres, with a section in metres.
@@ -201,7 +201,7 @@ TEST_CASE("Points are near to each other as their own rods measure it", "[issues
     CHECK(found(sensor("[1000, 0, 1e-13]", "[1000, 0, 0.001]")).size() == 1);
     // Two cables that miss each other by half a millimetre.
     CHECK(found(sensor("[1000, 0, 0.0005]", "[1000, 900, 0]")).size() == 1);
-    // 2e5 elements of one rod, of which two neighbours are nearer than a millionth of it.
+    // 2e5 elements of one rod, two neighbours of which are nearer than a millionth of it.
     CHECK(find_unconnected_points(read(replaced(rod_deck, "elements = 10", "elements = 10") +
                                        "[rod.arc]\nsection = \"s\"\npolyline = [[0, 5, 0], [5e-7, 5, 0], "
                                        "[10, 5, 0]]\nelements = 2\n")

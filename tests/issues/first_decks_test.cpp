@@ -44,7 +44,7 @@ TEST_CASE("A deck in UTF-16 is distinguished from one that is not TOML", "[issue
     CHECK_THAT(why_unreadable("\xfe\xff" + widened(body_deck, false)), Catch::Contains(hint));
     CHECK_THAT(why_unreadable(widened(body_deck, true)), Catch::Contains(hint));
     CHECK_THAT(why_unreadable(widened(body_deck, false)), Catch::Contains(hint));
-    // A mark of UTF-8 is none of another one.
+    // A mark of UTF-8 is not one of another encoding.
     CHECK(why_unreadable("\xef\xbb\xbf" + body_deck).empty());
     CHECK(why_unreadable(body_deck).empty());
 }
@@ -78,7 +78,7 @@ TEST_CASE("A modulus in another unit than the lengths shows in the static strain
     // At the time at which the load is largest.
     const std::string pulse = "[[load]]\nat = \"r.end\"\nforce = [\"1e3*sin(pi*t)\", 0, 0]\n";
     CHECK_THAT(described("2.1e5", clamp + pulse + dynamics), Catch::StartsWith("at t = 0.5 "));
-    // What nothing holds has no static answer, and what nothing loads none to speak of.
+    // Unsupported models have no static answer, and unloaded ones an answer of zero.
     CHECK(described("5", dynamics).empty());
     CHECK(described("5", "[[support]]\nat = \"r.start\"\nfix = \"position\"\n" + dynamics).empty());
 }

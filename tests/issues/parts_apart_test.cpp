@@ -3,7 +3,7 @@
 #include "deck/decks.hpp"
 #include "tools/catch.hpp"
 
-// Weakly loaded parts beside strongly loaded ones were not solved: tolerances were those of the whole model.
+// Weakly loaded parts next to strongly loaded ones were not solved: tolerances were those of the whole model.
 
 namespace gxrod::test {
 namespace {

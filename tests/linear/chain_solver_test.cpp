@@ -194,7 +194,7 @@ TEST_CASE("What chains and junctions lose in digits is found and solved again", 
     for (const double pivot : {1e-4, 1e-9, 1e-15, 1e-30, 0.0}) {
         CAPTURE(pivot);
         std::vector<double> values = make_unsymmetric_values(pattern, 2);
-        // Pivots of every block are small beside their columns, whose other entries make them regular.
+        // Pivots of every block are small compared with their columns, whose other entries make them regular.
         for (std::int64_t i = 0; i < pattern.size(); i += 6) {
             values[pattern.slot(i, i)] = pivot;
             values[pattern.slot(i + 1, i + 1)] = pivot;

@@ -26,7 +26,7 @@ struct Sample {
     }
 };
 
-// Every step once, behind what it builds on, which another task of its level does not have.
+// Every step once, after what it builds on, which another task of its level does not have.
 void check_order(const Sample& sample) {
     const auto& [blocks, order, tasks] = sample;
     std::vector<int> level_of(blocks.count(), -1);

@@ -18,7 +18,7 @@ std::vector<FrontKernels> kernels_of_sets() {
     return kernels;
 }
 
-// A dense matrix in two fronts: the second has what is behind the pivots of the first.
+// A dense matrix in two fronts: the second has what follows the pivots of the first.
 class TwoFronts {
   public:
     TwoFronts(int pivots, int behind) : matrix(pivots + behind, pivots + behind) {

@@ -87,7 +87,7 @@ TEST_CASE("A patch has its force and moment on every mesh", "[loads]") {
         for (const Frame frame : {Frame::spatial, Frame::follower, Frame::body}) {
             check_patch(compute_total(make_model(mesh, make_patch(2.0, 2.5, frame)), 0.0), 2.0, 2.5);
             check_patch(compute_total(make_model(mesh, make_patch(0.3, 9.9, frame)), 0.0), 0.3, 9.9);
-            // Far narrower than an element, and of which no sample would know.
+            // Far narrower than an element, so that samples would miss it.
             check_patch(compute_total(make_model(mesh, make_patch(4.2, 4.20001, frame)), 0.0), 4.2, 4.20001);
             // From node to node, and over the ends of the rod.
             check_patch(compute_total(make_model(mesh, make_patch(0.0, 10.0, frame)), 0.0), 0.0, 10.0);

@@ -32,7 +32,7 @@ typename Expression::PlainObject operator*(GxrodSign sign, const Expression& exp
     return value;
 }
 
-// Of a unit quaternion, which turns what stands behind it as its negative would.
+// Of a unit quaternion, which turns its operand as its negative would.
 template <class Quaternion>
     requires requires(const Quaternion& q) { q.toRotationMatrix(); }
 auto operator*(GxrodSign sign, const Quaternion& quaternion) {

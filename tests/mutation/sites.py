@@ -35,7 +35,7 @@ class Site:
     kind: str  # "sign" or "coefficient"
     start: int
     end: int
-    code: str  # what stands there, with its neighbours
+    code: str  # what is there, with its neighbours
     switched: str  # with MUTANT for the number of the site
     replaced: str
     number: int = 0
@@ -92,7 +92,7 @@ def find_sites(file, text):
 
 
 def apply(text, sites, how):
-    """The text with these sites changed: how(site) is what stands there instead."""
+    """The text with these sites changed: how(site) is the new text."""
     for site in sorted(sites, key=lambda site: -site.start):
         text = text[:site.start] + how(site) + text[site.end:]
     return text

@@ -1,4 +1,4 @@
-"""Random decks: make_deck(seed, index) is a deck that a user might have written, and the meshes beside it."""
+"""Random decks: make_deck(seed, index) is a deck that a user might have written, and the meshes next to it."""
 
 import causes
 from analyses import add_analysis, add_output
@@ -67,7 +67,7 @@ def make_plan(seed, index):
 
 
 def make_deck(seed, index):
-    """The deck as a dict, and the texts of files beside it by name."""
+    """The deck as a dict, and the texts of files next to it by name."""
     plan = make_plan(seed, index)
     return plan.deck, plan.files
 

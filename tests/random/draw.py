@@ -2,7 +2,7 @@
 
 import numpy as np
 
-LITERAL = ("group",)  # keys whose numbers are no expressions
+LITERAL = ("group",)  # keys whose numbers are not expressions
 
 
 def floats(values):

@@ -35,7 +35,7 @@ def read_series(path, study):
 
 
 def find_false_claim(judge, study):
-    """The series that is off by more than it is said to be, or "" if there is none, or this takes too long to tell. Steps by
+    """The series that is off by more than it is said to be, or "" if there is none, or finding out takes too long. Steps by
     their error end at other times in each run, so these are left out."""
     if any(run["run"] == "1/16 of the tolerance" for run in study["runs"]):
         return ""

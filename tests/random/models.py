@@ -10,7 +10,7 @@ from sections import add_section
 
 
 def rod_keys(draw, line, fractions):
-    """Keys of a rod beside its section and centreline."""
+    """Keys of a rod other than its section and centreline."""
     pieces = line.pieces + len(fractions)
     keys = {"elements": pieces + draw.integer(0, 2)}
     if draw.chance(0.8):
@@ -79,7 +79,7 @@ def add_meshed_rod(draw, plan):
 
 
 def add_tree(draw, plan, count):
-    """Rods each of which begins where an earlier one has a node; some close loops."""
+    """Rods that each begin where an earlier one has a node; some close loops."""
     add_rod(draw, plan, centrelines.centreline(draw, draw.vector(plan.scales.length), plan.scales.length))
     for _ in range(count - 1):
         known = [node for node in plan.nodes if node.position is not None]

@@ -61,7 +61,7 @@ class Node:
 class Plan:
     deck: dict
     scales: Scales
-    files: dict = dataclasses.field(default_factory=dict)  # texts beside the deck, by name
+    files: dict = dataclasses.field(default_factory=dict)  # texts next to the deck, by name
     sections: list = dataclasses.field(default_factory=list)
     rods: list = dataclasses.field(default_factory=list)
     nodes: list = dataclasses.field(default_factory=list)
@@ -86,7 +86,7 @@ class Plan:
         self.nodes.remove(other)
 
     def softest(self):
-        """The smallest bending stiffness of the rods, or the scale where there are none."""
+        """The smallest bending stiffness of the rods, or the scale if there are none."""
         return min([rod.section.bending for rod in self.rods], default=self.scales.bending)
 
     def extent(self):

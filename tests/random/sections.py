@@ -46,7 +46,7 @@ def coupled(draw, diagonal):
 
 
 def mass_matrix(draw, wanted):
-    """That of a rigid slice whose centre of mass may be beside the line."""
+    """That of a rigid slice whose centre of mass can be off the line."""
     mass, radius = wanted["mass"], np.sqrt(wanted["rotary"] / wanted["mass"])
     offset = draw.vector(0.3 * radius) if draw.chance(0.6) else np.zeros(3)
     skew = np.array([[0, -offset[2], offset[1]], [offset[2], 0, -offset[0]], [-offset[1], offset[0], 0]])

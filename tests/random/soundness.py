@@ -32,7 +32,7 @@ def check_steps(file, found, summary):
         yield "the last time or the number of steps is not that of the summary"
     for name, data in found.items():
         if name.split("/")[0] in ("histories", "ledger", "solver") and len(data) != times.size:
-            yield f"{name} has {len(data)} rows beside {times.size} times"
+            yield f"{name} has {len(data)} rows for {times.size} times"
     steps = file["solver/time_step"][:]
     if not np.allclose(np.cumsum(steps), times, rtol=1e-9):
         yield "time steps do not add up to times"
@@ -53,7 +53,7 @@ def largest_energy(ledger):
 
 
 def imbalance(ledger):
-    """The largest error of the energy beside the largest energy; 0 where there is none."""
+    """The largest error of the energy relative to the largest energy; 0 without energy."""
     error = np.abs(ledger["energy_error"]).max(initial=0.0)
     return 0.0 if error == 0.0 else float(error / largest_energy(ledger))
 
@@ -86,7 +86,7 @@ def has_no_energy(path, plan):
 
 
 def hardly_moves(path):
-    """Whether displacements, or the accelerations that steps make of them, have few digits beside positions; or
+    """Whether displacements, or the accelerations that steps make of them, have few digits compared with positions; or
     displacements and rotations hardly any."""
     with h5py.File(path) as file:
         points = file["VTKHDF/PointData"]
@@ -152,7 +152,7 @@ def check_history(group):
         if name in group:
             quaternions = group[name][:]
             if np.abs(np.linalg.norm(quaternions, axis=-1) - 1).max() > ROUND_OFF:
-                yield f"{group.name}/{name} is no unit quaternion"
+                yield f"{group.name}/{name} is not a unit quaternion"
             if np.any(np.sum(quaternions[1:] * quaternions[:-1], axis=-1) < -ROUND_OFF):
                 yield f"{group.name}/{name} jumps to its negative"
     if "rotation_vector" in group:

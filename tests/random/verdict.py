@@ -150,7 +150,7 @@ class Judge:
         return self.judge_finer(index, error, kind)
 
     def judge_finer(self, index, error, kind):
-        """With shorter steps: the error of every scheme falls once they are short beside every vibration, but as it
+        """With shorter steps: the error of every scheme falls once they are short compared with every vibration, but as it
         likes where a load jumps within a step; in statics once they are shorter than those that were cut."""
         plan = decks.make_plan(self.seed, index)
         is_static = plan.scales.is_static
@@ -170,8 +170,8 @@ class Judge:
         return Verdict(index, kind if kind == "warned" else "finding", reason, error)
 
     def resolves_vibrations(self):
-        """Whether the steps of the last run are short beside the shortest period of the model and the fastest turn, both
-        of which statics has none of, and none was cut."""
+        """Whether the steps of the last run are short compared with the shortest period of the model and the fastest turn, both
+        of which do not exist in statics, and none was cut."""
         with h5py.File(self.folder / "deck.vtkhdf") as file:
             step = file["solver/time_step"][:].max()
             if text(file.attrs["analysis"]) == "dynamic" and file["solver/rejected_steps"][:].any():

@@ -246,7 +246,7 @@ TEST_CASE("If cases are too many, failed ones get their page first", "[report]")
     CHECK(more.kept == 1);
     CHECK(more.numbers == std::vector<long>{1, 3, 4});
     CHECK(fs::exists(folder / "reports/0003.html"));
-    // Results that are gone keep the page that they had, and are told if they had none.
+    // Results that are gone keep the page that they had, and are reported if they had none.
     fs::remove(folder / rows[0].results);
     fs::remove(folder / rows[4].results);
     const CasePages last = write({});

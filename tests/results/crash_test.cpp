@@ -68,7 +68,7 @@ struct Survey {
     std::string fault;  // empty if all is well
 };
 
-// What is wrong with the state to go on from, or "". Without one there were no more than first steps.
+// What is wrong with the state to resume from, or "". Without one there were no more than first steps.
 std::string examine_restart(const Hdf5Reader& file, const Survey& found) {
     const std::optional<RestartPlace> place = read_restart(file);
     if (!place) return found.steps > 10000 ? "no restart" : "";
@@ -118,7 +118,7 @@ bool is_complete(const std::filesystem::path& path) {
     for (const std::string& dataset : file.datasets()) {
         const bool is_step_row = dataset.starts_with("/histories") || dataset.starts_with("/ledger") ||
                                  dataset.starts_with("/solver");
-        // Where cells and points lie along rods stands there once.
+        // Places of cells and points along rods are stored once.
         const std::string name = dataset.substr(dataset.rfind('/') + 1);
         if (!dataset.starts_with("/VTKHDF/Steps") &&
             (name == "rod" || name == "element" || name == "arc_length"))
@@ -188,10 +188,10 @@ struct Watch {
     test::TraceEnd end = test::TraceEnd::left_off;
 };
 
-// Counts may fall once, to no less than what a run goes on from.
+// Counts can fall once, to no less than what a run resumes from.
 Watch watch_writes(pid_t child, const std::filesystem::path& path, const Survey& least) {
     Watch watch;
-    // With nothing to go on from, none may be lost.
+    // With nothing to resume from, none must be lost.
     int step_falls = least.steps > 0 ? 0 : 1;
     int frame_falls = step_falls;
     watch.end = test::trace_writes(child, [&] {
@@ -271,7 +271,7 @@ TEST_CASE("Between any two system calls of a resumed writer the file is whole", 
         write_steps(file, motion, 0, first_steps);
         file.set_restart(sample::make_restart(time_of(first_steps - 1)));
         file.flush();
-        // As a killed writer may leave it: more steps and frames than the run goes on from.
+        // As a killed writer can leave it: more steps and frames than the run resumes from.
         write_steps(file, motion, first_steps, lost_steps);
         file.flush();
     }

@@ -7,7 +7,8 @@
 #include "results/sample.hpp"
 #include "tools/catch.hpp"
 
-// A made-up motion that is worth drawing: a helical rod that sways and unwinds, and a spinning top beside it.
+// A made-up motion that is worth drawing: a helical rod that sways and unwinds, and a spinning top next to
+// it.
 
 using namespace gxrod;
 

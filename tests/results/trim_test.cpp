@@ -6,7 +6,7 @@
 #include "results/written_file.hpp"
 #include "tools/catch.hpp"
 
-// What becomes of steps and frames beyond the state from which a run goes on.
+// What becomes of steps and frames beyond the state from which a run resumes.
 
 using namespace gxrod;
 

@@ -18,12 +18,12 @@ def missing_commands():
     return [name for name in COMMANDS if shutil.which(name, path=SEARCH) is None]
 
 
-def wait_until(condition, what, seconds=60.0, tell=lambda: ""):
-    """Waits for a condition; an error says what was waited for, and what `tell` then has to say."""
+def wait_until(condition, what, seconds=60.0, describe=lambda: ""):
+    """Waits for a condition; an error says what was waited for, with the text of `describe`."""
     end = time.monotonic() + seconds
     while not condition():
         if time.monotonic() > end:
-            raise TimeoutError(f"after {seconds} s still not: {what}\n{tell()}")
+            raise TimeoutError(f"after {seconds} s still not: {what}\n{describe()}")
         time.sleep(0.05)
 
 
@@ -186,7 +186,7 @@ PartitionName=all Nodes=ALL Default=YES State=UP
                         f"nodes are {states}")
 
     def wait_until(self, condition, what):
-        wait_until(condition, what, tell=self.describe)
+        wait_until(condition, what, describe=self.describe)
 
     def describe(self):
         """The nodes, the jobs, and the end of what the controller logged but for the updates of jobs."""

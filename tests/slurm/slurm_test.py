@@ -205,7 +205,7 @@ class Failing(SlurmTest):
         told = self.batch("sweep.toml", "--gather", code=3).stdout
         self.assertIn("1 PENDING", told)
         self.assertEqual(len(self.jobs()), 1)
-        # Slurm waits for two minutes, and can set them anew while it clears up after the node.
+        # Slurm waits for two minutes, and can set them again while it clears up after the node.
         def hurry():
             cluster.call("scontrol", "update", f"jobid={job}_2", "starttime=now", check=False)
             return not self.queue()

@@ -74,7 +74,7 @@ TEST_CASE("a small spin moves the rotation vector by T(θ)⁻¹ δφ", "[state]"
 }
 
 TEST_CASE("a rotation vector goes past half a turn without a jump", "[state]") {
-    // A predictor may pass π; Newton's increments then go on from there.
+    // A predictor can pass π; Newton's increments then start from there.
     const NodeMotion previous = [] {
         RandomValues random(54);
         return make_previous(random);

@@ -39,7 +39,7 @@ TEST_CASE("if finer steps are not finer, nothing is said of errors", "[study]") 
     CHECK_THAT(describe_errors(study),
                Catch::Contains("          -      -    1.0e-03   2.00          ?         ?\n"));
     CHECK(to_json(study, false)["series"][0]["relative_error"].dump() == "null");
-    // What turning may change is then not known; where no step was cut, the mesh alone tells.
+    // What turning can change is then not known; if no step was cut, the mesh alone shows it.
     study.series[0].turned_difference = 3e-3;
     CHECK(study.is_sound());
     study.runs[0].rejected_steps = 0;

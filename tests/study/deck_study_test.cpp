@@ -109,7 +109,7 @@ TEST_CASE("steps by their error are studied by their tolerance", "[study]") {
     CHECK(adaptive.runs[3].is_whole());
     const SeriesReport& tip = find(adaptive, "beam.end position");
     CHECK(tip.steps.differences[1] < 0.2 * tip.steps.differences[0]);
-    // The error of a step, and so the next one's length, does not depend on how the model stands.
+    // The error of a step, and so the next one's length, does not depend on the model's orientation.
     const DeckStudy turned = study(swing,
                                    {VariantKind::turned},
                                    {"analysis.integrator=sdirk-4", "analysis.adaptive={tolerance = 1e-3}"});

@@ -1,4 +1,4 @@
-// What a study tells where runs cannot be made, fail, are cut or end early, or show nothing.
+// What a study reports if runs cannot be made, fail, are cut or end early, or show nothing.
 #include <cmath>
 
 #include "study/deck_study_text.hpp"

@@ -109,7 +109,7 @@ TEST_CASE("the data of the figures are written", "[verification]") {
     CHECK(count_lines(folder / "data" / "fig2.csv") == 2002);
     CHECK(count_lines(folder / "data" / "fig3.csv") == 1 + 4 * (figure_steps + 1));
     CHECK(count_lines(folder / "data" / "fig4.csv") == 1 + 4);
-    // A file stands where the folder should be.
+    // A file is where the folder should be.
     CHECK_THROWS_AS(write_figure_data(folder / "data" / "fig2.csv", {}), FileError);
     std::filesystem::remove_all(folder);
 }

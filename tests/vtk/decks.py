@@ -5,7 +5,7 @@ THIN, THICK = 0.05, 0.12  # of the sections
 GRAVITY = -9.81
 SPIN = 3.0  # of the free body about z
 
-# An arc, a leg and a strut meet in one node; the leg stands on a support.
+# An arc, a leg and a strut meet in one node; the leg is on a support.
 FRAME = """title = "A frame with an arc"
 [section.thin]
 shape    = {{ circle = {{ radius = 0.05 }} }}

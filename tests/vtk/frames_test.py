@@ -111,7 +111,7 @@ class Frames(ProgramTest):
 
     def test_cells_draw_the_curve(self):
         # Distance from an arc of 30°, over its radius. VTK takes nodes for equally spaced: so between those of
-        # order 3 and 4 it draws a little beside the rod.
+        # order 3 and 4 it draws a little off the rod.
         distances = {1: 0.0341, 2: 0.000143, 3: 0.0055, 4: 0.00046}
         parameters = np.linspace(0, 1, 25)
         for _, order, element in CASES:

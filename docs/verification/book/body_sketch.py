@@ -26,7 +26,7 @@ def semi_axes(inertia, mass):
 
 
 def fit_to_arm(axes, arm):
-    """An ellipsoid that is large beside its arm is drawn smaller, in the same shape."""
+    """An ellipsoid that is large compared with its arm is drawn smaller, in the same shape."""
     length = np.linalg.norm(arm)
     return axes * min(1.0, 0.6 * length / axes.max()) if length else axes
 

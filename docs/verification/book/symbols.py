@@ -58,7 +58,7 @@ def force(pen, place, vector, words, colour=FORCE, length=0.2):
     start, direction = pen.projection(place), pen.projection.direction(vector)
     end = start + length * pen.size * direction
     arrow(pen, start, end, colour)
-    if direction[1] < -0.5:  # beside the head: below it the rod may be
+    if direction[1] < -0.5:  # next to the head: below it the rod can be
         pen.text(end + [0.04 * pen.size, 0.0], words, color=colour, ha="left")
     else:
         pen.text(end + 0.05 * pen.size * direction, words, color=colour, ha=side_of(direction), va=height_of(direction))
@@ -87,12 +87,12 @@ def moment(pen, place, vector, words, colour=FORCE, apart=None):
     straight = pen.projection(axis)
     if np.linalg.norm(straight) > 0.05:
         arrow(pen, centre, centre + 2.2 * radius * straight, colour, width=0.9)
-    at = words_beside(straight) if apart is None else 1.7 * np.asarray(apart)
+    at = words_next_to(straight) if apart is None else 1.7 * np.asarray(apart)
     pen.text(centre + radius * at, words, color=colour, ha=side_of(at), va=height_of(at))
 
 
-def words_beside(straight):
-    """Where the words of a round arrow are, in its radii: at the head of its vector; beside it where a force may be, to
+def words_next_to(straight):
+    """Where the words of a round arrow are, in its radii: at the head of its vector; next to it where a force can be, to
     the right of one that points up; above one that is seen from its tip."""
     if np.linalg.norm(straight) < 0.05:
         return np.array([0.6, 1.5])
@@ -136,7 +136,7 @@ def hinge(pen, place, down=(0.0, -1.0)):
 
 
 def dimension(pen, start, end, words, side=1.0, share=0.5):
-    """A line with a head at both ends, beside what it measures; its words at a share of it."""
+    """A line with a head at both ends, next to what it measures; its words at a share of it."""
     start, end = pen.projection(start), pen.projection(end)
     length = np.linalg.norm(end - start)
     offset = side * 0.1 * pen.size * paper_normal((end - start) / length)

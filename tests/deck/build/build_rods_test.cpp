@@ -218,7 +218,7 @@ TEST_CASE("Section axes are carried along a helix without twisting, and then twi
                                       "line = { from = [0, 0, 0], to = [10, 0, 0] }",
                                       "helix = { centre = [0, 0, 0], axis = [0, 0, 1], from = [2, 0, 0], "
                                       "turns = 1.5, pitch = 3 }\ny_axis = [-1, 0, 0]");
-    // Section y starts along the normal of the curve. Carried along, it falls behind the normal by the
+    // Section y starts along the normal of the curve. Carried along, it lags the normal by the
     // torsion times the length.
     const double p = 3.0 / (2.0 * M_PI);
     const double torsion = p / (4.0 + p * p);

@@ -14,7 +14,7 @@ std::string deck_with(const std::string& function) {
            "[[load]]\nat = \"top\"\nforce = [\"sway(t)\", 0, 0]\n";
 }
 
-// A deck beside motion.csv.
+// A deck next to motion.csv.
 struct Beside {
     ScratchFile table;
     std::filesystem::path deck;

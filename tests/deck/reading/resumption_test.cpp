@@ -18,7 +18,7 @@ quantities = ["position"]
 
 DeckRecord record_of(const std::string& deck) { return read(deck).record; }
 
-// What is said of a deck that is to go on where the run of `before` stopped.
+// Faults of a deck that is to resume where the run of `before` stopped.
 std::string faults_against(const std::string& before, const std::string& now) {
     const ScratchFile file("x.toml", now);
     try {

@@ -26,7 +26,7 @@ std::string read_file(const std::string& path) {
 
 TEST_CASE("The page docs/deck.md is what the schema says", "[deck]") {
     const bool is_current = read_file(GXROD_SOURCE_DIR "/docs/deck.md") == deck_reference() + "\n";
-    INFO("Write it anew: gxrod schema --markdown > docs/deck.md");
+    INFO("Regenerate it: gxrod schema --markdown > docs/deck.md");
     CHECK(is_current);
 }
 

@@ -44,7 +44,7 @@ TEST_CASE("An impossible stiffness matrix is reported by its entry", "[deck]") {
     Mat6 matrix = make_diagonal();
     matrix(4, 3) = 10.0;
     CHECK(stiffness_fault(matrix) == "[4][3]: expected a symmetric matrix, found 10 here and 0 at [3][4]");
-    // Small beside the largest entry, but not beside its own.
+    // Small compared with the largest entry, but not with its own.
     matrix = make_diagonal();
     matrix(4, 3) = 1e-6;
     CHECK(stiffness_fault(matrix) == "[4][3]: expected a symmetric matrix, found 1e-06 here and 0 at [3][4]");

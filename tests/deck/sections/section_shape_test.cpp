@@ -8,7 +8,7 @@
 namespace gxrod::test {
 namespace {
 
-// J of a rectangle by the series as it stands in books, summed until it no longer changes:
+// J of a rectangle by the series as in textbooks, summed until it no longer changes:
 // J = a b³ (1/3 − (64/π⁵)(b/a) Σ tanh(n π a/(2b))/n⁵), n odd, a ≥ b.
 double compute_torsion_by_long_series(double a, double b) {
     double sum = 0.0;
@@ -33,7 +33,7 @@ Eigen::Vector2d find_factors(const Mat6& compliance, double area, double nu) {
     return {1.0 / (compliance(1, 1) * GA), 1.0 / (compliance(2, 2) * GA)};
 }
 
-// Of a rectangle by Saint-Venant's series in sines, as it stands, summed until it no longer changes.
+// Of a rectangle by Saint-Venant's series in sines, term by term, summed until it no longer changes.
 double compute_factor_by_long_series(double along, double across, double nu) {
     const double rho = across / along;
     double sum = 0.0;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double delay = 0.3;  // τ
 
-// An element whose nodes go on at their v and ω.
+// An element whose nodes continue at their v and ω.
 template <Element E>
 struct MovingSample {
     ElementSample<E> sample;

@@ -93,7 +93,7 @@ TEST_CASE("at force points, strains of damped rods are those of the motion", "[e
         constexpr int nodes = std::remove_cvref_t<decltype(sample)>::node_count;
         constexpr int points = nodes - 1;
         REQUIRE(sample.element.is_damped());
-        // Values of the middle are those of the point there, or the mean of the two beside it.
+        // Values of the middle are those of the point there, or the mean of the two next to it.
         const SectionValues middle =
             sample.element.section_values(sample.point_at(sample.motions), sample.histories);
         const auto rule = compute_gauss_rule<points>();

@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t page = 4096;
 
-// From all bytes at once: the checksum of the checksums of pages behind the seal.
+// From all bytes at once: the checksum of the checksums of pages after the seal.
 std::uint32_t sum_whole(const std::string& bytes) {
     std::uint32_t sum = 0;
     for (std::size_t at = seal_block_bytes; at < bytes.size(); at += page) {
