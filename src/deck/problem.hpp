@@ -35,7 +35,7 @@ Problem read_problem_text(std::string_view text,
 // A deck that is read once and built many times, each time with other overrides.
 class DeckTemplate {
   public:
-    // Throws DeckError if the text is no TOML, and FileError if it cannot be read.
+    // Throws DeckError if the text is not TOML, and FileError if it cannot be read.
     explicit DeckTemplate(const std::filesystem::path& deck);
 
     // As read_problem does.
@@ -53,7 +53,8 @@ class DeckTemplate {
 };
 
 // The problem that resumes where a run of `before` stopped: its own deck, or the one in the file `deck`, with
-// overrides. Throws DeckError that names each key which differs and may not (deck/reading/resumption.hpp).
+// overrides. Throws DeckError that names each key that must not differ but does
+// (deck/reading/resumption.hpp).
 Problem read_resumption(const DeckRecord& before,
                         const std::filesystem::path& deck,
                         const std::vector<std::string>& overrides);

@@ -14,7 +14,7 @@ HelixCurve::HelixCurve(const HelixShape& shape)
 Vec3 HelixCurve::position(double s) const {
     const double fraction = s / length_;
     const double half = 0.5 * fraction * shape_.angle;
-    // From the start, not from the axis, which may be far away: cos φ − 1 = −2 sin²(φ/2).
+    // From the start, not from the axis, which can be far away: cos φ − 1 = −2 sin²(φ/2).
     return shape_.start + 2.0 * std::sin(half) * (std::cos(half) * across_ - std::sin(half) * shape_.radius) +
            fraction * shape_.rise * shape_.axis;
 }

@@ -17,7 +17,7 @@ namespace {
 // are integrated again for each time.
 constexpr double fixed_tolerance = 1e-8;
 constexpr double varying_tolerance = 1e-6;
-// Points of one element, after which a load counts as one that has no integral.
+// Points of one element, after which a load counts as not integrable.
 constexpr int most_points = 20000;
 // Breaks nearer to each other than this part of an element, and to its ends, are one.
 constexpr double shortest_piece = 1e-12;

@@ -6,13 +6,13 @@
 
 namespace gxrod {
 
-// What a child process may do.
+// Limits of a child process.
 struct ChildLimits {
     // After which it is ended, counted from its start or from the last restart_processor_clock(); 0: no
     // limit.
     int processor_seconds = 0;
-    // After which it is ended if it computed next to nothing in that time: it waits for what does not come.
-    // 0: no limit, as where a disk may be slow.
+    // It is ended after so long if it computed next to nothing meanwhile: it waits for what does not come.
+    // 0: no limit, as for a slow disk.
     int waiting_seconds = 0;
     bool reads_only = false;  // as machine/confinement.hpp has it
 };

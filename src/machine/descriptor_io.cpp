@@ -9,7 +9,7 @@
 namespace gxrod {
 namespace {
 
-// Calls transfer(bytes, offset) until all is done or nothing more is there.
+// Calls transfer(bytes, offset) until all bytes are done or the end is reached.
 template <class Bytes, class Transfer>
 std::size_t transfer_all(Bytes bytes, std::uint64_t offset, Transfer transfer) {
     std::size_t done = 0;

@@ -9,7 +9,7 @@
 namespace gxrod {
 
 void write_at(int descriptor, std::uint64_t offset, std::span<const std::byte> bytes);
-// How many bytes there were; fewer than asked for at the end of the file.
+// How many bytes were read; fewer than requested at the end of the file.
 std::size_t read_at(int descriptor, std::uint64_t offset, std::span<std::byte> bytes);
 
 }  // namespace gxrod

@@ -25,7 +25,7 @@ class FileError : public std::runtime_error {
     std::filesystem::path path_;
 };
 
-// Results could not be written, when some may have been already.
+// Results could not be written; some may already have been.
 class WriteError : public FileError {
   public:
     using FileError::FileError;

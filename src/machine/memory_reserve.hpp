@@ -5,10 +5,10 @@
 namespace gxrod {
 
 // HDF5 can crash if an allocation of its own fails. So it is only called when there is
-// room for what it may need: of what the caller hands over, and these bytes for itself.
+// room for what it can need: of what the caller hands over, and these bytes for itself.
 inline constexpr std::size_t hdf5_reserve = std::size_t{4} << 20;
 
-// Throws std::bad_alloc if the process may not have so many bytes more.
+// Throws std::bad_alloc if the process cannot have so many bytes more.
 void require_memory(std::size_t bytes);
 
 }  // namespace gxrod

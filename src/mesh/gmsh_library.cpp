@@ -34,7 +34,7 @@ bool is_for_want_of_memory(const std::string& reason) {
            reason.find("cannot create") != std::string::npos;
 }
 
-// Some of the ninety libraries that come with it break down where there is no memory for them: so another
+// Some of the ninety libraries that come with it crash when memory is short: so another
 // process tries first.
 void try_to_load(std::span<const char* const> names) {
     constexpr int most_seconds = 60;

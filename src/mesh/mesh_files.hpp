@@ -14,7 +14,7 @@ namespace gxrod {
 class MeshFiles {
   public:
     explicit MeshFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
-    // Throws FileError if there is no room for them.
+    // Throws FileError if there is no space for them.
     explicit MeshFiles(const std::vector<MeshRecord>& records);
     ~MeshFiles();
     MeshFiles(const MeshFiles&) = delete;

@@ -105,8 +105,8 @@ struct DistributedLoad {
 // Components of a node, displacements and rotations, in the order in which all of gxrod counts them.
 inline constexpr std::array<std::string_view, 6> component_names{"x", "y", "z", "rx", "ry", "rz"};
 
-// Components x y z rx ry rz, in the support's own axes, that are fixed or move as prescribed; none is both.
-// Of the rotations none, two (a hinge about the third axis, both fixed) or all three are held. One support a
+// Components x y z rx ry rz, in the support's own axes, that are fixed or move as prescribed, never both.
+// No rotations, two (a hinge about the third axis, both fixed) or all three are held. One support a
 // node.
 struct Support {
     int node = 0;

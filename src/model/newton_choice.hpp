@@ -21,7 +21,7 @@ struct TangentChoice {
 };
 TangentChoice choose_tangent(const Model& model, const AnalysisSettings& analysis);
 
-// Newton's tolerance over the error that a step may have. Where both are alike, what Newton's method leaves
+// Newton's tolerance over the allowed error of a step. Where both are alike, what Newton's method leaves
 // was seen to be the larger error of the heavy top; at a tenth it is lost in the scheme's
 // (docs/guide/solving.md).
 inline constexpr double newton_part = 0.01;

@@ -29,7 +29,7 @@ enum class LinearSolverKind {
     umfpack
 };
 
-// Newton's tolerance where nothing asks for a smaller one.
+// Newton's tolerance unless a smaller one is needed.
 inline constexpr double usual_newton_tolerance = 1e-8;
 
 struct NewtonSettings {

@@ -8,7 +8,7 @@
 namespace gxrod {
 
 // How much stiffer a section is against turns of one direction than of another: the principal stiffnesses
-// against twist and bending while no force acts. An offset of the section's axes changes none of them.
+// against twist and bending while no force acts. An offset of the section's axes does not change them.
 struct StiffnessRatio {
     int rod = -1;         // of Model::rods
     double ratio = 1.0;   // the largest over the smallest

@@ -14,7 +14,7 @@ namespace gxrod {
 // have a kink, between them it is smooth. Of "s < 2*t ? 1 : 0" the number is s − 2 t and the knot 0; of a
 // table, the number is what it is asked for and the knots are its rows.
 struct Switch {
-    std::function<double(double time, double s)> argument;  // may be nan where the function does not need it
+    std::function<double(double time, double s)> argument;  // can be NaN where the function does not need it
     std::vector<double> knots{0.0};                         // increasing
     bool has_time = true;
     bool has_arc_length = true;

@@ -10,7 +10,7 @@
 namespace gxrod {
 
 // Items 0 … count − 1 that add to nodes, in parts of `part_size`, and these in phases: no two parts of a
-// phase touch the same node, so they may add to them at the same time. Parts and phases are the same whatever
+// phase touch the same node, so they can add to them at the same time. Parts and phases are the same whatever
 // works on them, so sums at nodes are the same to the last bit.
 class WorkPhases {
   public:

@@ -12,7 +12,7 @@ namespace gxrod {
 std::vector<std::vector<std::int64_t>> group_columns(const SparsePattern& pattern);
 
 // The tangent by central differences of the residual, moving the nodes' (δr, δφ) through the integrator;
-// values on the pattern. Slow: for checking a tangent, or where there is none. Restores the state.
+// values on the pattern. Slow: for checking a tangent, or without one. Restores the state.
 class DifferenceTangent {
   public:
     explicit DifferenceTangent(const System& system);

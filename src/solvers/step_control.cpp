@@ -33,7 +33,7 @@ StepMemory StepControl::memory() const {
 }
 
 // The next step is the longest that fits the grid, as after any accepted one; but where the shortest one
-// failed, a whole one to the next nominal time is tried: settings may have changed.
+// failed, a whole one to the next nominal time is tried: settings can have changed.
 bool StepControl::resume(const StepMemory& memory) {
     const StepGrid::Place place = grid_.find(memory.time);
     if (!place.is_exact || place.position > end_) return false;

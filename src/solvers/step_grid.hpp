@@ -27,7 +27,7 @@ class StepGrid {
   private:
     double step_;
     std::int64_t ticks_;
-    double numerator_, denominator_;  // of the step; step and 1 if it is no small fraction
+    double numerator_, denominator_;  // of the step; step and 1 if it is not a small fraction
 };
 
 }  // namespace gxrod

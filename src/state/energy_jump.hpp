@@ -6,7 +6,7 @@
 // Whether a series of equilibria follows one path: then strain energy changes by the work of the loads.
 namespace gxrod {
 
-// Between two load factors strain energy and work part by so much more than the work may be off.
+// Between two load factors strain energy and work part by so much more than the uncertainty of the work.
 struct EnergyJump {
     double from = 0.0;
     double to = 0.0;
@@ -27,7 +27,7 @@ struct EnergyPoint {
     double work_uncertainty = 0.0;  // of the load step that led to it
 };
 
-// Of the largest energy of a run so far: what is less is not worth a word.
+// Of the largest energy of a run so far: smaller jumps are not reported.
 inline constexpr double energy_worth_a_word = 0.01;
 
 std::optional<EnergyJump> find_jump(const EnergyPoint& before,

@@ -9,7 +9,7 @@ namespace gxrod {
 
 namespace {
 
-// In statics a node may turn by any angle within one step. T(θ)⁻¹ is singular at whole turns, where exp(θ)
+// In statics a node can turn by any angle within one step. T(θ)⁻¹ is singular at whole turns, where exp(θ)
 // says nothing of the axis of θ either: there θ is the sum of its spins, elsewhere the nearest to that.
 void turn_beyond_half(const NodeMotion& previous, const Vec3& delta_phi, NodeMotion& trial) {
     constexpr double close = 0.1;  // rad, to a whole turn

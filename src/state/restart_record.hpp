@@ -42,7 +42,7 @@ struct RunTotals {
 struct RestartRecord {
     std::vector<NodeMotion> nodes;                     // there, theta zero
     std::vector<SectionHistory> sections;              // State::sections
-    std::vector<AlgorithmicAcceleration> algorithmic;  // State::algorithmic_previous; may be empty
+    std::vector<AlgorithmicAcceleration> algorithmic;  // State::algorithmic_previous; can be empty
     LedgerMemory ledger;
     StepMemory steps;
     RunTotals totals;

@@ -41,7 +41,7 @@ struct State {
     std::vector<std::vector<StageRates>> stages;  // [stage][node]; Runge-Kutta schemes only
 };
 
-// Comes back to the last accepted step: between commits nothing changes but what is tried, and the rates of
+// Returns to the last accepted step: between commits nothing changes but the trial values, and the rates of
 // stages, which every step finds again.
 inline void undo_trial(State& state) {
     state.trial = state.previous;

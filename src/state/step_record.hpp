@@ -33,7 +33,7 @@ struct SolverRow {
     std::int64_t negative_pivots = -1;
 };
 
-// The accepted state and what is derived from it. Valid during the call that passes it only.
+// The accepted state and what is derived from it. Valid only during the call that passes it.
 struct Snapshot {
     double time;
     std::span<const NodeMotion> nodes;

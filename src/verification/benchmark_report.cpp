@@ -15,7 +15,7 @@ constexpr double order_tolerance = 0.3;
 struct CheckRow {
     std::string overrides;
     BenchmarkRun run;
-    std::optional<double> order;  // none of the first of a refinement, nor below the floor
+    std::optional<double> order;  // not for the first of a refinement, nor below the floor
 };
 
 // log₂ of the fall of the error; refinements double elements or steps from row to row.

@@ -34,7 +34,7 @@ std::string name_entry(const Check& check, std::size_t entry) {
     return check.what + ": " + (check.reference.size() == 4 ? quaternion[entry] : axes[entry]);
 }
 
-// Text to a width in characters, of which a UTF-8 letter is one.
+// Pads text to a width in characters; a UTF-8 letter counts as one.
 std::string pad(const std::string& text, std::size_t width) {
     const auto characters = static_cast<std::size_t>(
         std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));

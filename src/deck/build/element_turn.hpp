@@ -2,7 +2,7 @@
 
 #include "deck/build/build_context.hpp"
 
-// How far a rod may be bent and twisted within one of its elements, free of stress.
+// How far a stress-free rod can be bent and twisted within one of its elements.
 namespace gxrod {
 
 // By how much the section axes turn within an element whose tangent turns by `bend`, with a twist of its own.

@@ -17,7 +17,7 @@ struct Part {
 // The index of the table of this name.
 std::optional<int> find_index(const std::vector<CheckedTable>& tables, std::string_view name);
 
-// The part that a key of the schema names, which says whether that may be a rod, a body or either; nullopt
+// The part that a key of the schema names, which says whether that can be a rod, a body or either; nullopt
 // with a fault if there is none.
 std::optional<Part> find_part(const CheckedTable& table, const KeySpec& key, const BuildContext& context);
 

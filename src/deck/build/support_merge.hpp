@@ -17,7 +17,7 @@ struct NodeSupport {
 // The values of a table's `move`, by component; nullptr for one that it does not move.
 std::array<const CheckedTimeFunction*, 6> moves_of(const CheckedTable& table);
 
-// Adds a table at the node to what supports it already. Faults: axes that are no axes or not those of another
+// Adds a table at the node to what supports it already. Faults: invalid axes or not those of another
 // table, a component that is fixed and moved, or moved twice.
 void merge_support(const CheckedTable& table, NodeSupport& merged, const BuildContext& context);
 

@@ -14,7 +14,7 @@
 #include "rotation/types.hpp"
 
 // Expressions of a deck: text such as "EI/2" or "0.5*pulse(t)". deck/expressions/expression_syntax.hpp says
-// what they may hold.
+// what they can hold.
 namespace gxrod {
 
 // An expression that cannot be read or has no finite value; what() says why.

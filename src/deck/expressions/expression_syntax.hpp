@@ -6,8 +6,7 @@
 #include "deck/expressions/expression.hpp"
 
 // The grammar of expressions: what the reader lets through to muParser, which would read some mistakes
-// silently
-// ("t = 15" assigns, "1,2" is 2, "0 < t < 5" is always true).
+// silently ("t = 15" assigns, "1,2" is 2, "0 < t < 5" is always true).
 namespace gxrod {
 
 // What an expression can use in addition to numbers, pi and the deck's parameters.
@@ -33,7 +32,7 @@ bool is_identifier(const std::string& word);
 // Why a parameter or function cannot have this name, or "".
 std::string explain_unusable_name(const std::string& name);
 
-// Bounds of what evaluating one expression may take.
+// Limits on evaluating one expression.
 inline constexpr std::size_t most_expression_letters = 10'000;
 inline constexpr double most_operations = 1e5;
 inline constexpr int most_function_depth = 100;

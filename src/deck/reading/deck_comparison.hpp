@@ -14,7 +14,7 @@ struct ComparisonRules {
 };
 
 // Adds a fault, at its place in `now`, for each key whose value differs. Numbers are compared as such, and
-// the order of keys is of no matter.
+// the order of keys does not matter.
 void compare_decks(const DeckNode& before,
                    const DeckNode& now,
                    const ComparisonRules& rules,

@@ -10,7 +10,7 @@ namespace gxrod {
 std::string write_toml(const DeckNode& deck);
 // A key as it is written before its value: in quotes unless it is plain.
 std::string write_toml_key(const std::string& key);
-// A value as it would stand behind a key, in one line.
+// A value as it is written after a key, on one line.
 std::string write_toml_value(const DeckNode& node);
 
 }  // namespace gxrod

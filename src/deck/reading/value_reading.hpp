@@ -17,7 +17,7 @@ std::optional<double> read_number(const DeckNode& node,
                                   const KeySpec& key,
                                   const ReadingContext& context);
 
-// The value of a key that is no table.
+// The value of a key that is not a table.
 decltype(CheckedValue::value) read_value(const DeckNode& node,
                                          const std::string& path,
                                          const KeySpec& key,

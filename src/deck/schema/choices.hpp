@@ -10,7 +10,7 @@
 #include "model/model.hpp"
 #include "model/settings.hpp"
 
-// The words of a deck and what they stand for, each pair stated once.
+// The words of a deck and their meaning, each pair stated once.
 namespace gxrod {
 
 template <class Value>

@@ -7,7 +7,7 @@
 // What kernels for general sections read beyond those for plain ones (kernels.hpp).
 namespace gxrod {
 
-// After the stiffness in the rows of a section: alike in all lanes, so that kernels may branch on it.
+// After the stiffness in the rows of a section: alike in all lanes, so that kernels can branch on it.
 template <class Real>
 struct GeneralSection {
     static constexpr int first_row = 27;

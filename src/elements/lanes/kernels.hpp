@@ -4,7 +4,7 @@
 
 #include "machine/instruction_set.hpp"
 
-// Kernels that work on several elements or nodes at once, a lane each. Except where it is said, what they
+// Kernels that work on several elements or nodes at once, a lane each. Unless noted otherwise, what they
 // read and write are rows with an entry for each of `width` lanes; quaternions are x, y, z, w, matrices
 // column by column.
 namespace gxrod {
@@ -50,7 +50,7 @@ struct RodKernels {
     Kernel compute_damping_forces;
 };
 
-// Rotary inertia of nodes (rotary_inertia.hpp), or its momentum in the place of the inertial moment.
+// Rotary inertia of nodes (rotary_inertia.hpp), or its momentum in place of the inertial moment.
 struct RotaryKernels {
     // J₀.
     static constexpr int constant_rows = 9;

@@ -23,7 +23,7 @@ class ChainSolver : public LinearSolver {
 
     // False of a pattern without its diagonal, whose systems all go to a general solver.
     bool works_by_blocks() const { return !steps_.empty() || junction_solver_; }
-    // The unknowns that are in no chain.
+    // The unknowns outside of chains.
     std::int64_t count_kept() const { return steps_.empty() ? pattern_->size() : junctions_.size(); }
 
   private:

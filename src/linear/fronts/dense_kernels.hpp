@@ -65,7 +65,7 @@ struct DenseKernels : BlockKernels<Arch> {
         std::int64_t columns, std::int64_t depth, const View& A, const View& B, const Target& C) {
         std::int64_t j = 0;
         for (; j + wide <= columns; j += wide) {
-            // Processors do not see soon enough what is read across columns.
+            // Processors do not prefetch reads across columns soon enough.
             for (std::int64_t next = j + wide; next < smaller(j + 2 * wide, columns); ++next) {
                 __builtin_prefetch(C.entries + next * C.stride);
                 __builtin_prefetch(C.entries + next * C.stride + Rows * sizeof(Numbers) / sizeof(double) - 1);
