@@ -190,7 +190,8 @@ def zoom_for(figure):
 
 def draw_in_space(axes, scene, norm, zoom):
     segments, colours, widths = coloured_lines(scene, norm, lambda points: points)
-    axes.add_collection3d(Line3DCollection(segments, colors=colours, linewidths=widths, capstyle="round"))
+    # Its limits are set by hand; those of add_collection3d want lines of as many points.
+    axes.add_collection(Line3DCollection(segments, colors=colours, linewidths=widths, capstyle="round"), autolim=False)
     for origin, tips in scene.triads:
         for axis, tip in tips.items():
             axes.plot(*np.array([origin, tip]).T, color=AXIS_COLOURS[axis], linewidth=1.8)
