@@ -7,6 +7,7 @@
 #include "check/mesh_frequencies.hpp"
 #include "check/model_examination.hpp"
 #include "check/model_summary.hpp"
+#include "check/plane_findings.hpp"
 #include "check/rod_lines.hpp"
 #include "check/static_scale.hpp"
 #include "deck/problem.hpp"
@@ -32,7 +33,7 @@ constexpr long lines_of_screen = 50;
 
 std::string describe_size(const Problem& problem) {
     constexpr double megabyte = 1e6;
-    const ResultsSize size = estimate_results_size(problem.model, problem.analysis, problem.output);
+    const ResultsSize size = estimate_results_size(problem.model, problem.stages, problem.output);
     const std::string results =
         size.bytes == 0.0 ? "" : fmt::format("results: at least {:.3g} MB\n", size.bytes / megabyte);
     return results +
@@ -49,10 +50,16 @@ struct CheckText {
 CheckText describe_problem(const Problem& problem) {
     CheckText text;
     text.lists = list_model(problem.model);
-    text.rest = describe_total(problem.model) + describe_analysis(problem.analysis) +
-                describe_output(problem.analysis, problem.output) + describe_size(problem);
+    text.rest = describe_total(problem.model);
+    for (const StagePlan& stage : problem.stages) {
+        if (!stage.name.empty()) text.rest += "stage " + stage.name + ": ";
+        text.rest += describe_analysis(stage.analysis);
+    }
+    text.rest += describe_output(problem.analysis, problem.output) + describe_size(problem);
+    if (const std::string plane = suggest_plane(problem.model); !plane.empty())
+        text.notes.push_back("note: " + plane);
     for (const std::string& note : problem.notes) text.notes.push_back("note: " + note);
-    for (const Finding& finding : examine_model(problem.model, problem.analysis)) {
+    for (const Finding& finding : examine_stages(problem.model, problem.stages)) {
         (finding.severity == Severity::error ? text.errors : text.warnings).push_back(describe(finding));
     }
     for (const std::string& sentence : {describe_thick_rods(problem.model),

@@ -71,7 +71,8 @@ int exit_code_of(const RunSummary& summary, bool deck_fault) {
 // After an error that ended the program while it wrote: how to resume, if that is possible.
 void print_resumption(const std::string& results) {
     try {
-        const double time = ResumableFile(results).place().record.steps.time;
+        const RestartRecord record = ResumableFile(results).place().record;
+        const double time = record.axis_start + record.steps.time;
         say(stderr,
             "{} holds what was computed up to t = {:.10g}. To resume: gxrod resume {}\n",
             results,
@@ -93,7 +94,7 @@ void warn_of_threads(const JobOptions& options) {
 
 // Reports what is suspicious; returns whether the model can be run.
 bool examine(const JobOptions& options, const Problem& problem) {
-    const std::vector<Finding> findings = examine_model(problem.model, problem.analysis);
+    const std::vector<Finding> findings = examine_stages(problem.model, problem.stages);
     for (const Finding& finding : findings) {
         const bool is_shown =
             finding.severity == Severity::error || (finding.severity == Severity::warning && !options.quiet);
@@ -105,7 +106,7 @@ bool examine(const JobOptions& options, const Problem& problem) {
 // Throws FileError if the disk is too small for what the run would write.
 void check_room(const JobOptions& options, const Problem& problem) {
     constexpr double gigabyte = 1e9;
-    const ResultsSize size = estimate_results_size(problem.model, problem.analysis, problem.output);
+    const ResultsSize size = estimate_results_size(problem.model, problem.stages, problem.output);
     const std::filesystem::path folder = std::filesystem::path(options.results).parent_path();
     std::error_code error;
     const std::filesystem::space_info room = std::filesystem::space(folder.empty() ? "." : folder, error);
@@ -126,6 +127,9 @@ int run_and_tell(const RunRequest& request, const JobOptions& options, ProgressL
     const RunSummary summary = run_analysis(request);
     line.finish();
     print(options, summary, request.resumed != nullptr);
+    if (!options.quiet) {
+        for (const std::string& note : summary.notes) say(stderr, "note: {}\n", note);
+    }
     for (const std::string& warning : summary.warnings) say(stderr, "warning: {}\n", warning);
     for (const std::string& sentence : {summary.cuts, summary.newton_limit}) {
         if (!sentence.empty() && !options.quiet) say(stderr, "warning: {}\n", sentence);
@@ -179,6 +183,7 @@ int run_job(const Problem& problem, const JobOptions& options, ResumableFile* re
             std::fflush(stdout);
         };
     }
+    request.stages = problem.stages;
     request.is_interrupted = [] { return interrupt_signal != 0; };
     request.threads = options.threads;
     try {

@@ -47,7 +47,9 @@ std::string describe(const Progress& progress, double elapsed_seconds) {
     const std::string left =
         done > 0.0 ? describe_duration(elapsed_seconds * (1.0 - done) / done) + " left" : "";
     const std::string all = progress.steps > 0 ? fmt::format("/{}", progress.steps) : "";
-    return fmt::format("step {}{}  t = {:.6g}  Δt = {:.4g}  {} Newton iterations  {}",
+    const std::string stage = progress.stage.empty() ? "" : progress.stage + ": ";
+    return fmt::format("{}step {}{}  t = {:.6g}  Δt = {:.4g}  {} Newton iterations  {}",
+                       stage,
                        progress.step,
                        all,
                        progress.time,

@@ -5,6 +5,7 @@
 #include "deck/problem.hpp"
 #include "exit_code.hpp"
 #include "job.hpp"
+#include "model/analysis_traits.hpp"
 #include "say.hpp"
 #include "verbs.hpp"
 
@@ -17,13 +18,8 @@ struct ResumeArguments {
     std::vector<std::string> overrides;
 };
 
-double end_of(const AnalysisSettings& analysis) {
-    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
-    return dynamic == nullptr ? 1.0 : dynamic->end_time;
-}
-
 std::string describe_end(const AnalysisSettings& analysis, double time, const std::string& results) {
-    if (std::holds_alternative<StaticSettings>(analysis)) {
+    if (!needs_inertia(analysis)) {
         return fmt::format("{} is at its end, load factor 1; nothing was changed\n", results);
     }
     return fmt::format(
@@ -37,11 +33,14 @@ int resume(ResumeArguments& arguments) {
     JobOptions& job = arguments.job;
     ResumableFile file(job.results);
     const Problem problem = read_resumption(file.deck(), job.deck, arguments.overrides);
-    const double time = file.place().record.steps.time;
-    const bool is_at_end = time == end_of(problem.analysis);
+    const RestartRecord& record = file.place().record;
+    const bool is_in_last = record.stage + 1 == std::ssize(problem.stages);
+    const AnalysisSettings& last = problem.stages.back().analysis;
+    const double time = record.axis_start + record.steps.time;
+    const bool is_at_end = is_in_last && record.steps.time == end_of(last);
     // A killed run can be at its end without being closed.
     if (is_at_end && file.is_complete() && job.summary.empty()) {
-        if (job.prints()) say(stdout, "{}", describe_end(problem.analysis, time, job.results));
+        if (job.prints()) say(stdout, "{}", describe_end(last, time, job.results));
         return exit_done;
     }
     if (job.deck.empty()) job.deck = file.deck().name;
@@ -59,7 +58,7 @@ void add_resume_verb(CLI::App& program, int& exit_code) {
         "--deck",
         arguments->job.deck,
         "Deck to continue with [the one in the results]; its title, units, output, histories and, "
-        "of [analysis], end_time, time_step, steps, adaptive, newton, linear_solver can differ");
+        "of [analysis] or [[stage]], end_time, time_step, steps, adaptive, newton, linear_solver can differ");
     verb->add_option("--set",
                      arguments->overrides,
                      "KEY=VALUE: change such a key of the deck, say analysis.end_time=20")

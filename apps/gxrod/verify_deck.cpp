@@ -52,6 +52,14 @@ int verify_deck(const VerifyDeckArguments& arguments) {
     if (!arguments.page.empty()) check_export_file(arguments.page, existing);
     const DeckTemplate deck(arguments.deck);
     const Problem problem = deck.build(arguments.overrides);
+    if (problem.stages.size() > 1) {
+        say(stderr,
+            "{}: has {} stages; gxrod verify refines decks of one. Write the stage in question as "
+            "[analysis]\n",
+            arguments.deck,
+            problem.stages.size());
+        return exit_bad_input;
+    }
     if (!examine(problem, arguments.deck)) return exit_bad_input;
     const std::vector<DeckVariant> variants = list_variants(problem, arguments.levels);
     std::signal(SIGINT, ask_study_to_end);

@@ -54,7 +54,7 @@ class Results:
 
     @property
     def history_names(self):
-        return [name for name in self._file["histories"] if name != "time"]
+        return [name for name in self._file["histories"] if name not in ("time", "stage")]
 
     def history(self, name):
         group = self._file["histories"][name]

@@ -43,11 +43,12 @@ void clear_moved_rates(const System& system, std::vector<NodeMotion>& rates) {
 Ledger::Ledger(const System& system,
                const Integrator& integrator,
                const State& state,
-               const Residual& residual)
+               const Residual& residual,
+               const LedgerTotals* before)
     : Ledger(system, integrator) {
     if (weighs_powers()) {
         power_ = compute_power(system, state, state.time, residual);
-    } else if (integrator.is_static()) {
+    } else if (integrator.is_static() && before == nullptr) {
         // Stress-free, the model carries no load yet: one that has a value at t = 0 grows to it in the first
         // step, as all others do.
         forces_.assign(state.trial.size(), Vec6::Zero());
@@ -58,6 +59,23 @@ Ledger::Ledger(const System& system,
     initial_energy_ = balance.kinetic_energy + balance.strain_energy;
     initial_potential_ = balance.gravity_potential;
     strain_energy_ = balance.strain_energy;
+    if (before == nullptr) return;
+    initial_energy_ = before->initial_energy;
+    work_ = before->external_work;
+    // Where a stage without time follows, the motion stops.
+    dissipated_ = before->dissipated + before->kinetic_energy - balance.kinetic_energy;
+    dissipated_by_scheme_ = before->dissipated_by_scheme;
+    largest_energy_ = before->largest_energy;
+}
+
+LedgerTotals Ledger::totals(const State& state) const {
+    const LedgerRow at_end = row(state);
+    return {initial_energy_,
+            at_end.external_work,
+            dissipated_,
+            dissipated_by_scheme_,
+            at_end.kinetic_energy,
+            std::max({largest_energy_, at_end.strain_energy, std::abs(at_end.external_work)})};
 }
 
 std::vector<Vec6> Ledger::compute_forces(const State& state, double time, const Residual& residual) const {

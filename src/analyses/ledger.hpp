@@ -11,6 +11,16 @@
 
 namespace gxrod {
 
+// The books at the end of a stage, for the next one.
+struct LedgerTotals {
+    double initial_energy = 0.0;
+    double external_work = 0.0;
+    double dissipated = 0.0;
+    double dissipated_by_scheme = 0.0;
+    double kinetic_energy = 0.0;
+    double largest_energy = 0.0;
+};
+
 // Keeps the books of a run: energies, work and momenta, and how far they fail to balance
 // (docs/theory/energy.md).
 class Ledger {
@@ -18,8 +28,13 @@ class Ledger {
     // Empty books, for resume().
     Ledger(const System& system, const Integrator& integrator)
         : system_(&system), integrator_(&integrator), power_weights_(integrator.power_weights()) {}
-    // `state` is the initial one and `residual` its own.
-    Ledger(const System& system, const Integrator& integrator, const State& state, const Residual& residual);
+    // `state` is the initial one and `residual` its own. Of a stage after another one: with the books at the
+    // end of that.
+    Ledger(const System& system,
+           const Integrator& integrator,
+           const State& state,
+           const Residual& residual,
+           const LedgerTotals* before = nullptr);
 
     // A step from state.previous to state.trial, which ends at `time`; before it is committed. `residual` is
     // that of the trial, `stage_powers` what the step's stages recorded.
@@ -49,6 +64,7 @@ class Ledger {
 
     LedgerRow row(const State& state) const;
 
+    LedgerTotals totals(const State& state) const;
     LedgerMemory memory() const;
     void resume(const LedgerMemory& memory);
 

@@ -37,6 +37,8 @@ EquilibriumReport StaticAnalysis::start() {
     for (NodeMotion& motion : state_.trial) {
         motion.v.setZero();
         motion.omega.setZero();
+        motion.a.setZero();
+        motion.alpha.setZero();
     }
     system_.compute_residual(state_, 0.0, workspace_.residual);
     accept_start();

@@ -1,5 +1,7 @@
 #include "analyses/stepped_analysis.hpp"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "check/direction_words.hpp"
@@ -36,6 +38,11 @@ NewtonSettings with_patience(NewtonSettings newton, bool has_contrast) {
 // steps may have to be tiny, need fewer.
 constexpr int most_rejections = 60;
 
+// Of the model's length, or in rad: how near a support's move is to where its node was left.
+constexpr double same_place = 1e-6;
+// Of the largest force: what an equilibrium leaves.
+constexpr double balanced = 1e-5;
+
 }  // namespace
 
 SteppedAnalysis::SteppedAnalysis(const Model& model,
@@ -60,7 +67,59 @@ void SteppedAnalysis::accept_start() {
     system_.commit(state_, 0.0);
     reactions_ = system_.compute_reactions(workspace_.residual);
     solver_row_.negative_pivots = accepted_pivots();
-    ledger_ = std::make_unique<Ledger>(system_, *integrator_, state_, workspace_.residual);
+    ledger_ = std::make_unique<Ledger>(
+        system_, *integrator_, state_, workspace_.residual, totals_before_ ? &*totals_before_ : nullptr);
+}
+
+EquilibriumReport SteppedAnalysis::start_after(const SteppedAnalysis& before) {
+    state_.trial = before.state_.previous;
+    state_.sections = before.state_.sections;
+    totals_before_ = before.ledger_->totals(before.state_);
+    for (int i = 0; i < static_cast<int>(state_.trial.size()); ++i) system_.hold_rates(i, state_.trial[i]);
+    state_.previous = state_.trial;
+    if (before.accepted_pivots() >= 0) resume_pivots(before.accepted_pivots());
+    if (!integrator_->is_static()) {
+        check_moved_supports();
+        start_note_ = describe_imbalance();
+    }
+    return start();
+}
+
+// No force moves a support at once.
+void SteppedAnalysis::check_moved_supports() const {
+    State moved = state_;
+    system_.supports().place(0.0, moved);
+    for (const Support* support : system_.supports().moving()) {
+        const NodeMotion& from = state_.trial[support->node];
+        const NodeMotion& to = moved.trial[support->node];
+        const double distance = (to.r - from.r).norm();
+        const double angle = from.Lambda.angularDistance(to.Lambda);
+        const double length = system_.length_scale_at(support->node);
+        if (distance <= same_place * length && angle <= same_place) continue;
+        throw std::runtime_error(fmt::format(
+            "the support at {} begins with a jump, by {:.4g} and {:.4g} rad: its move at t = 0 of this stage "
+            "is not where the stage before leaves it",
+            system_.model().nodes[support->node].name,
+            distance,
+            angle));
+    }
+}
+
+// At the trial motions, without accelerations.
+std::string SteppedAnalysis::describe_imbalance() const {
+    State resting = state_;
+    for (NodeMotion& motion : resting.trial) {
+        motion.a.setZero();
+        motion.alpha.setZero();
+    }
+    Residual residual;
+    system_.compute_residual(resting, 0.0, residual);
+    const std::vector<WorstNode> worst = find_worst_nodes(system_, residual, 1);
+    if (worst.empty() || worst[0].residual <= balanced) return "";
+    return fmt::format(
+        "it does not begin in equilibrium: out of balance at {}, by {:.3g} of the largest force or moment",
+        name_place(system_.model(), worst[0].node, worst[0].component),
+        worst[0].residual);
 }
 
 RestartRecord SteppedAnalysis::restart_record() const {

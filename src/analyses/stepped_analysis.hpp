@@ -21,6 +21,12 @@ class SteppedAnalysis {
 
     // Prepares the first step; before anything else.
     virtual EquilibriumReport start() = 0;
+    // The same from the state in which an earlier stage left the same mesh. Throws std::runtime_error if a
+    // support that moves would have to jump there.
+    EquilibriumReport start_after(const SteppedAnalysis& before);
+    // What is to be known of that start, a clause; "" if nothing: a motion that does not begin in
+    // equilibrium.
+    const std::string& start_note() const { return start_note_; }
     // One accepted step, as long as the sequence of steps has it. If even the shortest step fails, the report
     // says why and the state is the last accepted one.
     EquilibriumReport advance();
@@ -109,9 +115,14 @@ class SteppedAnalysis {
     // Fails the report if the step's estimated error is too large for steps that are chosen by it.
     void check_error(EquilibriumReport& report);
 
-    std::unique_ptr<Ledger> ledger_;  // none before the start
-    long rejecting_step_ = -1;        // of the nominal steps
-    int rejections_ = 0;              // within it; of a model with a contrast, in statics
+    void check_moved_supports() const;
+    std::string describe_imbalance() const;
+
+    std::unique_ptr<Ledger> ledger_;             // none before the start
+    std::optional<LedgerTotals> totals_before_;  // of an earlier stage
+    std::string start_note_;
+    long rejecting_step_ = -1;  // of the nominal steps
+    int rejections_ = 0;        // within it; of a model with a contrast, in statics
     SolverRow solver_row_;
     CutTally cuts_;
     double largest_error_ = 0.0;

@@ -59,21 +59,27 @@ std::size_t System::element_count() const {
     return static_cast<std::size_t>(rod_element_count_) + model_->bodies.size();
 }
 
+void System::hold_rates(int node, NodeMotion& motion) const {
+    Vec6 rates;
+    rates << motion.v, motion.omega;
+    rates = equations_.to_own_axes(node, rates);
+    for (int k = 0; k < 6; ++k) {
+        if (equations_.of_node(node)[k] < 0) rates[k] = 0.0;
+    }
+    rates = equations_.to_global_axes(node, rates);
+    motion.v = rates.head<3>();
+    motion.omega = rates.tail<3>();
+}
+
 State System::initial_state() const {
     State state;
     state.trial.resize(model_->nodes.size());
     for (int i = 0; i < static_cast<int>(model_->nodes.size()); ++i) {
         const Node& node = model_->nodes[i];
-        Vec6 rates;
-        rates << node.velocity, node.angular_velocity;
-        rates = equations_.to_own_axes(i, rates);
-        for (int k = 0; k < 6; ++k) {
-            if (equations_.of_node(i)[k] < 0) rates[k] = 0.0;
-        }
-        rates = equations_.to_global_axes(i, rates);
         state.trial[i].r = node.position;
-        state.trial[i].v = rates.head<3>();
-        state.trial[i].omega = rates.tail<3>();
+        state.trial[i].v = node.velocity;
+        state.trial[i].omega = node.angular_velocity;
+        hold_rates(i, state.trial[i]);
     }
     state.previous = state.trial;
     state.sections.resize(history_count_);

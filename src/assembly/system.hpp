@@ -72,6 +72,8 @@ class System {
     // The reference shape with the model's initial velocities, zero where a support fixes; accelerations
     // zero.
     State initial_state() const;
+    // Makes the velocities of a node zero where a support holds it.
+    void hold_rates(int node, NodeMotion& motion) const;
 
     // Of the trial motions, with loads at `time`.
     void compute_residual(const State& state, double time, Residual& residual) const;

@@ -135,7 +135,7 @@ class CaseFaults {
 
 void examine(const CaseContext& context, const Problem& problem, long number) {
     std::vector<DeckFault> faults;
-    for (const Finding& finding : examine_model(problem.model, problem.analysis)) {
+    for (const Finding& finding : examine_stages(problem.model, problem.stages)) {
         if (finding.severity != Severity::error) continue;
         faults.push_back({context.decks[context.cases.deck(number)].file(), 0, 0, "", finding.message});
     }
@@ -146,7 +146,7 @@ void examine(const CaseContext& context, const Problem& problem, long number) {
 }
 
 void add_size(const Problem& problem, KeptResults& kept) {
-    const ResultsSize size = estimate_results_size(problem.model, problem.analysis, problem.output);
+    const ResultsSize size = estimate_results_size(problem.model, problem.stages, problem.output);
     kept.bytes += size.bytes;
     kept.frames += size.frames;
     if (size.steps == 0.0) ++kept.unknown;

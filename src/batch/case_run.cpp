@@ -64,7 +64,7 @@ class CaseRun {
     void try_to_run() {
         const Problem problem = context_.build(row_.number);
         check_meshes(problem);
-        const std::vector<Finding> findings = examine_model(problem.model, problem.analysis);
+        const std::vector<Finding> findings = examine_stages(problem.model, problem.stages);
         for (const Finding& finding : findings) {
             if (finding.severity == Severity::error) return end(CaseStatus::deck_fault, finding.message);
             if (finding.severity == Severity::warning) add_warning(row_, finding.message);
@@ -93,6 +93,7 @@ class CaseRun {
             request.results = ResultsFileOptions{context_.folder / path, Existing::replace};
             row_.results = path;
         }
+        request.stages = problem.stages;
         request.observe = [&](const Snapshot& snapshot, const LedgerRow& ledger) {
             collector.add(snapshot, ledger);
         };

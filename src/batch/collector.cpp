@@ -54,11 +54,6 @@ std::string explain_component(const Collection& collection, int width) {
     return fmt::format("is {}; expected component {}", kind, words);
 }
 
-double end_of(const AnalysisSettings& analysis) {
-    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
-    return dynamic == nullptr ? 1.0 : dynamic->end_time;
-}
-
 const HistoryRequest* find_history(const Problem& problem, const std::string& name) {
     const auto& histories = problem.output.histories;
     const auto found = std::find_if(histories.begin(), histories.end(), [&](const HistoryRequest& request) {
@@ -111,7 +106,7 @@ void check_collections(const std::vector<Collection>& collections,
                            std::string(collection.ledger->name) + " " + wrong);
             }
         }
-        const double end = end_of(problem.analysis);
+        const double end = find_axis_end(problem.stages);
         if (!collection.at || *collection.at <= end) continue;
         faults.add(collection.place,
                    collection.path() + ".at",

@@ -90,6 +90,13 @@ std::string describe_gravity(const Model& model) {
 
 std::vector<ItemList> list_conditions(const Model& model) {
     ItemList supports{"supports", {}};
+    if (model.plane) {
+        std::vector<std::string_view> held;
+        for (std::size_t i = 0; i < component_names.size(); ++i) {
+            if (model.plane->holds(static_cast<int>(i))) held.push_back(component_names[i]);
+        }
+        supports.items.push_back(fmt::format("plane: {} held at every node\n", fmt::join(held, ", ")));
+    }
     for (const Support& support : model.supports) supports.items.push_back(describe_support(model, support));
     ItemList velocities{"initial velocities", {}};
     const auto add_velocities = [&](const std::string& name, const std::vector<int>& nodes) {

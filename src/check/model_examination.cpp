@@ -6,10 +6,12 @@
 #include <algorithm>
 
 #include "check/function_examination.hpp"
+#include "check/plane_findings.hpp"
 #include "check/stability.hpp"
 #include "check/stiffness_contrast.hpp"
 #include "check/unconnected_points.hpp"
 #include "check/unsupported_motions.hpp"
+#include "model/analysis_traits.hpp"
 #include "model/body_moments.hpp"
 #include "model/newton_choice.hpp"
 #include "model/parts.hpp"
@@ -145,8 +147,8 @@ void find_missing_causes(const Model& model,
     if (!model.gravity.is_zero() && compute_mass(model) == 0.0) {
         findings.push_back({Severity::warning, "gravity acts on nothing: the model has no mass"});
     }
-    if (any_load(model)) return;
-    if (std::holds_alternative<StaticSettings>(analysis)) {
+    if (any_load(model) || !has_steps(analysis)) return;
+    if (!needs_inertia(analysis)) {
         findings.push_back({Severity::warning, "nothing loads the model: it has no load, gravity or move"});
     } else if (!any_velocity(model)) {
         findings.push_back({Severity::warning,
@@ -178,7 +180,7 @@ void find_odd_bodies(const Model& model, std::vector<Finding>& findings) {
 std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& analysis) {
     const std::vector<ModelPart> parts = find_parts(model);
     std::vector<Finding> findings;
-    if (std::holds_alternative<StaticSettings>(analysis)) {
+    if (has_steps(analysis) && !needs_inertia(analysis)) {
         find_drifting_parts(model, parts, findings);
         note_lack_of_potential(model, findings);
     }
@@ -195,8 +197,30 @@ std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& a
         for (const Finding& finding : examine_functions(model, *dynamic)) findings.push_back(finding);
     }
     find_idle_loads(model, findings);
+    if (const std::string push = find_push_out_of_plane(model); !push.empty())
+        findings.push_back({Severity::warning, push});
     find_missing_causes(model, analysis, findings);
     describe_parts(model, parts, findings);
+    return findings;
+}
+
+std::vector<Finding> examine_stages(const Model& model, const std::vector<StagePlan>& stages) {
+    std::vector<Finding> findings = examine_model(model, stages.front().analysis);
+    const auto is_new = [&](const Finding& finding) {
+        return std::none_of(findings.begin(), findings.end(), [&](const Finding& other) {
+            return other.message == finding.message;
+        });
+    };
+    for (std::size_t i = 1; i < stages.size(); ++i) {
+        if (!has_steps(stages[i].analysis)) continue;
+        Model own = model;
+        set_actions(stages[i].actions, own);
+        for (Finding& finding : examine_model(own, stages[i].analysis)) {
+            if (!is_new(finding)) continue;
+            finding.message = "stage " + stages[i].name + ": " + finding.message;
+            findings.push_back(std::move(finding));
+        }
+    }
     return findings;
 }
 

@@ -5,6 +5,7 @@
 
 #include "model/model.hpp"
 #include "model/settings.hpp"
+#include "model/stage.hpp"
 
 namespace gxrod {
 
@@ -21,6 +22,9 @@ struct Finding {
 
 // What a reader of a deck cannot see in single keys: errors first.
 std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& analysis);
+
+// The same of each stage; `model` has what acts in the first one. What several stages share is said once.
+std::vector<Finding> examine_stages(const Model& model, const std::vector<StagePlan>& stages);
 
 bool has_error(const std::vector<Finding>& findings);
 

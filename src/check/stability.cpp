@@ -17,6 +17,7 @@ constexpr double round_off = 100.0 * std::numeric_limits<double>::epsilon();
 // Whether supports leave the node at most one rotation, about an axis that does not turn: then a moment about
 // it has a potential.
 bool is_hinge(const Model& model, int node) {
+    if (model.plane) return true;
     for (const Support& support : model.supports) {
         if (support.node != node) continue;
         return support.holds(3) + support.holds(4) + support.holds(5) >= 2;

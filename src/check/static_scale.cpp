@@ -11,6 +11,7 @@
 #include "check/unsupported_motions.hpp"
 #include "integrators/load_stepping.hpp"
 #include "linear/linear_solver.hpp"
+#include "model/analysis_traits.hpp"
 #include "model/evaluation_error.hpp"
 #include "model/parts.hpp"
 
@@ -30,11 +31,6 @@ bool is_held(const Model& model) {
     return std::all_of(parts.begin(), parts.end(), [&](const ModelPart& part) {
         return find_unsupported_motions(model, part).empty();
     });
-}
-
-double end_of(const AnalysisSettings& analysis) {
-    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
-    return dynamic == nullptr ? 1.0 : dynamic->end_time;
 }
 
 // At rest: what is out of balance are gravity and loads.

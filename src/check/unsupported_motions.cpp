@@ -46,8 +46,11 @@ std::vector<const Support*> find_supports(const Model& model, const ModelPart& p
 Eigen::MatrixXd build_constraints(const Model& model,
                                   const std::vector<const Support*>& supports,
                                   const Extent& extent) {
-    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(6 * static_cast<Eigen::Index>(supports.size()), 6);
+    Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(6 + 6 * static_cast<Eigen::Index>(supports.size()), 6);
     Eigen::Index row = 0;
+    for (int i = 0; i < 6; ++i) {
+        if (model.plane && model.plane->holds(i)) rows(row++, i) = 1.0;
+    }
     for (const Support* support : supports) {
         const Mat3 axes = support->axes.toRotationMatrix();
         const Vec3 arm = (model.nodes[support->node].position - extent.centre) / extent.size;

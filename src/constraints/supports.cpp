@@ -10,6 +10,8 @@ namespace gxrod {
 
 namespace {
 
+constexpr double same_rotation = 1e-9;
+
 // Three components of a support's motion, from `first` on; zero where it does not move. In its own axes.
 Vec3 motion_at(const Support& support, int first, double time) {
     Vec3 value = Vec3::Zero();
@@ -58,6 +60,13 @@ void replace_held(const Support& support, const Mat3& axes, const Vec3& wanted, 
 
 Supports::Supports(const Model& model)
     : model_(&model), held_(model.nodes.size(), HeldComponents{}), own_axes_(model.nodes.size(), -1) {
+    if (model.plane) {
+        // Where there is a support, it holds these, too, in its own axes.
+        HeldComponents held{};
+        for (int i = 0; i < 6; ++i) held[i] = model.plane->holds(i);
+        held_.assign(held_.size(), held);
+        for (const Support& support : model.supports) held_[support.node] = {};
+    }
     for (const Support& support : model.supports) {
         for (int i = 0; i < 6; ++i) {
             held_[support.node][i] = held_[support.node][i] || support.holds(i);
@@ -83,8 +92,10 @@ void Supports::place_rotation(const Support& support, double time, State& state)
     const NodeMotion& previous = state.previous[support.node];
     NodeMotion& trial = state.trial[support.node];
     const Vec3 phi = Q * motion_at(support, 3, time);
-    // At t = 0 nothing is turned yet, also where a static move begins with a jump.
-    const Vec3 last = state.time != 0.0 ? Vec3(Q * motion_at(support, 3, state.time)) : Vec3::Zero();
+    Vec3 last = Q * motion_at(support, 3, state.time);
+    // At the start of a deck nothing is turned yet, also where a static move begins with a jump.
+    const bool is_there = previous.Lambda.angularDistance(exp_quaternion(last)) < same_rotation;
+    if (state.time == 0.0 && !is_there) last.setZero();
     const Vec3 change = phi - last;
     // A long φ that leans turns much less than it changes: ω = T(φ) φ̇.
     const Vec3 guess = tangent_map(phi - 0.5 * change) * change;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "deck/build/acting.hpp"
 #include "deck/build/build_analysis.hpp"
 #include "deck/build/build_bodies.hpp"
 #include "deck/build/build_connections.hpp"
@@ -10,6 +11,7 @@
 #include "deck/build/build_output.hpp"
 #include "deck/build/build_rods.hpp"
 #include "deck/build/build_supports.hpp"
+#include "deck/build/plane.hpp"
 #include "deck/build/read_rod_nets.hpp"
 #include "deck/checks/check_functions.hpp"
 #include "deck/checks/check_memory.hpp"
@@ -23,6 +25,7 @@
 #include "deck/sections/build_sections.hpp"
 #include "machine/file_error.hpp"
 #include "machine/machine_memory.hpp"
+#include "model/frame_interval.hpp"
 
 namespace gxrod {
 namespace {
@@ -38,6 +41,42 @@ void check_names(const CheckedTable& deck, FaultList& faults) {
     }
 }
 
+// What acts in each stage that takes steps; the model has that of the first stage.
+void build_actions(BuildContext& context) {
+    for (std::size_t i = 0; i < context.stages.size(); ++i) {
+        if (i > 0 && !has_steps(context.stages[i].analysis)) continue;
+        context.stage = i;
+        Actions first;
+        if (i > 0) first = take_actions(context.model);
+        build_supports(context);
+        check_velocities(context);
+        build_loads(context);
+        check_functions(context);
+        if (i == 0) continue;
+        context.stages[i].actions = take_actions(context.model);
+        set_actions(std::move(first), context.model);
+    }
+    context.stage = 0;
+}
+
+void set_frame_intervals(BuildContext& context) {
+    const std::vector<CheckedTable>& output = context.deck.tables("output");
+    const bool is_given = !output.empty() && output.front().gives("every");
+    for (StagePlan& stage : context.stages) {
+        stage.frame_interval =
+            is_given ? output.front().get<long>("every") : choose_frame_interval(stage.analysis);
+    }
+}
+
+void note_stages(const std::vector<StagePlan>& stages, DeckRecord& record) {
+    record.is_static = true;
+    for (const StagePlan& stage : stages) {
+        if (!stage.name.empty()) record.stages.push_back(stage.name);
+        record.has_statics = record.has_statics || !needs_inertia(stage.analysis);
+        record.is_static = record.is_static && !needs_inertia(stage.analysis);
+    }
+}
+
 Problem build_problem(const CheckedTable& deck, const MeshFiles& files, FaultList& faults) {
     Problem problem;
     const RodNets nets = read_rod_nets(deck, files, faults, problem.record.meshes);
@@ -46,20 +85,21 @@ Problem build_problem(const CheckedTable& deck, const MeshFiles& files, FaultLis
     const PointNames names(deck, points_of(nets));
     BuildContext context{deck, names, faults, problem.notes, problem.model};
     check_names(deck, faults);
-    context.analysis = build_analysis(context);
+    context.stages = build_stages(context);
+    check_stage_names(context);
     const std::vector<RodPoint> points = check_points(context);
     build_sections(context);
     build_rods(points, nets, context);
     build_connections(context);
     build_bodies(context);
+    build_plane(context);
     build_initial(context);
-    build_supports(context);
-    check_velocities(context);
-    build_loads(context);
-    check_functions(context);
-    problem.analysis = context.analysis;
+    build_actions(context);
+    set_frame_intervals(context);
     problem.output = build_output(context);
-    problem.record.is_static = std::holds_alternative<StaticSettings>(problem.analysis);
+    problem.stages = std::move(context.stages);
+    problem.analysis = problem.stages.front().analysis;
+    note_stages(problem.stages, problem.record);
     problem.record.title = deck.get<std::string>("title");
     problem.record.units = deck.get<std::string>("units");
     return problem;

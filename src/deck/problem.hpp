@@ -10,6 +10,7 @@
 #include "model/deck_record.hpp"
 #include "model/model.hpp"
 #include "model/settings.hpp"
+#include "model/stage.hpp"
 
 // From the text of a deck to what is run. docs/deck.md is the reference of the text.
 namespace gxrod {
@@ -17,8 +18,9 @@ namespace gxrod {
 // A deck, read, checked and built.
 struct Problem {
     DeckRecord record;
-    Model model;
-    AnalysisSettings analysis;
+    Model model;                    // with what acts in the first stage
+    AnalysisSettings analysis;      // of the first stage
+    std::vector<StagePlan> stages;  // one at least
     OutputSettings output;
     std::vector<std::string> notes;  // choices that the reader made for the user, a line each
 };

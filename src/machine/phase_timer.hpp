@@ -11,6 +11,15 @@ struct PhaseSeconds {
     double solve = 0.0;     // factorizing and substituting
     double update = 0.0;    // moving nodes, rates, committing
     double output = 0.0;    // ledger, histories, frames
+
+    PhaseSeconds& operator+=(const PhaseSeconds& other) {
+        setup += other.setup;
+        assembly += other.assembly;
+        solve += other.solve;
+        update += other.update;
+        output += other.output;
+        return *this;
+    }
 };
 
 // Adds the time from its construction to its destruction to a total.

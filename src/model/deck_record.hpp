@@ -16,8 +16,10 @@ struct DeckRecord {
     std::string name;  // file name of the deck
     std::string text;  // the deck as run, after --set; itself a valid deck
     std::string title;
-    std::string units;       // a label only
-    bool is_static = false;  // t is a load factor
+    std::string units;                     // a label only
+    bool is_static = false;                // no stage has time: t is a load factor
+    bool has_statics = false;              // some stage has none
+    std::vector<std::string> stages = {};  // their names; none of a deck without [[stage]]
     std::vector<MeshRecord> meshes = {};
 };
 

@@ -2,12 +2,13 @@
 
 #include <cmath>
 
+#include "model/analysis_traits.hpp"
+
 namespace gxrod {
 
 long choose_frame_interval(const AnalysisSettings& analysis) {
-    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
-    if (dynamic != nullptr && dynamic->adaptive) return 0;
-    const long steps = dynamic != nullptr ? dynamic->steps : std::get<StaticSettings>(analysis).steps;
+    const long steps = steps_of(analysis);
+    if (steps == 0) return has_steps(analysis) ? 0 : 1;
     for (long decade = 1;; decade *= 10) {
         for (const long every : {decade, 2 * decade, 5 * decade}) {
             if (steps / every <= default_frames) return every;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -122,7 +123,16 @@ struct Support {
     bool holds_all(int first) const { return holds(first) && holds(first + 1) && holds(first + 2); }
 };
 
+// The plane in which a model stays: a displacement along its normal, an axis of space, and rotations about
+// the other two axes are held at every node.
+struct Plane {
+    int normal = 2;  // 0, 1 or 2
+
+    bool holds(int component) const { return component < 3 ? component == normal : component - 3 != normal; }
+};
+
 struct Model {
+    std::optional<Plane> plane;
     TimeVector gravity{Vec3::Zero()};
     std::vector<Node> nodes;
     std::vector<Section> sections;

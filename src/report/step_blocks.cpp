@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/data_blocks.hpp"
+#include "results/tables/stage_table.hpp"
 
 namespace gxrod {
 
@@ -79,7 +80,7 @@ std::vector<StepChart> list_charts(const Hdf5Reader& file, bool is_static) {
     charts.push_back(make_chart(file, "energy", "Energies", energies));
     charts.push_back(make_chart(file, "energy", "Energy imbalance", {{"/ledger/energy_error", "imbalance"}}));
     for (const std::string& name : file.members("/histories")) {
-        if (name == "time") continue;
+        if (!is_history_name(name)) continue;
         for (const std::string& quantity : file.members("/histories/" + name)) {
             const std::string dataset = fmt::format("/histories/{}/{}", name, quantity);
             charts.push_back(make_chart(file, "history", name, {{dataset, quantity}}));

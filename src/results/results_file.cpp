@@ -56,7 +56,7 @@ std::size_t count_frame_bytes(const Model& model) {
 }
 
 [[maybe_unused]] bool has_valid_names(const OutputSettings& output) {
-    std::set<std::string> names{"time"};
+    std::set<std::string> names{"time", "stage"};
     for (const HistoryRequest& history : output.histories) {
         if (history.name.empty() || history.name.find('/') != std::string::npos) return false;
         if (!names.insert(history.name).second) return false;
@@ -166,6 +166,7 @@ void ResultsFile::resume(const DeckRecord& deck,
     // Compressed frames would overwrite those on disk, which a kill in between would tear. HDF5 must not
     // reuse the space that becomes free either, so the file is closed: HDF5 then forgets it.
     tables_->trim();
+    tables_->remove_stages_after(file.place().record.stage);
     hdf5_->commit(OrderedFile::Order::shrinking);
     close_hdf5();
     hdf5_ = std::make_unique<Hdf5File>(*file_, open_hdf5);
@@ -184,6 +185,10 @@ void ResultsFile::attempt(std::size_t bytes, Action&& action) {
         action();
     });
     is_sound_ = true;
+}
+
+void ResultsFile::begin_stage(const StagePlace& stage) {
+    attempt(hdf5_reserve, [&] { tables_->begin_stage(stage); });
 }
 
 void ResultsFile::record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver) {

@@ -13,6 +13,7 @@
 #include "model/settings.hpp"
 #include "results/file/output_file.hpp"
 #include "results/resumable_file.hpp"
+#include "results/stage_place.hpp"
 #include "state/restart_record.hpp"
 #include "state/step_record.hpp"
 
@@ -42,7 +43,7 @@ struct ResultsFileOptions {
 class ResultsFile {
   public:
     // Throws FileError, too, if the file cannot be created. `model` must outlive the file. Names of histories
-    // are unique, not "time", and without '/' (asserted).
+    // are unique, not "time" or "stage", and without '/' (asserted).
     ResultsFile(const ResultsFileOptions& options,
                 const DeckRecord& deck,
                 const Model& model,
@@ -55,6 +56,8 @@ class ResultsFile {
     ResultsFile(const ResultsFile&) = delete;
     ResultsFile& operator=(const ResultsFile&) = delete;
 
+    // The rows that follow belong to this stage, if the deck has stages.
+    void begin_stage(const StagePlace& stage);
     // Adds a row to the histories, the ledger and the solver record: each accepted step, t = 0 included.
     void record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
     // Adds a frame to /VTKHDF.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "model/analysis_traits.hpp"
 #include "model/frame_interval.hpp"
 #include "results/tables/step_columns.hpp"
 
@@ -35,17 +36,31 @@ double count_step_numbers(const OutputSettings& output, bool is_static) {
 ResultsSize estimate_results_size(const Model& model,
                                   const AnalysisSettings& analysis,
                                   const OutputSettings& output) {
-    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
-    if (dynamic != nullptr && dynamic->adaptive) return {};
+    if (has_steps(analysis) && steps_of(analysis) == 0) return {};
     ResultsSize size;
-    size.steps =
-        static_cast<double>(dynamic != nullptr ? dynamic->steps : std::get<StaticSettings>(analysis).steps);
+    size.steps = static_cast<double>(steps_of(analysis));
     const long every = output.every > 0 ? output.every : choose_frame_interval(analysis);
     size.frames = 1.0 + std::ceil(size.steps / static_cast<double>(every));
-    double numbers = (size.steps + 1.0) * count_step_numbers(output, dynamic == nullptr);
+    double numbers = (size.steps + 1.0) * count_step_numbers(output, !needs_inertia(analysis));
     if (output.compression == Compression::none) numbers += size.frames * count_frame_numbers(model);
     size.bytes = numbers * sizeof(double);
     return size;
+}
+
+ResultsSize estimate_results_size(const Model& model,
+                                  std::span<const StagePlan> stages,
+                                  const OutputSettings& output) {
+    ResultsSize sum;
+    for (const StagePlan& stage : stages) {
+        OutputSettings own = output;
+        own.every = stage.frame_interval;
+        const ResultsSize size = estimate_results_size(model, stage.analysis, own);
+        if (size.bytes == 0.0) return {};
+        sum.steps += size.steps;
+        sum.frames += size.frames;
+        sum.bytes += size.bytes;
+    }
+    return sum;
 }
 
 }  // namespace gxrod

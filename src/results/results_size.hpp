@@ -2,6 +2,7 @@
 
 #include "model/model.hpp"
 #include "model/settings.hpp"
+#include "model/stage.hpp"
 
 namespace gxrod {
 
@@ -13,6 +14,9 @@ struct ResultsSize {
     double bytes = 0.0;
 };
 
+ResultsSize estimate_results_size(const Model& model,
+                                  std::span<const StagePlan> stages,
+                                  const OutputSettings& output);
 ResultsSize estimate_results_size(const Model& model,
                                   const AnalysisSettings& analysis,
                                   const OutputSettings& output);

@@ -10,7 +10,11 @@ AppendDataset<double> open_times(const Hdf5Handle& histories, const DeckRecord& 
                 scalar_row,
                 rows};
     }
-    return {histories, {"time", "time at the end of each accepted step", "none", "time"}, scalar_row, rows};
+    const char* description =
+        deck.has_statics ? "time at the end of each accepted step; of static stages the load factor, "
+                           "on an axis that goes on from stage to stage"
+                         : "time at the end of each accepted step";
+    return {histories, {"time", description, "none", "time"}, scalar_row, rows};
 }
 
 }  // namespace
@@ -25,21 +29,23 @@ ResultsTables::ResultsTables(const Hdf5Handle& root,
       ledger_group_(require_group(root, "ledger")),
       solver_group_(require_group(root, "solver")),
       times_(open_times(histories_group_, deck, steps)),
+      stages_(root, histories_group_, deck, steps),
       histories_(histories_group_, model, output.histories, steps),
-      ledger_(ledger_group_, ledger_columns, deck.is_static, steps),
-      solver_(solver_group_, solver_columns, deck.is_static, steps),
+      ledger_(ledger_group_, ledger_columns, deck.has_statics, steps),
+      solver_(solver_group_, solver_columns, deck.has_statics, steps),
       frames_(root, model, output, frames),
       restart_(root),
       step_count_(steps),
       frame_count_(frames),
-      step_numbers_(1 + count_numbers(ledger_columns, deck.is_static) +
-                    count_numbers(solver_columns, deck.is_static)) {
+      step_numbers_(1 + count_numbers(ledger_columns, deck.has_statics) +
+                    count_numbers(solver_columns, deck.has_statics)) {
     for (const Hdf5Handle* group : {&ledger_group_, &solver_group_})
         link_dataset(times_.id(), *group, "time");
 }
 
 void ResultsTables::append_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver) {
     times_.append(snapshot.time);
+    stages_.append(snapshot.stage);
     histories_.append(snapshot);
     ledger_.append(ledger);
     solver_.append(solver);
@@ -56,6 +62,7 @@ void ResultsTables::set_restart(RestartRecord record) {
 }
 
 void ResultsTables::flush_rows() {
+    stages_.flush();
     histories_.flush();
     ledger_.flush();
     solver_.flush();
@@ -78,6 +85,7 @@ void ResultsTables::trim_times() {
 
 void ResultsTables::trim() {
     times_.trim();
+    stages_.trim();
     histories_.trim();
     ledger_.trim();
     solver_.trim();

@@ -4,6 +4,7 @@
 #include "results/tables/frame_table.hpp"
 #include "results/tables/history_table.hpp"
 #include "results/tables/restart_table.hpp"
+#include "results/tables/stage_table.hpp"
 #include "results/tables/step_table.hpp"
 
 namespace gxrod {
@@ -19,6 +20,7 @@ class ResultsTables {
                   hsize_t steps,
                   hsize_t frames);
 
+    void begin_stage(const StagePlace& stage) { stages_.begin_stage(stage, step_count_); }
     void append_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
     void append_frame(const Snapshot& snapshot);
     // A run can be resumed after the steps and frames that were appended so far.
@@ -34,11 +36,14 @@ class ResultsTables {
     // Removes what an earlier run wrote beyond the last row: of the times, or of all tables.
     void trim_times();
     void trim();
+    // The same of stages after this one.
+    void remove_stages_after(std::int64_t stage) { stages_.remove_after(stage); }
     std::size_t buffered_bytes() const;
 
   private:
     Hdf5Handle histories_group_, ledger_group_, solver_group_;
     AppendDataset<double> times_;  // of the steps; /ledger/time and /solver/time are links to it
+    StageTable stages_;
     HistoryTable histories_;
     StepTable<LedgerRow> ledger_;
     StepTable<SolverRow> solver_;

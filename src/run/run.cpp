@@ -7,10 +7,12 @@
 #include <new>
 
 #include "machine/file_error.hpp"
+#include "model/analysis_traits.hpp"
 #include "model/evaluation_error.hpp"
 #include "model/frame_interval.hpp"
 #include "model/newton_choice.hpp"
 #include "results/tables/history_point.hpp"
+#include "run/stage_sequence.hpp"
 
 namespace gxrod {
 
@@ -18,9 +20,8 @@ namespace {
 
 class Run {
   public:
-    explicit Run(const RunRequest& request) : request_(request), analysis_(build(request, setup_seconds_)) {
-        summary_.is_static = std::holds_alternative<StaticSettings>(request.analysis);
-        analysis_->watch(list_rod_places(request.output.histories));
+    explicit Run(const RunRequest& request) : request_(request), stages_(build(request, setup_seconds_)) {
+        summary_.is_static = request.deck.is_static;
         if (request.resumed) {
             resume();
         } else if (request.results) {
@@ -28,15 +29,15 @@ class Run {
                 std::make_unique<ResultsFile>(*request.results, request.deck, request.model, request.output);
         }
         summary_.nodes = static_cast<long>(request.model.nodes.size());
-        summary_.elements = static_cast<long>(analysis_->system().element_count());
-        summary_.unknowns = analysis_->system().equations().count();
-        summary_.threads = analysis_->system().team().size();
+        summary_.elements = static_cast<long>(analysis().system().element_count());
+        summary_.unknowns = analysis().system().equations().count();
+        summary_.threads = analysis().system().team().size();
     }
 
     void run() {
         try {
             if (start()) {
-                while (!analysis_->finished() && !interrupted() && step()) {
+                while (take_steps() && !stages_->is_last() && enter_next_stage()) {
                 }
             }
         } catch (const EvaluationError& error) {
@@ -57,14 +58,60 @@ class Run {
     RunSummary summary() const { return summary_; }
 
   private:
-    static std::unique_ptr<SteppedAnalysis> build(const RunRequest& request, double& seconds) {
+    static std::unique_ptr<StageSequence> build(const RunRequest& request, double& seconds) {
         const PhaseTimer timer(seconds);
-        return make_analysis(request.model, request.analysis, request.threads);
+        StageSequence::Plan plan{request.model,
+                                 request.analysis,
+                                 request.stages,
+                                 list_rod_places(request.output.histories),
+                                 request.threads};
+        if (request.resumed == nullptr) return std::make_unique<StageSequence>(std::move(plan));
+        const RestartRecord& record = request.resumed->place().record;
+        const auto count = std::max<std::int64_t>(1, static_cast<std::int64_t>(request.stages.size()));
+        if (record.stage >= count)
+            throw FileError(request.resumed->path(),
+                            "cannot be resumed: it is in a stage that the deck does not have");
+        return std::make_unique<StageSequence>(std::move(plan), record);
+    }
+
+    SteppedAnalysis& analysis() { return stages_->analysis(); }
+    const SteppedAnalysis& analysis() const { return stages_->analysis(); }
+    long frame_interval() const {
+        return stages_->index() == 0 ? request_.output.every
+                                     : request_.stages[stages_->index()].frame_interval;
+    }
+
+    // To the end of the stage; false if that was not reached.
+    bool take_steps() {
+        while (!analysis().finished()) {
+            if (interrupted() || !step()) return false;
+        }
+        return true;
+    }
+
+    // False, and the reason is kept, if it cannot start.
+    bool enter_next_stage() {
+        sum_up_cuts();
+        compare_errors();
+        const EquilibriumReport report = stages_->enter_next();
+        if (!report.converged()) {
+            fail(analysis().explain(report));
+            return false;
+        }
+        first_step_ = 0;
+        const std::string& note = analysis().start_note();
+        if (!note.empty()) summary_.notes.push_back("stage " + stages_->name() + ": " + note);
+        last_point_ = point_of(analysis().ledger_row());
+        if (file_) file_->begin_stage(place_of_stage());
+        return true;
+    }
+
+    StagePlace place_of_stage() const {
+        return {stages_->index(), stages_->name(), kind_of(stages_->settings()), stages_->axis_start()};
     }
 
     [[noreturn]] void explain_no_step(const std::filesystem::path& path, double time) const {
-        const auto* dynamic = std::get_if<DynamicSettings>(&request_.analysis);
-        const double end = dynamic ? dynamic->end_time : 1.0;
+        const double end = end_of(stages_->settings());
         if (time > end) {
             throw FileError(
                 path,
@@ -74,61 +121,64 @@ class Run {
         throw FileError(
             path,
             fmt::format("cannot be resumed: steps of {:.10g} do not meet t = {:.10g}, where it stopped",
-                        analysis_->steps().time_step(),
+                        analysis().steps().time_step(),
                         time),
             "take a step that goes into this time and into end_time, as that of the run does");
     }
 
     void resume() {
         const RestartRecord& record = request_.resumed->place().record;
-        recorded_time_ = record.steps.time;
+        recorded_time_ = record.axis_start + record.steps.time;
         const std::filesystem::path path = request_.resumed->path();
         bool has_step = false;
         try {
-            has_step = analysis_->resume(record);
+            has_step = analysis().resume(record);
         } catch (const std::invalid_argument& error) {
             throw FileError(path, std::string("cannot be resumed: ") + error.what());
         }
         if (!has_step) explain_no_step(path, record.steps.time);
-        first_step_ = analysis_->steps().steps_done();
+        first_step_ = analysis().steps().steps_done();
         summary_.totals = record.totals;
-        last_point_ = point_of(analysis_->ledger_row());
+        last_point_ = point_of(analysis().ledger_row());
         has_started_ = true;
         last_framed_ = record.is_framed;
         accepted_totals_ = record.totals;
         file_ = std::make_unique<ResultsFile>(
             request_.deck, request_.model, request_.output, std::move(*request_.resumed));
+        if (!request_.stages.empty()) file_->begin_stage(place_of_stage());
         request_.report_resumption(recorded_time_);
     }
 
     bool start() {
         if (request_.resumed) return true;
-        const EquilibriumReport report = analysis_->start();
+        const EquilibriumReport report = analysis().start();
         if (!report.converged()) {
-            fail(analysis_->explain(report));
+            fail(analysis().explain(report));
             return false;
         }
+        if (file_ && !request_.deck.stages.empty()) file_->begin_stage(place_of_stage());
         record();
         has_started_ = true;
         return true;
     }
 
     bool step() {
-        const EquilibriumReport report = analysis_->advance();
-        const SolverRow& row = analysis_->solver_row();
+        const EquilibriumReport report = analysis().advance();
+        const SolverRow& row = analysis().solver_row();
         summary_.totals.rejected_steps += row.rejected_steps;
         if (!report.converged()) {
-            fail(analysis_->explain(report));
+            fail(analysis().explain(report));
             return false;
         }
         ++summary_.totals.steps;
         summary_.totals.newton_iterations += row.newton_iterations;
         record();
-        const StepSequence& steps = analysis_->steps();
-        request_.report_progress({steps.steps_done(),
+        const StepSequence& steps = analysis().steps();
+        request_.report_progress({stages_->name(),
+                                  steps.steps_done(),
                                   steps.steps_in_all(),
-                                  steps.part_done(),
-                                  analysis_->state().time,
+                                  stages_->part_done(),
+                                  analysis().state().time,
                                   row.time_step,
                                   row.newton_iterations});
         return true;
@@ -137,32 +187,42 @@ class Run {
     void record() {
         const PhaseTimer timer(output_seconds_);
         last_framed_ = file_ && is_frame_due();
-        const Snapshot snapshot = analysis_->snapshot(last_framed_);
-        const LedgerRow ledger = analysis_->ledger_row();
+        const Snapshot snapshot = take_snapshot(last_framed_);
+        const LedgerRow ledger = analysis().ledger_row();
         watch_energy(ledger);
         if (request_.observe) request_.observe(snapshot, ledger);
         accepted_totals_ = summary_.totals;
-        if (file_) file_->record_step(snapshot, ledger, analysis_->solver_row());
+        if (file_) file_->record_step(snapshot, ledger, analysis().solver_row());
         if (last_framed_) file_->write_frame(snapshot);
-        recorded_time_ = analysis_->state().time;
+        recorded_time_ = stages_->axis();
         if (file_ && file_->is_flush_due()) {
             file_->set_restart(restart_record());
             file_->flush();
         }
     }
 
-    // At the accepted time; the one before it is recorded.
+    Snapshot take_snapshot(bool with_elements = true) {
+        Snapshot snapshot = analysis().snapshot(with_elements);
+        snapshot.time = stages_->axis();
+        snapshot.stage = static_cast<int>(stages_->index());
+        return snapshot;
+    }
+
+    // At the accepted time; the one before it is recorded. The end of a stage is shown.
     bool is_frame_due() const {
-        if (request_.output.every > 0) return analysis_->steps().is_frame_due(request_.output.every);
-        const double time = analysis_->state().time;
-        return !has_started_ ||
-               is_frame_time(recorded_time_, time, std::get<DynamicSettings>(request_.analysis).end_time);
+        if (analysis().finished() && !stages_->is_last()) return true;
+        const long interval = frame_interval();
+        if (interval > 0) return analysis().steps().is_frame_due(interval);
+        const double before = recorded_time_ - stages_->axis_start();
+        return !has_started_ || is_frame_time(before, analysis().state().time, end_of(stages_->settings()));
     }
 
     RestartRecord restart_record() const {
-        RestartRecord record = analysis_->restart_record();
+        RestartRecord record = analysis().restart_record();
         record.totals = accepted_totals_;
         record.is_framed = last_framed_;
+        record.stage = static_cast<std::int64_t>(stages_->index());
+        record.axis_start = stages_->axis_start();
         return record;
     }
 
@@ -171,7 +231,7 @@ class Run {
         RunTotals& totals = summary_.totals;
         totals.largest_energy = std::max({totals.largest_energy, energy, std::abs(ledger.external_work)});
         totals.largest_energy_error = std::max(totals.largest_energy_error, std::abs(ledger.energy_error));
-        if (!summary_.is_static) return;
+        if (needs_inertia(stages_->settings())) return;
         const EnergyPoint point = point_of(ledger);
         if (has_started_) {
             const std::optional<EnergyJump> jump = find_jump(last_point_, point, totals.largest_energy);
@@ -181,13 +241,13 @@ class Run {
     }
 
     EnergyPoint point_of(const LedgerRow& ledger) const {
-        return {analysis_->state().time, ledger.strain_energy, ledger.external_work, ledger.work_uncertainty};
+        return {stages_->axis(), ledger.strain_energy, ledger.external_work, ledger.work_uncertainty};
     }
 
     bool interrupted() {
         if (!request_.is_interrupted()) return false;
         summary_.status = RunStatus::interrupted;
-        summary_.reason = fmt::format("interrupted at t = {:.10g}", analysis_->state().time);
+        summary_.reason = fmt::format("interrupted at t = {:.10g}", stages_->axis());
         return true;
     }
 
@@ -198,28 +258,38 @@ class Run {
 
     // Of this part of a run that was resumed.
     void sum_up_cuts() {
-        const CutTally& tally = analysis_->cuts();
-        const StepCuts cuts = tally.count(analysis_->steps().steps_done() - first_step_);
+        const CutTally& tally = analysis().cuts();
+        const StepCuts cuts = tally.count(analysis().steps().steps_done() - first_step_);
         if (!are_worth_telling(cuts)) return;
-        summary_.cuts = count_cuts(cuts) + ": " + tally.describe_reasons(request_.model) +
-                        advise_on_cuts(request_.model, request_.analysis);
+        add_sentence(count_cuts(cuts) + ": " + tally.describe_reasons(request_.model) +
+                         advise_on_cuts(stages_->model(), stages_->settings()),
+                     summary_.cuts);
+    }
+
+    // To those of earlier stages.
+    void add_sentence(const std::string& sentence, std::string& text) const {
+        if (!text.empty()) text += "; ";
+        if (request_.stages.size() > 1) text += "stage " + stages_->name() + ": ";
+        text += sentence;
     }
 
     // Equal steps that are so short that the scheme's error is below what Newton's method leaves.
     void compare_errors() {
-        const auto* dynamic = std::get_if<DynamicSettings>(&request_.analysis);
-        const double error = analysis_->largest_error();
-        const double tolerance = analysis_->newton().tolerance.value_or(usual_newton_tolerance);
+        const auto* dynamic = std::get_if<DynamicSettings>(&stages_->settings());
+        const double error = analysis().largest_error();
+        const double tolerance = analysis().newton().tolerance.value_or(usual_newton_tolerance);
         if (dynamic == nullptr || dynamic->adaptive || error <= 0.0 ||
             tolerance <= tolerable_newton_part * error)
             return;
-        summary_.newton_limit = fmt::format(
-            "the estimated errors of the steps, at most {:.2g}, are near what newton.tolerance, {:.2g}, "
-            "leaves: "
-            "shorter steps may gain nothing. newton.tolerance = {:.0e} would do",
-            error,
-            tolerance,
-            newton_part * error);
+        add_sentence(
+            fmt::format(
+                "the estimated errors of the steps, at most {:.2g}, are near what newton.tolerance, {:.2g}, "
+                "leaves: "
+                "shorter steps may gain nothing. newton.tolerance = {:.0e} would do",
+                error,
+                tolerance,
+                newton_part * error),
+            summary_.newton_limit);
     }
 
     void fail(const Failure& failure) {
@@ -229,8 +299,8 @@ class Run {
 
     void close() {
         if (summary_.status == RunStatus::running) summary_.status = RunStatus::complete;
-        summary_.warnings = analysis_->list_warnings();
-        summary_.is_unstable = analysis_->is_unstable();
+        summary_.warnings = stages_->list_warnings();
+        summary_.is_unstable = stages_->is_unstable();
         sum_up_cuts();
         compare_errors();
         if (file_) {
@@ -239,7 +309,7 @@ class Run {
             file_->close(summary_.status, summary_.reason, summary_.reason_nodes, join_warnings());
         }
         summary_.time = recorded_time_;
-        summary_.phases = analysis_->seconds();
+        summary_.phases = stages_->seconds();
         summary_.phases.setup = setup_seconds_;
         summary_.phases.output = output_seconds_;
     }
@@ -255,17 +325,17 @@ class Run {
 
     void write_end() {
         // If memory ran out, the last step may not have become a row; a resumed run takes it again.
-        if (has_started_ && recorded_time_ != analysis_->state().time) return;
+        if (has_started_ && recorded_time_ != stages_->axis()) return;
         if (has_started_) file_->set_restart(restart_record());
         // The last frame, where none was due, is no part of what a run resumes from.
-        if (!last_framed_) file_->write_frame(analysis_->snapshot());
+        if (!last_framed_) file_->write_frame(take_snapshot());
     }
 
     const RunRequest& request_;
     RunSummary summary_;
     double setup_seconds_ = 0.0;
     double output_seconds_ = 0.0;
-    std::unique_ptr<SteppedAnalysis> analysis_;
+    std::unique_ptr<StageSequence> stages_;
     std::unique_ptr<ResultsFile> file_;
     long first_step_ = 0;        // steps done when it was resumed
     EnergyPoint last_point_;     // in statics, of the last step

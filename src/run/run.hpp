@@ -3,12 +3,14 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "analyses/static.hpp"
 #include "model/deck_record.hpp"
 #include "model/settings.hpp"
+#include "model/stage.hpp"
 #include "results/energy_warning.hpp"
 #include "results/results_file.hpp"
 
@@ -16,9 +18,10 @@
 namespace gxrod {
 
 struct Progress {
-    long step;    // steps done
-    long steps;   // of the whole run; 0 if not known beforehand
-    double part;  // of the run done, 0 … 1
+    std::string stage;  // its name; "" of a run of one
+    long step;          // steps done
+    long steps;         // of the whole run; 0 if not known beforehand
+    double part;        // of the run done, 0 … 1
     double time;
     double time_step;  // of the last step
     int newton_iterations;
@@ -37,6 +40,8 @@ struct RunRequest {
     int threads = 1;                                                // their number changes no result
     // Each accepted step, t = 0 included; without frames' values of elements.
     std::function<void(const Snapshot&, const LedgerRow&)> observe = {};
+    // All stages, if there are several; the first one is `analysis` on `model`.
+    std::span<const StagePlan> stages = {};
 };
 
 struct RunSummary {
@@ -47,6 +52,7 @@ struct RunSummary {
     std::string newton_limit;                // that Newton's tolerance bounds the accuracy, or ""
     bool deck_fault = false;                 // whether the deck is to blame: a load without a finite value
     bool out_of_memory = false;
+    std::vector<std::string> notes;     // what a user may want to know of how stages begin, a sentence each
     std::vector<std::string> warnings;  // what is to be known before the results are trusted, a sentence each
     bool is_unstable = false;           // whether equilibria were accepted that no structure would stay at
     long nodes = 0;

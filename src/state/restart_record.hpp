@@ -48,6 +48,8 @@ struct RestartRecord {
     RunTotals totals;
     std::int64_t negative_pivots = -1;  // of the tangent there, in statics
     bool is_framed = false;             // whether the last frame shows this state
+    std::int64_t stage = 0;             // the last one that took a step or found shapes, from 0
+    double axis_start = 0.0;            // of its t, on the axis that the stages share
 };
 
 // Where in a results file a restart record belongs.

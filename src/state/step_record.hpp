@@ -35,12 +35,13 @@ struct SolverRow {
 
 // The accepted state and what is derived from it. Valid only during the call that passes it.
 struct Snapshot {
-    double time;
+    double time;  // on the axis that stages share
     std::span<const NodeMotion> nodes;
     // Of all rods, in the order of Model::rods, from start to end; for frames, empty without one.
     std::span<const SectionValues> elements;
     std::span<const Vec6> reactions;  // per node: force and moment that its support exerts; zero if free
     std::span<const PointValues> points = {};  // as list_rod_places orders them
+    int stage = 0;
 };
 
 }  // namespace gxrod

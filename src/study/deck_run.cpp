@@ -12,31 +12,32 @@ namespace gxrod {
 DeckRun::DeckRun(const std::string& name, const std::string& text, const std::vector<std::string>& overrides)
     : name_(name),
       problem_(read_problem_text(text, name + ".toml", overrides)),
-      analysis_(make_analysis(problem_.model, problem_.analysis)) {
-    analysis_->watch(list_rod_places(problem_.output.histories));
-}
-
-double DeckRun::end_time() const {
-    const auto* dynamic = std::get_if<DynamicSettings>(&problem_.analysis);
-    return dynamic == nullptr ? 1.0 : dynamic->end_time;
-}
+      stages_(std::make_unique<StageSequence>(
+          StageSequence::Plan{problem_.model,
+                              problem_.analysis,
+                              problem_.stages,
+                              list_rod_places(problem_.output.histories)})) {}
 
 void DeckRun::check(const EquilibriumReport& report) {
     if (report.converged()) return;
-    throw std::runtime_error(name_ + ": " + describe_failure(analysis_->explain(report)));
+    throw std::runtime_error(name_ + ": " + describe_failure(analysis().explain(report)));
 }
 
 void DeckRun::run(const std::function<void()>& visit) {
-    check(analysis_->start());
+    check(analysis().start());
     visit();
-    while (!analysis_->finished()) {
-        {
-            const PhaseTimer timer(seconds_);
-            check(analysis_->advance());
+    for (;;) {
+        while (!analysis().finished()) {
+            {
+                const PhaseTimer timer(seconds_);
+                check(analysis().advance());
+            }
+            ++steps_;
+            newton_iterations_ += analysis().solver_row().newton_iterations;
+            visit();
         }
-        ++steps_;
-        newton_iterations_ += analysis_->solver_row().newton_iterations;
-        visit();
+        if (stages_->is_last()) return;
+        check(stages_->enter_next());
     }
 }
 
@@ -47,7 +48,7 @@ HistoryPoint::Row DeckRun::value(const std::string& history, const std::string& 
         for (const Choice<Quantity>& choice : quantity_choices) {
             if (choice.word != quantity) continue;
             return HistoryPoint(problem_.model, requests, i)
-                .compute(choice.value, analysis_->snapshot(false));
+                .compute(choice.value, analysis().snapshot(false));
         }
     }
     throw std::runtime_error(fmt::format("{}: no {} of a history {}", name_, quantity, history));

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "analyses/static.hpp"
 #include "deck/problem.hpp"
 #include "results/tables/history_point.hpp"
+#include "run/stage_sequence.hpp"
 
 namespace gxrod {
 
@@ -18,11 +18,13 @@ class DeckRun {
     DeckRun(const std::string& name, const std::string& text, const std::vector<std::string>& overrides);
 
     const Problem& problem() const { return problem_; }
-    SteppedAnalysis& analysis() { return *analysis_; }
-    double time() const { return analysis_->state().time; }
-    double end_time() const;
+    // Of the stage at hand.
+    SteppedAnalysis& analysis() { return stages_->analysis(); }
+    // On the axis that stages share.
+    double time() const { return stages_->axis(); }
+    double end_time() const { return find_axis_end(problem_.stages); }
 
-    // Runs to the end and calls visit at the start and after each accepted step. Throws std::runtime_error if
+    // Runs all stages to the end and calls visit at the start and after each accepted step. Throws std::runtime_error if
     // a step fails.
     void run(const std::function<void()>& visit);
 
@@ -38,7 +40,7 @@ class DeckRun {
 
     std::string name_;
     Problem problem_;
-    std::unique_ptr<SteppedAnalysis> analysis_;
+    std::unique_ptr<StageSequence> stages_;
     long steps_ = 0;
     long newton_iterations_ = 0;
     double seconds_ = 0.0;

@@ -298,8 +298,8 @@ TEST_CASE("A fault has its parts", "[deck]") {
 
 TEST_CASE("An empty deck and one of comments are faults, not crashes", "[deck]") {
     const std::string missing =
-        "x.toml:1:1: analysis: missing; expected a table [analysis]\n"
-        "x.toml:1:1: missing; expected [rod.NAME] or [body.NAME]";
+        "x.toml:1:1: missing; expected [rod.NAME] or [body.NAME]\n"
+        "x.toml:1:1: missing; expected [analysis] or [[stage]]";
     CHECK(faults_of("") == missing);
     CHECK(faults_of("# nothing\n") == missing);
 }

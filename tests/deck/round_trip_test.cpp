@@ -297,6 +297,33 @@ std::vector<RoundTrip> body_trips() {
              [=](const Problem& p) { return node(p).angular_velocity.isApprox(Vec3(-2, 1, 3), 1e-15); }}};
 }
 
+// Two stages, whose first is the deck's analysis.
+std::string staged(std::string deck) {
+    deck = replaced(deck, "[analysis]", "[[stage]]\nname = \"one\"");
+    return deck + "\n[[stage]]\nname = \"two\"\nkind = \"static\"\n";
+}
+
+// Keys by which loads and supports know of stages, and the plane of all.
+std::vector<RoundTrip> action_trips() {
+    const std::string deck = staged(rod_deck);
+    return {{"load.factor",
+             rod_deck + force + "factor = \"3*t\"\n",
+             [](const Problem& p) { return p.model.loads[0].force[2](2.0) == 18.0; }},
+            {"load.stages",
+             deck + force + "stages = [\"two\"]\n",
+             [](const Problem& p) {
+                 return p.model.loads.empty() && p.stages[1].actions.loads[0].force[0](4.0) == 8.0;
+             }},
+            {"support.stages",
+             deck + "[[support]]\nat = \"r.end\"\nfix = \"x\"\nstages = \"two\"\n",
+             [](const Problem& p) {
+                 return p.model.supports.empty() && p.stages[1].actions.supports.size() == 1;
+             }},
+            {"plane", "plane = \"xy\"\n" + rod_deck, [](const Problem& p) {
+                 return p.model.plane && p.model.plane->normal == 2;
+             }}};
+}
+
 std::vector<RoundTrip> load_trips() {
     const std::string along = rod_deck + "[[load]]\non = \"r\"\nforce_per_length = [\"2*t + s\", 0, 3]\n";
     const auto is_seen = [](const std::array<LineFunction, 3>& value) {
@@ -451,6 +478,21 @@ std::vector<RoundTrip> analysis_trips() {
          }}};
 }
 
+// The keys of a stage are those of [analysis].
+std::vector<RoundTrip> stage_trips() {
+    std::vector<RoundTrip> trips;
+    for (RoundTrip& trip : analysis_trips()) {
+        if (!trip.key.starts_with("analysis.")) continue;
+        trip.key = replaced(trip.key, "analysis", "stage");
+        trip.deck = staged(trip.deck);
+        trips.push_back(trip);
+    }
+    trips.push_back({"stage.name", staged(static_rod_deck), [](const Problem& p) {
+                         return p.stages.size() == 2 && p.stages[0].name == "one";
+                     }});
+    return trips;
+}
+
 std::vector<RoundTrip> all_trips() {
     std::vector<RoundTrip> all;
     for (const auto& trips : {top_level_trips(),
@@ -461,9 +503,11 @@ std::vector<RoundTrip> all_trips() {
                               rod_trips(),
                               body_trips(),
                               load_trips(),
+                              action_trips(),
                               support_trips(),
                               connection_and_initial_trips(),
-                              analysis_trips()}) {
+                              analysis_trips(),
+                              stage_trips()}) {
         all.insert(all.end(), trips.begin(), trips.end());
     }
     return all;
@@ -497,7 +541,7 @@ TEST_CASE("Every key of a deck is seen in the problem", "[deck]") {
 
 TEST_CASE("The values that round trips see are not there by default", "[deck]") {
     // These have one valid value only.
-    const std::set<std::string> single{"analysis.kind"};
+    const std::set<std::string> single{"analysis.kind", "stage.kind", "stage.name"};
     for (const RoundTrip& trip : all_trips()) {
         if (single.contains(trip.key)) continue;
         const bool has_loads = trip.key.starts_with("load") || trip.key.starts_with("function");

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
+#include "machine/printable.hpp"
 
 namespace gxrod {
 namespace {
@@ -132,12 +134,39 @@ StaticSettings build_static(const CheckedTable& table, const BuildContext& conte
     return settings;
 }
 
-}  // namespace
-
-AnalysisSettings build_analysis(const BuildContext& context) {
-    const CheckedTable& table = context.deck.tables("analysis").front();
+AnalysisSettings build_analysis(const CheckedTable& table, const BuildContext& context) {
     if (table.get<std::string>("kind") == "static") return build_static(table, context);
     return build_dynamic(table, context);
+}
+
+// Groups, files and messages have the names of stages.
+void check_stage_name(const CheckedTable& table,
+                      const std::vector<StagePlan>& earlier,
+                      const BuildContext& context) {
+    const std::string& name = table.get<std::string>("name");
+    const bool is_plain = std::all_of(name.begin(), name.end(), [](char letter) {
+        return letter == '_' || letter == '-' || std::isalnum(static_cast<unsigned char>(letter)) != 0;
+    });
+    if (name.empty() || !is_plain) {
+        return context.add_fault(
+            table, "name", "expected letters, digits, _ and -, found \"" + printable(name) + "\"");
+    }
+    const bool is_taken = std::any_of(
+        earlier.begin(), earlier.end(), [&](const StagePlan& stage) { return stage.name == name; });
+    if (is_taken) context.add_fault(table, "name", fmt::format("\"{}\" names an earlier stage, too", name));
+}
+
+}  // namespace
+
+std::vector<StagePlan> build_stages(const BuildContext& context) {
+    std::vector<StagePlan> stages;
+    for (const CheckedTable& table : context.deck.tables("stage")) {
+        check_stage_name(table, stages, context);
+        stages.push_back({table.get<std::string>("name"), build_analysis(table, context)});
+    }
+    if (stages.empty())
+        stages.push_back({"", build_analysis(context.deck.tables("analysis").front(), context)});
+    return stages;
 }
 
 }  // namespace gxrod

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "deck/build/build_context.hpp"
-#include "model/settings.hpp"
 
 namespace gxrod {
 
-// What [analysis] asks for.
-AnalysisSettings build_analysis(const BuildContext& context);
+// What [analysis], or each [[stage]], asks for; without what acts in it.
+std::vector<StagePlan> build_stages(const BuildContext& context);
 
 }  // namespace gxrod

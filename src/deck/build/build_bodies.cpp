@@ -50,7 +50,7 @@ std::string explain_moments(const Vec3& moments, Need need) {
 // A node of the body's own has no other inertia, which a dynamic analysis needs.
 Need find_need(const CheckedTable& body, const BuildContext& context) {
     const bool has_own_node = std::holds_alternative<Vec3>(body.find("at")->value);
-    return has_own_node && !context.is_static() ? Need::definite : Need::any;
+    return has_own_node && context.needs_inertia() ? Need::definite : Need::any;
 }
 
 // The inertia, if a rigid body can have it.
@@ -82,7 +82,7 @@ std::optional<Mat3> find_inertia(const CheckedTable& body, const BuildContext& c
 // 0 where a static analysis has none.
 double find_mass(const CheckedTable& body, const BuildContext& context) {
     if (body.gives("mass")) return body.get<double>("mass");
-    if (!context.is_static()) {
+    if (context.needs_inertia()) {
         context.add_fault(body, "mass", "missing; expected " + describe_expected(*body_table().find("mass")));
     }
     return 0.0;
@@ -108,8 +108,8 @@ struct Setting {
 // `motion` is the velocity of the node that the setting is about.
 void set_motion(const Setting& setting, VelocitySetting& record, Vec3& motion, const BuildContext& context) {
     if (!setting.body.gives(setting.key)) return;
-    if (context.is_static()) {
-        return context.add_fault(setting.body, setting.key, "a static analysis has no velocities");
+    if (!context.has_velocities()) {
+        return context.add_fault(setting.body, setting.key, context.explain_no_velocities());
     }
     if (record.table != nullptr) {
         const std::string message = record.table->path + " is at the same node and sets it too";

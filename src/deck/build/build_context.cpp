@@ -56,6 +56,18 @@ std::optional<PlacedPoint> BuildContext::place(const std::string& point) const {
     return placed;
 }
 
+std::string BuildContext::explain_no_velocities() const {
+    const std::string& name = stages.front().name;
+    if (name.empty()) return "a static analysis has no velocities";
+    return "the first stage, " + name + ", has no velocities; only dynamic ones have";
+}
+
+bool BuildContext::needs_inertia() const {
+    return std::any_of(stages.begin(), stages.end(), [](const StagePlan& one) {
+        return gxrod::needs_inertia(one.analysis);
+    });
+}
+
 Quat BuildContext::axes_at(const PlacedPoint& point) const {
     if (point.body >= 0) return model.bodies[point.body].attitude;
     const Rod& rod = model.rods[point.rod];

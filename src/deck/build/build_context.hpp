@@ -8,9 +8,10 @@
 #include "deck/build/point.hpp"
 #include "deck/reading/checked_deck.hpp"
 #include "deck/reading/fault_list.hpp"
+#include "model/analysis_traits.hpp"
 #include "model/evaluation_error.hpp"
 #include "model/model.hpp"
-#include "model/settings.hpp"
+#include "model/stage.hpp"
 
 namespace gxrod {
 
@@ -44,14 +45,22 @@ struct BuildContext {
     FaultList& faults;
     std::vector<std::string>& notes;
     Model& model;
-    AnalysisSettings analysis = {};
+    std::vector<StagePlan> stages = {};                   // one at least, once built
+    std::size_t stage = 0;                                // whose loads and supports are built
     std::vector<std::vector<double>> rod_fractions = {};  // of each rod's nodes; empty for one without a mesh
     std::vector<std::vector<int>> rod_nodes = {};         // at those fractions, after build_connections
     std::vector<int> body_nodes = {};                     // of each body; -1 for one without
     // Of each node: of its velocity and of its angular velocity.
     std::vector<std::array<VelocitySetting, 2>> velocity_settings = {};
 
-    bool is_static() const { return std::holds_alternative<StaticSettings>(analysis); }
+    const AnalysisSettings& analysis() const { return stages[stage].analysis; }
+    // Whether any stage integrates accelerations; whether the first one does, which has the initial
+    // velocities.
+    bool needs_inertia() const;
+    bool has_velocities() const { return gxrod::needs_inertia(stages.front().analysis); }
+
+    // Why a deck cannot have initial velocities.
+    std::string explain_no_velocities() const;
 
     void add_fault(const CheckedTable& table, std::string_view key, std::string message) const {
         faults.add(table.place_of(key), table.path_of(key), std::move(message));

@@ -111,8 +111,8 @@ void set_velocity(const CheckedTable& table,
 void build_initial(BuildContext& context) {
     context.velocity_settings.resize(context.model.nodes.size());
     for (const CheckedTable& table : context.deck.tables("initial")) {
-        if (context.is_static()) {
-            context.faults.add(table.place, table.path, "a static analysis has no velocities");
+        if (!context.has_velocities()) {
+            context.faults.add(table.place, table.path, context.explain_no_velocities());
         }
         const std::optional<Part> part = find_part(table, *initial_table().find("on"), context);
         if (!part) continue;

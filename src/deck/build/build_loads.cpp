@@ -1,7 +1,7 @@
 #include "deck/build/build_loads.hpp"
 
+#include "deck/build/acting.hpp"
 #include "deck/build/part.hpp"
-#include "deck/expressions/load_factor.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 
@@ -9,31 +9,29 @@ namespace gxrod {
 namespace {
 
 // What the model has for a value of the deck.
-TimeFunction function_of(const CheckedTimeFunction& value, const BuildContext& context) {
-    return context.is_static() ? apply_load_factor(value.function) : value.function;
+TimeFunction function_of(const CheckedTimeFunction& value, const Acting& acting) {
+    return acting.apply(value.function);
 }
 
-LineFunction function_of(const CheckedLineFunction& value, const BuildContext& context) {
-    return context.is_static() ? apply_load_factor(value.expression) : value.expression.function;
+LineFunction function_of(const CheckedLineFunction& value, const Acting& acting) {
+    return acting.apply(value.expression);
 }
 
 // Three functions of a key; zero if it is not given.
 template <class Function, class Checked>
-std::array<Function, 3> functions_of(const CheckedTable& table,
-                                     const char* key,
-                                     const BuildContext& context) {
+std::array<Function, 3> functions_of(const CheckedTable& table, const char* key, const Acting& acting) {
     std::array<Function, 3> functions;
     if (!table.gives(key)) return functions;
     const auto& components = table.get<std::array<Checked, 3>>(key);
-    for (std::size_t i = 0; i < 3; ++i) functions[i] = function_of(components[i], context);
+    for (std::size_t i = 0; i < 3; ++i) functions[i] = function_of(components[i], acting);
     return functions;
 }
 
-void add_nodal_load(const CheckedTable& table, Frame frame, BuildContext& context) {
+void add_nodal_load(const CheckedTable& table, Frame frame, const Acting& acting, BuildContext& context) {
     const std::optional<PlacedPoint> point = context.place(table.get<std::string>("at"));
     if (!point) return;
     const auto vector = [&](const char* key) {
-        return functions_of<TimeFunction, CheckedTimeFunction>(table, key, context);
+        return functions_of<TimeFunction, CheckedTimeFunction>(table, key, acting);
     };
     context.model.loads.push_back({.key = table.path,
                                    .node = point->node,
@@ -43,11 +41,14 @@ void add_nodal_load(const CheckedTable& table, Frame frame, BuildContext& contex
                                    .axes = context.axes_at(*point)});
 }
 
-void add_distributed_load(const CheckedTable& table, Frame frame, BuildContext& context) {
+void add_distributed_load(const CheckedTable& table,
+                          Frame frame,
+                          const Acting& acting,
+                          BuildContext& context) {
     const std::optional<Part> part = find_part(table, *load_table().find("on"), context);
     if (!part) return;
     const auto vector = [&](const char* key) {
-        return functions_of<LineFunction, CheckedLineFunction>(table, key, context);
+        return functions_of<LineFunction, CheckedLineFunction>(table, key, acting);
     };
     context.model.distributed_loads.push_back({.key = table.path,
                                                .rod = part->rod,
@@ -59,14 +60,16 @@ void add_distributed_load(const CheckedTable& table, Frame frame, BuildContext& 
 }  // namespace
 
 void build_loads(BuildContext& context) {
-    context.model.gravity =
-        TimeVector(functions_of<TimeFunction, CheckedTimeFunction>(context.deck, "gravity", context));
+    context.model.gravity = TimeVector(
+        functions_of<TimeFunction, CheckedTimeFunction>(context.deck, "gravity", find_acting(context)));
     for (const CheckedTable& table : context.deck.tables("load")) {
+        const Acting acting = find_acting(table, context);
+        if (acting.is_absent) continue;
         const Frame frame = value_of(frame_choices, table.get<std::string>("frame"));
         if (table.gives("at")) {
-            add_nodal_load(table, frame, context);
+            add_nodal_load(table, frame, acting, context);
         } else {
-            add_distributed_load(table, frame, context);
+            add_distributed_load(table, frame, acting, context);
         }
     }
 }

@@ -26,8 +26,9 @@ void check_name(const CheckedTable& history, std::set<std::string>& taken, const
         return context.add_fault(
             history, "name", fmt::format("expected a name of letters, digits, _ and -, found \"{}\"", name));
     }
-    if (name == "time") {
-        return context.add_fault(history, "name", "\"time\" is taken by the times of all histories");
+    if (name == "time" || name == "stage") {
+        return context.add_fault(
+            history, "name", fmt::format("\"{}\" is taken by the {}s of all histories", name, name));
     }
     if (!taken.insert(name).second) {
         context.add_fault(history, "name", fmt::format("an earlier history is named \"{}\" too", name));
@@ -188,11 +189,10 @@ HistoryRequest build_history(const CheckedTable& table,
 
 OutputSettings build_output(const BuildContext& context) {
     OutputSettings output;
-    output.every = choose_frame_interval(context.analysis);
+    output.every = context.stages.front().frame_interval;
     const std::vector<CheckedTable>& tables = context.deck.tables("output");
     if (!tables.empty()) {
         const CheckedTable& table = tables.front();
-        if (table.gives("every")) output.every = table.get<long>("every");
         output.compression = value_of(compression_choices, table.get<std::string>("compression"));
     }
     std::set<std::string> taken;

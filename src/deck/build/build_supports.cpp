@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "deck/build/acting.hpp"
+#include "deck/build/plane.hpp"
 #include "deck/build/sample_times.hpp"
 #include "deck/build/support_merge.hpp"
 #include "deck/schema/choices.hpp"
@@ -82,7 +84,7 @@ void check_start(const CheckedTimeFunction& move, double size, const BuildContex
     double start = 0.0;
     try {
         start = move.function(0.0);
-        for (const double time : sample_times(context.analysis, most_samples)) {
+        for (const double time : sample_times(context.analysis(), most_samples)) {
             size = std::max(size, std::abs(move.function(time)));
         }
     } catch (const EvaluationError&) {
@@ -99,7 +101,7 @@ void check_start(const CheckedTimeFunction& move, double size, const BuildContex
 
 // No force moves a support at once: the rods would be torn to where it is, differently at every step size.
 void check_jumps(const CheckedTimeFunction& move, const BuildContext& context) {
-    const auto& analysis = std::get<DynamicSettings>(context.analysis);
+    const auto& analysis = std::get<DynamicSettings>(context.analysis());
     std::vector<Transition> jumps;
     try {
         const int samples = static_cast<int>(std::clamp(analysis.steps, fewest_samples, most_samples));
@@ -139,17 +141,19 @@ void build_supports(BuildContext& context) {
     std::vector<int> by_node(context.model.nodes.size(), -1);
     const double model_size = measure(context.model);
     for (const CheckedTable& table : context.deck.tables("support")) {
+        if (!acts_in_stage(table, context)) continue;
         const std::optional<PlacedPoint> point = context.place(table.get<std::string>("at"));
         if (point) merge_support(table, find_support(point->node, supports, by_node), context);
-        if (context.is_static()) continue;
+        if (!needs_inertia(context.analysis())) continue;
         const auto moves = moves_of(table);
         for (std::size_t i = 0; i < moves.size(); ++i) {
             if (moves[i] == nullptr) continue;
-            check_start(*moves[i], i < 3 ? model_size : 1.0, context);
+            if (context.stage == 0) check_start(*moves[i], i < 3 ? model_size : 1.0, context);
             check_jumps(*moves[i], context);
         }
     }
-    for (const NodeSupport& supported : supports) {
+    for (NodeSupport& supported : supports) {
+        if (context.model.plane) hold_plane(supported, context);
         check_rotations(supported, context);
         context.model.supports.push_back(supported.support);
     }

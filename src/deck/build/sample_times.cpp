@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "model/analysis_traits.hpp"
+
 namespace gxrod {
 
 std::vector<double> sample_times(const AnalysisSettings& analysis, long most) {
     const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
-    const long steps = dynamic != nullptr ? dynamic->steps : std::get<StaticSettings>(analysis).steps;
-    const double end_time = dynamic != nullptr ? dynamic->end_time : 1.0;
+    const long steps = std::max(1L, dynamic != nullptr ? dynamic->steps : steps_of(analysis));
+    const double end_time = end_of(analysis);
     const long samples = std::min(steps, most);
     std::vector<double> times;
     times.reserve(static_cast<std::size_t>(samples) + 1);

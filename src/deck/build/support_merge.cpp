@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "deck/expressions/load_factor.hpp"
+#include "deck/build/acting.hpp"
 #include "deck/schema/choices.hpp"
 
 namespace gxrod {
@@ -112,8 +112,7 @@ void move(const CheckedTable& table,
                      : fmt::format("{} moves {} here too", who, component_names[component]));
     }
     merged.support.moved[component] = true;
-    merged.support.motion[component] =
-        context.is_static() ? apply_load_factor(value.function) : value.function;
+    merged.support.motion[component] = find_acting(context).apply(value.function);
     merged.holders[component] = &table;
 }
 

@@ -1,5 +1,6 @@
 #include "deck/checks/check_functions.hpp"
 
+#include "deck/build/acting.hpp"
 #include "deck/build/part.hpp"
 #include "deck/build/sample_times.hpp"
 #include "deck/schema/choices.hpp"
@@ -44,7 +45,7 @@ void check_line_vector(const CheckedTable& table,
                        double length,
                        const BuildContext& context) {
     if (!table.gives(key)) return;
-    const std::vector<double> times = sample_times(context.analysis, most_line_samples);
+    const std::vector<double> times = sample_times(context.analysis(), most_line_samples);
     for (const CheckedLineFunction& component : table.get<CheckedLineVector>(key)) {
         report_error(component, context, [&] {
             for (const double time : times) {
@@ -60,9 +61,16 @@ void check_line_vector(const CheckedTable& table,
 }  // namespace
 
 void check_functions(const BuildContext& context) {
-    const std::vector<double> times = sample_times(context.analysis, most_samples);
+    const std::vector<double> times = sample_times(context.analysis(), most_samples);
     check_vector(context.deck, "gravity", times, context);
     for (const CheckedTable& load : context.deck.tables("load")) {
+        if (find_acting(load, context).is_absent) continue;
+        if (load.gives("factor")) {
+            for (const CheckedStageFunction& factor : load.get<std::vector<CheckedStageFunction>>("factor")) {
+                if (factor.stage.empty() || factor.stage == context.stages[context.stage].name)
+                    check(factor.value, times, context);
+            }
+        }
         for (const char* key : {"force", "moment"}) check_vector(load, key, times, context);
         if (!load.gives("on")) continue;
         const std::optional<int> rod = find_index(context.deck.tables("rod"), load.get<std::string>("on"));
@@ -72,7 +80,7 @@ void check_functions(const BuildContext& context) {
         }
     }
     for (const CheckedTable& support : context.deck.tables("support")) {
-        if (!support.gives("move")) continue;
+        if (!support.gives("move") || !acts_in_stage(support, context)) continue;
         for (const CheckedValue& move : support.tables("move").front().values) {
             check(std::get<CheckedTimeFunction>(move.value), times, context);
         }

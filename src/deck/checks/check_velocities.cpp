@@ -18,7 +18,7 @@ constexpr double rate_step = 1e-3;
 // The rate at t = 0 of a function that is 0 there, from later times alone: an extrapolated difference
 // quotient.
 double compute_start_rate(const TimeFunction& function, const BuildContext& context) {
-    const auto& analysis = std::get<DynamicSettings>(context.analysis);
+    const auto& analysis = std::get<DynamicSettings>(context.analysis());
     const double step = rate_step * analysis.time_step();
     return (4.0 * function(0.5 * step) - function(step) - 3.0 * function(0.0)) / step;
 }
@@ -91,7 +91,7 @@ void check(const Components& components,
 }  // namespace
 
 void check_velocities(BuildContext& context) {
-    if (context.is_static()) return;
+    if (context.stage > 0 || !context.has_velocities()) return;
     for (const Support& support : context.model.supports) {
         const auto& [of_position, of_rotation] = context.velocity_settings[support.node];
         Node& node = context.model.nodes[support.node];

@@ -31,6 +31,12 @@ struct CheckedTimeFunction {
     std::string path;
 };
 
+// A value f(t) of the stage of that name; "" of all stages.
+struct CheckedStageFunction {
+    std::string stage;
+    CheckedTimeFunction value;
+};
+
 // A value f(t, s).
 struct CheckedLineFunction {
     LineExpression expression;
@@ -95,6 +101,7 @@ struct CheckedValue {
                  std::vector<CheckedVector>,
                  TimeTable,
                  CheckedTimeFunction,
+                 std::vector<CheckedStageFunction>,
                  CheckedTimeVector,
                  CheckedLineVector,
                  CheckedPlaceVector,

@@ -65,7 +65,13 @@ class TreeComparison {
 
   private:
     bool is_free(const std::string& path) const {
-        return std::find(rules_.free_paths.begin(), rules_.free_paths.end(), path) != rules_.free_paths.end();
+        std::string pattern;
+        for (std::size_t i = 0; i < path.size(); ++i) {
+            pattern += path[i];
+            if (path[i] == '[') i = std::min(path.find(']', i), path.size()) - 1;
+        }
+        return std::find(rules_.free_paths.begin(), rules_.free_paths.end(), pattern) !=
+               rules_.free_paths.end();
     }
 
     void compare_tables(const DeckNode& before, const DeckNode& now, const std::string& path) {

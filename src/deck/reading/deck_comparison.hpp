@@ -9,8 +9,9 @@
 namespace gxrod {
 
 struct ComparisonRules {
-    std::vector<std::string> free_paths;  // what can differ: "output", "analysis.newton"
-    std::string before_has;               // begins what is said of a value: "the run to be resumed has "
+    // What can differ: "output", "analysis.newton", "stage[].steps" of every stage.
+    std::vector<std::string> free_paths;
+    std::string before_has;  // begins what is said of a value: "the run to be resumed has "
 };
 
 // Adds a fault, at its place in `now`, for each key whose value differs. Numbers are compared as such, and

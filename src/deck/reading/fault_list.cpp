@@ -12,6 +12,8 @@ std::vector<DeckFault> FaultList::list() const {
     std::vector<Entry> sorted = entries_;
     std::stable_sort(
         sorted.begin(), sorted.end(), [](const Entry& a, const Entry& b) { return a.place < b.place; });
+    // What is wrong in several stages is said once.
+    sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
     std::vector<DeckFault> faults;
     for (const Entry& entry : sorted) faults.push_back(make_fault(entry));
     return faults;

@@ -39,6 +39,8 @@ class FaultList {
         Place place;
         std::string key;
         std::string message;
+
+        bool operator==(const Entry&) const = default;
     };
 
     DeckFault make_fault(const Entry& entry) const;

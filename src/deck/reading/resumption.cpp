@@ -11,17 +11,14 @@ namespace {
 
 // Differences of no matter to the state of a run.
 const ComparisonRules& rules() {
-    static const ComparisonRules rules{{"title",
-                                        "units",
-                                        "output",
-                                        "history",
-                                        "analysis.end_time",
-                                        "analysis.time_step",
-                                        "analysis.steps",
-                                        "analysis.adaptive",
-                                        "analysis.newton",
-                                        "analysis.linear_solver"},
-                                       "the run to be resumed has "};
+    static const ComparisonRules rules = [] {
+        ComparisonRules made{{"title", "units", "output", "history"}, "the run to be resumed has "};
+        for (const char* key : {"end_time", "time_step", "steps", "adaptive", "newton", "linear_solver"}) {
+            made.free_paths.push_back(std::string("analysis.") + key);
+            made.free_paths.push_back(std::string("stage[].") + key);
+        }
+        return made;
+    }();
     return rules;
 }
 

@@ -99,6 +99,26 @@ class ValueReader {
         return CheckedTimeFunction{std::move(*function), node.place, path};
     }
 
+    std::optional<std::vector<CheckedStageFunction>> stage_functions(const DeckNode& node,
+                                                                     const std::string& path) const {
+        std::vector<CheckedStageFunction> functions;
+        bool complete = true;
+        const auto read = [&](const std::string& stage, const DeckNode& value, const std::string& at) {
+            auto function = time_function(value, at);
+            complete = complete && function;
+            if (function) functions.push_back({stage, std::move(*function)});
+        };
+        if (node.table() == nullptr) {
+            read("", node, path);
+        } else if (node.table()->empty()) {
+            expect(node, path, describe_expected(key_));
+            complete = false;
+        } else {
+            for (const DeckEntry& entry : *node.table()) read(entry.key, entry.node, path + "." + entry.key);
+        }
+        return complete ? std::optional(std::move(functions)) : std::nullopt;
+    }
+
     std::optional<CheckedLineFunction> line_function(const DeckNode& node, const std::string& path) const {
         auto expression = compiled<LineExpression>(node, path, compile_line_function);
         if (!expression) return std::nullopt;
@@ -281,6 +301,8 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(read_word(node, path, key, context));
         case ValueType::choices:
             return wrap(read_words(node, path, key, context));
+        case ValueType::names:
+            return wrap(read_names(node, path, key, context));
         case ValueType::integer:
             return wrap(reader.integer(node, path));
         case ValueType::number:
@@ -305,6 +327,8 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return read_mesh_group(node, path, key, context);
         case ValueType::time_expression:
             return wrap(reader.time_function(node, path));
+        case ValueType::stage_functions:
+            return wrap(reader.stage_functions(node, path));
         case ValueType::time_vector:
             return wrap(reader.functions(node, path, &ValueReader::time_function));
         case ValueType::line_vector:

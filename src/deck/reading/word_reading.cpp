@@ -54,14 +54,19 @@ std::optional<std::string> read_word(const DeckNode& node,
     return std::nullopt;
 }
 
-std::optional<std::vector<CheckedWord>> read_words(const DeckNode& node,
-                                                   const std::string& path,
-                                                   const KeySpec& key,
-                                                   const ReadingContext& context) {
+namespace {
+
+// One word, or a list of them that is not empty, each read by `read_one`.
+template <class ReadOne>
+std::optional<std::vector<CheckedWord>> read_list(const DeckNode& node,
+                                                  const std::string& path,
+                                                  const KeySpec& key,
+                                                  const ReadingContext& context,
+                                                  const ReadOne& read_one) {
     std::vector<CheckedWord> words;
     bool complete = true;
     const auto read = [&](const DeckNode& element, const std::string& element_path) {
-        const std::optional<std::string> word = read_word(element, element_path, key, context);
+        const std::optional<std::string> word = read_one(element, element_path, key, context);
         complete = complete && word;
         if (word) words.push_back({*word, element.place, element_path});
     };
@@ -76,6 +81,22 @@ std::optional<std::vector<CheckedWord>> read_words(const DeckNode& node,
         complete = false;
     }
     return complete ? std::optional(std::move(words)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::vector<CheckedWord>> read_words(const DeckNode& node,
+                                                   const std::string& path,
+                                                   const KeySpec& key,
+                                                   const ReadingContext& context) {
+    return read_list(node, path, key, context, read_word);
+}
+
+std::optional<std::vector<CheckedWord>> read_names(const DeckNode& node,
+                                                   const std::string& path,
+                                                   const KeySpec& key,
+                                                   const ReadingContext& context) {
+    return read_list(node, path, key, context, read_text);
 }
 
 std::optional<std::vector<CheckedWord>> read_points(const DeckNode& node,

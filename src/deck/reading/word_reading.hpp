@@ -27,6 +27,12 @@ std::optional<std::vector<CheckedWord>> read_words(const DeckNode& node,
                                                    const KeySpec& key,
                                                    const ReadingContext& context);
 
+// A name, or a list of them that is not empty; whether there are such tables is not checked.
+std::optional<std::vector<CheckedWord>> read_names(const DeckNode& node,
+                                                   const std::string& path,
+                                                   const KeySpec& key,
+                                                   const ReadingContext& context);
+
 // A list of points, two at least.
 std::optional<std::vector<CheckedWord>> read_points(const DeckNode& node,
                                                     const std::string& path,

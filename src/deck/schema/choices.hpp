@@ -25,6 +25,9 @@ inline constexpr std::array<Choice<ElementKind>, 2> element_kind_choices{
 inline constexpr std::array<Choice<Frame>, 3> frame_choices{
     {{"spatial", Frame::spatial}, {"follower", Frame::follower}, {"body", Frame::body}}};
 
+// By the axis across it.
+inline constexpr std::array<Choice<int>, 3> plane_choices{{{"yz", 0}, {"xz", 1}, {"xy", 2}}};
+
 inline constexpr std::array<Choice<Interpolation>, 3> interpolation_choices{
     {{"linear", Interpolation::linear},
      {"cubic", Interpolation::cubic},

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "deck/schema/suggestion.hpp"
 
@@ -42,6 +43,13 @@ TableSpec make_root() {
          .dimension = "length/time²",
          .default_text = "[0, 0, 0]",
          .sentence = "Acceleration that acts on every mass, global components."},
+        {.name = "plane",
+         .type = ValueType::choice,
+         .default_text = "none: a model in space",
+         .sentence =
+             "The plane in which the model stays: displacements across it and rotations out of it are "
+             "held at every node, which halves the unknowns.",
+         .choices = words_of(plane_choices)},
         {.name = "parameters", .type = ValueType::parameters, .table = &parameters_table()},
         {.name = "function", .type = ValueType::named_tables, .table = &function_table()},
         {.name = "section", .type = ValueType::named_tables, .table = &section_table()},
@@ -51,14 +59,13 @@ TableSpec make_root() {
         {.name = "load", .type = ValueType::table_list, .table = &load_table()},
         {.name = "support", .type = ValueType::table_list, .table = &support_table()},
         {.name = "initial", .type = ValueType::table_list, .table = &initial_table()},
-        {.name = "analysis",
-         .type = ValueType::table,
-         .presence = Presence::required,
-         .table = &analysis_table()},
+        {.name = "analysis", .type = ValueType::table, .table = &analysis_table()},
+        {.name = "stage", .type = ValueType::table_list, .table = &stage_table()},
         {.name = "output", .type = ValueType::table, .table = &output_table()},
         {.name = "history", .type = ValueType::table_list, .table = &history_table()},
     };
-    root.groups = {{GroupRule::at_least_one, {"rod", "body"}}};
+    root.groups = {{GroupRule::at_least_one, {"rod", "body"}},
+                   {GroupRule::exactly_one, {"analysis", "stage"}}};
     root.example =
         "title = \"Flexible rod in free flight, and a top\"\n"
         "units = \"m kg s\"\n"
@@ -153,6 +160,8 @@ std::string describe_expected(const KeySpec& key) {
             return (key.choices.size() > 1 ? "one of " : "") + quoted_list(key.choices);
         case ValueType::choices:
             return "one or a list of " + quoted_list(key.choices);
+        case ValueType::names:
+            return fmt::format("the name of a {0}, or an array of names", fmt::join(key.refers_to, " or "));
         case ValueType::integer:
             return "an integer" + ranged;
         case ValueType::number:
@@ -173,6 +182,9 @@ std::string describe_expected(const KeySpec& key) {
             return "the name or the number of a physical group";
         case ValueType::time_expression:
             return "a number or an expression in " + variables_of(key.type);
+        case ValueType::stage_functions:
+            return "a number or an expression in t, or a table of one for each stage, such as "
+                   "{ hang = \"t\", swing = 1 }";
         case ValueType::time_vector:
         case ValueType::line_vector:
         case ValueType::place_vector:

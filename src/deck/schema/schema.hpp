@@ -21,6 +21,7 @@ enum class ValueType {
     points,     // a list of named points, two at least
     choice,     // one of the key's words
     choices,    // one of the key's words, or a list of them that is not empty
+    names,      // the name of a table elsewhere in the deck, or a list of them that is not empty
     integer,    // or an expression whose value is one
     number,
     vector,           // 3 numbers
@@ -31,6 +32,7 @@ enum class ValueType {
     placement,        // a vector or a point
     mesh_group,       // the name or number of a physical group
     time_expression,  // f(t)
+    stage_functions,  // f(t), or a table of one for each stage that it names
     time_vector,      // 3 f(t)
     line_vector,      // 3 f(t, s), s the arc length along a rod
     place_vector,     // 3 f(x, y, z, s) of the reference position
@@ -81,7 +83,7 @@ struct KeySpec {
     std::string above_range = {};  // ends the message that a number is above its range instead
     std::vector<Condition> only_for = {};     // all of them
     std::string only_with = {};               // the key is used only where this one is given
-    std::vector<std::string> refers_to = {};  // of reference: the keys of the tables that it may name
+    std::vector<std::string> refers_to = {};  // of reference, names: the tables to name
     const TableSpec* table = nullptr;         // of table, named_tables, table_list, parameters, variations
 };
 

@@ -192,6 +192,28 @@ const TableSpec& analysis_table() {
     return table;
 }
 
+const TableSpec& stage_table() {
+    static const TableSpec table = [] {
+        TableSpec stage = analysis_table();
+        stage.path = "stage";
+        stage.heading = "[[stage]]";
+        stage.sentence =
+            "Instead of [analysis]: analyses one after the other, each from the state in which the last one "
+            "leaves the model. The keys are those of [analysis], and a name.";
+        stage.keys.insert(
+            stage.keys.begin(),
+            {.name = "name",
+             .type = ValueType::text,
+             .presence = Presence::required,
+             .sentence =
+                 "Of the stage, for results and for the loads and supports that it concerns: letters, "
+                 "digits, _ and -, each name once."});
+        stage.example.clear();
+        return stage;
+    }();
+    return table;
+}
+
 const TableSpec& output_table() {
     static const TableSpec table{
         .path = "output",

@@ -19,7 +19,8 @@ that the reader itself checks a deck with; `gxrod schema` writes the same as a J
   names of `[parameters]`. Where the type says f(t), the expression may also use the time `t` and call the deck's
   functions, as in `"0.5*pulse(t)"`; f(t, s) has also the arc length `s` from a rod's start, and f(x, y, z, s) the
   reference position and `s`, but not `t`. In static analyses `t` is the load factor, from 0 to 1, and what has no `t`
-  is multiplied by it.
+  is multiplied by it. Each `[[stage]]` has its own `t`, from 0; what has no `t` grows in the first stage, if that is
+  static, and stays.
 - **Vectors** are arrays of three numbers, in the global axes unless the key says otherwise.
 - **Points** are `NAME.start`, `NAME.end` and `NAME@0.25` of a rod (a fraction of its length, where a node is placed,
   but for what a history only looks at), and a body by its name. A rod and a body cannot have the same name.
@@ -67,6 +68,8 @@ std::string describe_type(const KeySpec& key) {
             return code_list(key.choices);
         case ValueType::choices:
             return "one or a list of " + code_list(key.choices);
+        case ValueType::names:
+            return "name or list of names";
         case ValueType::integer:
             return "integer";
         case ValueType::number:
@@ -87,6 +90,8 @@ std::string describe_type(const KeySpec& key) {
             return "name or number";
         case ValueType::time_expression:
             return "f(t)";
+        case ValueType::stage_functions:
+            return "f(t), or { STAGE = f(t) }";
         case ValueType::time_vector:
             return "3 f(t)";
         case ValueType::line_vector:
@@ -184,7 +189,7 @@ std::string write_table(const TableSpec& table, const std::string& heading) {
     text += "| key | type | dimension | range | default | meaning |\n|---|---|---|---|---|---|\n";
     text += table.keys.empty() ? "| any name | number | | | | |\n\n" : write_rows(table, "") + "\n";
     for (const KeyGroup& group : table.groups) text += describe_group(group, table);
-    return text + "```toml\n" + table.example + "```\n\n";
+    return table.example.empty() ? text : text + "```toml\n" + table.example + "```\n\n";
 }
 
 }  // namespace

@@ -65,6 +65,9 @@ Json make_type(const KeySpec& key) {
         case ValueType::choices:
             return any_of({{{"enum", key.choices}},
                            {{"type", "array"}, {"items", {{"enum", key.choices}}}, {"minItems", 1}}});
+        case ValueType::names:
+            return any_of({{{"type", "string"}},
+                           {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 1}}});
         case ValueType::integer:
             return any_of({make_range("integer", key.range), reference("expression")});
         case ValueType::number:
@@ -88,6 +91,8 @@ Json make_type(const KeySpec& key) {
             return {{"type", {"string", "integer"}}};
         case ValueType::time_expression:
             return reference("number");
+        case ValueType::stage_functions:
+            return any_of({reference("number"), named_tables("^[A-Za-z0-9_-]+$", reference("number"))});
         case ValueType::time_table:
             return {{"type", "array"}, {"items", array_of(reference("number"), 2)}, {"minItems", 1}};
         case ValueType::columns:

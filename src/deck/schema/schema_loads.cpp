@@ -15,6 +15,14 @@ std::vector<std::string> fix_words() {
     return words;
 }
 
+KeySpec stages_key(const char* sentence) {
+    return {.name = "stages",
+            .type = ValueType::names,
+            .default_text = "all",
+            .sentence = sentence,
+            .refers_to = {"stage"}};
+}
+
 KeySpec load_vector(const char* name, const char* dimension, const char* with, const char* sentence) {
     const bool at_point = std::string_view(with) == "at";
     return {.name = name,
@@ -47,7 +55,14 @@ std::vector<KeySpec> load_keys() {
              .sentence = "spatial: fixed in space, a dead load. follower: global components at t = 0, turned "
                          "with the node or section. body: components in the section axes of the point named, "
                          "or along the rod (body axes of a body).",
-             .choices = words_of(frame_choices)}};
+             .choices = words_of(frame_choices)},
+            {.name = "factor",
+             .type = ValueType::stage_functions,
+             .dimension = "1",
+             .default_text = "1; t in the first stage if that is static and the value has no t",
+             .sentence = "What the load is multiplied by, in a stage's own t. By stage: a stage that is not "
+                         "named keeps the last value, and before the first one there is no load."},
+            stages_key("The stages in which the load acts.")};
 }
 
 const TableSpec& move_table() {
@@ -146,7 +161,9 @@ const TableSpec& support_table() {
                   .dimension = "1",
                   .default_text = "the global axes",
                   .sentence = "The support's own x, y and z directions, a row each: of length 1, at right "
-                              "angles, right-handed (to 1e-6). fix and move are along them; they stay."}},
+                              "angles, right-handed (to 1e-6). fix and move are along them; they stay."},
+                 stages_key("The stages in which the support holds. What it fixes it holds where that is; a "
+                            "move begins where the point is.")},
         .groups = {{.rule = GroupRule::at_least_one, .keys = {"fix", "move"}}},
         .example =
             "[[support]]\n"

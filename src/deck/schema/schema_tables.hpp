@@ -14,6 +14,7 @@ const TableSpec& load_table();
 const TableSpec& support_table();
 const TableSpec& initial_table();
 const TableSpec& analysis_table();
+const TableSpec& stage_table();
 const TableSpec& output_table();
 const TableSpec& history_table();
 

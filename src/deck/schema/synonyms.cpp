@@ -229,7 +229,9 @@ std::vector<std::string> split_words(std::string_view words) {
 const KeySynonyms* find_synonym(const TableSpec& table, std::string_view key) {
     const std::string word = lower(key);
     const auto* found = std::find_if(std::begin(keys), std::end(keys), [&](const KeySynonyms& synonyms) {
-        return table.path == synonyms.table && has_word(synonyms.words, word) && has_key(table, synonyms.key);
+        const bool is_of_table = table.path == synonyms.table ||
+                                 (table.path == "stage" && std::string_view(synonyms.table) == "analysis");
+        return is_of_table && has_word(synonyms.words, word) && has_key(table, synonyms.key);
     });
     return found == std::end(keys) ? nullptr : found;
 }

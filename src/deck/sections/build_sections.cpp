@@ -25,7 +25,7 @@ Mat6 stiffness_of(const CheckedTable& stiffness) {
 // rhoIy and rhoIz, that a static analysis can do without, and a dynamic one cannot.
 double find_rotary_inertia(const CheckedTable& inertia, const char* key, const BuildContext& context) {
     if (inertia.gives(key)) return inertia.get<double>(key);
-    if (!context.is_static()) {
+    if (context.needs_inertia()) {
         const KeySpec& spec = *section_table().find("inertia")->table->find(key);
         context.add_fault(
             inertia, key, fmt::format("missing; expected {}; {}", describe_expected(spec), no_inertia));
@@ -150,7 +150,7 @@ void set_from_shape(const CheckedTable& table, Section& section, const BuildCont
 
 // What a dynamic analysis needs, and a static one may miss.
 void check_inertia(const CheckedTable& table, const Section& section, const BuildContext& context) {
-    if (context.is_static()) {
+    if (!context.needs_inertia()) {
         if (!context.deck.gives("gravity") || !section.mass.isZero(0.0)) return;
         context.notes.push_back(table.path + ": no inertia, so that gravity does not act on it");
     } else if (table.gives("shape")) {

@@ -9,6 +9,7 @@
 
 #include "machine/file_error.hpp"
 #include "results/file/results_access.hpp"
+#include "results/tables/stage_table.hpp"
 
 namespace gxrod {
 
@@ -39,8 +40,9 @@ struct CsvColumn {
 std::vector<CsvColumn> find_columns(const Hdf5Reader& file, const std::string& group) {
     std::vector<CsvColumn> columns{{"/histories/time", "time"}};
     if (file.text_attribute("/histories/time", "dimension") == "1") columns[0].name = "load_factor";
+    if (file.has("/histories/stage")) columns.push_back({"/histories/stage", "stage"});
     for (const std::string& name : file.members(group)) {
-        if (name == "time") continue;
+        if (name == "time" || name == "stage") continue;
         const std::string path = fmt::format("{}/{}", group, name);
         columns.push_back({path, name, file.width(path)});
     }
@@ -93,7 +95,8 @@ struct CsvTable {
 std::vector<CsvTable> list_tables(const Hdf5Reader& file, const std::filesystem::path& folder) {
     std::vector<CsvTable> tables{{"/ledger", folder / "ledger.csv"}, {"/solver", folder / "solver.csv"}};
     for (const std::string& name : file.members("/histories")) {
-        if (name != "time") tables.push_back({"/histories/" + name, folder / ("history_" + name + ".csv")});
+        if (is_history_name(name))
+            tables.push_back({"/histories/" + name, folder / ("history_" + name + ".csv")});
     }
     return tables;
 }

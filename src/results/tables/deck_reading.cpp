@@ -14,7 +14,9 @@ DeckRecord read_deck_record(const Hdf5Reader& file) {
     record.text = file.text("/deck/" + deck_text_name(count));
     record.title = file.text_attribute("/", "title");
     record.units = file.text_attribute("/", "units");
-    record.is_static = file.text_attribute("/", "analysis") == "static";
+    const std::string analysis = file.text_attribute("/", "analysis");
+    record.is_static = analysis == "static";
+    record.has_statics = record.is_static || analysis == "static and dynamic";
     if (!file.has("/deck/meshes")) return record;
     for (const std::string& name : file.members("/deck/meshes")) {
         const std::string path = "/deck/meshes/" + name;

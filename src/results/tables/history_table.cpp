@@ -1,6 +1,7 @@
 #include "results/tables/history_table.hpp"
 
 #include "results/tables/quantity.hpp"
+#include "results/tables/stage_table.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -46,7 +47,7 @@ HistoryTable::HistoryTable(const Hdf5Handle& histories,
                            const std::vector<HistoryRequest>& requests,
                            hsize_t rows) {
     std::vector<std::string> ended = list_members(histories.id());
-    std::erase(ended, "time");
+    std::erase_if(ended, [](const std::string& name) { return !is_history_name(name); });
     for (std::size_t i = 0; i < requests.size(); ++i) {
         std::erase(ended, requests[i].name);
         add_history(

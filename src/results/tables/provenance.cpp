@@ -27,6 +27,11 @@ void write_meshes(const Hdf5Handle& parent, const std::vector<MeshRecord>& meshe
     }
 }
 
+const char* name_analysis(const DeckRecord& deck) {
+    if (deck.is_static) return "static";
+    return deck.has_statics ? "static and dynamic" : "dynamic";
+}
+
 }  // namespace
 
 void write_provenance(const Hdf5Handle& root, const DeckRecord& deck) {
@@ -35,7 +40,7 @@ void write_provenance(const Hdf5Handle& root, const DeckRecord& deck) {
     write_attribute(root.id(), "deck_sha256", sha256_hex(deck.text));
     write_attribute(root.id(), "title", deck.title);
     write_attribute(root.id(), "units", deck.units);
-    write_attribute(root.id(), "analysis", deck.is_static ? "static" : "dynamic");
+    write_attribute(root.id(), "analysis", name_analysis(deck));
     write_attribute(root.id(), "status", "running");
     write_attribute(root.id(), "reason", "");
     write_attribute(root.id(), "reason_nodes", std::span<const std::int64_t>{});

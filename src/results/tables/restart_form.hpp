@@ -14,7 +14,7 @@
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t form_version = 6;  // of /restart; raise it with every change
+inline constexpr std::int64_t form_version = 7;  // of /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 // Calls visit(vector) for each vector of a row, const or not.
@@ -111,6 +111,8 @@ void visit_numbers(Place& place, Visitor&& visit) {
     visit("jump_from", record.totals.jumps.largest.from);
     visit("jump_to", record.totals.jumps.largest.to);
     visit("jump_energy", record.totals.jumps.largest.energy);
+    visit("stage", record.stage);
+    visit("axis_start", record.axis_start);
 }
 
 inline DatasetLabel numbers_label() {

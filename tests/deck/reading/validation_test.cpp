@@ -14,8 +14,8 @@ colour = 3)")) ==
           "x.toml:3:1: body.top.colour: unknown key; known here: mass, inertia, at, centre_of_mass, "
           "rotation_vector, velocity, angular_velocity, angular_velocity_material");
     CHECK(faults_of(rod_deck + "[joint.a]") ==
-          "x.toml:13:2: joint: unknown key; known here: title, units, gravity, parameters, function, "
-          "section, rod, body, connect, load, support, initial, analysis, output, history");
+          "x.toml:13:2: joint: unknown key; known here: title, units, gravity, plane, parameters, function, "
+          "section, rod, body, connect, load, support, initial, analysis, stage, output, history");
     CHECK(faults_of(body_deck + "gravity = [0, 0, -9.81]") ==
           "x.toml:8:1: analysis.gravity: gravity is a key of the top level and must come before the first "
           "[table]; here it belongs to [analysis]");
@@ -56,7 +56,7 @@ TEST_CASE("Errors on missing keys say what is expected", "[deck]") {
     CHECK(faults_of(R"([body.top]
 mass = 1.0
 inertia = [1, 1, 1]
-)") == "x.toml:1:1: analysis: missing; expected a table [analysis]");
+)") == "x.toml:1:1: missing; expected [analysis] or [[stage]]");
     CHECK(faults_of(R"([analysis]
 kind = "dynamic"
 end_time = 1.0

@@ -38,7 +38,8 @@ TEST_CASE("The reference has every key and every example", "[deck]") {
             continue;
         }
         CHECK(reference.find("## " + key.table->heading) != std::string::npos);
-        CHECK_FALSE(key.table->example.empty());
+        const bool excludes_others = key.name == "stage";  // its page has the example: the deck here is one
+        CHECK(key.table->example.empty() == excludes_others);
         CHECK(reference.find(key.table->example) != std::string::npos);
         for (const KeySpec& inner : key.table->keys) {
             CHECK(reference.find("| `" + inner.name + "` |") != std::string::npos);

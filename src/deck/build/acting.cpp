@@ -1,0 +1,158 @@
+#include "deck/build/acting.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "deck/expressions/load_factor.hpp"
+#include "deck/schema/suggestion.hpp"
+#include "model/analysis_traits.hpp"
+
+namespace gxrod {
+namespace {
+
+using StageFunctions = std::vector<CheckedStageFunction>;
+
+std::optional<std::size_t> find_stage(const std::string& name, const BuildContext& context) {
+    for (std::size_t i = 0; i < context.stages.size(); ++i) {
+        if (context.stages[i].name == name) return i;
+    }
+    return std::nullopt;
+}
+
+// Where no earlier stage takes steps, what has no t begins to act: at once in time, growing in statics.
+bool is_first_with_steps(const BuildContext& context) {
+    return std::none_of(context.stages.begin(),
+                        context.stages.begin() + static_cast<std::ptrdiff_t>(context.stage),
+                        [](const StagePlan& stage) { return has_steps(stage.analysis); });
+}
+
+const CheckedTimeFunction* find_factor(const StageFunctions& functions, const std::string& stage) {
+    const auto found = std::find_if(functions.begin(), functions.end(), [&](const CheckedStageFunction& one) {
+        return one.stage.empty() || one.stage == stage;
+    });
+    return found == functions.end() ? nullptr : &found->value;
+}
+
+// The last stage before the one at hand that names a factor.
+std::optional<std::size_t> find_earlier(const StageFunctions& functions, const BuildContext& context) {
+    for (std::size_t i = context.stage; i-- > 0;) {
+        if (find_factor(functions, context.stages[i].name) != nullptr) return i;
+    }
+    return std::nullopt;
+}
+
+void check_name(const Place& place,
+                const std::string& path,
+                const std::string& name,
+                const BuildContext& context) {
+    const std::optional<std::size_t> stage = find_stage(name, context);
+    if (!stage || name.empty()) {
+        std::vector<std::string> known;
+        for (const StagePlan& one : context.stages) {
+            if (!one.name.empty()) known.push_back(one.name);
+        }
+        const std::string nearest = did_you_mean(name, known);
+        const std::string hint = !nearest.empty() ? nearest
+                                 : known.empty()  ? "; the deck has no [[stage]]"
+                                                  : "; the deck has " + plain_list(known);
+        return context.faults.add(place, path, fmt::format("no stage \"{}\"{}", name, hint));
+    }
+    if (has_steps(context.stages[*stage].analysis)) return;
+    context.faults.add(
+        place,
+        path,
+        fmt::format("stage \"{}\" takes no steps: it has the loads and supports of the stage before it",
+                    name));
+}
+
+}  // namespace
+
+TimeFunction Acting::apply(const TimeFunction& value) const {
+    if (is_absent) return TimeFunction(0.0);
+    if (held_at) return TimeFunction(value(*held_at) * (factor ? (*factor)(*held_at) : 1.0));
+    if (!factor) return grows ? apply_load_factor(value) : value;
+    if (value.is_zero()) return value;
+    if (factor->is_constant() && value.is_constant()) return TimeFunction(value(0.0) * (*factor)(0.0));
+    const auto& switches = factor->switches() ? factor->switches() : value.switches();
+    if (factor->switches() && value.switches()) {
+        auto both = std::make_shared<Switches>(*factor->switches());
+        both->insert(both->end(), value.switches()->begin(), value.switches()->end());
+        return TimeFunction([value, factor = *factor](double t) { return factor(t) * value(t); }, both);
+    }
+    return TimeFunction([value, factor = *factor](double t) { return factor(t) * value(t); }, switches);
+}
+
+LineFunction Acting::apply(const LineExpression& value) const {
+    const LineFunction& function = value.function;
+    if (is_absent) return LineFunction(0.0);
+    if (function.is_zero()) return function;
+    if (held_at) {
+        const double t = *held_at;
+        const double scale = factor ? (*factor)(t) : 1.0;
+        if (function.is_constant()) return LineFunction(scale * function(t, 0.0));
+        // What switches with the arc length alone stays where it is at that time.
+        auto switches = std::make_shared<Switches>();
+        if (function.switches()) {
+            for (Switch one : *function.switches()) {
+                if (!one.has_arc_length) continue;
+                one.argument = [argument = one.argument, t](double, double s) { return argument(t, s); };
+                one.has_time = false;
+                switches->push_back(std::move(one));
+            }
+        }
+        return LineFunction([function, t, scale](double, double s) { return scale * function(t, s); },
+                            switches->empty() ? nullptr : switches,
+                            {InTime::constant, function.form().is_even});
+    }
+    if (!factor) return grows ? apply_load_factor(value) : function;
+    auto switches = std::make_shared<Switches>();
+    if (function.switches()) *switches = *function.switches();
+    if (factor->switches())
+        switches->insert(switches->end(), factor->switches()->begin(), factor->switches()->end());
+    return LineFunction(
+        [function, factor = *factor](double t, double s) { return factor(t) * function(t, s); },
+        switches->empty() ? nullptr : switches,
+        {InTime::varying, function.form().is_even});
+}
+
+Acting find_acting(const BuildContext& context) {
+    return {.grows = !needs_inertia(context.analysis()) && is_first_with_steps(context)};
+}
+
+Acting find_acting(const CheckedTable& load, const BuildContext& context) {
+    if (!acts_in_stage(load, context)) return {.is_absent = true};
+    if (!load.gives("factor")) return find_acting(context);
+    const auto& functions = load.get<StageFunctions>("factor");
+    if (const CheckedTimeFunction* own = find_factor(functions, context.stages[context.stage].name))
+        return {.factor = own->function};
+    const std::optional<std::size_t> earlier = find_earlier(functions, context);
+    if (!earlier) return {.is_absent = true};
+    const StagePlan& stage = context.stages[*earlier];
+    return {.factor = find_factor(functions, stage.name)->function, .held_at = end_of(stage.analysis)};
+}
+
+bool acts_in_stage(const CheckedTable& table, const BuildContext& context) {
+    if (!table.gives("stages")) return true;
+    const auto& names = table.get<std::vector<CheckedWord>>("stages");
+    return std::any_of(names.begin(), names.end(), [&](const CheckedWord& word) {
+        return word.word == context.stages[context.stage].name;
+    });
+}
+
+void check_stage_names(const BuildContext& context) {
+    for (const char* kind : {"load", "support"}) {
+        for (const CheckedTable& table : context.deck.tables(kind)) {
+            if (table.gives("stages")) {
+                for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("stages"))
+                    check_name(word.place, word.path, word.word, context);
+            }
+            if (!table.gives("factor")) continue;
+            for (const CheckedStageFunction& one : table.get<StageFunctions>("factor")) {
+                if (!one.stage.empty()) check_name(one.value.place, one.value.path, one.stage, context);
+            }
+        }
+    }
+}
+
+}  // namespace gxrod

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "deck/build/build_context.hpp"
+
+// How a load, or the move of a support, acts in the stage at hand.
+namespace gxrod {
+
+// What the values of one table are multiplied by, and when they are taken.
+struct Acting {
+    bool is_absent = false;  // does not act in this stage
+    bool grows = false;      // a value without t is multiplied by t
+    std::optional<TimeFunction> factor = {};
+    std::optional<double> held_at = {};  // value and factor keep what they were at this t
+
+    TimeFunction apply(const TimeFunction& value) const;
+    LineFunction apply(const LineExpression& value) const;
+};
+
+// Of gravity and moves, which have no factor.
+Acting find_acting(const BuildContext& context);
+// Of a [[load]].
+Acting find_acting(const CheckedTable& load, const BuildContext& context);
+
+// Whether a table concerns the stage at hand, going by its key `stages`.
+bool acts_in_stage(const CheckedTable& table, const BuildContext& context);
+
+// Faults of `stages` and `factor`: names of stages that the deck does not have, or that look at the state of
+// the stage before them and have no loads of their own.
+void check_stage_names(const BuildContext& context);
+
+}  // namespace gxrod

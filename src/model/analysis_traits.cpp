@@ -1,0 +1,31 @@
+#include "model/analysis_traits.hpp"
+
+namespace gxrod {
+namespace {
+
+struct Traits {
+    AnalysisTraits operator()(const DynamicSettings&) const {
+        return {.kind = "dynamic", .has_steps = true, .needs_inertia = true, .uses_mass = true};
+    }
+    AnalysisTraits operator()(const StaticSettings&) const { return {}; }
+};
+
+struct End {
+    double operator()(const DynamicSettings& dynamic) const { return dynamic.end_time; }
+    double operator()(const StaticSettings&) const { return 1.0; }
+};
+
+struct Steps {
+    long operator()(const DynamicSettings& dynamic) const { return dynamic.adaptive ? 0 : dynamic.steps; }
+    long operator()(const StaticSettings& settings) const { return settings.steps; }
+};
+
+}  // namespace
+
+AnalysisTraits traits_of(const AnalysisSettings& analysis) { return std::visit(Traits{}, analysis); }
+
+double end_of(const AnalysisSettings& analysis) { return std::visit(End{}, analysis); }
+
+long steps_of(const AnalysisSettings& analysis) { return std::visit(Steps{}, analysis); }
+
+}  // namespace gxrod

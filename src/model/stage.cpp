@@ -1,0 +1,41 @@
+#include "model/stage.hpp"
+
+#include <utility>
+
+#include "model/analysis_traits.hpp"
+
+namespace gxrod {
+
+Actions take_actions(Model& model) {
+    return {std::exchange(model.gravity, TimeVector(Vec3::Zero())),
+            std::exchange(model.loads, {}),
+            std::exchange(model.distributed_loads, {}),
+            std::exchange(model.supports, {})};
+}
+
+void set_actions(Actions actions, Model& model) {
+    model.gravity = std::move(actions.gravity);
+    model.loads = std::move(actions.loads);
+    model.distributed_loads = std::move(actions.distributed_loads);
+    model.supports = std::move(actions.supports);
+}
+
+double find_axis_start(std::span<const StagePlan> stages) {
+    double length = 0.0;
+    for (const StagePlan& stage : stages) {
+        if (!has_steps(stage.analysis)) continue;
+        if (needs_inertia(stage.analysis)) return -length;
+        length += end_of(stage.analysis);
+    }
+    return 0.0;
+}
+
+double find_axis_end(std::span<const StagePlan> stages) {
+    double end = find_axis_start(stages);
+    for (const StagePlan& stage : stages) {
+        if (has_steps(stage.analysis)) end += end_of(stage.analysis);
+    }
+    return end;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+#include "model/settings.hpp"
+
+// Analyses one after the other, each from the state in which the last one leaves the model.
+namespace gxrod {
+
+// What acts on a model, and what holds it, in one stage.
+struct Actions {
+    TimeVector gravity{Vec3::Zero()};
+    std::vector<NodalLoad> loads;
+    std::vector<DistributedLoad> distributed_loads;
+    std::vector<Support> supports;
+};
+
+struct StagePlan {
+    std::string name;  // "" of the one stage of a deck that has [analysis]
+    AnalysisSettings analysis;
+    Actions actions = {};     // of its own t, from 0; empty of the first stage, whose actions the model has
+    long frame_interval = 1;  // as OutputSettings::every
+};
+
+// The model's own, which it has no longer.
+Actions take_actions(Model& model);
+void set_actions(Actions actions, Model& model);
+
+// What follows one axis in the results: t of the stages added up. Stages without time before the first one
+// with time end at 0, each of length 1.
+double find_axis_start(std::span<const StagePlan> stages);
+// Where they end on it.
+double find_axis_end(std::span<const StagePlan> stages);
+
+}  // namespace gxrod

@@ -1,0 +1,52 @@
+#include "results/tables/stage_table.hpp"
+
+namespace gxrod {
+
+StageTable::StageTable(const Hdf5Handle& root,
+                       const Hdf5Handle& histories,
+                       const DeckRecord& deck,
+                       hsize_t rows) {
+    if (deck.stages.empty()) return;
+    group_ = require_group(root, "stages");
+    const DatasetLabel label{"stage", "number of the stage of each accepted step, from 0", "none", "1"};
+    column_.emplace(histories, label, scalar_row, rows);
+}
+
+void StageTable::begin_stage(const StagePlace& stage, hsize_t first_row) {
+    if (!column_) return;
+    const bool is_new = !has_link(group_, stage.name);
+    const Hdf5Handle group = require_group(group_, stage.name);
+    if (!is_new) return;
+    const auto number = static_cast<std::int64_t>(stage.index);
+    const auto row = static_cast<std::int64_t>(first_row);
+    write_attribute(group.id(), "number", std::span(&number, 1));
+    write_attribute(group.id(), "kind", stage.kind);
+    write_attribute(group.id(), "first_row", std::span(&row, 1));
+}
+
+void StageTable::append(int stage) {
+    if (column_) column_->append(stage);
+}
+
+void StageTable::flush() {
+    if (column_) column_->flush();
+}
+
+void StageTable::trim() {
+    if (column_) column_->trim();
+}
+
+void StageTable::remove_after(std::int64_t stage) {
+    if (!column_) return;
+    for (const std::string& name : list_members(group_.id())) {
+        std::int64_t number = 0;
+        {
+            const Hdf5Handle group(H5Gopen2(group_.id(), name.c_str(), H5P_DEFAULT), H5Gclose, "a stage");
+            const Hdf5Handle attribute(H5Aopen(group.id(), "number", H5P_DEFAULT), H5Aclose, "its number");
+            check_hdf5(H5Aread(attribute.id(), H5T_NATIVE_INT64, &number), "reading an attribute");
+        }
+        if (number > stage) check_hdf5(H5Ldelete(group_.id(), name.c_str(), H5P_DEFAULT), "removing a stage");
+    }
+}
+
+}  // namespace gxrod
