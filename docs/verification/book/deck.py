@@ -33,7 +33,8 @@ class Deck:
             self.names[name] = self.number(value)
         for name, value in self.tree.get("function", {}).items():
             self.names[name] = self._function(value)
-        self.is_static = self.tree["analysis"]["kind"] == "static"
+        self.stages = self.tree.get("stage") or [self.tree["analysis"]]
+        self.is_static = all(stage["kind"] != "dynamic" for stage in self.stages)
         self.rods = {name: self._curve(rod) for name, rod in self.tree.get("rod", {}).items()}
 
     def _function(self, value):
@@ -80,10 +81,16 @@ class Deck:
         tangent = curve[index + 1] - curve[index]
         return point, tangent / np.linalg.norm(tangent)
 
-    def largest(self, values):
-        """The largest vector that functions of time take, signed, and whether it changes."""
-        end = 1.0 if self.is_static else self.number(self.tree["analysis"]["end_time"])
-        found = np.array([self.vector(values, t=t) for t in np.linspace(0.0, end, SAMPLES)])
+    def largest(self, values, factor=1.0):
+        """The largest vector that functions of time take in any stage, signed, and whether it changes."""
+        found = []
+        for stage in self.stages:
+            if isinstance(factor, dict) and stage["name"] not in factor:
+                continue  # as in the stage before
+            times = factor[stage["name"]] if isinstance(factor, dict) else factor
+            end = self.number(stage.get("end_time", 1.0))
+            found += [self.number(times, t=t) * self.vector(values, t=t) for t in np.linspace(0.0, end, SAMPLES)]
+        found = np.array(found)
         sizes = np.linalg.norm(found, axis=1)
         return found[sizes.argmax()], bool(np.ptp(found, axis=0).max() > 1e-12 * max(sizes.max(), 1e-300))
 
@@ -101,7 +108,7 @@ class Deck:
             place, tangent = self.place(load["at"])
             for kind in ("force", "moment"):
                 if kind in load:
-                    vector, changes = self.largest(load[kind])
+                    vector, changes = self.largest(load[kind], load.get("factor", 1.0))
                     if load.get("frame") == "body":
                         vector = self._section_axes(load["at"].partition(".")[0], tangent) @ vector
                     yield place, kind, vector, changes
