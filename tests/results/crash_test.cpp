@@ -8,6 +8,7 @@
 #include "results/file/hdf5_reader.hpp"
 #include "results/results_file.hpp"
 #include "results/sample.hpp"
+#include "results/tables/deck_reading.hpp"
 #include "results/tables/restart_table.hpp"
 #include "results/traced_writer.hpp"
 #include "tools/catch.hpp"
@@ -102,6 +103,10 @@ Survey survey(const std::filesystem::path& path) {
             found.fault = "frame times";
         }
         if (const std::string fault = examine_restart(file, found); !fault.empty()) found.fault = fault;
+        read_deck_record(file);
+        for (const char* name : {"gxrod_version", "deck_sha256", "reason", "warnings"})
+            file.text_attribute("/", name);
+        file.integers_attribute("/", "reason_nodes");
         const std::string status = file.text_attribute("/", "status");
         if (status != "running" && status != "complete") found.fault = "status " + status;
     } catch (const std::exception& error) {

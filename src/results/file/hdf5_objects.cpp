@@ -95,17 +95,8 @@ void write_attribute(hid_t object, const std::string& name, const std::string& t
     write_attribute(object, name, text_type(), scalar_space(), &value);
 }
 
-void rewrite_attribute(hid_t object, const std::string& name, const std::string& text) {
-    const Hdf5Handle attribute(H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "opening an attribute");
-    const char* value = text.c_str();
-    check_hdf5(H5Awrite(attribute.id(), text_type().id(), &value), "writing an attribute");
-}
-
-void rewrite_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values) {
-    if (H5Aexists(object, name.c_str()) > 0) {
-        check_hdf5(H5Adelete(object, name.c_str()), "removing an attribute");
-    }
-    write_attribute(object, name, values);
+void remove_attribute(hid_t object, const std::string& name) {
+    check_hdf5(H5Adelete(object, name.c_str()), "removing an attribute");
 }
 
 void write_fixed_attribute(hid_t object, const std::string& name, const std::string& text) {

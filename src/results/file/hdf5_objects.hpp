@@ -52,13 +52,17 @@ std::string read_text_attribute(hid_t object, const std::string& name);
 
 // A variable-length UTF-8 string, which h5py reads as str.
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
-// Writes over an attribute that exists.
-void rewrite_attribute(hid_t object, const std::string& name, const std::string& text);
 // A string of exactly its own length, as VTK demands of /VTKHDF@Type.
 void write_fixed_attribute(hid_t object, const std::string& name, const std::string& text);
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values);
-// Replaces an attribute, if it exists; the number of values can change.
-void rewrite_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values);
+void remove_attribute(hid_t object, const std::string& name);
+// Replaces an attribute. Writing over a text would free it in HDF5 1.14, in a write before that of what
+// refers to it, and a kill between the two would leave a file that cannot be read.
+template <class Value>
+void rewrite_attribute(hid_t object, const std::string& name, const Value& value) {
+    remove_attribute(object, name);
+    write_attribute(object, name, value);
+}
 void write_label(hid_t dataset, const DatasetLabel& label);
 
 // Datasets that are written once.
