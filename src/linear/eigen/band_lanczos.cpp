@@ -84,31 +84,30 @@ class BandLanczos {
     // Applies the operator to the first vector that waits.
     void step() {
         const Index j = done_;
-        Eigen::VectorXd w;
-        pencil_.apply(V_.col(j), images_.front(), w);
+        pencil_.apply(V_.col(j), images_.front(), w_);
+        spare_.swap(images_.front());
         images_.pop_front();
         ++products_;
-        const Index added = append(std::move(w), std::max(known_, j - settings_.block), j);
+        const Index added = append(std::max(known_, j - settings_.block), j);
         ++done_;
         if (added >= 0) T_(added, j) = T_(j, added) = last_norm_;
     }
 
     // Makes w orthogonal to the basis, first to the columns from `near` on, and appends what is left. Its
     // parts along the basis go into column j of T, if j ≥ 0. Returns its column, or −1 if nothing is left.
-    Index append(Eigen::VectorXd w, Index near, Index j) {
-        Eigen::VectorXd image;
-        pencil_.compute_image(w, image);
-        const double norm_before = compute_norm(w, image);
+    Index append(Index near, Index j) {
+        pencil_.compute_image(w_, image_);
+        const double norm_before = compute_norm();
         double norm = norm_before;
         Index first = near;
         for (int pass = 0; pass < 4 && norm > negligible * norm_before; ++pass) {
             const double norm_of_pass = norm;
             const auto basis = V_.middleCols(first, end_ - first);
-            const Eigen::VectorXd h = basis.transpose() * image;
-            w.noalias() -= basis * h;
+            const Eigen::VectorXd h = basis.transpose() * image_;
+            w_.noalias() -= basis * h;
             if (j >= 0) record(j, first, h);
-            pencil_.compute_image(w, image);
-            norm = compute_norm(w, image);
+            pencil_.compute_image(w_, image_);
+            norm = compute_norm();
             const bool was_full = first == 0;
             first = 0;
             if (was_full && norm > 0.5 * norm_of_pass) break;
@@ -116,8 +115,9 @@ class BandLanczos {
         largest_norm_ = std::max(largest_norm_, norm_before);
         last_norm_ = norm;
         if (!(norm > negligible * norm_before) || !(norm_before > 1e-14 * largest_norm_)) return -1;
-        V_.col(end_) = w / norm;
-        images_.push_back(image / norm);
+        V_.col(end_) = w_ / norm;
+        spare_ = image_ / norm;
+        images_.push_back(std::move(spare_));
         return end_++;
     }
 
@@ -129,19 +129,16 @@ class BandLanczos {
         }
     }
 
-    static double compute_norm(const Eigen::VectorXd& w, const Eigen::VectorXd& image) {
-        return std::sqrt(std::max(0.0, w.dot(image)));
-    }
+    double compute_norm() const { return std::sqrt(std::max(0.0, w_.dot(image_))); }
 
     bool add_noise() {
         if (end_ >= std::min<Index>(capacity_, pencil_.size())) return false;
         const Eigen::VectorXd start = noise_.next();
-        Eigen::VectorXd image, w;
-        pencil_.compute_image(start, image);
+        pencil_.compute_image(start, image_);
         // Within the range of the operator, so that it has no part without inertia.
-        pencil_.apply(start, image, w);
+        pencil_.apply(start, image_, w_);
         ++products_;
-        return append(std::move(w), 0, -1) >= 0;
+        return append(0, -1) >= 0;
     }
 
     // Ritz pairs of the processed columns, and how many of the best have converged.
@@ -196,6 +193,7 @@ class BandLanczos {
     Eigen::MatrixXd V_;
     Eigen::MatrixXd T_;                   // Vᵀ (image of) B⁻¹A V, of the processed columns
     std::deque<Eigen::VectorXd> images_;  // of the columns that wait
+    Eigen::VectorXd w_, image_, spare_;   // what is worked on; large vectors are not allocated each time
     Noise noise_;
     double last_norm_ = 0.0, largest_norm_ = 0.0;
     int products_ = 0;

@@ -140,7 +140,7 @@ class LowestSearch {
         while (result_.found < found() && eigenvalue(result_.found) < limit) ++result_.found;
     }
 
-    // Each vector by one more application of the operator, which frees it of parts without inertia; (V8).
+    // Each vector by one more application of the operator, which frees it of parts without inertia: (V6).
     void finish(Eigen::Index count) {
         result_.is_all = pairs_.exhausted && count == found();
         result_.values.resize(count);

@@ -11,7 +11,7 @@ namespace gxrod {
 // y = A x of a matrix given by its values on a pattern.
 void multiply(const SparsePattern& pattern,
               const std::vector<double>& values,
-              const Eigen::VectorXd& x,
+              const Eigen::Ref<const Eigen::VectorXd>& x,
               Eigen::VectorXd& y);
 
 // a + factor b, value by value.
@@ -36,11 +36,13 @@ class Pencil {
 
     std::int64_t size() const { return pattern_->size(); }
     // The vector whose scalar product with x is the inner product with v.
-    void compute_image(const Eigen::VectorXd& v, Eigen::VectorXd& image) const {
+    void compute_image(const Eigen::Ref<const Eigen::VectorXd>& v, Eigen::VectorXd& image) const {
         multiply(*pattern_, inner_ == InnerProduct::of_A ? *A_ : *B_, v, image);
     }
     // w = B⁻¹A v, from v and its image.
-    void apply(const Eigen::VectorXd& v, const Eigen::VectorXd& image, Eigen::VectorXd& w) const {
+    void apply(const Eigen::Ref<const Eigen::VectorXd>& v,
+               const Eigen::Ref<const Eigen::VectorXd>& image,
+               Eigen::VectorXd& w) const {
         if (inner_ == InnerProduct::of_A) {
             w = image;
         } else {
