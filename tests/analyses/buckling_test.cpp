@@ -1,9 +1,10 @@
 // Linear buckling of continuous rods: closed forms, and spectral elements and shooting where there are none.
 #include "analyses/buckling.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <numbers>
 
-#include "assembly/state_matrices.hpp"
+#include "assembly/sample_model.hpp"
 #include "rotation/rotation_map.hpp"
 #include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
@@ -199,4 +200,24 @@ TEST_CASE("following loads make linear buckling a matter of their symmetric part
     const BucklingRecord record = find_factors(model, 1);
     CHECK_FALSE(record.is_symmetric);
     CHECK_THAT(record.cause, Contains("load[0] follows its point"));
+    REQUIRE(record.factors.size() == 1);
+    // The column is straight: its resultants are N = −1 alone, and at t = 1 the load has a stiffness of its
+    // own.
+    const System system(model);
+    State state = system.initial_state();
+    const auto compute_stiffness = [&](double time) {
+        std::vector<double> values;
+        system.compute_tangent(
+            state, time, std::vector<NodeLinearization>(state.trial.size(), {.placement = 1.0}), values);
+        return make_dense(system.pattern(), values);
+    };
+    const Eigen::MatrixXd K = compute_stiffness(0.0);
+    system.start_resultants(state);
+    for (Vec6& resultants : state.resultants) resultants[0] -= 1.0;
+    const Eigen::MatrixXd change = compute_stiffness(1.0) - K;
+    const Eigen::MatrixXd S = 0.5 * (change + change.transpose());
+    // −S φ = φ/λ K.
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> dense(-S, K);
+    CHECK(record.factors[0].factor == Approx(1.0 / dense.eigenvalues().maxCoeff()).epsilon(1e-7));
+    CHECK((change - S).norm() > 1e-3 * S.norm());
 }

@@ -1,8 +1,11 @@
 // Modes as such; compared with references in modes_benchmarks_test.cpp.
 #include "analyses/modes.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <numbers>
 
+#include "assembly/sample_model.hpp"
+#include "assembly/state_matrices.hpp"
 #include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/static_run.hpp"
@@ -80,8 +83,8 @@ TEST_CASE("shapes have unit modal mass, and words by their strain energy", "[ana
     clamp(model, 0);
     const System system(model);
     State state = system.initial_state();
-    const ModesRecord record = find_modes(system, state, 0.0, {.count = 3});
-    REQUIRE(record.modes.size() == 3);
+    const ModesRecord record = find_modes(system, state, 0.0, {.count = 6});
+    REQUIRE(record.modes.size() == 6);
     CHECK(record.modes[0].shape.words == "bending about y of wing");
     CHECK(record.modes[1].shape.words == "bending about z of wing");
     for (const Mode& mode : record.modes) {
@@ -93,6 +96,12 @@ TEST_CASE("shapes have unit modal mass, and words by their strain energy", "[ana
         CHECK(2.0 * system.compute_kinetic_energy(state.trial) == Approx(1.0));
         CHECK(mode.shape.energy_shares[0].sum() == Approx(1.0));
         CHECK(mode.residual < 1e-8);
+        double largest = 0.0;
+        for (const Vec6& motion : mode.shape.nodes) {
+            for (const double component : motion.head<3>())
+                if (std::abs(component) > std::abs(largest)) largest = component;
+        }
+        CHECK(largest > -1e-9);
         CHECK(mode.frequency == Approx(mode.omega / cycle));
         double work = system.compute_strain_work(system.initial_state(), mode.shape.nodes)[0].sum();
         CHECK(work == Approx(mode.omega_squared));
@@ -173,6 +182,13 @@ TEST_CASE("modes say that a following load needs eigenvalues", "[analyses]") {
     CHECK_FALSE(record.is_symmetric);
     CHECK(record.unsymmetry > 1e-3);
     CHECK_THAT(record.cause, Contains("load[0] follows its point"));
+    // They are those of the symmetric part.
+    const StateMatrices matrices = compute_state_matrices(system, run.state, 1.0);
+    const Eigen::MatrixXd K = make_dense(system.pattern(), matrices.stiffness);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> dense(
+        0.5 * (K + K.transpose()), make_dense(system.pattern(), matrices.mass));
+    for (int i = 0; i < 4; ++i)
+        CHECK(record.modes[i].omega_squared == Approx(dense.eigenvalues()[i]).epsilon(1e-8));
     // Without its load the same state is out of balance, but symmetric.
     model.loads.clear();
     const System bare(model);
