@@ -18,17 +18,19 @@ constexpr double near = 1e-6;
 constexpr double no_inertia = 1e-13;
 constexpr int most_searches = 12;
 
-// What is typical of K_ii / M_ii; 0 if nothing has inertia.
+// What is typical of K_ii / M_ii; 1 if nothing is stiff, 0 if nothing has inertia.
 double find_scale(const SparsePattern& pattern, const std::vector<double>& K, const std::vector<double>& M) {
     std::vector<double> ratios;
+    bool has_inertia = false;
     for (std::int64_t i = 0; i < pattern.size(); ++i) {
         const auto slot = static_cast<std::size_t>(pattern.slot(i, i));
-        if (M[slot] > 0.0) ratios.push_back(std::abs(K[slot]) / M[slot]);
+        has_inertia = has_inertia || M[slot] > 0.0;
+        if (M[slot] > 0.0 && K[slot] != 0.0) ratios.push_back(std::abs(K[slot]) / M[slot]);
     }
-    if (ratios.empty()) return 0.0;
+    if (ratios.empty()) return has_inertia ? 1.0 : 0.0;
     const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
     std::nth_element(ratios.begin(), middle, ratios.end());
-    return std::max(*middle, std::numeric_limits<double>::min());
+    return *middle;
 }
 
 class LowestSearch {
@@ -40,10 +42,10 @@ class LowestSearch {
         : pattern_(pattern), K_(K), M_(M), shifted_(pattern, team), counter_(pattern, team) {}
 
     bool find_shift() {
-        const double scale = find_scale(pattern_, K_, M_);
-        if (scale == 0.0) return false;
+        scale_ = find_scale(pattern_, K_, M_);
+        if (scale_ == 0.0) return false;
         // A hundred units of rounding below zero, where rigid motions are.
-        first_shift_ = -100.0 * std::numeric_limits<double>::epsilon() * scale;
+        first_shift_ = -100.0 * std::numeric_limits<double>::epsilon() * scale_;
         return find_shift_from(first_shift_);
     }
 
@@ -94,10 +96,12 @@ class LowestSearch {
             Eigen::Index vibration = 0;
             while (vibration < found() && eigenvalue(vibration) <= 3.0 * size) ++vibration;
             if (vibration == found()) {
-                if (!search_more(2)) return;
-                continue;
+                if (search_more(2)) continue;
+                // Vibrations may be so fast that nothing is left of their θ.
+                if (1e4 * size > scale_ || !find_shift_from(1e4 * result_.shift)) return;
+            } else if (eigenvalue(vibration) <= 30.0 * size || !find_shift_from(-eigenvalue(vibration))) {
+                return;
             }
-            if (eigenvalue(vibration) <= 30.0 * size || !find_shift_from(-eigenvalue(vibration))) return;
             pairs_ = {};
             search_more(wanted);
         }
@@ -171,7 +175,7 @@ class LowestSearch {
     const std::vector<double>& K_;
     const std::vector<double>& M_;
     EigenvalueCount shifted_, counter_;
-    double first_shift_ = 0.0;
+    double scale_ = 0.0, first_shift_ = 0.0;
     EigenPairs pairs_;  // of θ = 1 / (μ − shift)
     LowestPairs result_;
 };
