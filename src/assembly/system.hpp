@@ -112,6 +112,9 @@ class System {
     Resultant compute_outer_resultant(const State& state, double time, std::span<const Vec6> reactions) const;
     // Of all rod elements, rods in the order of the model, from start to end; of the trial motions.
     std::vector<SectionValues> compute_section_values(const State& state) const;
+    // For each rod ∫ δE (C δE) ds, component by component (Γx Γy Γz Kx Ky Kz), of the strains δE that
+    // increments (δr, δφ) of the nodes add to those of the trial motions, to first order.
+    std::vector<Vec6> compute_strain_work(const State& state, const std::vector<Vec6>& increments) const;
     // Of points of rods, of the trial motions; section forces are those of an equilibrium at `time`.
     std::vector<PointValues> compute_point_values(const State& state,
                                                   double time,

@@ -204,6 +204,32 @@ std::vector<Vec6> System::compute_reactions(const Residual& residual) const {
     return reactions;
 }
 
+std::vector<Vec6> System::compute_strain_work(const State& state, const std::vector<Vec6>& increments) const {
+    std::vector<Vec6> of_elements(static_cast<std::size_t>(rod_element_count_), Vec6::Zero());
+    for_each_block(blocks_, [&](const auto& block) {
+        using Block = std::remove_cvref_t<decltype(block)>;
+        if constexpr (Block::has_section) {
+            team_->for_each_range(block.elements.size(), [&](std::size_t first, std::size_t last) {
+                for (std::size_t e = first; e < last; ++e) {
+                    const auto& element = block.elements[e];
+                    NodalVector<Block::node_count> increment;
+                    for (int i = 0; i < Block::node_count; ++i) {
+                        increment.template segment<6>(6 * i) = increments[element.nodes[i]];
+                    }
+                    of_elements[block.section_index[e]] = element.compute_strain_work(
+                        block.motions(state.trial, e), block.histories(state, e), increment);
+                }
+            });
+        }
+    });
+    std::vector<Vec6> of_rods(model_->rods.size(), Vec6::Zero());
+    std::size_t element = 0;
+    for (std::size_t rod = 0; rod < of_rods.size(); ++rod) {
+        for (int e = 0; e < model_->rods[rod].element_count(); ++e) of_rods[rod] += of_elements[element++];
+    }
+    return of_rods;
+}
+
 std::vector<SectionValues> System::compute_section_values(const State& state) const {
     std::vector<SectionValues> values(static_cast<std::size_t>(rod_element_count_));
     for_each_block(blocks_, [&](const auto& block) {

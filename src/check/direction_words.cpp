@@ -37,18 +37,25 @@ const ModelPart& find_moving_part(const std::vector<ModelPart>& parts, const std
     });
 }
 
-std::string describe_direction(const Describer& describer, const std::vector<Vec6>& direction) {
-    const ModelPart& part = find_moving_part(describer.parts, direction);
+// "" if it strains the part.
+std::string describe_rigid(const Describer& describer,
+                           const std::vector<Vec6>& direction,
+                           const ModelPart& part) {
     const double length = describer.system.length_scale();
     const RigidFit fit = fit_rigid_motion(direction, part, describer.state, length);
-    if (fit.remainder < rigid || part.rods.empty()) {
-        return describer.name(part) + " " +
-               describe_rigid_motion(fit.motion, part, describer.system, describer.state);
-    }
-    return describe_straining(direction, part, describer.system, describer.state);
+    if (fit.remainder >= rigid && !part.rods.empty()) return "";
+    return describer.name(part) + " " +
+           describe_rigid_motion(fit.motion, part, describer.system, describer.state);
 }
 
 }  // namespace
+
+std::string describe_rigid_direction(const System& system,
+                                     const State& state,
+                                     const std::vector<Vec6>& direction) {
+    const Describer describer{system, state, find_parts(system.model())};
+    return describe_rigid(describer, direction, find_moving_part(describer.parts, direction));
+}
 
 std::optional<Weakness> describe_weakness(const System& system,
                                           const State& state,
@@ -65,7 +72,9 @@ std::optional<Weakness> describe_weakness(const System& system,
     const ModelPart& part = find_moving_part(describer.parts, direction);
     const std::string words = describe_free_motions(part, tangent, system, state);
     if (!words.empty()) return Weakness{describer.name(part) + " " + words, weakest->stiffness};
-    return Weakness{describe_direction(describer, direction), weakest->stiffness};
+    const std::string rigid_words = describe_rigid(describer, direction, part);
+    return Weakness{rigid_words.empty() ? describe_straining(direction, part, system, state) : rigid_words,
+                    weakest->stiffness};
 }
 
 }  // namespace gxrod

@@ -24,6 +24,12 @@ std::optional<Weakness> describe_weakness(const System& system,
                                           const State& state,
                                           const std::vector<double>& values);
 
+// What a direction, per node (δr over the model's length, δφ), is as a motion in one piece of the part that
+// moves most, "the whole model moves along x"; "" if it strains that part.
+std::string describe_rigid_direction(const System& system,
+                                     const State& state,
+                                     const std::vector<Vec6>& direction);
+
 // Whether a tangent this weak in one direction has an inverse in name only.
 inline constexpr double singular_stiffness = 1e-15;
 

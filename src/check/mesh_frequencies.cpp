@@ -1,7 +1,5 @@
 #include "check/mesh_frequencies.hpp"
 
-#include <Spectra/SymGEigsShiftSolver.h>
-#include <Spectra/SymGEigsSolver.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,10 +7,10 @@
 #include <complex>
 #include <numbers>
 
-#include "assembly/system.hpp"
+#include "assembly/state_matrices.hpp"
 #include "check/unsupported_motions.hpp"
-#include "integrators/load_stepping.hpp"
-#include "linear/linear_solver.hpp"
+#include "linear/eigen/eigenvalue_count.hpp"
+#include "linear/eigen/lowest_pairs.hpp"
 
 namespace gxrod {
 
@@ -27,103 +25,27 @@ constexpr double resolved = 2.0;
 // Beyond so many the search for the lowest frequency, which passes them all, takes too long.
 constexpr int most_rigid_motions = 60;
 
-using Vector = Eigen::VectorXd;
-using VectorMap = Eigen::Map<Vector>;
-using ConstVectorMap = Eigen::Map<const Vector>;
-
-// A sparse matrix and its factors, as Spectra asks for operations.
-class Operation {
-  public:
-    using Scalar = double;
-
-    Operation(const SparsePattern& pattern, std::vector<double> values)
-        : pattern_(&pattern), values_(std::move(values)), solver_(make_general_solver(pattern)) {}
-
-    // False if it is singular.
-    bool factorize() { return solver_->factorize(values_).regular; }
-    bool factorize_sum(double factor, const Operation& other) {
-        std::vector<double> sum = values_;
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor * other.values_[i];
-        return solver_->factorize(sum).regular;
-    }
-
-    Eigen::Index rows() const { return pattern_->size(); }
-    Eigen::Index cols() const { return pattern_->size(); }
-    void perform_op(const double* in, double* out) const {
-        VectorMap(out, rows()).setZero();
-        pattern_->visit_entries(
-            [&](std::int64_t i, std::int64_t j, std::int64_t slot) { out[i] += values_[slot] * in[j]; });
-    }
-    void solve(const double* in, double* out) const {
-        Vector x = ConstVectorMap(in, rows());
-        solver_->solve(x);
-        VectorMap(out, rows()) = x;
-    }
-
-  private:
-    const SparsePattern* pattern_;
-    std::vector<double> values_;
-    std::unique_ptr<LinearSolver> solver_;
-};
-
-// (K − σM)⁻¹, with σ chosen beforehand.
-class Inverse {
-  public:
-    using Scalar = double;
-
-    explicit Inverse(const Operation& factors) : factors_(&factors) {}
-    Eigen::Index rows() const { return factors_->rows(); }
-    Eigen::Index cols() const { return factors_->cols(); }
-    void set_shift(double) {}
-    void perform_op(const double* in, double* out) const { factors_->solve(in, out); }
-
-  private:
-    const Operation* factors_;
-};
-
-constexpr double tolerance = 1e-7;  // of eigenvalues
-constexpr int most_restarts = 300;
-
-int subspace(Eigen::Index size, int wanted) {
-    return static_cast<int>(std::min<Eigen::Index>(size, std::max(20, 3 * wanted)));
+// The largest λ of K x = λ M x; nullopt if M has no inverse.
+std::optional<double> find_largest(const SparsePattern& pattern,
+                                   const std::vector<double>& K,
+                                   const std::vector<double>& M) {
+    EigenvalueCount factors(pattern);
+    if (factors.factorize(M, 0.0, M) != 0) return std::nullopt;
+    const Pencil pencil(pattern, K, M, factors.solver(), Pencil::InnerProduct::of_B);
+    const EigenPairs pairs = gxrod::find_largest(pencil, {.wanted = 1, .tolerance = 1e-7});
+    if (pairs.values.size() == 0) return std::nullopt;
+    return pairs.values[0];
 }
 
-// The largest λ of K x = λ M x, M factorized.
-std::optional<double> find_largest(Operation& K, Operation& M) {
-    using Solver = Spectra::SymGEigsSolver<Operation, Operation, Spectra::GEigsMode::RegularInverse>;
-    Solver solver(K, M, 1, subspace(K.rows(), 1));
-    solver.init();
-    if (solver.compute(Spectra::SortRule::LargestAlge, most_restarts, tolerance) < 1) return std::nullopt;
-    return solver.eigenvalues()[0];
-}
-
-// Some λ nearest to σ; of a multiple one perhaps a single copy. Empty if they are not found.
-Vector find_near(double sigma, Operation& K, Operation& M, int wanted) {
-    if (!K.factorize_sum(-sigma, M)) return {};
-    Inverse inverse(K);
-    Spectra::SymGEigsShiftSolver<Inverse, Operation, Spectra::GEigsMode::ShiftInvert> solver(
-        inverse, M, wanted, subspace(K.rows(), wanted), sigma);
-    solver.init();
-    if (solver.compute(Spectra::SortRule::LargestMagn, most_restarts, tolerance) < wanted) return {};
-    return solver.eigenvalues();
-}
-
-// The smallest λ but `rigid` ones that vanish. `largest` is the largest.
-std::optional<double> find_smallest(Operation& K, Operation& M, int rigid, double largest) {
-    const int wanted = rigid + 1;
-    if (rigid > most_rigid_motions || wanted >= K.rows()) return std::nullopt;
-    // Near enough to the smallest, far enough from zero for K − σM to have an inverse.
-    const Vector first = find_near(rigid == 0 ? 0.0 : -1e-12 * largest, K, M, wanted);
-    if (first.size() == 0) return std::nullopt;
-    const double guess = first.maxCoeff();
-    if (rigid == 0 || guess <= 0.0) return guess;
-    // So near to the rigid motions these drown the vibration in round-off; from its own distance it is as
-    // large as they are.
-    const Vector second = find_near(-guess, K, M, wanted);
-    if (second.size() == 0) return guess;
-    Eigen::Index nearest = 0;
-    (second.array() - guess).abs().minCoeff(&nearest);
-    return second[nearest];
+// The smallest but `rigid` ones that vanish.
+std::optional<double> find_smallest(const SparsePattern& pattern,
+                                    const std::vector<double>& K,
+                                    const std::vector<double>& M,
+                                    int rigid) {
+    if (rigid > most_rigid_motions || rigid + 1 >= pattern.size()) return std::nullopt;
+    const std::optional<LowestPairs> found = find_lowest_pairs(pattern, K, M, rigid + 1);
+    if (!found || found->values.size() <= rigid) return std::nullopt;
+    return found->values[rigid];
 }
 
 int count_rigid_motions(const Model& model) {
@@ -179,19 +101,12 @@ std::optional<MeshFrequencies> find_mesh_frequencies(const Model& model) {
     const System system(bare);
     const std::int64_t size = system.pattern().size();
     if (size < 2) return std::nullopt;
-    const State state = system.initial_state();
-    std::vector<double> values;
-    system.compute_tangent(state, 0.0, mass_linearizations(state.trial.size()), values);
-    Operation M(system.pattern(), values);
-    if (!M.factorize()) return std::nullopt;
-    std::vector<NodeLinearization> linearizations(state.trial.size());
-    LoadStepping().linearize(state, {}, linearizations);
-    system.compute_tangent(state, 0.0, linearizations, values);
-    Operation K(system.pattern(), values);
-    const std::optional<double> largest = find_largest(K, M);
+    const StateMatrices matrices = compute_state_matrices(system, system.initial_state(), 0.0);
+    const std::optional<double> largest = find_largest(system.pattern(), matrices.stiffness, matrices.mass);
     if (!largest || !(*largest > 0.0)) return std::nullopt;
     const int rigid = count_rigid_motions(bare);
-    const std::optional<double> smallest = find_smallest(K, M, rigid, *largest);
+    const std::optional<double> smallest =
+        find_smallest(system.pattern(), matrices.stiffness, matrices.mass, rigid);
     if (!smallest || !(*smallest > 0.0)) return std::nullopt;
     return MeshFrequencies{std::sqrt(*smallest), std::sqrt(*largest), rigid};
 }

@@ -70,6 +70,17 @@ struct StaticSettings {
     LinearSolverKind linear_solver = LinearSolverKind::automatic;
 };
 
+// Small vibrations about a state.
+struct ModesSettings {
+    int count = 10;                    // the lowest ones
+    std::optional<double> below = {};  // cycles per time: all of a lower frequency instead
+};
+
+// Factors at which loads make a state unstable, by the resultants that the linear solution adds.
+struct BucklingSettings {
+    int count = 3;  // the smallest positive ones
+};
+
 using AnalysisSettings = std::variant<DynamicSettings, StaticSettings>;
 
 // A quantity that a history can record.

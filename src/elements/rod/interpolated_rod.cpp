@@ -218,6 +218,24 @@ double InterpolatedRod<Nodes>::damping_action(const LocalMotion<Nodes>& previous
 }
 
 template <int Nodes>
+Vec6 InterpolatedRod<Nodes>::compute_strain_work(const Vec6& change) const {
+    return force_point(0).weight * change.cwiseProduct(stiffness() * change);
+}
+
+template <int Nodes>
+Vec6 InterpolatedRod<Nodes>::compute_strain_work(const LocalMotion<Nodes>& motion,
+                                                 const LocalMotion<Nodes>& increment,
+                                                 Histories histories) const {
+    Vec6 work = Vec6::Zero();
+    for (int p = 0; p < point_count; ++p) {
+        const ForcePoint point = force_point(p);
+        const Vec6 change = compute_strain_rates(point, motion, increment, histories[p]);
+        work += point.weight * change.cwiseProduct(stiffness() * change);
+    }
+    return work;
+}
+
+template <int Nodes>
 auto InterpolatedRod<Nodes>::compute_damping_tangents(const LocalMotion<Nodes>& motion,
                                                       const LocalMotion<Nodes>& rates,
                                                       Histories histories) const -> DampingTangents {

@@ -77,6 +77,13 @@ class InterpolatedRod {
     // The same of a rod with one force point, by the change of its strain.
     double damping_action(const Vec6& change) const;
 
+    // ∫ δE (C δE) ds, component by component, of what an increment of the motion adds to the strains to first
+    // order; and the same of a rod with one force point, by that change.
+    Vec6 compute_strain_work(const LocalMotion<Nodes>& motion,
+                             const LocalMotion<Nodes>& increment,
+                             Histories histories) const;
+    Vec6 compute_strain_work(const Vec6& change) const;
+
     // Λ and the total curvature of each point, for the next step.
     void advance(const LocalMotion<Nodes>& motion, std::span<SectionHistory> histories) const;
 

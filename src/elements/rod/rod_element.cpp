@@ -203,6 +203,28 @@ void RodElement<Nodes, Map>::advance_resultants(const Motions<Nodes>& motions,
 }
 
 template <int Nodes, class Map>
+Vec6 RodElement<Nodes, Map>::compute_strain_work(const Motions<Nodes>& motions,
+                                                 Histories histories,
+                                                 const NodalVector<Nodes>& increment) const {
+    if constexpr (is_two_node_objective) {
+        Vec6 change;
+        visit_state(motions, [&](const TwoNodeRod<double>::State& state) {
+            const auto [Gamma, Kappa] = state.compute_strain_increments(
+                increment.template segment<3>(6) - increment.template segment<3>(0),
+                increment.template segment<3>(3),
+                increment.template segment<3>(9));
+            change << Gamma, Kappa;
+        });
+        return rod_.compute_strain_work(change);
+    } else {
+        const Map map(motions, triads());
+        const std::array<NodeMotion, Nodes> moving = with_rates<Nodes>(motions, increment);
+        return rod_.compute_strain_work(
+            map.local(), map.compute_rates(point_at(moving)), histories_of_points(histories));
+    }
+}
+
+template <int Nodes, class Map>
 void RodElement<Nodes, Map>::add_inertial_force(const Motions<Nodes>& motions,
                                                 const Vec3& gravity,
                                                 NodalVector<Nodes>& force) const {

@@ -50,6 +50,11 @@ class RodElement {
                             Histories histories,
                             const NodalVector<Nodes>& increment,
                             std::span<Vec6> resultants) const;
+    // ∫ δE (C δE) ds, component by component, of the strains δE that the increment (δr, δφ) adds to first
+    // order.
+    Vec6 compute_strain_work(const Motions<Nodes>& motions,
+                             Histories histories,
+                             const NodalVector<Nodes>& increment) const;
     void add_inertial_force(const Motions<Nodes>& motions,
                             const Vec3& gravity,
                             NodalVector<Nodes>& force) const;

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "assembly/system.hpp"
+
+namespace gxrod {
+
+// How the residual follows small motions about a state, as values on the system's pattern: with x the
+// displacements and spins (δr, δφ) of the nodes, to first order stiffness x + damping x′ + mass x″
+// (docs/theory/vibrations.md, (V1)).
+struct StateMatrices {
+    std::vector<double> stiffness;  // at unchanged spatial rates
+    std::vector<double> damping;    // by v and ω: of materials, and gyroscopic where the state moves
+    std::vector<double> mass;
+};
+
+// Of the trial motions, with loads at `time`. Resultants that the state holds are left aside.
+StateMatrices compute_state_matrices(const System& system, const State& state, double time);
+
+}  // namespace gxrod

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "linear/eigen/pencil.hpp"
+
+namespace gxrod {
+
+// Eigenpairs of a pencil, vectors of length 1 and orthogonal in its inner product.
+struct EigenPairs {
+    Eigen::VectorXd values;   // θ, by falling |θ|
+    Eigen::MatrixXd vectors;  // a column each
+    bool exhausted = false;   // nothing is left but θ = 0
+};
+
+struct LanczosSettings {
+    int wanted = 1;
+    int block = 2;            // start vectors: copies of a multiple eigenvalue that are found at once
+    double tolerance = 1e-9;  // of a pair's residual, relative to θ
+    int most_products = 3000;
+};
+
+// The eigenpairs of largest |θ|, apart from those whose vectors are `known`; fewer than wanted if there are
+// no more or they do not converge.
+//
+// Lanczos' method from several start vectors (Ruhe 1979), each new vector made orthogonal to all; where the
+// basis is full it starts again from the best Ritz vectors and what couples them to the rest (thick restart,
+// Wu & Simon 2000). Not Spectra's solver, whose thresholds are absolute numbers, which has one start vector,
+// cannot leave known vectors out, needs a definite inner product and several products by the matrix of that a
+// step.
+EigenPairs find_largest(const Pencil& pencil,
+                        const LanczosSettings& settings,
+                        const Eigen::MatrixXd& known = {});
+
+// Adds pairs to others, keeping the order.
+void merge(const EigenPairs& more, EigenPairs& pairs);
+
+}  // namespace gxrod

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "linear/linear_solver.hpp"
+#include "linear/sparse_pattern.hpp"
+
+namespace gxrod {
+
+// y = A x of a matrix given by its values on a pattern.
+void multiply(const SparsePattern& pattern,
+              const std::vector<double>& values,
+              const Eigen::Ref<const Eigen::VectorXd>& x,
+              Eigen::VectorXd& y);
+
+// a + factor b, value by value.
+std::vector<double> combine(const std::vector<double>& a, double factor, const std::vector<double>& b);
+
+// (A + Aᵀ)/2.
+std::vector<double> make_symmetric(const SparsePattern& pattern, const std::vector<double>& values);
+
+// A pair of symmetric matrices, A x = θ B x with B positive definite and factorized. B⁻¹A is self-adjoint in
+// the inner product of B, and of A where that has no negative eigenvalue.
+class Pencil {
+  public:
+    enum class InnerProduct { of_A, of_B };
+
+    // All must outlive it; the solver has B's factors.
+    Pencil(const SparsePattern& pattern,
+           const std::vector<double>& A,
+           const std::vector<double>& B,
+           LinearSolver& inverse_of_B,
+           InnerProduct inner)
+        : pattern_(&pattern), A_(&A), B_(&B), inverse_(&inverse_of_B), inner_(inner) {}
+
+    std::int64_t size() const { return pattern_->size(); }
+    // The vector whose scalar product with x is the inner product with v.
+    void compute_image(const Eigen::Ref<const Eigen::VectorXd>& v, Eigen::VectorXd& image) const {
+        multiply(*pattern_, inner_ == InnerProduct::of_A ? *A_ : *B_, v, image);
+    }
+    // w = B⁻¹A v, from v and its image.
+    void apply(const Eigen::Ref<const Eigen::VectorXd>& v,
+               const Eigen::Ref<const Eigen::VectorXd>& image,
+               Eigen::VectorXd& w) const {
+        if (inner_ == InnerProduct::of_A) {
+            w = image;
+        } else {
+            multiply(*pattern_, *A_, v, w);
+        }
+        inverse_->solve(w);
+    }
+
+  private:
+    const SparsePattern* pattern_;
+    const std::vector<double>* A_;
+    const std::vector<double>* B_;
+    LinearSolver* inverse_;
+    InnerProduct inner_;
+};
+
+}  // namespace gxrod
