@@ -43,11 +43,12 @@ void clear_moved_rates(const System& system, std::vector<NodeMotion>& rates) {
 Ledger::Ledger(const System& system,
                const Integrator& integrator,
                const State& state,
-               const Residual& residual)
+               const Residual& residual,
+               bool is_loaded)
     : Ledger(system, integrator) {
     if (weighs_powers()) {
         power_ = compute_power(system, state, state.time, residual);
-    } else if (integrator.is_static()) {
+    } else if (integrator.is_static() && !is_loaded) {
         // Stress-free, the model carries no load yet: one that has a value at t = 0 grows to it in the first
         // step, as all others do.
         forces_.assign(state.trial.size(), Vec6::Zero());

@@ -18,8 +18,12 @@ class Ledger {
     // Empty books, for resume().
     Ledger(const System& system, const Integrator& integrator)
         : system_(&system), integrator_(&integrator), power_weights_(integrator.power_weights()) {}
-    // `state` is the initial one and `residual` its own.
-    Ledger(const System& system, const Integrator& integrator, const State& state, const Residual& residual);
+    // `state` is the initial one and `residual` its own; whether its loads act there already, in statics.
+    Ledger(const System& system,
+           const Integrator& integrator,
+           const State& state,
+           const Residual& residual,
+           bool is_loaded = false);
 
     // A step from state.previous to state.trial, which ends at `time`; before it is committed. `residual` is
     // that of the trial, `stage_powers` what the step's stages recorded.
