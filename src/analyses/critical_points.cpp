@@ -24,7 +24,12 @@ struct Sample {
     PathTrial trial;
     std::vector<Vec6> movement;
     SoftModes modes;
+    Eigen::VectorXd tests;  // what passes zero at the bifurcation
 };
+
+// What is looked for: eigenvalues of the tangent that pass zero, or the rate of the load factor where it
+// does.
+enum class Seek { softness, turning };
 
 constexpr int sample_count = 6;
 using Samples = std::array<Sample, sample_count>;
@@ -44,15 +49,16 @@ auto interpolate(const Samples& samples, int first, double place, const ValueOf&
 
 class BifurcationSearch {
   public:
-    BifurcationSearch(PathContext& work, const PathVector& start, int count)
-        : work_(work), start_(start), row_(work.metric.row(start)), count_(count) {}
+    BifurcationSearch(PathContext& work, const PathVector& start, Seek seek, int count)
+        : work_(work), start_(start), row_(work.metric.row(start)), seek_(seek), count_(count) {}
 
     std::optional<LocatedPoint> locate(const PathTrial& end, std::int64_t pivots_at_start) {
         const double place = find_rough_place(end);
-        const double width = 0.04 * std::abs(end.step);
+        // Where two paths cross at a turn, equilibria close to it are worse to find.
+        const double width = (seek_ == Seek::turning ? 0.2 : 0.04) * std::abs(end.step);
         if (!std::isfinite(place) || !take_samples(place, width)) return std::nullopt;
         const std::vector<double> roots = find_roots(width);
-        if (roots.empty()) return std::nullopt;
+        if (roots.empty() || (seek_ == Seek::turning && !softens_at(roots[0]))) return std::nullopt;
         const double first = *std::min_element(roots.begin(), roots.end());
         multiplicity_ = 0;
         for (const double root : roots) multiplicity_ += root - first < same * width ? 1 : 0;
@@ -63,31 +69,42 @@ class BifurcationSearch {
   private:
     static constexpr double same = 1e-3;  // of the samples' distance, within which roots are one
 
+    SoftModes find_modes(int count) const {
+        return find_soft_modes(*work_.workspace.linear_solver,
+                               work_.system.pattern(),
+                               work_.workspace.values,
+                               work_.metric.weights(),
+                               count,
+                               work_.is_symmetric,
+                               vectors_);
+    }
+
     bool sample(double step, Sample& sample) {
         if (!solve_exact_step(work_, start_, step, sample.trial)) return false;
-        sample.modes = find_soft_modes(
-            *work_.workspace.linear_solver, work_.metric.weights(), count_, work_.is_symmetric, vectors_);
+        sample.modes = find_modes(count_);
         if (sample.modes.values.size() != count_) return false;
         vectors_ = sample.modes.vectors;
+        sample.tests = seek_ == Seek::softness ? sample.modes.values
+                                               : Eigen::VectorXd::Constant(1, sample.trial.direction.load);
         sample.movement = compute_movement(work_.state);
         sample.place = row_.u.dot(compute_step(work_.system, work_.state)) +
                        row_.load * (sample.trial.load_factor - work_.state.time);
         return true;
     }
 
-    // By the mean of the eigenvalues that are looked for.
+    // By the mean of what is looked for.
     double find_rough_place(const PathTrial& end) {
         // The last accepted equilibrium itself may be a critical point.
         const double close = 0.02 * end.step;
         Sample last, first;
         if (!sample(end.step, last) || !sample(close, first)) return not_found;
-        const double at_start = first.modes.values.mean();
-        const double at_end = last.modes.values.mean();
+        const double at_start = first.tests.mean();
+        const double at_end = last.tests.mean();
         if ((at_start > 0.0) == (at_end > 0.0)) return not_found;
         return find_root(
             {close, at_start, end.step, at_end}, {0.02 * std::abs(end.step), 0.0, 12}, [&](double step) {
                 Sample middle;
-                return sample(step, middle) ? middle.modes.values.mean() : not_found;
+                return sample(step, middle) ? middle.tests.mean() : not_found;
             });
     }
 
@@ -99,34 +116,44 @@ class BifurcationSearch {
         return true;
     }
 
-    double eigenvalue_at(int mode, double place) const {
+    double test_at(int i, double place) const {
         return interpolate<sample_count>(
-            samples_, 0, place, [&](const Sample& sample) { return sample.modes.values[mode]; });
+            samples_, 0, place, [i](const Sample& sample) { return sample.tests[i]; });
     }
 
-    // Of the eigenvalues that pass zero among the samples, each where it does.
+    // Of what passes zero among the samples, where it does.
     std::vector<double> find_roots(double width) const {
         std::vector<double> roots;
-        for (int mode = 0; mode < count_; ++mode) {
+        for (int i = 0; i < samples_[0].tests.size(); ++i) {
             const double a = samples_.front().place, b = samples_.back().place;
-            const double at_a = eigenvalue_at(mode, a), at_b = eigenvalue_at(mode, b);
-            if ((at_a > 0.0) == (at_b > 0.0) || !is_smooth(mode, at_b - at_a)) continue;
+            const double at_a = test_at(i, a), at_b = test_at(i, b);
+            if ((at_a > 0.0) == (at_b > 0.0) || !is_smooth(i, at_b - at_a)) continue;
             roots.push_back(find_root({a, at_a, b, at_b}, {1e-12 * width, 0.0, 60}, [&](double place) {
-                return eigenvalue_at(mode, place);
+                return test_at(i, place);
             }));
         }
         return roots;
     }
 
     // Whether the samples lie on one curve: then those inside say what the outer ones are.
-    bool is_smooth(int mode, double range) const {
+    bool is_smooth(int i, double range) const {
         constexpr double tolerable = 0.05;
         for (const Sample* outer : {&samples_.front(), &samples_.back()}) {
             const double expected = interpolate<sample_count - 2>(
-                samples_, 1, outer->place, [&](const Sample& sample) { return sample.modes.values[mode]; });
-            if (std::abs(expected - outer->modes.values[mode]) > tolerable * std::abs(range)) return false;
+                samples_, 1, outer->place, [i](const Sample& sample) { return sample.tests[i]; });
+            if (std::abs(expected - outer->tests[i]) > tolerable * std::abs(range)) return false;
         }
         return true;
+    }
+
+    // Whether the softest eigenvalue touches zero there without passing it.
+    bool softens_at(double place) const {
+        constexpr double tolerable = 0.05;
+        const auto softness = [](const Sample& sample) { return sample.modes.values[0]; };
+        const double before = softness(samples_.front()), after = softness(samples_.back());
+        const double there = interpolate<sample_count>(samples_, 0, place, softness);
+        return (before > 0.0) == (after > 0.0) &&
+               std::abs(there) < tolerable * std::max(std::abs(before), std::abs(after));
     }
 
     LocatedPoint make_point(double place, std::int64_t pivots) {
@@ -140,8 +167,9 @@ class BifurcationSearch {
         point.trial.step = place;
         point.trial.pivots = pivots;
         point.multiplicity = multiplicity_;
+        point.turns = seek_ == Seek::turning;
         const double a = samples_.front().place, b = samples_.back().place;
-        point.softening = (eigenvalue_at(0, b) - eigenvalue_at(0, a)) / (b - a);
+        point.softening = (test_at(0, b) - test_at(0, a)) / (b - a);
         std::vector<Vec6> movement(work_.state.trial.size());
         for (std::size_t i = 0; i < movement.size(); ++i)
             movement[i] = at_place([i](const Sample& sample) -> Vec6 { return sample.movement[i]; });
@@ -155,11 +183,7 @@ class BifurcationSearch {
             work_.system, work_.integrator, point.trial.load_factor, work_.workspace, work_.state);
         EquilibriumReport report;
         if (factorize(work_.system, work_.workspace, report)) {
-            const SoftModes modes = find_soft_modes(*work_.workspace.linear_solver,
-                                                    work_.metric.weights(),
-                                                    multiplicity_,
-                                                    work_.is_symmetric,
-                                                    vectors_);
+            const SoftModes modes = find_modes(multiplicity_);
             if (modes.vectors.allFinite() && modes.vectors.cols() == multiplicity_) vectors_ = modes.vectors;
         }
         point.kernel = vectors_.leftCols(multiplicity_);
@@ -170,6 +194,7 @@ class BifurcationSearch {
     PathContext& work_;
     const PathVector& start_;
     PathVector row_;
+    Seek seek_;
     int count_;
     int multiplicity_ = 1;
     Eigen::MatrixXd vectors_;
@@ -190,6 +215,7 @@ std::optional<LocatedPoint> locate_limit(PathContext& work, const PathVector& st
     // Where the load factor is continuous but its rate jumps, the path has jumped.
     if (std::abs(point.trial.direction.load) > 1e-4 * scale) return std::nullopt;
     point.trial.pivots = end.pivots;
+    point.turns = true;
     point.kernel = point.trial.direction.u / work.metric.norm(point.trial.direction.u);
     return point;
 }
@@ -199,8 +225,18 @@ std::optional<LocatedPoint> locate_bifurcation(PathContext& work,
                                                std::int64_t pivots_at_start,
                                                const PathTrial& end) {
     const int count = static_cast<int>(std::abs(end.pivots - pivots_at_start));
-    BifurcationSearch search(work, start, count);
+    BifurcationSearch search(work, start, Seek::softness, count);
     return search.locate(end, pivots_at_start);
+}
+
+std::optional<LocatedPoint> locate_crossing(PathContext& work,
+                                            const PathVector& start,
+                                            std::int64_t pivots_at_start,
+                                            const PathTrial& end) {
+    BifurcationSearch search(work, start, Seek::turning, 1);
+    std::optional<LocatedPoint> point = search.locate(end, pivots_at_start);
+    if (point) point->trial.pivots = end.pivots;
+    return point;
 }
 
 }  // namespace gxrod

@@ -9,7 +9,9 @@ struct LocatedPoint {
     PathTrial trial;  // its pivots are those beyond the point
     int multiplicity = 1;
     Eigen::MatrixXd kernel;  // a column each, orthonormal in the metric
-    double softening = 0.0;  // how the eigenvalue that passes zero changes along the path
+    bool turns = false;      // whether the load factor turns back there
+    double softening =
+        0.0;  // at a simple bifurcation, how the eigenvalue that passes zero changes along the path
 };
 
 // Where the load factor turns back within a step from the last accepted equilibrium, from whose direction's
@@ -23,5 +25,12 @@ std::optional<LocatedPoint> locate_bifurcation(PathContext& work,
                                                const PathVector& start,
                                                std::int64_t pivots_at_start,
                                                const PathTrial& end);
+
+// Where the path crosses another one as the branch of a pitchfork: the load factor turns back, and an
+// eigenvalue touches zero. nullopt if it does not, or not at once.
+std::optional<LocatedPoint> locate_crossing(PathContext& work,
+                                            const PathVector& start,
+                                            std::int64_t pivots_at_start,
+                                            const PathTrial& end);
 
 }  // namespace gxrod

@@ -102,6 +102,7 @@ EquilibriumReport PathAnalysis::find_first_direction() {
 EquilibriumReport PathAnalysis::start(const BranchStart& branch) {
     state_ = branch.state;
     branch_ = branch;
+    origin_ = branch.state.previous;
     metric_.set_load_scale(branch.load_scale);
     tangent_ = {branch.side * branch.shape, 0.0};
     sense_ = 0;
@@ -185,45 +186,47 @@ bool PathAnalysis::look_for_critical_points() {
     if (settings_.critical == CriticalSearch::off || sense_ == 0) return true;
     const bool turns = trial_sense_ != sense_;
     const std::int64_t change = pivots_ < 0 || trial_.pivots < 0 ? 0 : trial_.pivots - pivots_;
-    const auto multiplicity = static_cast<int>(std::abs(change));
     if (!turns && change == 0) return true;
-    const bool is_one_thing = !turns || !has_pivots_ || multiplicity == 1;
-    if (!is_one_thing && !sequence().is_shortest()) return false;
-    const CriticalKind kind = turns            ? CriticalKind::limit
-                              : has_potential_ ? CriticalKind::bifurcation
-                                               : CriticalKind::divergence;
-    if (settings_.critical == CriticalSearch::locate && is_one_thing) {
+    if (settings_.critical == CriticalSearch::locate) {
         const PathTrial end = trial_;
-        PathContext search = exact_work();
-        const std::optional<LocatedPoint> located =
-            turns ? locate_limit(search, tangent_, end) : locate_bifurcation(search, tangent_, pivots_, end);
-        if (keep(located, kind)) return true;
-        if (!sequence().is_shortest()) return false;
+        if (keep(locate(turns, change))) return true;
+        if (!sequence().is_short()) return false;
         // Back to where the step ended.
-        const PathVector row = metric_.row(tangent_);
-        PathTrial again;
-        if (!solve_path_step(search, end.step * tangent_, row, again).converged()) return false;
+        PathContext search = exact_work();
+        if (!solve_path_step(search, end.step * tangent_, metric_.row(tangent_), trial_).converged())
+            return false;
         trial_ = end;
     }
-    keep_unlocated(kind, std::max(1, multiplicity));
+    keep_unlocated(turns ? CriticalKind::limit : crossing_kind(),
+                   std::max(1, static_cast<int>(std::abs(change))));
     return true;
 }
 
-bool PathAnalysis::keep(const std::optional<LocatedPoint>& located, CriticalKind kind) {
+// At a limit point both change, by one; elsewhere, if that is not several points in one step, the path
+// crosses another one.
+std::optional<LocatedPoint> PathAnalysis::locate(bool turns, std::int64_t change) {
+    const PathTrial end = trial_;
+    PathContext search = exact_work();
+    if (!turns) return locate_bifurcation(search, tangent_, pivots_, end);
+    if (!has_pivots_ || std::abs(change) == 1) return locate_limit(search, tangent_, end);
+    return change == 0 ? locate_crossing(search, tangent_, pivots_, end) : std::nullopt;
+}
+
+bool PathAnalysis::keep(const std::optional<LocatedPoint>& located) {
     if (!located) return false;
+    const bool is_limit = located->turns && located->trial.pivots != pivots_;
     CriticalPoint point;
-    point.kind = kind;
+    point.kind = is_limit || !has_pivots_ ? CriticalKind::limit : crossing_kind();
     point.multiplicity = located->multiplicity;
     point.pivots_before = pivots_;
     point.pivots_after = located->trial.pivots;
     point.load_factor = located->trial.load_factor;
-    const bool turns = kind == CriticalKind::limit;
     trial_ = located->trial;
-    trial_sense_ = turns ? -sense_ : sense_;
+    trial_sense_ = located->turns ? -sense_ : sense_;
     sequence().end_at(trial_.step);
     describe(point, located->kernel);
     trial_point_ = std::move(point);
-    if (!turns && located->multiplicity == 1) find_branches(*located);
+    if (!located->turns && located->multiplicity == 1) find_branches(*located);
     return true;
 }
 
@@ -287,6 +290,16 @@ void PathAnalysis::find_branches(const LocatedPoint& located) {
                                                                 : Branching::subcritical;
 }
 
+// A loop begins and ends at the same bifurcation.
+bool PathAnalysis::is_closed() const {
+    constexpr double close = 1e-5;
+    if (origin_.empty() || points_.empty() || points_.back().step != steps_->steps_done() + 1) return false;
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < origin_.size(); ++i)
+        farthest = std::max(farthest, (origin_[i].r - state_.trial[i].r).norm());
+    return farthest < close * system_.length_scale();
+}
+
 void PathAnalysis::note_equilibrium() {
     tangent_ = trial_.direction;
     pivots_ = trial_.pivots;
@@ -301,7 +314,8 @@ void PathAnalysis::note_equilibrium() {
         trial_branches_.clear();
     }
     const auto count = points_before_ + static_cast<std::int64_t>(points_.size());
-    if (targets_.is_end(trial_.load_factor) || (settings_.points && count >= *settings_.points))
+    if (targets_.is_end(trial_.load_factor) || is_closed() ||
+        (settings_.points && count >= *settings_.points))
         sequence().finish();
 }
 

@@ -53,9 +53,16 @@ class PathAnalysis : public SteppedAnalysis {
     EquilibriumReport solve_branch_trial();
     // A pivot count that can be compared with that of the last accepted equilibrium.
     void count_pivots(EquilibriumReport& report);
+    // Whether a branch has come back to where it began.
+    bool is_closed() const;
     // Which critical points the step has passed; false if a shorter step has to find out.
     bool look_for_critical_points();
-    bool keep(const std::optional<LocatedPoint>& located, CriticalKind kind);
+    std::optional<LocatedPoint> locate(bool turns, std::int64_t change);
+    bool keep(const std::optional<LocatedPoint>& located);
+    // What a point is where an eigenvalue of the tangent passes or touches zero.
+    CriticalKind crossing_kind() const {
+        return has_potential_ ? CriticalKind::bifurcation : CriticalKind::divergence;
+    }
     void keep_unlocated(CriticalKind kind, int multiplicity);
     void describe(CriticalPoint& point, const Eigen::MatrixXd& kernel);
     void find_branches(const LocatedPoint& located);
@@ -66,6 +73,7 @@ class PathAnalysis : public SteppedAnalysis {
     PivotCounter counter_;
     bool has_potential_;
     std::optional<BranchStart> branch_;  // until its first step is taken
+    std::vector<NodeMotion> origin_;     // of a branch
     // At the last accepted equilibrium.
     PathVector tangent_;
     std::int64_t pivots_ = -1;

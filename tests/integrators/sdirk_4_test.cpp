@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 
 #include "integrators/scheme_samples.hpp"
+#include "rotation/rotation_map.hpp"
 #include "rotation/tangent_map.hpp"
 #include "tools/catch.hpp"
 #include "tools/difference.hpp"

@@ -44,6 +44,7 @@ void PathSequence::accept() {
     is_cut_ = false;
     if (is_end || (settings_.steps && accepted_ >= *settings_.steps)) is_finished_ = true;
     plan(planned_ * compute_growth(iterations_));
+    first_tried_ = planned_;
 }
 
 bool PathSequence::reject() {

@@ -28,8 +28,10 @@ class PathSequence : public StepSequence {
 
     // The first step, where the settings leave it open.
     void start(double step);
-    // Whether the next step is too short to be cut.
-    bool is_shortest() const { return planned_ <= 2.0 * shortest(); }
+    // Whether the next step cannot be cut; and whether that is no use to find out what happens within it, for
+    // it is short compared with what was tried first.
+    bool is_shortest() const { return planned_ <= 2.0 * settings_.min_step; }
+    bool is_short() const { return is_shortest() || planned_ <= first_tried_ / 60.0; }
     // The trial ends there instead; a frame is due there. The step after it is as long as if it had not.
     void end_at(double step);
     // What the step took, before it is accepted.
@@ -37,7 +39,6 @@ class PathSequence : public StepSequence {
     void finish() { is_finished_ = true; }
 
   private:
-    double shortest() const { return settings_.min_step; }
     // Within what is left.
     void plan(double step);
 
@@ -45,6 +46,7 @@ class PathSequence : public StepSequence {
     double arc_ = 0.0;
     double step_ = 0.0;
     double planned_ = 0.0;
+    double first_tried_ = 0.0;  // since the last accepted step
     int iterations_ = 0;
     std::int64_t accepted_ = 0;
     bool is_marked_ = true;  // whether the accepted point was asked for

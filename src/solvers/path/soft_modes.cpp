@@ -7,6 +7,8 @@
 #include <numeric>
 #include <vector>
 
+#include "solvers/path/bordered_solve.hpp"
+
 namespace gxrod {
 
 namespace {
@@ -45,19 +47,18 @@ Eigen::MatrixXd iterate(LinearSolver& solver, const Eigen::VectorXd& weights, co
     return y;
 }
 
-// Of so many Ritz pairs (θ, vector) of the inverse, those with the largest |θ|.
-SoftModes select(const Eigen::VectorXd& inverse, const Eigen::MatrixXd& vectors, int count) {
-    std::vector<Eigen::Index> order(static_cast<std::size_t>(inverse.size()));
+// Of Ritz pairs (μ, vector), those so many closest to zero.
+SoftModes select(const Eigen::VectorXd& values, const Eigen::MatrixXd& vectors, int count) {
+    std::vector<Eigen::Index> order(static_cast<std::size_t>(values.size()));
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](auto a, auto b) {
-        return std::abs(inverse[a]) > std::abs(inverse[b]);
+        return std::abs(values[a]) < std::abs(values[b]);
     });
     order.resize(static_cast<std::size_t>(count));
-    std::sort(
-        order.begin(), order.end(), [&](auto a, auto b) { return 1.0 / inverse[a] < 1.0 / inverse[b]; });
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return values[a] < values[b]; });
     SoftModes modes{Eigen::VectorXd(count), Eigen::MatrixXd(vectors.rows(), count)};
     for (int i = 0; i < count; ++i) {
-        modes.values[i] = 1.0 / inverse[order[static_cast<std::size_t>(i)]];
+        modes.values[i] = values[order[static_cast<std::size_t>(i)]];
         modes.vectors.col(i) = vectors.col(order[static_cast<std::size_t>(i)]);
     }
     return modes;
@@ -66,29 +67,33 @@ SoftModes select(const Eigen::VectorXd& inverse, const Eigen::MatrixXd& vectors,
 }  // namespace
 
 SoftModes find_soft_modes(LinearSolver& solver,
+                          const SparsePattern& pattern,
+                          const std::vector<double>& values,
                           const Eigen::VectorXd& weights,
                           int count,
                           bool is_symmetric,
                           const Eigen::MatrixXd& start) {
     constexpr int most_iterations = 60;
-    constexpr double settled = 1e-13;
-    constexpr int spare = 2;  // vectors beyond those sought, which make it converge
-    const Eigen::Index columns =
-        is_symmetric ? std::min<Eigen::Index>(weights.size(), count + spare) : Eigen::Index{1};
+    constexpr double settled = 1e-10;
+    constexpr Eigen::Index spare = 2;  // vectors beyond those sought, which make it converge
+    const Eigen::Index columns = is_symmetric ? std::min(weights.size(), count + spare) : Eigen::Index{1};
     Eigen::MatrixXd x = make_start(weights.size(), columns);
-    if (start.cols() > 0)
-        x.leftCols(std::min(columns, start.cols())) = start.leftCols(std::min(columns, start.cols()));
+    const Eigen::Index known = std::min(columns, start.cols());
+    if (known > 0) x.leftCols(known) = start.leftCols(known);
     orthonormalize(weights, x);
     SoftModes modes;
     Eigen::VectorXd before;
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
-        const Eigen::MatrixXd y = iterate(solver, weights, x);
-        const Eigen::MatrixXd projected = x.transpose() * weights.asDiagonal() * y;
-        if (!projected.allFinite()) break;
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(0.5 * (projected + projected.transpose()));
-        x = y * ritz.eigenvectors();
+        x = iterate(solver, weights, x);
+        if (!x.allFinite()) break;
         orthonormalize(weights, x);
-        modes = select(ritz.eigenvalues(), x, std::min<int>(count, static_cast<int>(columns)));
+        // By K itself: its round-off is less than that of its inverse.
+        Eigen::MatrixXd image(x.rows(), x.cols());
+        for (Eigen::Index j = 0; j < x.cols(); ++j) image.col(j) = multiply(pattern, values, x.col(j));
+        const Eigen::MatrixXd projected = x.transpose() * image;
+        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(0.5 * (projected + projected.transpose()));
+        x = (x * ritz.eigenvectors()).eval();
+        modes = select(ritz.eigenvalues(), x, static_cast<int>(std::min<Eigen::Index>(count, columns)));
         const double scale = modes.values.cwiseAbs().maxCoeff();
         if (before.size() == modes.values.size() &&
             (modes.values - before).cwiseAbs().maxCoeff() <= settled * scale)

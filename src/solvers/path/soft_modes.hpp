@@ -13,8 +13,10 @@ struct SoftModes {
 };
 
 // By inverse iteration on a few vectors at once, from `start` if that has columns. The solver has the factors
-// of K. Of an unsymmetric K one alone, and real.
+// of K, whose values these are. Of an unsymmetric K one alone, and real.
 SoftModes find_soft_modes(LinearSolver& solver,
+                          const SparsePattern& pattern,
+                          const std::vector<double>& values,
                           const Eigen::VectorXd& weights,
                           int count,
                           bool is_symmetric,
