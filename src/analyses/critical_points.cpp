@@ -79,10 +79,27 @@ class BifurcationSearch {
                                vectors_);
     }
 
+    // By the vectors of the sample before: eigenvalues may pass zero together and change their order there.
+    void keep_order(SoftModes& modes) const {
+        if (vectors_.cols() != modes.vectors.cols()) return;
+        Eigen::MatrixXd common =
+            (vectors_.transpose() * work_.metric.weights().asDiagonal() * modes.vectors).cwiseAbs();
+        const SoftModes found = modes;
+        for (Eigen::Index left = common.rows(); left > 0; --left) {
+            Eigen::Index before = 0, now = 0;
+            common.maxCoeff(&before, &now);
+            modes.values[before] = found.values[now];
+            modes.vectors.col(before) = found.vectors.col(now);
+            common.row(before).setConstant(-1.0);
+            common.col(now).setConstant(-1.0);
+        }
+    }
+
     bool sample(double step, Sample& sample) {
         if (!solve_exact_step(work_, start_, step, sample.trial)) return false;
         sample.modes = find_modes(count_);
         if (sample.modes.values.size() != count_) return false;
+        keep_order(sample.modes);
         vectors_ = sample.modes.vectors;
         sample.tests = seek_ == Seek::softness ? sample.modes.values
                                                : Eigen::VectorXd::Constant(1, sample.trial.direction.load);

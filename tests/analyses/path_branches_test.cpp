@@ -2,6 +2,8 @@
 // run them by "[paths]".
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -173,4 +175,115 @@ TEST_CASE("a deep arch sways before its limit load, to both sides", "[.][paths]"
         CHECK(1000.0 * branch.points[0].load_factor == Approx(411.0760129733).epsilon(1e-8));
     }
     CHECK(aside[0] * aside[1] < 0.0);
+}
+
+TEST_CASE("a cantilever buckles sideways, to either side", "[analyses]") {
+    const Model model = read_problem_text(R"(
+[section.strip]
+stiffness = { EA = 1e5, GAy = 4e4, GAz = 4e4, GJ = 1, EIy = 1, EIz = 50 }
+[rod.r]
+section = "strip"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 12
+order = 4
+y_axis = [0, 1, 0]
+[[support]]
+at = "r.start"
+fix = "all"
+[[load]]
+at = "r.end"
+force = [0, "-t", 0]
+[analysis]
+kind = "static"
+steps = 10
+)",
+                                          "cantilever.toml")
+                            .model;
+    const int tip = static_cast<int>(model.nodes.size()) - 1;
+    PathSettings settings = make_path_settings(8.0, tip, {});
+    settings.at = {{-1, 0, {4.3, 5.0, 6.0}}};
+    const PathRun main = run_path(model, settings, tip);
+    REQUIRE(main.points.size() == 1);
+    CHECK(main.points[0].load_factor == Approx(4.109165976173).epsilon(1e-8));
+    CHECK(main.points[0].branching == Branching::supercritical);
+    REQUIRE(main.branches.size() == 2);
+    const std::array<std::pair<double, Vec3>, 4> expected{
+        {{4.3, {0.9686280961, -0.0703311761099, 0.1986429506}},
+         {5.0, {0.8740948726, -0.1957600743, 0.3582314930}},
+         {6.0, {0.7747609840, -0.3179728066, 0.4200293463}},
+         {8.0, {0.6453732641, -0.4614680358, 0.4292897181}}}};
+    double sides = 1.0;
+    for (const BranchStart& start : main.branches) {
+        const PathRun branch = run_path(model, settings, tip, &start);
+        for (const auto& [load, place] : expected) {
+            const auto at = std::find_if(branch.places.begin(), branch.places.end(), [&](const auto& found) {
+                return std::abs(found.load - load) < 1e-13;
+            });
+            REQUIRE(at != branch.places.end());
+            CHECK(at->pivots == 0);
+            CHECK(std::abs(1.0 + at->moved[0] - place[0]) < 1e-8);
+            CHECK(std::abs(at->moved[1] - place[1]) < 1e-8);
+            CHECK(std::abs(std::abs(at->moved[2]) - place[2]) < 1e-8);
+        }
+        sides *= branch.places.back().moved[2];
+    }
+    CHECK(sides < 0.0);
+}
+
+TEST_CASE("a hexagonal frame has double bifurcations, whose kernels are reported", "[.][paths]") {
+    std::string deck = R"(
+[section.s]
+stiffness = { EA = 217.2612, GAy = 78.546, GAz = 78.546, GJ = 5.2629, EIy = 8.796, EIz = 8.796 }
+)";
+    const auto joint = [](int k) {
+        const double angle = (k % 6) * std::numbers::pi / 3.0;
+        return fmt::format("[{:.17g}, {:.17g}, 0]", 24.0 * std::cos(angle), 24.0 * std::sin(angle));
+    };
+    std::string apex;
+    for (int k = 0; k < 6; ++k) {
+        constexpr const char* mesh = "section = \"s\"\nelements = 4\norder = 4\n";
+        deck += fmt::format("[rod.a{}]\n{}line = {{ from = [0, 0, 1.75], to = {} }}\n", k, mesh, joint(k));
+        deck +=
+            fmt::format("[rod.b{}]\n{}line = {{ from = {}, to = {} }}\n", k, mesh, joint(k), joint(k + 1));
+        apex += fmt::format("\"a{}.start\", ", k);
+    }
+    deck += fmt::format("[[connect]]\npoints = [{}]\n", apex);
+    for (int k = 0; k < 6; ++k) {
+        deck += fmt::format(
+            "[[connect]]\npoints = [\"a{}.end\", \"b{}.start\", \"b{}.end\"]\n", k, k, (k + 5) % 6);
+        deck += fmt::format("[[support]]\nat = \"a{}.end\"\nfix = [{}\"z\"]\n", k, k == 0 ? "\"y\", " : "");
+    }
+    deck += R"([[support]]
+at = "a0.start"
+fix = ["x", "y"]
+[[load]]
+at = "a0.start"
+force = [0, 0, "-t"]
+[analysis]
+kind = "static"
+steps = 10
+)";
+    const Model model = read_problem_text(deck, "frame.toml").model;
+    PathSettings settings = make_path_settings(0.21, 0, {});
+    settings.at = {{0, 2, {-0.25, -0.5, -1.0, -1.5, -2.0, -2.5, -3.0, -4.0}}};
+    const PathRun run = run_path(model, settings, 0);
+    const std::array<double, 5> loads{0.0568914500, 0.0497001833, 0.0198032099, 0.0073995161, 0.1962087144};
+    const std::array<double, 5> down{0.7652244148, 1.1072665, 1.7881805, 2.3648587, 4.4758682};
+    const std::array<std::int64_t, 5> after{1, 3, 1, 0, 1};
+    REQUIRE(run.points.size() == 5);
+    for (std::size_t i = 0; i < 5; ++i) {
+        CAPTURE(i);
+        const bool is_double = i == 1 || i == 2;
+        CHECK(run.points[i].load_factor == Approx(loads[i]).epsilon(1e-6));
+        CHECK(-run.at_points[i].moved[2] == Approx(down[i]).epsilon(1e-6));
+        CHECK(run.points[i].pivots_after == after[i]);
+        CHECK(run.points[i].multiplicity == (is_double ? 2 : 1));
+        CHECK(run.points[i].kernel.size() == (is_double ? 2 : 1));
+    }
+    for (const auto& [at, load] : std::vector<std::pair<double, double>>{{0.25, 0.0327347386},
+                                                                         {0.5, 0.0509924525},
+                                                                         {1.0, 0.0532602083},
+                                                                         {3.0, 0.0278159223},
+                                                                         {4.0, 0.1364594063}})
+        CHECK(run.find(2, -at).load == Approx(load).epsilon(1e-6));
 }
