@@ -44,11 +44,12 @@ Ledger::Ledger(const System& system,
                const Integrator& integrator,
                const State& state,
                const Residual& residual,
+               bool is_loaded,
                const LedgerTotals* before)
     : Ledger(system, integrator) {
     if (weighs_powers()) {
         power_ = compute_power(system, state, state.time, residual);
-    } else if (integrator.is_static() && before == nullptr) {
+    } else if (integrator.is_static() && !is_loaded && before == nullptr) {
         // Stress-free, the model carries no load yet: one that has a value at t = 0 grows to it in the first
         // step, as all others do.
         forces_.assign(state.trial.size(), Vec6::Zero());

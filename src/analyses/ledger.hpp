@@ -28,12 +28,13 @@ class Ledger {
     // Empty books, for resume().
     Ledger(const System& system, const Integrator& integrator)
         : system_(&system), integrator_(&integrator), power_weights_(integrator.power_weights()) {}
-    // `state` is the initial one and `residual` its own. Of a stage after another one: with the books at the
-    // end of that.
+    // `state` is the initial one and `residual` its own; whether its loads act there already, in statics. Of
+    // a stage after another one, where they do: with the books at the end of that.
     Ledger(const System& system,
            const Integrator& integrator,
            const State& state,
            const Residual& residual,
+           bool is_loaded,
            const LedgerTotals* before = nullptr);
 
     // A step from state.previous to state.trial, which ends at `time`; before it is committed. `residual` is

@@ -61,14 +61,18 @@ SteppedAnalysis::SteppedAnalysis(const Model& model,
       steps_(std::move(steps)),
       state_(system_.initial_state()) {}
 
-void SteppedAnalysis::accept_start() {
+void SteppedAnalysis::accept_start(double time, bool is_loaded) {
     integrator_->start(state_);
-    point_values_ = system_.compute_point_values(state_, 0.0, watched_);
-    system_.commit(state_, 0.0);
+    point_values_ = system_.compute_point_values(state_, time, watched_);
+    system_.commit(state_, time);
     reactions_ = system_.compute_reactions(workspace_.residual);
     solver_row_.negative_pivots = accepted_pivots();
-    ledger_ = std::make_unique<Ledger>(
-        system_, *integrator_, state_, workspace_.residual, totals_before_ ? &*totals_before_ : nullptr);
+    ledger_ = std::make_unique<Ledger>(system_,
+                                       *integrator_,
+                                       state_,
+                                       workspace_.residual,
+                                       is_loaded,
+                                       totals_before_ ? &*totals_before_ : nullptr);
 }
 
 EquilibriumReport SteppedAnalysis::start_after(const SteppedAnalysis& before) {
@@ -130,6 +134,7 @@ RestartRecord SteppedAnalysis::restart_record() const {
     record.ledger = ledger_->memory();
     record.steps = steps_->memory();
     record.negative_pivots = accepted_pivots();
+    remember(record);
     return record;
 }
 
@@ -155,18 +160,23 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     reactions_.assign(nodes, Vec6::Zero());
     ledger_ = std::make_unique<Ledger>(system_, *integrator_);
     ledger_->resume(record.ledger);
+    recall(record);
     return true;
 }
 
-bool SteppedAnalysis::take_step(EquilibriumReport& report) {
+EquilibriumReport SteppedAnalysis::solve_trial() {
     const Stage first_stage{0, steps_->time(), steps_->time_step(), steps_->next_time()};
+    return solve_step(system_, *integrator_, newton_, first_stage, workspace_, state_);
+}
+
+bool SteppedAnalysis::take_step(EquilibriumReport& report) {
     std::vector<Vec6> resultants = state_.resultants;  // none but of the mixed tangent
     const auto undo = [&] {
         undo_trial(state_);
         state_.resultants.swap(resultants);
     };
     try {
-        report = solve_step(system_, *integrator_, newton_, first_stage, workspace_, state_);
+        report = solve_trial();
     } catch (...) {
         undo();
         throw;
@@ -210,16 +220,16 @@ EquilibriumReport SteppedAnalysis::advance() {
     // All allocations come before anything that changes the state to resume from. And before the step becomes
     // the last one: what `simo` elements ask of their nodes depends on it.
     reactions_ = system_.compute_reactions(workspace_.residual);
-    point_values_ = system_.compute_point_values(state_, steps_->next_time(), watched_);
-    ledger_->add_step(
-        state_, {steps_->next_time(), steps_->time_step(), workspace_.residual, workspace_.stage_powers});
+    const double time = trial_time();
+    point_values_ = system_.compute_point_values(state_, time, watched_);
+    ledger_->add_step(state_, {time, steps_->time_step(), workspace_.residual, workspace_.stage_powers});
     look_into_load_step();
     solver_row_.time_step = steps_->time_step();
     solver_row_.newton_iterations = report.iterations;
     solver_row_.residual = report.residual;
     note_equilibrium();
     solver_row_.negative_pivots = accepted_pivots();
-    system_.commit(state_, steps_->next_time());
+    system_.commit(state_, time);
     steps_->accept();
     return report;
 }
@@ -241,7 +251,7 @@ std::optional<PathPoint> SteppedAnalysis::find_equilibrium(const PathPoint& from
 // Where work and strain energy part, equilibria between both ends of a load step say why. They are discarded
 // afterwards; if none can be found, or there is no memory for them, the books stay as they are.
 void SteppedAnalysis::look_into_load_step() {
-    if (!ledger_->is_unclear()) return;
+    if (!looks_into_load_steps() || !ledger_->is_unclear()) return;
     constexpr double tolerable = 0.25 * energy_worth_a_word;
     constexpr int halvings = 8;
     try {
@@ -271,7 +281,7 @@ std::string SteppedAnalysis::find_weakness() {
     if (phase == Failure::Phase::implicit_step || phase == Failure::Phase::load_step) {
         const Stage stage{0, steps_->time(), steps_->time_step(), steps_->next_time()};
         integrator_->linearize(state_, stage, workspace_.linearizations, team_);
-        system_.compute_tangent(state_, steps_->time(), workspace_.linearizations, workspace_.values);
+        system_.compute_tangent(state_, state_.time, workspace_.linearizations, workspace_.values);
     }
     const std::optional<Weakness> weakness = describe_weakness(system_, state_, workspace_.values);
     return weakness && weakness->stiffness < singular_stiffness ? weakness->words : "";
@@ -312,7 +322,7 @@ void SteppedAnalysis::find_reason(Failure& failure) {
 Snapshot SteppedAnalysis::snapshot(bool with_elements) {
     section_values_.clear();
     if (with_elements) section_values_ = system_.compute_section_values(state_);
-    return {state_.time, state_.trial, section_values_, reactions_, point_values_};
+    return {axis_time(), state_.trial, section_values_, reactions_, point_values_};
 }
 
 }  // namespace gxrod

@@ -61,6 +61,8 @@ class SteppedAnalysis {
     const NewtonSettings& newton() const { return newton_; }
     // Points of rods that snapshots record; before the start.
     void watch(std::vector<RodPlace> places) { watched_ = std::move(places); }
+    // Of snapshots: of the loads, or another axis that grows from step to step.
+    virtual double axis_time() const { return state_.time; }
     // Of the last accepted state; valid until the next step. With the sections of all elements only if asked
     // for.
     Snapshot snapshot(bool with_elements = true);
@@ -78,8 +80,18 @@ class SteppedAnalysis {
                     LinearSolverKind linear_solver,
                     std::unique_ptr<StepSequence> steps);
 
-    // Takes the trial motions for the state at t = 0; the workspace has their residual.
-    void accept_start();
+    // Takes the trial motions for the state at the start, at t = 0 or this time of the loads; the workspace
+    // has their residual. Loads that act there already have done no work yet.
+    void accept_start(double time = 0.0, bool is_loaded = false);
+    // Finds the trial motions at the end of the next step.
+    virtual EquilibriumReport solve_trial();
+    // Of the loads that act on them. On a path it is not the end of the step.
+    virtual double trial_time() const { return steps_->next_time(); }
+    // Whether a load step whose work parts from its strain energy is looked into at load factors in between.
+    virtual bool looks_into_load_steps() const { return integrator_->is_static(); }
+    // What a kind of analysis needs in addition to resume; recalled after all the rest.
+    virtual void remember(RestartRecord&) const {}
+    virtual void recall(const RestartRecord&) {}
     // Lets a kind of analysis reject a step that converged, as an outcome of the report …
     virtual void judge_equilibrium(EquilibriumReport&) {}
     // … and note what it needs of an accepted one, before it is committed.

@@ -81,6 +81,36 @@ struct BucklingSettings {
     int count = 3;  // the smallest positive ones
 };
 
+// Values of a component of a node's displacement, or of the load factor t, at which a path must have an
+// equilibrium.
+struct PathTarget {
+    int node = -1;      // −1: of t
+    int component = 0;  // x, y or z
+    std::vector<double> values;
+};
+
+// What is done about limit points and bifurcations of a path: steps end on them, or the steps between which
+// they lie are reported, or nothing.
+enum class CriticalSearch { locate, report, off };
+
+// Equilibria along a path on which the load factor t may turn back.
+struct PathSettings {
+    // Where it ends, whichever comes first; at least one of them.
+    std::optional<double> least_load, greatest_load;  // of t
+    std::optional<double> arc;
+    std::optional<long> steps;
+    std::optional<long> points;  // critical ones
+    // Arc lengths: about the mean displacement over the model's length, or the mean rotation times 0.2.
+    std::optional<double> first_step;  // none: chosen by how the model answers to its loads
+    double max_step = 0.2;
+    double min_step = 1e-7;
+    std::vector<PathTarget> at;
+    CriticalSearch critical = CriticalSearch::locate;
+    int branches = 0;  // generations of branches to follow
+    NewtonSettings newton;
+    LinearSolverKind linear_solver = LinearSolverKind::automatic;
+};
+
 using AnalysisSettings = std::variant<DynamicSettings, StaticSettings>;
 
 // A quantity that a history can record.

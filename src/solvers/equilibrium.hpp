@@ -20,7 +20,8 @@ enum class Outcome {
     rotation_too_large,  // a node turns by π or more within the step
     element_too_turned,  // nodes of one element are turned against each other by nearly π
     error_too_large,     // the step's estimated error is above its tolerance
-    lost_stability       // the step ends on an equilibrium with more negative pivots than it began with
+    lost_stability       // the step is good, but shorter ones seek what it may have passed: a stable
+                         // equilibrium, or, on a path, a bend or critical points
 };
 
 // How the search for one equilibrium went. Not converging is a value, not an exception.

@@ -38,6 +38,17 @@ struct RunTotals {
     EnergyJumps jumps;                  // in statics
 };
 
+// Where a path of equilibria stands at an accepted step, whose time is its arc length.
+struct PathMemory {
+    double load_factor = 0.0;
+    double load_scale = 0.0;  // of load factors against displacements; 0: no path
+    // The unit tangent of the path.
+    double load_rate = 0.0;
+    std::vector<Vec6> tangent;    // (δr, δφ) of each node
+    std::int64_t load_sense = 1;  // 1 if the load factor grows beyond, −1 if it falls
+    std::int64_t points = 0;      // critical ones so far
+};
+
 // All that a run needs to resume from an accepted step as if it had never stopped.
 struct RestartRecord {
     std::vector<NodeMotion> nodes;                     // there, theta zero
@@ -50,6 +61,7 @@ struct RestartRecord {
     bool is_framed = false;             // whether the last frame shows this state
     std::int64_t stage = 0;             // the last one that took a step or found shapes, from 0
     double axis_start = 0.0;            // of its t, on the axis that the stages share
+    PathMemory path;                    // of a path, or empty
 };
 
 // Where in a results file a restart record belongs.

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "analyses/branch_switch.hpp"
+#include "analyses/critical_points.hpp"
+#include "analyses/path_targets.hpp"
+#include "analyses/stepped_analysis.hpp"
+#include "check/stability.hpp"
+#include "model/settings.hpp"
+#include "solvers/path/path_sequence.hpp"
+#include "state/path_record.hpp"
+
+namespace gxrod {
+
+// Equilibria along a path on which the load factor may turn back; the time of its steps is the arc length
+// (docs/theory/paths.md).
+class PathAnalysis : public SteppedAnalysis {
+  public:
+    // The model must outlive the analysis. Throws std::invalid_argument if nothing ends the path.
+    PathAnalysis(const Model& model, const PathSettings& settings, int threads = 1);
+
+    // From the reference shape, with the load factor 0.
+    EquilibriumReport start() override;
+    // Instead: from a bifurcation of another path of the same model, along the branch.
+    EquilibriumReport start(const BranchStart& branch);
+
+    double axis_time() const override { return steps_->time(); }
+    // Of the last accepted equilibrium.
+    PathRow row() const { return {state_.time, tangent_.load}; }
+    // In their order along the path; and the branches that leave it at them, both sides of each.
+    const std::vector<CriticalPoint>& critical_points() const { return points_; }
+    const std::vector<BranchStart>& branches() const { return branches_; }
+    const PathMetric& metric() const { return metric_; }
+    bool is_unstable() const override { return pivots_ > 0; }
+
+  protected:
+    EquilibriumReport solve_trial() override;
+    double trial_time() const override { return trial_.load_factor; }
+    bool looks_into_load_steps() const override { return false; }
+    void judge_equilibrium(EquilibriumReport& report) override;
+    void note_equilibrium() override;
+    std::int64_t accepted_pivots() const override { return pivots_; }
+    void resume_pivots(std::int64_t pivots) override { pivots_ = pivots; }
+    void remember(RestartRecord& record) const override;
+    void recall(const RestartRecord& record) override;
+
+  private:
+    PathContext work();
+    // Of a more exact search.
+    PathContext exact_work();
+    PathSequence& sequence() { return static_cast<PathSequence&>(*steps_); }
+    // The path's first direction, at the start.
+    EquilibriumReport find_first_direction();
+    EquilibriumReport solve_branch_trial();
+    // A pivot count that can be compared with that of the last accepted equilibrium.
+    void count_pivots(EquilibriumReport& report);
+    // Whether a branch has come back to where it began.
+    bool is_closed() const;
+    // Which critical points the step has passed; false if a shorter step has to find out.
+    bool look_for_critical_points();
+    std::optional<LocatedPoint> locate(bool turns, std::int64_t change);
+    bool keep(const std::optional<LocatedPoint>& located);
+    // What a point is where an eigenvalue of the tangent passes or touches zero.
+    CriticalKind crossing_kind() const {
+        return has_potential_ ? CriticalKind::bifurcation : CriticalKind::divergence;
+    }
+    void keep_unlocated(CriticalKind kind, int multiplicity);
+    void describe(CriticalPoint& point, const Eigen::MatrixXd& kernel);
+    void find_branches(const LocatedPoint& located);
+
+    PathSettings settings_;
+    PathMetric metric_;
+    PathTargets targets_;
+    PivotCounter counter_;
+    bool has_potential_;
+    std::optional<BranchStart> branch_;  // until its first step is taken
+    std::vector<NodeMotion> origin_;     // of a branch
+    // At the last accepted equilibrium.
+    PathVector tangent_;
+    std::int64_t pivots_ = -1;
+    int sense_ = 1;  // of the load factor beyond it; 0: not known
+    // At the trial one.
+    PathTrial trial_;
+    int trial_sense_ = 1;
+    bool has_pivots_ = true;  // whether they are counted at all
+    std::optional<CriticalPoint> trial_point_;
+    std::vector<BranchStart> trial_branches_;
+
+    std::vector<CriticalPoint> points_;
+    std::int64_t points_before_ = 0;  // of the run that is resumed
+    std::vector<BranchStart> branches_;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,85 @@
+#include "analyses/path_targets.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace gxrod {
+
+namespace {
+
+// Round-off of a value that was hit before.
+constexpr double close = 1e-11;
+
+}  // namespace
+
+PathTargets::PathTargets(const System& system, const PathSettings& settings)
+    : system_(&system),
+      least_load_(settings.least_load),
+      greatest_load_(settings.greatest_load),
+      targets_(settings.at) {
+    PathTarget bounds;
+    if (least_load_) bounds.values.push_back(*least_load_);
+    if (greatest_load_) bounds.values.push_back(*greatest_load_);
+    targets_.push_back(bounds);
+    for (const PathTarget& target : targets_) {
+        if (target.node >= 0 && std::abs(row_of(target).u.norm() - 1.0) > close)
+            throw std::invalid_argument("a support holds a displacement whose values a path must have");
+    }
+}
+
+PathVector PathTargets::row_of(const PathTarget& target) const {
+    if (target.node < 0) return {Eigen::VectorXd::Zero(system_->equations().count()), 1.0};
+    std::vector<Vec6> nodal(system_->model().nodes.size(), Vec6::Zero());
+    nodal[static_cast<std::size_t>(target.node)][target.component] = 1.0;
+    return {gather(nodal, system_->equations()), 0.0};
+}
+
+double PathTargets::value_of(const PathTarget& target, const NodeMotion* motion, double load_factor) const {
+    if (motion == nullptr) return load_factor;
+    const Vec3& reference = system_->model().nodes[static_cast<std::size_t>(target.node)].position;
+    return motion->r[target.component] - reference[target.component];
+}
+
+std::optional<PathTargets::Hit> PathTargets::find_first(const PathContext& work, double load_factor) const {
+    std::optional<Hit> first;
+    for (const PathTarget& target : targets_) {
+        const auto motion_in = [&](const std::vector<NodeMotion>& motions) {
+            return target.node < 0 ? nullptr : &motions[static_cast<std::size_t>(target.node)];
+        };
+        const double from = value_of(target, motion_in(work.state.previous), work.state.time);
+        const double to = value_of(target, motion_in(work.state.trial), load_factor);
+        for (const double value : target.values) {
+            const double scale = target.node < 0 ? std::max(1.0, std::abs(value)) : system_->length_scale();
+            if (std::abs(value - from) <= close * scale || (value - from) * (value - to) > 0.0) continue;
+            const double part = (value - from) / (to - from);
+            if (!first || part < first->part) first = Hit{&target, part};
+        }
+    }
+    return first;
+}
+
+bool PathTargets::hit(PathContext& work, PathTrial& trial) const {
+    const std::optional<Hit> first = find_first(work, trial.load_factor);
+    if (!first) return true;
+    // The part of the chord; the row's value is then right, since displacements and load factors add.
+    PathVector prediction =
+        first->part * PathVector{compute_step(work.system, work.state), trial.load_factor - work.state.time};
+    PathTrial found;
+    if (!solve_path_step(work, prediction, row_of(*first->target), found).converged()) return false;
+    const PathVector movement{compute_step(work.system, work.state), found.load_factor - work.state.time};
+    const double step = work.metric.norm(movement);
+    // Another solution than the one within the step.
+    if (step > trial.step * 1.2) return false;
+    found.step = step;
+    trial = found;
+    return true;
+}
+
+bool PathTargets::is_end(double load_factor) const {
+    const auto reaches = [&](double bound) {
+        return std::abs(load_factor - bound) <= close * std::max(1.0, std::abs(bound));
+    };
+    return (least_load_ && reaches(*least_load_)) || (greatest_load_ && reaches(*greatest_load_));
+}
+
+}  // namespace gxrod

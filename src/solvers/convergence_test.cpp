@@ -1,0 +1,52 @@
+#include "solvers/convergence_test.hpp"
+
+#include <algorithm>
+
+#include "solvers/newton_steps.hpp"
+
+namespace gxrod {
+
+ConvergenceTest::ConvergenceTest(const System& system, const NewtonSettings& settings)
+    : system_(&system),
+      tolerance_(settings.tolerance.value_or(usual_newton_tolerance)),
+      absolute_residual_(settings.absolute_residual) {}
+
+void ConvergenceTest::measure(const Residual& residual, EquilibriumReport& report) {
+    residual_before_ = report.iterations > 0 ? report.residual : residual_before_;
+    measure_residual(*system_, residual, report);
+}
+
+void ConvergenceTest::add_increment(const std::vector<Vec6>& deltas, const State& state) {
+    increment_before_ = last_increment_;
+    last_increment_ = system_->team().find_largest(deltas.size(), [&](std::size_t node) {
+        const Vec6& delta = deltas[node];
+        const double scale =
+            std::max(system_->length_scale_at(static_cast<int>(node)), state.trial[node].r.norm());
+        return std::max(delta.head<3>().lpNorm<Eigen::Infinity>() / scale,
+                        delta.tail<3>().lpNorm<Eigen::Infinity>());
+    });
+}
+
+bool ConvergenceTest::is_met(const Residual& residual, const EquilibriumReport& report) const {
+    const bool is_small = absolute_residual_ > 0.0
+                              ? largest_component(*system_, residual) <= absolute_residual_
+                              : report.residual <= tolerance_;
+    return is_small || has_reached_round_off(residual, report);
+}
+
+// Whether round-off is all that is left of the increments: far below the tolerance, a few units of the
+// last place, or small and no longer shrinking; or the next one would be, going by the last two, and the
+// residual no longer falls. Where round-off is as large as the forces, the tangent has lost digits too,
+// and two increments do not predict a third.
+bool ConvergenceTest::has_reached_round_off(const Residual& residual, const EquilibriumReport& report) const {
+    constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+    const double nothing = std::max(1e-4 * tolerance_, rounding);
+    if (last_increment_ <= nothing) return true;
+    if (last_increment_ <= 1e-10 && last_increment_ >= 0.5 * increment_before_) return true;
+    if (report.iterations < 2) return false;
+    if (is_as_large_as_forces(*system_, residual, report)) return false;
+    const double next_increment = last_increment_ * (last_increment_ / increment_before_);
+    return next_increment <= nothing && report.residual >= 0.5 * residual_before_;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <limits>
+
+#include "assembly/system.hpp"
+#include "solvers/equilibrium.hpp"
+
+namespace gxrod {
+
+// When Newton's method stops (see solve_equilibrium). It sees each residual and each increment.
+class ConvergenceTest {
+  public:
+    // The system must outlive it.
+    ConvergenceTest(const System& system, const NewtonSettings& settings);
+
+    // Sets the report's residual.
+    void measure(const Residual& residual, EquilibriumReport& report);
+    // The largest |δr| relative to its scale, or |δφ|.
+    void add_increment(const std::vector<Vec6>& deltas, const State& state);
+    // Whether the residual last measured is small, or as small as round-off lets it be.
+    bool is_met(const Residual& residual, const EquilibriumReport& report) const;
+
+  private:
+    bool has_reached_round_off(const Residual& residual, const EquilibriumReport& report) const;
+
+    const System* system_;
+    double tolerance_;
+    double absolute_residual_;
+    // Of the last two iterations.
+    double last_increment_ = std::numeric_limits<double>::infinity();
+    double increment_before_ = std::numeric_limits<double>::infinity();
+    double residual_before_ = std::numeric_limits<double>::infinity();  // the last iteration's
+};
+
+}  // namespace gxrod

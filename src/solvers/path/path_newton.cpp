@@ -1,0 +1,218 @@
+#include "solvers/path/path_newton.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "solvers/convergence_test.hpp"
+#include "solvers/newton_steps.hpp"
+#include "solvers/rotation_guard.hpp"
+#include "solvers/trial_moves.hpp"
+#include "state/increment.hpp"
+
+namespace gxrod {
+
+namespace {
+
+// The members are what the iterations share.
+class PathNewton {
+  public:
+    PathNewton(const System& system,
+               const Integrator& integrator,
+               const NewtonSettings& settings,
+               const PathProblem& problem,
+               SolverWorkspace& workspace,
+               State& state,
+               PathSolution& solution)
+        : system_(system),
+          integrator_(integrator),
+          settings_(settings),
+          problem_(problem),
+          workspace_(workspace),
+          state_(state),
+          solution_(solution),
+          convergence_(system, settings),
+          guard_(system) {}
+
+    EquilibriumReport solve() {
+        start();
+        const Eigen::Index count = static_cast<Eigen::Index>(problem_.disturbances.size());
+        if (!apply(problem_.prediction, Eigen::VectorXd::Zero(count))) return report_;
+        compute_residual();
+        while (!is_done()) {
+            compute_tangent();
+            if (!factorize(system_, workspace_, report_)) break;
+            ++report_.iterations;
+            if (!solve_increment() || !apply(increment_, amplitudes_)) break;
+            compute_residual();
+        }
+        return report_;
+    }
+
+  private:
+    const Stage stage() const { return {0, state_.time, 0.0, solution_.load_factor}; }
+
+    void start() {
+        const PhaseTimer timer(workspace_.seconds.update);
+        solution_.load_factor = state_.time;
+        solution_.amplitudes.setZero(static_cast<Eigen::Index>(problem_.disturbances.size()));
+        integrator_.begin_stage(state_, stage(), system_.team());
+        state_.resultants.clear();
+        if (settings_.tangent == TangentKind::mixed) system_.start_resultants(state_);
+    }
+
+    void compute_residual() {
+        const PhaseTimer timer(workspace_.seconds.assembly);
+        system_.compute_residual(state_, solution_.load_factor, workspace_.residual);
+        for (std::size_t i = 0; i < problem_.disturbances.size(); ++i) {
+            const Eigen::VectorXd force =
+                solution_.amplitudes[static_cast<Eigen::Index>(i)] * problem_.disturbances[i];
+            for (std::size_t node = 0; node < workspace_.residual.nodal.size(); ++node) {
+                workspace_.residual.nodal[node] +=
+                    system_.equations().increment_of(static_cast<int>(node), force);
+            }
+        }
+        convergence_.measure(workspace_.residual, report_);
+    }
+
+    // At least one tangent is needed, for the direction of the path.
+    bool is_done() {
+        if (report_.outcome == Outcome::not_finite) return true;
+        if (report_.iterations > 0 && convergence_.is_met(workspace_.residual, report_)) return true;
+        if (report_.iterations < settings_.max_iterations) return false;
+        report_.outcome = Outcome::out_of_iterations;
+        return true;
+    }
+
+    void compute_tangent() {
+        const PhaseTimer timer(workspace_.seconds.assembly);
+        integrator_.linearize(state_, stage(), workspace_.linearizations, system_.team());
+        system_.compute_tangent(state_, solution_.load_factor, workspace_.linearizations, workspace_.values);
+    }
+
+    Borders make_borders() const {
+        const Eigen::Index size = static_cast<Eigen::Index>(problem_.rows.size());
+        const Eigen::Index count = system_.equations().count();
+        Borders borders{
+            Eigen::MatrixXd(count, size), Eigen::MatrixXd(count, size), Eigen::MatrixXd::Zero(size, size)};
+        borders.columns.col(0) =
+            compute_load_gradient(system_, solution_.load_factor, workspace_.residual, state_);
+        for (Eigen::Index i = 0; i < size; ++i) {
+            if (i > 0) borders.columns.col(i) = problem_.disturbances[static_cast<std::size_t>(i - 1)];
+            borders.rows.col(i) = problem_.rows[static_cast<std::size_t>(i)].u;
+            borders.corner(i, 0) = problem_.rows[static_cast<std::size_t>(i)].load;
+        }
+        return borders;
+    }
+
+    bool solve_increment() {
+        const PhaseTimer timer(workspace_.seconds.solve);
+        const BorderedSolve bordered(
+            *workspace_.linear_solver, system_.pattern(), workspace_.values, make_borders());
+        const Eigen::Index size = static_cast<Eigen::Index>(problem_.rows.size());
+        const BorderedVector solved =
+            bordered.solve({-gather(workspace_.residual.nodal, system_.equations(), system_.team()),
+                            Eigen::VectorXd::Zero(size)});
+        increment_ = {solved.x, solved.y[0]};
+        amplitudes_ = solved.y.tail(size - 1);
+        solution_.direction = {-bordered.solved_columns().col(0), 1.0};
+        if (solved.x.allFinite() && solved.y.allFinite()) return true;
+        report_.outcome = Outcome::not_finite;
+        report_.worst_node = report_.worst_component = -1;
+        return false;
+    }
+
+    // False, and so reported, if the increment turns too far.
+    bool apply(const PathVector& increment, const Eigen::VectorXd& amplitudes) {
+        const PhaseTimer timer(workspace_.seconds.update);
+        solution_.load_factor += increment.load;
+        solution_.amplitudes += amplitudes;
+        std::vector<Vec6>& deltas = workspace_.increments;
+        deltas.resize(state_.trial.size());
+        for (std::size_t node = 0; node < deltas.size(); ++node)
+            deltas[node] = system_.equations().increment_of(static_cast<int>(node), increment.u);
+        convergence_.add_increment(deltas, state_);
+        const bool moves_supports = system_.supports().move();
+        std::vector<Vec6> with_supports;
+        if (moves_supports) {
+            with_supports = deltas;
+            add_support_motion(system_, solution_.load_factor, state_, with_supports);
+        }
+        if (!admit(moves_supports ? with_supports : deltas)) return false;
+        for (std::size_t node = 0; node < deltas.size(); ++node) {
+            apply_spin(
+                state_.previous[node], deltas[node].head<3>(), deltas[node].tail<3>(), state_.trial[node]);
+        }
+        if (moves_supports) system_.supports().place(solution_.load_factor, state_);
+        return check_step_rotations();
+    }
+
+    bool admit(const std::vector<Vec6>& deltas) {
+        const auto spin = [&](std::size_t node) -> Vec3 { return deltas[node].tail<3>(); };
+        if (!guard_.admits(state_.trial, spin, report_)) return false;
+        if (settings_.tangent == TangentKind::mixed) system_.advance_resultants(deltas, state_);
+        return true;
+    }
+
+    // False, and so reported, if a node whose step rotations are interpolated turned by π or more.
+    bool check_step_rotations() {
+        if (!system_.uses_step_rotations()) return true;
+        for (std::size_t node = 0; node < state_.trial.size(); ++node) {
+            if (state_.trial[node].theta.norm() < std::numbers::pi) continue;
+            report_.outcome = Outcome::rotation_too_large;
+            report_.worst_node = static_cast<int>(node);
+            report_.worst_component = -1;
+            return false;
+        }
+        return true;
+    }
+
+    const System& system_;
+    const Integrator& integrator_;
+    const NewtonSettings& settings_;
+    const PathProblem& problem_;
+    SolverWorkspace& workspace_;
+    State& state_;
+    PathSolution& solution_;
+    EquilibriumReport report_;
+    PathVector increment_;
+    Eigen::VectorXd amplitudes_;
+    ConvergenceTest convergence_;
+    RotationGuard guard_;
+};
+
+}  // namespace
+
+Eigen::VectorXd compute_load_gradient(const System& system,
+                                      double load_factor,
+                                      const Residual& residual,
+                                      const State& state) {
+    constexpr double difference = 1e-5;  // of what grows with the load factor, it is exact
+    std::vector<Vec6> gradient = system.compute_load_forces(state, load_factor);
+    const std::vector<Vec6> further = system.compute_load_forces(state, load_factor + difference);
+    for (std::size_t i = 0; i < gradient.size(); ++i) gradient[i] = (gradient[i] - further[i]) / difference;
+    Eigen::VectorXd result = gather(gradient, system.equations(), system.team());
+    if (!system.supports().move()) return result;
+    return result +
+           compute_support_motion_force(system, load_factor + difference, load_factor, 1.0, residual, state) /
+               difference;
+}
+
+EquilibriumReport solve_path_equilibrium(const System& system,
+                                         const Integrator& integrator,
+                                         const NewtonSettings& settings,
+                                         const PathProblem& problem,
+                                         SolverWorkspace& workspace,
+                                         State& state,
+                                         PathSolution& solution) {
+    const EquilibriumReport first =
+        PathNewton(system, integrator, settings, problem, workspace, state, solution).solve();
+    if (first.converged() || settings.tangent != TangentKind::mixed) return first;
+    NewtonSettings other = settings;
+    other.tangent = TangentKind::consistent;
+    EquilibriumReport report =
+        PathNewton(system, integrator, other, problem, workspace, state, solution).solve();
+    report.iterations += first.iterations;
+    return report;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "solvers/equilibrium.hpp"
+#include "solvers/path/bordered_solve.hpp"
+#include "solvers/path/path_metric.hpp"
+
+namespace gxrod {
+
+// An equilibrium that is sought in the unknowns and the load factor together, from the last accepted one.
+struct PathProblem {
+    PathVector prediction;  // the first increment
+    // All further increments are orthogonal to these rows: as many as there are further unknowns, the load
+    // factor and one amplitude of each column of `disturbances`.
+    std::vector<PathVector> rows;
+    // Forces on the unknowns that are added to the residual, times their amplitudes. Empty but for reduced
+    // equations.
+    std::vector<Eigen::VectorXd> disturbances;
+};
+
+struct PathSolution {
+    double load_factor = 0.0;
+    Eigen::VectorXd amplitudes;  // of the disturbances
+    // How the unknowns follow the load factor, and by one of the rows alone: K⁻¹ (−∂R/∂λ) of the last
+    // iteration's tangent. Not scaled.
+    PathVector direction;
+};
+
+// Newton's method for (PA2) by bordered solves; state.time is the load factor of the last accepted
+// equilibrium. The trial motions and the workspace's residual are those of the solution. Where the mixed
+// tangent fails, the consistent one is tried from the same prediction.
+EquilibriumReport solve_path_equilibrium(const System& system,
+                                         const Integrator& integrator,
+                                         const NewtonSettings& settings,
+                                         const PathProblem& problem,
+                                         SolverWorkspace& workspace,
+                                         State& state,
+                                         PathSolution& solution);
+
+// ∂R/∂λ of the trial motions, supports that move included; the workspace has their residual.
+Eigen::VectorXd compute_load_gradient(const System& system,
+                                      double load_factor,
+                                      const Residual& residual,
+                                      const State& state);
+
+}  // namespace gxrod

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "linear/linear_solver.hpp"
+
+namespace gxrod {
+
+// Eigenvalues μ of K x = μ W x closest to zero, ascending, and their vectors with xᵀ W x = 1; W is diagonal.
+struct SoftModes {
+    Eigen::VectorXd values;
+    Eigen::MatrixXd vectors;
+};
+
+// By inverse iteration on a few vectors at once, from `start` if that has columns. The solver has the factors
+// of K, whose values these are. Of an unsymmetric K one alone, and real.
+SoftModes find_soft_modes(LinearSolver& solver,
+                          const SparsePattern& pattern,
+                          const std::vector<double>& values,
+                          const Eigen::VectorXd& weights,
+                          int count,
+                          bool is_symmetric,
+                          const Eigen::MatrixXd& start = {});
+
+}  // namespace gxrod

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <numbers>
+
+#include "assembly/system.hpp"
+#include "solvers/equilibrium.hpp"
+
+namespace gxrod {
+
+// Follows how far the increments of Newton's method can have turned nodes of one element against each other:
+// beyond half a turn no logarithm sees which way round they went.
+class RotationGuard {
+  public:
+    // The system must outlive it.
+    explicit RotationGuard(const System& system) : system_(&system) {}
+
+    // False, and so reported, if these spins of nodes with these motions could do that.
+    template <class SpinOf>
+    bool admits(const std::vector<NodeMotion>& motions, const SpinOf& spin, EquilibriumReport& report) {
+        const auto size = [&](std::size_t node) { return spin(node).norm(); };
+        bound_ += 2.0 * system_->team().find_largest(motions.size(), size);
+        if (bound_ < std::numbers::pi) return true;
+        std::vector<Vec3> spins(motions.size());
+        for (std::size_t node = 0; node < spins.size(); ++node) spins[node] = spin(node);
+        const RelativeRotation bound = system_->bound_relative_rotation(motions, spins);
+        bound_ = bound.angle;
+        if (bound.angle < std::numbers::pi) return true;
+        report.outcome = Outcome::element_too_turned;
+        report.worst_node = bound.node;
+        report.worst_component = -1;
+        return false;
+    }
+
+  private:
+    const System* system_;
+    // No relative rotation of an element's nodes is larger; at first that is not known.
+    double bound_ = std::numbers::pi;
+};
+
+}  // namespace gxrod
