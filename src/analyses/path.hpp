@@ -65,7 +65,6 @@ class PathAnalysis : public SteppedAnalysis {
     }
     void keep_unlocated(CriticalKind kind, int multiplicity);
     void describe(CriticalPoint& point, const Eigen::MatrixXd& kernel);
-    void find_branches(const LocatedPoint& located);
 
     PathSettings settings_;
     PathMetric metric_;

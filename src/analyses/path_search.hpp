@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <optional>
 
 #include "solvers/path/path_newton.hpp"
@@ -7,6 +8,9 @@
 #include "state/path_record.hpp"
 
 namespace gxrod {
+
+// Between the directions at both ends of a step, and between a branch and the shape that it starts along.
+inline constexpr double widest_path_angle = 25.0 * std::numbers::pi / 180.0;
 
 // What a search for equilibria near the last accepted one of a path works with.
 struct PathContext {

@@ -1,0 +1,92 @@
+// What a path does about the critical points that its steps pass.
+#include "analyses/branch_search.hpp"
+#include "analyses/path.hpp"
+#include "check/direction_words.hpp"
+
+namespace gxrod {
+
+PathContext PathAnalysis::exact_work() {
+    PathContext exact = work();
+    exact.newton.tolerance = std::min(1e-12, newton_.tolerance.value_or(usual_newton_tolerance));
+    exact.newton.absolute_residual = 0.0;
+    return exact;
+}
+
+bool PathAnalysis::look_for_critical_points() {
+    if (settings_.critical == CriticalSearch::off || sense_ == 0) return true;
+    const bool turns = trial_sense_ != sense_;
+    const std::int64_t change = pivots_ < 0 || trial_.pivots < 0 ? 0 : trial_.pivots - pivots_;
+    if (!turns && change == 0) return true;
+    if (settings_.critical == CriticalSearch::locate) {
+        const PathTrial end = trial_;
+        if (keep(locate(turns, change))) return true;
+        if (!sequence().is_short()) return false;
+        // Back to where the step ended.
+        PathContext search = exact_work();
+        if (!solve_path_step(search, end.step * tangent_, metric_.row(tangent_), trial_).converged())
+            return false;
+        trial_ = end;
+    }
+    keep_unlocated(turns ? CriticalKind::limit : crossing_kind(),
+                   std::max(1, static_cast<int>(std::abs(change))));
+    return true;
+}
+
+// At a limit point both change, by one; elsewhere, if that is not several points in one step, the path
+// crosses another one.
+std::optional<LocatedPoint> PathAnalysis::locate(bool turns, std::int64_t change) {
+    const PathTrial end = trial_;
+    PathContext search = exact_work();
+    if (!turns) return locate_bifurcation(search, tangent_, pivots_, end);
+    if (!has_pivots_ || std::abs(change) == 1) return locate_limit(search, tangent_, end);
+    return change == 0 ? locate_crossing(search, tangent_, pivots_, end) : std::nullopt;
+}
+
+bool PathAnalysis::keep(const std::optional<LocatedPoint>& located) {
+    if (!located) return false;
+    const bool is_limit = located->turns && located->trial.pivots != pivots_;
+    CriticalPoint point;
+    point.kind = is_limit || !has_pivots_ ? CriticalKind::limit : crossing_kind();
+    point.multiplicity = located->multiplicity;
+    point.pivots_before = pivots_;
+    point.pivots_after = located->trial.pivots;
+    point.load_factor = located->trial.load_factor;
+    trial_ = located->trial;
+    trial_sense_ = located->turns ? -sense_ : sense_;
+    sequence().end_at(trial_.step);
+    describe(point, located->kernel);
+    trial_point_ = std::move(point);
+    if (!located->turns && located->multiplicity == 1) {
+        PathContext search = work();
+        FoundBranches found = find_branches(search, *located, pivots_, settings_);
+        for (BranchStart& start : found.starts) start.point = points_.size();
+        trial_point_->branching = found.branching;
+        trial_branches_ = std::move(found.starts);
+    }
+    return true;
+}
+
+void PathAnalysis::keep_unlocated(CriticalKind kind, int multiplicity) {
+    CriticalPoint point;
+    point.kind = kind;
+    point.is_located = false;
+    point.multiplicity = multiplicity;
+    point.pivots_before = pivots_;
+    point.pivots_after = trial_.pivots;
+    point.load_factor = trial_.load_factor;
+    trial_point_ = std::move(point);
+}
+
+void PathAnalysis::describe(CriticalPoint& point, const Eigen::MatrixXd& kernel) {
+    for (Eigen::Index i = 0; i < kernel.cols(); ++i) {
+        std::vector<Vec6> shape(state_.trial.size());
+        for (std::size_t node = 0; node < shape.size(); ++node)
+            shape[node] = system_.equations().increment_of(static_cast<int>(node), kernel.col(i));
+        point.kernel.push_back(std::move(shape));
+    }
+    compute_consistent_tangent(system_, *integrator_, point.load_factor, workspace_, state_);
+    const std::optional<Weakness> weakness = describe_weakness(system_, state_, workspace_.values);
+    if (weakness) point.shape = weakness->words;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,75 @@
+// How a path begins.
+#include <cmath>
+#include <numbers>
+
+#include "analyses/path.hpp"
+#include "solvers/newton_steps.hpp"
+
+namespace gxrod {
+
+namespace {
+
+// The first step moves the model by so much, and the load factor by this part of its range.
+constexpr double first_movement = 0.05;
+constexpr double first_part = 0.1;
+
+}  // namespace
+
+EquilibriumReport PathAnalysis::start() {
+    for (NodeMotion& motion : state_.trial) {
+        motion.v.setZero();
+        motion.omega.setZero();
+        motion.a.setZero();
+        motion.alpha.setZero();
+    }
+    state_.previous = state_.trial;
+    // What acts at t = 0 already acts before the path begins.
+    EquilibriumReport report =
+        solve_equilibrium(system_, *integrator_, newton_, {0, 0.0, 0.0, 0.0}, workspace_, state_);
+    if (!report.converged()) return report;
+    const bool is_loaded = report.iterations > 0;
+    accept_start(0.0, is_loaded);
+    return find_first_direction();
+}
+
+EquilibriumReport PathAnalysis::find_first_direction() {
+    EquilibriumReport report;
+    compute_consistent_tangent(system_, *integrator_, state_.time, workspace_, state_);
+    if (!factorize(system_, workspace_, report)) return report;
+    Eigen::VectorXd rate = -compute_load_gradient(system_, state_.time, workspace_.residual, state_);
+    workspace_.linear_solver->solve(rate);
+    if (!rate.allFinite()) {
+        report.outcome = Outcome::not_finite;
+        return report;
+    }
+    metric_.scale_load(rate);
+    const bool falls = settings_.least_load && !settings_.greatest_load;
+    tangent_ = {rate, 1.0};
+    tangent_ = ((falls ? -1.0 : 1.0) / metric_.norm(tangent_)) * tangent_;
+    sense_ = falls ? -1 : 1;
+    pivots_ = has_pivots_
+                  ? counter_.count(*integrator_, {0, state_.time, 0.0, state_.time}, workspace_, state_)
+                  : -1;
+    const double range = std::max(std::abs(settings_.greatest_load.value_or(falls ? 0.0 : 1.0)),
+                                  std::abs(settings_.least_load.value_or(0.0)));
+    const double step =
+        std::min(first_movement * std::numbers::sqrt2, first_part * range / std::abs(tangent_.load));
+    sequence().start(step);
+    return report;
+}
+
+EquilibriumReport PathAnalysis::start(const BranchStart& branch) {
+    state_ = branch.state;
+    branch_ = branch;
+    origin_ = branch.state.previous;
+    metric_.set_load_scale(branch.load_scale);
+    tangent_ = {branch.side * branch.shape, 0.0};
+    sense_ = 0;
+    pivots_ = -1;
+    system_.compute_residual(state_, state_.time, workspace_.residual);
+    accept_start(state_.time, true);
+    sequence().start(branch.first_step);
+    return {};
+}
+
+}  // namespace gxrod
