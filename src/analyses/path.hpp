@@ -30,6 +30,8 @@ class PathAnalysis : public SteppedAnalysis {
     const std::vector<CriticalPoint>& critical_points() const { return points_; }
     const std::vector<BranchStart>& branches() const { return branches_; }
     const PathMetric& metric() const { return metric_; }
+    // The critical points of this run of it.
+    std::vector<std::string> list_findings() const override;
     bool is_unstable() const override { return pivots_ > 0; }
 
   protected:

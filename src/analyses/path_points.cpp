@@ -1,6 +1,7 @@
 // What a path does about the critical points that its steps pass.
 #include "analyses/branch_search.hpp"
 #include "analyses/path.hpp"
+#include "analyses/path_words.hpp"
 #include "check/direction_words.hpp"
 
 namespace gxrod {
@@ -87,6 +88,10 @@ void PathAnalysis::describe(CriticalPoint& point, const Eigen::MatrixXd& kernel)
     compute_consistent_tangent(system_, *integrator_, point.load_factor, workspace_, state_);
     const std::optional<Weakness> weakness = describe_weakness(system_, state_, workspace_.values);
     if (weakness) point.shape = weakness->words;
+}
+
+std::vector<std::string> PathAnalysis::list_findings() const {
+    return describe_critical_points(points_, branches_, has_potential_);
 }
 
 }  // namespace gxrod

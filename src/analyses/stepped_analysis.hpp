@@ -48,6 +48,8 @@ class SteppedAnalysis {
 
     // Warnings about the steps so far, a sentence each.
     virtual std::vector<std::string> list_warnings() const { return {}; }
+    // What the steps so far have found that calls for no change of the deck, a sentence each.
+    virtual std::vector<std::string> list_findings() const { return {}; }
     // Whether unstable equilibria were accepted.
     virtual bool is_unstable() const { return false; }
 

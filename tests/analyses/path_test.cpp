@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "analyses/static.hpp"
 #include "deck/problem.hpp"
 #include "tools/path_run.hpp"
 #include "tools/rod_models.hpp"
@@ -136,6 +137,11 @@ TEST_CASE("a column's bifurcation is found, and its branch is the elastica", "[a
     CHECK(point.pivots_after == 1);
     REQUIRE(main.branches.size() == 2);
     CHECK(main.branches[0].side == -main.branches[1].side);
+    REQUIRE(main.findings.size() == 1);
+    CHECK_THAT(main.findings[0],
+               Catch::StartsWith("bifurcation at λ = 2.4674011") &&
+                   Catch::Contains("two branches leave (supercritical pitchfork, stable at first)") &&
+                   Catch::EndsWith("the path beyond is unstable (1 negative pivot)"));
     // At 60 and 120 degrees of the tip.
     settings.greatest_load.reset();
     settings.arc = 0.8;
@@ -180,6 +186,41 @@ TEST_CASE("a path that is resumed takes the same steps", "[analyses]") {
     CHECK(resumed.ledger_row().external_work == whole.ledger_row().external_work);
     for (std::size_t i = 0; i < whole.state().trial.size(); ++i)
         CHECK(resumed.state().trial[i].r == whole.state().trial[i].r);
+}
+
+TEST_CASE("a path continues from where statics end, and so do its energies", "[analyses]") {
+    const Problem problem = read_problem_text(lee_frame, "lee.toml");
+    StaticSettings statics;
+    statics.steps = 10;
+    statics.newton.tolerance = 1e-11;
+    StaticAnalysis before(problem.model, statics);
+    REQUIRE(before.start().converged());
+    while (!before.finished()) REQUIRE(before.advance().converged());
+    Model more = problem.model;
+    more.loads[0].force[1] = TimeFunction([](double t) { return -1.0 - t; });
+    const int node = find_node(more, {24.0, 120.0, 0.0});
+    PathSettings settings = make_path_settings();
+    settings.greatest_load = 5.0;
+    settings.at = {{node, 1, {-80.0}}};
+    PathAnalysis path(more, settings);
+    REQUIRE(path.start_after(before).converged());
+    CHECK(path.ledger_row().external_work == before.ledger_row().external_work);
+    CHECK(path.ledger_row().strain_energy == Approx(before.ledger_row().strain_energy).epsilon(1e-9));
+    const double energy_error = before.ledger_row().energy_error;
+    CHECK(path.ledger_row().energy_error == Approx(energy_error).margin(1e-9));
+    bool is_hit = false;
+    while (!path.finished()) {
+        REQUIRE(path.advance().converged());
+        const Vec3 place = path.state().trial[static_cast<std::size_t>(node)].r;
+        if (std::abs(place.y() - 40.0) > 1e-8) continue;
+        is_hit = true;
+        CHECK(path.row().load_factor == Approx(-0.348941191963 - 1.0).epsilon(1e-8));
+    }
+    CHECK(is_hit);
+    REQUIRE(path.critical_points().size() == 2);
+    CHECK(path.critical_points()[0].load_factor == Approx(0.854452709444).epsilon(1e-7));
+    CHECK(path.critical_points()[0].pivots_before == 0);
+    CHECK(path.row().load_factor == 5.0);
 }
 
 TEST_CASE("a path needs an end", "[analyses]") {

@@ -17,6 +17,7 @@ struct PathRun {
     std::vector<CriticalPoint> points;
     std::vector<PathPlace> at_points;  // of each
     std::vector<BranchStart> branches;
+    std::vector<std::string> findings;
     long steps = 0;
     long iterations = 0;
     double worst_energy_error = 0.0;  // relative to the largest strain energy
@@ -56,6 +57,7 @@ inline PathRun run_path(const Model& model,
     }
     run.points = analysis.critical_points();
     run.branches = analysis.branches();
+    run.findings = analysis.list_findings();
     run.worst_energy_error = worst / largest;
     return run;
 }

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analyses/branch_switch.hpp"
+#include "state/path_record.hpp"
+
+namespace gxrod {
+
+// The critical points of a path in words, a sentence each. `branches` are those that leave it; if the loads
+// have no potential, pivots say nothing of stability.
+std::vector<std::string> describe_critical_points(std::span<const CriticalPoint> points,
+                                                  std::span<const BranchStart> branches,
+                                                  bool has_potential);
+
+}  // namespace gxrod
