@@ -154,6 +154,8 @@ void PathAnalysis::remember(RestartRecord& record) const {
 
 void PathAnalysis::recall(const RestartRecord& record) {
     const PathMemory& memory = record.path;
+    if (memory.tangent.size() != state_.previous.size())
+        throw std::invalid_argument("the state to resume from is not on a path of this model");
     state_.time = memory.load_factor;
     metric_.set_load_scale(memory.load_scale);
     tangent_ = {gather(memory.tangent, system_.equations()), memory.load_rate};

@@ -223,6 +223,16 @@ TEST_CASE("a path continues from where statics end, and so do its energies", "[a
     CHECK(path.row().load_factor == 5.0);
 }
 
+TEST_CASE("a path cannot be resumed from statics", "[analyses]") {
+    const Model model = make_column(0.0);
+    StaticAnalysis statics(model, StaticSettings{});
+    REQUIRE(statics.start().converged());
+    PathSettings settings = make_path_settings();
+    settings.steps = 3;
+    PathAnalysis path(model, settings);
+    CHECK_THROWS_AS(path.resume(statics.restart_record()), std::invalid_argument);
+}
+
 TEST_CASE("a path needs an end", "[analyses]") {
     const Model model = make_column(0.0);
     CHECK_THROWS_AS(PathAnalysis(model, PathSettings{}), std::invalid_argument);

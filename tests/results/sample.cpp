@@ -146,6 +146,7 @@ RestartRecord make_restart(double t) {
         record.ledger.forces.push_back(Vec6::Constant(k + t));
         record.ledger.force_change.push_back(Vec6::Constant(k - t));
         record.ledger.movement.push_back(Vec6::Constant(2.0 * k - t));
+        record.path.tangent.push_back(Vec6::Constant(3.0 * k - t));
     }
     record.ledger.initial_energy = 1.5;
     record.ledger.initial_potential = 2.5;
@@ -158,6 +159,13 @@ RestartRecord make_restart(double t) {
     record.ledger.strain_energy = 6.75 + t;
     record.ledger.largest_energy = 7.25;
     record.steps = {true, t, 0.0625, 0.3, true, 17};
+    record.path.load_factor = 1.125 + t;
+    record.path.load_scale = 2.125;
+    record.path.load_rate = 3.125;
+    record.path.load_sense = -1;
+    record.path.points = 22;
+    record.stage = 2;
+    record.axis_start = 4.125;
     record.is_framed = true;
     record.totals = {18, 19, 20, 7.5, 8.5, {21, {0.25, 0.75, 9.5}}};
     return record;

@@ -113,13 +113,11 @@ void visit_numbers(Place& place, Visitor&& visit) {
     visit("jump_energy", record.totals.jumps.largest.energy);
     visit("stage", record.stage);
     visit("axis_start", record.axis_start);
-}
-
-inline DatasetLabel numbers_label() {
-    std::string names;
-    const RestartPlace none;
-    visit_numbers(none, [&](const char* name, const auto&) { names += std::string(" ") + name; });
-    return {"numbers", "single numbers, in order:" + names + " checksum_of_state", "none", ""};
+    visit("load_factor", record.path.load_factor);
+    visit("load_scale", record.path.load_scale);
+    visit("load_rate", record.path.load_rate);
+    visit("load_sense", record.path.load_sense);
+    visit("critical_points", record.path.points);
 }
 
 inline std::uint32_t sum_of(const Table& table, std::uint32_t before) {
@@ -146,5 +144,28 @@ inline const DatasetLabel force_change_label{
     "force_change", "change of these in the last load step", "spatial", ""};
 inline const DatasetLabel movement_label{
     "movement", "displacement and rotation vector of each node in the last load step", "spatial", ""};
+inline const DatasetLabel path_tangent_label{
+    "path_tangent", "of each node: displacement and spin of the path's unit tangent", "spatial", ""};
+
+// Calls visit(label, rows) for each list of a record. Some are empty in some stages and not in others.
+template <class Record, class Visitor>
+void visit_lists(Record& record, Visitor&& visit) {
+    visit(nodes_label, record.nodes);
+    visit(sections_label, record.sections);
+    visit(algorithmic_label, record.algorithmic);
+    visit(forces_label, record.ledger.forces);
+    visit(force_change_label, record.ledger.force_change);
+    visit(movement_label, record.ledger.movement);
+    visit(path_tangent_label, record.path.tangent);
+}
+
+inline DatasetLabel numbers_label() {
+    std::string names;
+    const RestartPlace none;
+    visit_numbers(none, [&](const char* name, const auto&) { names += std::string(" ") + name; });
+    visit_lists(none.record,
+                [&](const DatasetLabel& label, const auto&) { names += " rows_of_" + label.name; });
+    return {"numbers", "single numbers, in order:" + names + " checksum_of_state", "none", ""};
+}
 
 }  // namespace gxrod

@@ -29,6 +29,7 @@ Table read_numbers(const Hdf5Reader& file, const std::string& slot) {
     std::size_t count = 1;
     const RestartPlace none;
     visit_numbers(none, [&](const char*, const auto&) { ++count; });
+    visit_lists(none.record, [&](const DatasetLabel&, const auto&) { ++count; });
     return {1, file.rows(slot + numbers_label().name, 0, count, 1)};
 }
 
@@ -44,29 +45,25 @@ std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
     if (number != 0 && number != 1) throw std::runtime_error("/restart@slot is damaged");
     const std::string slot = "/restart/" + slot_name(number) + "/";
     std::uint32_t sum = 0;
-    const auto read = [&](const DatasetLabel& label, hsize_t columns) {
+    const auto read = [&](const DatasetLabel& label, double rows, hsize_t columns) {
         const std::vector<hsize_t> size = file.size(slot + label.name);
-        if (size.size() != 2 || size[1] != columns)
+        if (size.size() != 2 || static_cast<double>(size[0]) != rows || size[1] != columns)
             throw std::runtime_error(slot + label.name + " is damaged");
         Table table{columns, file.numbers(slot + label.name)};
         sum = sum_of(table, sum);
         return table;
     };
     RestartPlace place;
-    RestartRecord& record = place.record;
-    const auto read_rows = [&](const DatasetLabel& label, auto& rows) {
-        using Row = typename std::remove_reference_t<decltype(rows)>::value_type;
-        rows = rows_of<Row>(read(label, count_columns<Row>()));
-    };
-    read_rows(nodes_label, record.nodes);
-    read_rows(sections_label, record.sections);
-    read_rows(algorithmic_label, record.algorithmic);
-    read_rows(forces_label, record.ledger.forces);
-    read_rows(force_change_label, record.ledger.force_change);
-    read_rows(movement_label, record.ledger.movement);
     Table single = read_numbers(file, slot);
     const double written = single.values.back();
     single.values.pop_back();
+    std::size_t next = 0;
+    visit_numbers(place, [&](const char*, const auto&) { ++next; });
+    visit_lists(place.record, [&](const DatasetLabel& label, auto& rows) {
+        using Row = typename std::remove_reference_t<decltype(rows)>::value_type;
+        const double count = single.values[next++];
+        if (count != 0.0) rows = rows_of<Row>(read(label, count, count_columns<Row>()));
+    });
     if (static_cast<double>(sum_of(single, sum)) != written)
         throw std::runtime_error("its state does not have the checksum that was written with it");
     std::size_t count = 0;

@@ -42,6 +42,8 @@ void write_rows(const Hdf5Handle& dataset, hsize_t first, const Table& table) {
 // is extended by these rows.
 template <class Row>
 void put(const Hdf5Handle& group, const DatasetLabel& label, std::span<const Row> rows, std::uint32_t& sum) {
+    // What an earlier stage wrote stays: it does not count.
+    if (rows.empty()) return;
     constexpr std::size_t piece = 4096;
     const Hdf5Handle dataset = require_dataset(group, label, rows.size(), count_columns<Row>());
     for (std::size_t first = 0; first < rows.size(); first += piece) {
@@ -75,17 +77,15 @@ RestartTable::RestartTable(const Hdf5Handle& root) : group_(require_group(root, 
 
 void RestartTable::write(const RestartPlace& place) {
     const Hdf5Handle slot = require_group(group_, slot_name(slot_ == 0 ? 1 : 0));
-    const RestartRecord& record = place.record;
-    std::uint32_t sum = 0;
-    put<NodeMotion>(slot, nodes_label, record.nodes, sum);
-    put<SectionHistory>(slot, sections_label, record.sections, sum);
-    put<AlgorithmicAcceleration>(slot, algorithmic_label, record.algorithmic, sum);
-    put<Vec6>(slot, forces_label, record.ledger.forces, sum);
-    put<Vec6>(slot, force_change_label, record.ledger.force_change, sum);
-    put<Vec6>(slot, movement_label, record.ledger.movement, sum);
     Table single{1};
     visit_numbers(
         place, [&](const char*, const auto& value) { single.values.push_back(static_cast<double>(value)); });
+    std::uint32_t sum = 0;
+    visit_lists(place.record, [&](const DatasetLabel& label, const auto& rows) {
+        using Row = typename std::remove_cvref_t<decltype(rows)>::value_type;
+        put<Row>(slot, label, rows, sum);
+        single.values.push_back(static_cast<double>(rows.size()));
+    });
     single.values.push_back(static_cast<double>(sum_of(single, sum)));
     write_rows(require_dataset(slot, numbers_label(), single.values.size(), 1), 0, single);
     is_written_ = true;

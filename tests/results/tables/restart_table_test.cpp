@@ -63,6 +63,14 @@ void check_equal(const RestartRecord& a, const RestartRecord& b) {
     CHECK(a.totals.jumps.largest.from == b.totals.jumps.largest.from);
     CHECK(a.totals.jumps.largest.to == b.totals.jumps.largest.to);
     CHECK(a.totals.jumps.largest.energy == b.totals.jumps.largest.energy);
+    CHECK(a.stage == b.stage);
+    CHECK(a.axis_start == b.axis_start);
+    CHECK(a.path.load_factor == b.path.load_factor);
+    CHECK(a.path.load_scale == b.path.load_scale);
+    CHECK(a.path.load_rate == b.path.load_rate);
+    CHECK(a.path.tangent == b.path.tangent);
+    CHECK(a.path.load_sense == b.path.load_sense);
+    CHECK(a.path.points == b.path.points);
 }
 
 }  // namespace
@@ -102,4 +110,25 @@ TEST_CASE("A state without load steps or algorithmic accelerations comes back", 
     const std::optional<RestartPlace> place = read_restart(Hdf5Reader(folder / "a"));
     REQUIRE(place);
     check_equal(place->record, record);
+}
+
+TEST_CASE("Stages of a file can have lists that others lack", "[results][resume]") {
+    const sample::ScratchFolder folder;
+    const Model model = sample::make_model();
+    ResultsFile file({folder / "a"}, sample::make_deck(), model, sample::make_output());
+    const RestartRecord full = sample::make_restart(0.1);
+    RestartRecord bare = sample::make_restart(0.2);
+    bare.algorithmic.clear();
+    bare.ledger.forces.clear();
+    bare.ledger.force_change.clear();
+    bare.ledger.movement.clear();
+    bare.path = {};
+    for (const RestartRecord* record : std::initializer_list<const RestartRecord*>{
+             &bare, &bare, &full, &full, &bare, &full, &bare, &bare}) {
+        file.set_restart(*record);
+        file.flush();
+        const std::optional<RestartPlace> place = read_restart(Hdf5Reader(folder / "a"));
+        REQUIRE(place);
+        check_equal(place->record, *record);
+    }
 }
