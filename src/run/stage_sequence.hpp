@@ -39,7 +39,7 @@ class StageSequence {
 
     // Where t of the stage at hand begins on the axis that all share, and where the analysis is on it.
     double axis_start() const { return axis_start_; }
-    double axis() const { return axis_start_ + analysis().state().time; }
+    double axis() const { return axis_start_ + analysis().axis_time(); }
 
     // Continues with the next stage, from where this one ended. As SteppedAnalysis::start_after.
     EquilibriumReport enter_next();
