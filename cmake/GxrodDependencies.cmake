@@ -9,7 +9,6 @@ macro(gxrod_find name debian_package)
 endmacro()
 
 gxrod_find(Eigen3 libeigen3-dev 3.4 NO_MODULE)
-gxrod_find(Spectra libspectra-dev)
 gxrod_find(xsimd libxsimd-dev)
 if(xsimd_VERSION VERSION_LESS 8.1)
   message(FATAL_ERROR "gxrod needs xsimd 8.1 or later; ${xsimd_VERSION} is there")

@@ -23,9 +23,7 @@ struct LanczosSettings {
 //
 // Lanczos' method from several start vectors (Ruhe 1979), each new vector made orthogonal to all; where the
 // basis is full it starts again from the best Ritz vectors and what couples them to the rest (thick restart,
-// Wu & Simon 2000). Not Spectra's solver, whose thresholds are absolute numbers, which has one start vector,
-// cannot leave known vectors out, needs a definite inner product and several products by the matrix of that a
-// step.
+// Wu & Simon 2000).
 EigenPairs find_largest(const Pencil& pencil,
                         const LanczosSettings& settings,
                         const Eigen::MatrixXd& known = {});
