@@ -49,7 +49,7 @@ std::int64_t solve(const SparsePattern& pattern) {
     REQUIRE(solver.factorize(values).regular);
     Eigen::VectorXd x = load;
     solver.solve(x);
-    CHECK((multiply(pattern, values, x) - load).norm() <= 1e-12 * load.norm());
+    CHECK((tools::multiply(pattern, values, x) - load).norm() <= 1e-12 * load.norm());
     Eigen::VectorXd expected = load;
     const auto klu = make_linear_solver(LinearSolverKind::klu, pattern);
     REQUIRE(klu->factorize(values).regular);
@@ -204,7 +204,7 @@ TEST_CASE("What chains and junctions lose in digits is found and solved again", 
         REQUIRE(solver.factorize(values).regular);
         Eigen::VectorXd x = load;
         solver.solve(x);
-        CHECK((multiply(pattern, values, x) - load).norm() < 1e-12 * load.norm());
+        CHECK((tools::multiply(pattern, values, x) - load).norm() < 1e-12 * load.norm());
         // And the next one as if nothing had been.
         const std::vector<double> sound = make_unsymmetric_values(pattern, 3);
         REQUIRE(solver.factorize(sound).regular);

@@ -208,6 +208,6 @@ TEST_CASE("all solvers agree on a net", "[solvers]") {
         Eigen::VectorXd x = load;
         solver->solve(x);
         CHECK(relative_difference(x, expected) < 1e-12);
-        CHECK((multiply(pattern, values, x) - load).norm() < 1e-12 * load.norm());
+        CHECK((tools::multiply(pattern, values, x) - load).norm() < 1e-12 * load.norm());
     });
 }
