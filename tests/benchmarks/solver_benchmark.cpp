@@ -78,7 +78,6 @@ BENCHMARK_CAPTURE(solve_rod, klu_order_1, LinearSolverKind::klu, 1)->RangeMultip
 BENCHMARK_CAPTURE(solve_rod, umfpack_order_1, LinearSolverKind::umfpack, 1)
     ->RangeMultiplier(10)
     ->Range(10, 100'000);
-->RangeMultiplier(10)->Range(10, 100'000);
 
 // Ten elements between two crossings. KLU and UMFPACK take the whole matrix, that is how long they
 // take by themselves.
