@@ -8,6 +8,7 @@
 
 #include "batch/plan.hpp"
 #include "check/model_examination.hpp"
+#include "check/shape_report.hpp"
 #include "exit_code.hpp"
 #include "machine/file_error.hpp"
 #include "model/energy_round_off.hpp"
@@ -30,6 +31,13 @@ extern "C" void ask_to_end(int signal) {
     std::signal(signal, SIG_DFL);
 }
 
+void print_shapes(const FoundShapes& found) {
+    constexpr std::size_t most = 20;
+    const std::vector<std::string> lines = list_shapes(found.record, most);
+    say(stdout, "{}: {}\n", found.stage, lines.front());
+    for (std::size_t i = 1; i < lines.size(); ++i) say(stdout, "  {}\n", lines[i]);
+}
+
 void print(const JobOptions& options, const RunSummary& summary, bool is_resumed) {
     if (summary.status == RunStatus::failed) {
         say(stderr,
@@ -45,14 +53,16 @@ void print(const JobOptions& options, const RunSummary& summary, bool is_resumed
             options.results,
             options.results);
     } else if (options.prints()) {
-        say(stdout,
-            "{} steps to t = {:.10g}, {} Newton iterations{}, {:.2f} s\nResults: {}\n",
-            summary.totals.steps,
-            summary.time,
-            summary.totals.newton_iterations,
-            is_resumed ? " in all; this part" : "",
-            summary.wall_seconds,
-            options.results);
+        for (const FoundShapes& found : summary.shapes) print_shapes(found);
+        if (summary.totals.steps > 0) {
+            say(stdout,
+                "{} steps to t = {:.10g}, {} Newton iterations{}, ",
+                summary.totals.steps,
+                summary.time,
+                summary.totals.newton_iterations,
+                is_resumed ? " in all; this part" : "");
+        }
+        say(stdout, "{:.2f} s\nResults: {}\n", summary.wall_seconds, options.results);
     }
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "deck/problem.hpp"
@@ -34,8 +35,10 @@ int resume(ResumeArguments& arguments) {
     ResumableFile file(job.results);
     const Problem problem = read_resumption(file.deck(), job.deck, arguments.overrides);
     const RestartRecord& record = file.place().record;
-    const bool is_in_last = record.stage + 1 == std::ssize(problem.stages);
-    const AnalysisSettings& last = problem.stages.back().analysis;
+    const auto later = problem.stages.begin() + std::min(record.stage + 1, std::ssize(problem.stages));
+    const bool is_in_last = std::none_of(
+        later, problem.stages.end(), [](const StagePlan& stage) { return has_steps(stage.analysis); });
+    const AnalysisSettings& last = std::prev(later)->analysis;
     const double time = record.axis_start + record.steps.time;
     const bool is_at_end = is_in_last && record.steps.time == end_of(last);
     // A killed run can be at its end without being closed.

@@ -21,10 +21,33 @@ void write_json(const std::string& target, const nlohmann::ordered_json& json) {
     if (!file) throw FileError(target, "the summary could not be written");
 }
 
+namespace {
+
+nlohmann::ordered_json describe_shapes(const FoundShapes& found) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    bool is_complete = false;
+    if (const auto* modes = std::get_if<ModesRecord>(&found.record)) {
+        is_complete = modes->is_complete;
+        for (const Mode& mode : modes->modes)
+            rows.push_back(
+                {{"frequency", mode.frequency}, {"growth", mode.growth}, {"words", mode.shape.words}});
+    } else {
+        const auto& buckling = std::get<BucklingRecord>(found.record);
+        is_complete = buckling.is_complete;
+        for (const BucklingFactor& one : buckling.factors)
+            rows.push_back({{"factor", one.factor}, {"words", one.shape.words}});
+    }
+    return {{"stage", found.stage}, {"complete", is_complete}, {"shapes", rows}};
+}
+
+}  // namespace
+
 void write_summary(const std::string& target,
                    const RunSummary& summary,
                    const std::string& deck,
                    const std::string& results) {
+    nlohmann::ordered_json found = nlohmann::ordered_json::array();
+    for (const FoundShapes& shapes : summary.shapes) found.push_back(describe_shapes(shapes));
     const nlohmann::ordered_json json = {
         {"status", name_of(summary.status)},
         {"reason", summary.reason},
@@ -40,6 +63,7 @@ void write_summary(const std::string& target,
         {"newton_limit", summary.newton_limit},
         {"newton_iterations", summary.totals.newton_iterations},
         {"time", summary.time},
+        {"found", found},
         {"wall_seconds",
          {{"total", summary.wall_seconds},
           {"setup", summary.phases.setup},

@@ -6,6 +6,7 @@
 
 #include "check/model_examination.hpp"
 #include "exit_code.hpp"
+#include "model/analysis_traits.hpp"
 #include "report/study_page.hpp"
 #include "results/file/output_file.hpp"
 #include "say.hpp"
@@ -58,6 +59,13 @@ int verify_deck(const VerifyDeckArguments& arguments) {
             "[analysis]\n",
             arguments.deck,
             problem.stages.size());
+        return exit_bad_input;
+    }
+    if (!has_steps(problem.analysis)) {
+        say(stderr,
+            "{}: finds {}; gxrod verify refines what moves. Compare runs with more elements instead\n",
+            arguments.deck,
+            kind_of(problem.analysis));
         return exit_bad_input;
     }
     if (!examine(problem, arguments.deck)) return exit_bad_input;

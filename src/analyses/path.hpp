@@ -18,7 +18,7 @@ class PathAnalysis : public SteppedAnalysis {
     // The model must outlive the analysis. Throws std::invalid_argument if nothing ends the path.
     PathAnalysis(const Model& model, const PathSettings& settings, int threads = 1);
 
-    // From the reference shape, with the load factor 0.
+    // From the reference shape, or where an earlier stage left it, with the load factor 0.
     EquilibriumReport start() override;
     // Instead: from a bifurcation of another path of the same model, along the branch.
     EquilibriumReport start(const BranchStart& branch);

@@ -1,6 +1,7 @@
 #include "analyses/static.hpp"
 
 #include "analyses/dynamic.hpp"
+#include "analyses/path.hpp"
 #include "integrators/load_stepping.hpp"
 #include "model/newton_choice.hpp"
 #include "solvers/step_control.hpp"
@@ -90,7 +91,12 @@ std::unique_ptr<SteppedAnalysis> make_analysis(const Model& model,
     if (const auto* dynamic = std::get_if<DynamicSettings>(&settings)) {
         return std::make_unique<DynamicAnalysis>(model, *dynamic, threads);
     }
-    return std::make_unique<StaticAnalysis>(model, std::get<StaticSettings>(settings), threads);
+    if (const auto* path = std::get_if<PathSettings>(&settings)) {
+        return std::make_unique<PathAnalysis>(model, *path, threads);
+    }
+    // What finds shapes finds them about the state of an equilibrium.
+    const auto* statics = std::get_if<StaticSettings>(&settings);
+    return std::make_unique<StaticAnalysis>(model, statics != nullptr ? *statics : StaticSettings{}, threads);
 }
 
 }  // namespace gxrod

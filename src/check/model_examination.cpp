@@ -50,6 +50,7 @@ void find_drifting_parts(const Model& model,
 
 // Explicit schemes invert no stiffness.
 bool solves_equilibria(const AnalysisSettings& analysis) {
+    if (!has_steps(analysis)) return false;
     const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
     return !dynamic || dynamic->scheme != Scheme::runge_kutta_4;
 }

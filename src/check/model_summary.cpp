@@ -9,6 +9,7 @@
 #include "assembly/system.hpp"
 #include "check/condition_summary.hpp"
 #include "check/rod_summary.hpp"
+#include "model/analysis_traits.hpp"
 #include "model/frame_interval.hpp"
 
 namespace gxrod {
@@ -130,7 +131,7 @@ std::string describe_frames(const AnalysisSettings& settings, long every) {
     const auto* dynamic = std::get_if<DynamicSettings>(&settings);
     const std::string interval = every == 1 ? "one every step" : fmt::format("one every {} steps", every);
     if (dynamic != nullptr && dynamic->adaptive) return "frames, " + interval;
-    const long steps = std::visit([](const auto& analysis) { return analysis.steps; }, settings);
+    const long steps = steps_of(settings);
     return fmt::format("{} frames, {}", 1 + steps / every + (steps % every == 0 ? 0 : 1), interval);
 }
 
@@ -138,8 +139,13 @@ std::string describe_frames(const AnalysisSettings& settings, long every) {
 
 std::string describe_analysis(const AnalysisSettings& settings) {
     if (const auto* dynamic = std::get_if<DynamicSettings>(&settings)) return describe_dynamic(*dynamic);
-    return fmt::format("static analysis: {} steps of the load factor t from 0 to 1\n",
-                       std::get<StaticSettings>(settings).steps);
+    if (const auto* modes = std::get_if<ModesSettings>(&settings)) {
+        if (modes->below) return fmt::format("modes: all below {:.6g} cycles per time\n", *modes->below);
+        return fmt::format("modes: the {} of lowest frequency\n", modes->count);
+    }
+    if (const auto* buckling = std::get_if<BucklingSettings>(&settings))
+        return fmt::format("linear buckling: the {} smallest factors\n", buckling->count);
+    return fmt::format("static analysis: {} steps of the load factor t from 0 to 1\n", steps_of(settings));
 }
 
 std::string describe_output(const AnalysisSettings& settings, const OutputSettings& output) {

@@ -73,6 +73,7 @@ void note_stages(const std::vector<StagePlan>& stages, DeckRecord& record) {
     for (const StagePlan& stage : stages) {
         if (!stage.name.empty()) record.stages.push_back(stage.name);
         record.has_statics = record.has_statics || !needs_inertia(stage.analysis);
+        record.finds_shapes = record.finds_shapes || !has_steps(stage.analysis);
         record.is_static = record.is_static && !needs_inertia(stage.analysis);
     }
 }

@@ -19,6 +19,7 @@ struct DeckRecord {
     std::string units;                     // a label only
     bool is_static = false;                // no stage has time: t is a load factor
     bool has_statics = false;              // some stage has none
+    bool finds_shapes = false;             // some stage finds modes or the like
     std::vector<std::string> stages = {};  // their names; none of a deck without [[stage]]
     std::vector<MeshRecord> meshes = {};
 };

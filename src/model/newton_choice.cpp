@@ -7,8 +7,13 @@
 namespace gxrod {
 
 const NewtonSettings& newton_of(const AnalysisSettings& analysis) {
-    return std::visit([](const auto& settings) -> const NewtonSettings& { return settings.newton; },
-                      analysis);
+    static const NewtonSettings none;
+    return std::visit(
+        [](const auto& settings) -> const NewtonSettings& {
+            if constexpr (requires { settings.newton; }) return settings.newton;
+            return none;
+        },
+        analysis);
 }
 
 TangentChoice choose_tangent(const Model& model, const AnalysisSettings& analysis) {

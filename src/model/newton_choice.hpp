@@ -8,6 +8,7 @@
 // What becomes of settings of Newton's method that are left to gxrod.
 namespace gxrod {
 
+// The defaults of a kind that solves no equilibria.
 const NewtonSettings& newton_of(const AnalysisSettings& analysis);
 
 // From this ratio of stiffnesses on, motions take the mixed tangent: there it is as fast as the consistent

@@ -111,7 +111,8 @@ struct PathSettings {
     LinearSolverKind linear_solver = LinearSolverKind::automatic;
 };
 
-using AnalysisSettings = std::variant<DynamicSettings, StaticSettings>;
+using AnalysisSettings =
+    std::variant<DynamicSettings, StaticSettings, PathSettings, ModesSettings, BucklingSettings>;
 
 // A quantity that a history can record.
 enum class Quantity {

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "deck/schema/choices.hpp"
+#include "model/analysis_traits.hpp"
 #include "model/newton_choice.hpp"
 #include "report/model_json.hpp"
 
@@ -120,10 +121,11 @@ Json describe_analysis(const AnalysisSettings& analysis) {
         }
         if (dynamic->adaptive) rows.push_back({"tolerance of a step", dynamic->adaptive->tolerance});
         add_newton(dynamic->newton);
+    } else if (has_steps(analysis)) {
+        if (steps_of(analysis) > 0) rows.push_back({"load steps", steps_of(analysis)});
+        add_newton(newton_of(analysis));
     } else {
-        const auto& settings = std::get<StaticSettings>(analysis);
-        rows.push_back({"load steps", settings.steps});
-        add_newton(settings.newton);
+        rows.push_back({"kind", kind_of(analysis)});
     }
     return {{"title", "Analysis"}, {"columns", Json::array()}, {"rows", rows}};
 }

@@ -10,6 +10,7 @@
 #include "machine/memory_reserve.hpp"
 #include "results/file/ordered_driver.hpp"
 #include "results/results_tables.hpp"
+#include "results/shape_file.hpp"
 #include "results/tables/provenance.hpp"
 
 namespace gxrod {
@@ -189,6 +190,17 @@ void ResultsFile::attempt(std::size_t bytes, Action&& action) {
 
 void ResultsFile::begin_stage(const StagePlace& stage) {
     attempt(hdf5_reserve, [&] { tables_->begin_stage(stage); });
+}
+
+void ResultsFile::write_shapes(const StagePlace& stage,
+                               const DeckRecord& deck,
+                               const Model& model,
+                               std::span<const NodeMotion> equilibrium,
+                               const ShapesRecord& record) {
+    const std::vector<const Shape*> shapes = list_shapes_of(record);
+    const std::vector<double> scales = find_shape_scales(model, shapes);
+    attempt(hdf5_reserve, [&] { tables_->write_shapes(stage, model, record, scales); });
+    write_shape_file(shape_file_path(path_, stage.name), deck, model, equilibrium, shapes, scales);
 }
 
 void ResultsFile::record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver) {

@@ -14,6 +14,7 @@
 #include "results/file/output_file.hpp"
 #include "results/resumable_file.hpp"
 #include "results/stage_place.hpp"
+#include "state/mode_record.hpp"
 #include "state/restart_record.hpp"
 #include "state/step_record.hpp"
 
@@ -58,6 +59,12 @@ class ResultsFile {
 
     // The rows that follow belong to this stage, if the deck has stages.
     void begin_stage(const StagePlace& stage);
+    // What a stage has found that takes no steps; with a file of its shapes beside this one.
+    void write_shapes(const StagePlace& stage,
+                      const DeckRecord& deck,
+                      const Model& model,
+                      std::span<const NodeMotion> equilibrium,
+                      const ShapesRecord& record);
     // Adds a row to the histories, the ledger and the solver record: each accepted step, t = 0 included.
     void record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
     // Adds a frame to /VTKHDF.

@@ -21,6 +21,12 @@ class ResultsTables {
                   hsize_t frames);
 
     void begin_stage(const StagePlace& stage) { stages_.begin_stage(stage, step_count_); }
+    void write_shapes(const StagePlace& stage,
+                      const Model& model,
+                      const ShapesRecord& record,
+                      std::span<const double> scales) {
+        stages_.write_shapes(stage, model, record, scales, step_count_);
+    }
     void append_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
     void append_frame(const Snapshot& snapshot);
     // A run can be resumed after the steps and frames that were appended so far.

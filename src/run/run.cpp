@@ -6,13 +6,13 @@
 #include <cmath>
 #include <new>
 
+#include "check/shape_report.hpp"
 #include "machine/file_error.hpp"
 #include "model/analysis_traits.hpp"
 #include "model/evaluation_error.hpp"
 #include "model/frame_interval.hpp"
 #include "model/newton_choice.hpp"
 #include "results/tables/history_point.hpp"
-#include "run/stage_sequence.hpp"
 
 namespace gxrod {
 
@@ -37,7 +37,7 @@ class Run {
     void run() {
         try {
             if (start()) {
-                while (take_steps() && !stages_->is_last() && enter_next_stage()) {
+                while (run_stage() && !stages_->is_last() && enter_next_stage()) {
                 }
             }
         } catch (const EvaluationError& error) {
@@ -82,15 +82,49 @@ class Run {
     }
 
     // To the end of the stage; false if that was not reached.
-    bool take_steps() {
+    bool run_stage() {
+        if (!has_steps(stages_->settings())) return find_shapes();
+
         while (!analysis().finished()) {
             if (interrupted() || !step()) return false;
         }
         return true;
     }
 
+    bool find_shapes() {
+        FoundShapes found = stages_->find_shapes();
+        const std::string failure = find_failure(found.record);
+        if (!failure.empty()) {
+            fail(name_stage() + failure);
+            return false;
+        }
+        if (stages_->moving_index() == 0 && !has_steps(request_.analysis)) {
+            const bool multiplies_loads = std::holds_alternative<BucklingRecord>(found.record);
+            const std::string note = multiplies_loads ? "" : describe_left_out_loads(request_.model);
+            if (!note.empty()) summary_.notes.push_back(name_stage() + note);
+        }
+        for (const std::string& warning : warn_of_shapes(found.record))
+            shape_warnings_.push_back(name_stage() + warning);
+        if (file_) {
+            const PhaseTimer timer(output_seconds_);
+            file_->write_shapes(
+                place_of_stage(), request_.deck, request_.model, analysis().state().previous, found.record);
+        }
+        summary_.shapes.push_back(std::move(found));
+        return true;
+    }
+
+    // Before a sentence about the stage at hand.
+    std::string name_stage() const {
+        return request_.stages.size() > 1 ? "stage " + stages_->name() + ": " : "";
+    }
+
     // False, and the reason is kept, if it cannot start.
     bool enter_next_stage() {
+        if (!has_steps(request_.stages[stages_->index() + 1].analysis)) {
+            stages_->enter_next();
+            return true;
+        }
         sum_up_cuts();
         compare_errors();
         const EquilibriumReport report = stages_->enter_next();
@@ -107,7 +141,9 @@ class Run {
     }
 
     StagePlace place_of_stage() const {
-        return {stages_->index(), stages_->name(), kind_of(stages_->settings()), stages_->axis_start()};
+        const std::string kind = kind_of(stages_->settings());
+        return {
+            stages_->index(), stages_->name().empty() ? kind : stages_->name(), kind, stages_->axis_start()};
     }
 
     [[noreturn]] void explain_no_step(const std::filesystem::path& path, double time) const {
@@ -204,7 +240,7 @@ class Run {
     Snapshot take_snapshot(bool with_elements = true) {
         Snapshot snapshot = analysis().snapshot(with_elements);
         snapshot.time = stages_->axis();
-        snapshot.stage = static_cast<int>(stages_->index());
+        snapshot.stage = static_cast<int>(stages_->moving_index());
         return snapshot;
     }
 
@@ -221,7 +257,7 @@ class Run {
         RestartRecord record = analysis().restart_record();
         record.totals = accepted_totals_;
         record.is_framed = last_framed_;
-        record.stage = static_cast<std::int64_t>(stages_->index());
+        record.stage = static_cast<std::int64_t>(stages_->moving_index());
         record.axis_start = stages_->axis_start();
         return record;
     }
@@ -269,8 +305,7 @@ class Run {
     // To those of earlier stages.
     void add_sentence(const std::string& sentence, std::string& text) const {
         if (!text.empty()) text += "; ";
-        if (request_.stages.size() > 1) text += "stage " + stages_->name() + ": ";
-        text += sentence;
+        text += name_stage() + sentence;
     }
 
     // Equal steps that are so short that the scheme's error is below what Newton's method leaves.
@@ -300,6 +335,7 @@ class Run {
     void close() {
         if (summary_.status == RunStatus::running) summary_.status = RunStatus::complete;
         summary_.warnings = stages_->list_warnings();
+        summary_.warnings.insert(summary_.warnings.end(), shape_warnings_.begin(), shape_warnings_.end());
         summary_.is_unstable = stages_->is_unstable();
         sum_up_cuts();
         compare_errors();
@@ -337,6 +373,7 @@ class Run {
     double output_seconds_ = 0.0;
     std::unique_ptr<StageSequence> stages_;
     std::unique_ptr<ResultsFile> file_;
+    std::vector<std::string> shape_warnings_;
     long first_step_ = 0;        // steps done when it was resumed
     EnergyPoint last_point_;     // in statics, of the last step
     RunTotals accepted_totals_;  // without what a step that failed has cost

@@ -13,6 +13,7 @@
 #include "model/stage.hpp"
 #include "results/energy_warning.hpp"
 #include "results/results_file.hpp"
+#include "run/stage_sequence.hpp"
 
 // A whole run: from a model to a results file.
 namespace gxrod {
@@ -53,6 +54,7 @@ struct RunSummary {
     bool deck_fault = false;                 // whether the deck is to blame: a load without a finite value
     bool out_of_memory = false;
     std::vector<std::string> notes;     // what a user may want to know of how stages begin, a sentence each
+    std::vector<FoundShapes> shapes;    // in the order of the stages
     std::vector<std::string> warnings;  // what is to be known before the results are trusted, a sentence each
     bool is_unstable = false;           // whether equilibria were accepted that no structure would stay at
     long nodes = 0;

@@ -7,8 +7,15 @@
 
 #include "analyses/static.hpp"
 #include "model/stage.hpp"
+#include "state/mode_record.hpp"
 
 namespace gxrod {
+
+// What a stage without steps has found.
+struct FoundShapes {
+    std::string stage;  // its name, or its kind if it has none
+    ShapesRecord record;
+};
 
 // The stages of a run: the analysis at hand, and what goes over from one to the next.
 class StageSequence {
@@ -36,13 +43,19 @@ class StageSequence {
     // 0 … 1: of all stages, as if each took as long.
     double part_done() const;
     bool is_last() const { return index_ + 1 >= plan_.stages.size(); }
+    // The stage whose steps led to the state: the one at hand, or an earlier one if that finds shapes.
+    std::size_t moving_index() const { return moving_index_; }
 
     // Where t of the stage at hand begins on the axis that all share, and where the analysis is on it.
     double axis_start() const { return axis_start_; }
     double axis() const { return axis_start_ + analysis().axis_time(); }
 
-    // Continues with the next stage, from where this one ended. As SteppedAnalysis::start_after.
+    // Continues with the next stage, from where this one ended. As SteppedAnalysis::start_after; a stage that
+    // finds shapes keeps analysis and model of the one before it.
     EquilibriumReport enter_next();
+    // What the stage at hand, which takes no steps, finds about the last accepted state. Loads are those that
+    // act there; buckling about the reference shape multiplies what acts at t = 1.
+    FoundShapes find_shapes() const;
 
     // Of all stages so far.
     PhaseSeconds seconds() const;
@@ -60,6 +73,7 @@ class StageSequence {
 
     Plan plan_;
     std::size_t index_ = 0;
+    std::size_t moving_index_ = 0;
     double axis_start_ = 0.0;
     Current current_;
     // Of earlier stages.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "rotation/types.hpp"
@@ -74,5 +75,8 @@ struct BucklingRecord {
     bool is_symmetric = true;
     std::string cause;
 };
+
+// What a stage that finds shapes has found.
+using ShapesRecord = std::variant<ModesRecord, BucklingRecord>;
 
 }  // namespace gxrod

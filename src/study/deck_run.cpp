@@ -4,19 +4,18 @@
 
 #include <stdexcept>
 
+#include "check/shape_report.hpp"
 #include "deck/schema/choices.hpp"
 #include "machine/phase_timer.hpp"
+#include "model/analysis_traits.hpp"
 
 namespace gxrod {
 
 DeckRun::DeckRun(const std::string& name, const std::string& text, const std::vector<std::string>& overrides)
     : name_(name),
       problem_(read_problem_text(text, name + ".toml", overrides)),
-      stages_(std::make_unique<StageSequence>(
-          StageSequence::Plan{problem_.model,
-                              problem_.analysis,
-                              problem_.stages,
-                              list_rod_places(problem_.output.histories)})) {}
+      stages_(std::make_unique<StageSequence>(StageSequence::Plan{
+          problem_.model, problem_.analysis, problem_.stages, list_rod_places(problem_.output.histories)})) {}
 
 void DeckRun::check(const EquilibriumReport& report) {
     if (report.converged()) return;
@@ -27,7 +26,8 @@ void DeckRun::run(const std::function<void()>& visit) {
     check(analysis().start());
     visit();
     for (;;) {
-        while (!analysis().finished()) {
+        if (!has_steps(stages_->settings())) find_shapes();
+        while (has_steps(stages_->settings()) && !analysis().finished()) {
             {
                 const PhaseTimer timer(seconds_);
                 check(analysis().advance());
@@ -39,6 +39,13 @@ void DeckRun::run(const std::function<void()>& visit) {
         if (stages_->is_last()) return;
         check(stages_->enter_next());
     }
+}
+
+void DeckRun::find_shapes() {
+    const PhaseTimer timer(seconds_);
+    shapes_.push_back(stages_->find_shapes());
+    const std::string failure = find_failure(shapes_.back().record);
+    if (!failure.empty()) throw std::runtime_error(name_ + ": " + failure);
 }
 
 HistoryPoint::Row DeckRun::value(const std::string& history, const std::string& quantity) {

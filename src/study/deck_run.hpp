@@ -24,12 +24,15 @@ class DeckRun {
     double time() const { return stages_->axis(); }
     double end_time() const { return find_axis_end(problem_.stages); }
 
-    // Runs all stages to the end and calls visit at the start and after each accepted step. Throws std::runtime_error if
-    // a step fails.
+    // Runs all stages to the end and calls visit at the start and after each accepted step. Throws
+    // std::runtime_error if a step fails.
     void run(const std::function<void()>& visit);
 
     // A quantity of one of the deck's histories, now. Throws std::runtime_error if there is no such.
     HistoryPoint::Row value(const std::string& history, const std::string& quantity);
+
+    // What stages without steps have found, in their order.
+    const std::vector<FoundShapes>& shapes() const { return shapes_; }
 
     long steps() const { return steps_; }
     long newton_iterations() const { return newton_iterations_; }
@@ -37,10 +40,12 @@ class DeckRun {
 
   private:
     void check(const EquilibriumReport& report);
+    void find_shapes();
 
     std::string name_;
     Problem problem_;
     std::unique_ptr<StageSequence> stages_;
+    std::vector<FoundShapes> shapes_;
     long steps_ = 0;
     long newton_iterations_ = 0;
     double seconds_ = 0.0;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "deck/reading/override_key.hpp"
+#include "model/analysis_traits.hpp"
 #include "model/newton_choice.hpp"
 #include "study/method_traits.hpp"
 
@@ -55,7 +56,7 @@ DeckVariant make_finer_steps(const Problem& problem, int level) {
         variant.overrides = refine(*adaptive, newton_of(problem.analysis), level);
     }
     const auto* dynamic = std::get_if<DynamicSettings>(&problem.analysis);
-    const long steps = dynamic != nullptr ? dynamic->steps : std::get<StaticSettings>(problem.analysis).steps;
+    const long steps = dynamic != nullptr ? dynamic->steps : steps_of(problem.analysis);
     if (dynamic == nullptr) variant.title = level == 1 ? "twice the load steps" : "four times the load steps";
     variant.overrides.push_back(fmt::format("analysis.steps={}", factor * steps));
     return variant;

@@ -35,7 +35,39 @@ Vec3 ledger_value(const std::string& quantity, const LedgerRow& row) {
     throw std::runtime_error("the ledger has no " + quantity);
 }
 
+std::vector<double> list_shape_values(const ShapesRecord& record, const std::string& quantity) {
+    std::vector<double> values;
+    if (const auto* modes = std::get_if<ModesRecord>(&record)) {
+        for (const Mode& mode : modes->modes) {
+            if (quantity == "frequency") values.push_back(mode.frequency);
+            if (quantity == "omega") values.push_back(mode.omega);
+            if (quantity == "growth") values.push_back(mode.growth);
+        }
+    } else if (quantity == "factor") {
+        for (const BucklingFactor& one : std::get<BucklingRecord>(record).factors)
+            values.push_back(one.factor);
+    }
+    return values;
+}
+
+FoundValue find_shape_value(const BenchmarkValue& value, const DeckRun& run) {
+    for (const FoundShapes& shapes : run.shapes()) {
+        if (shapes.stage != value.source) continue;
+        FoundValue found{list_shape_values(shapes.record, value.quantity)};
+        if (found.value.size() < value.reference.size()) break;
+        found.value.resize(value.reference.size());
+        for (std::size_t i = 0; i < value.reference.size(); ++i) {
+            if (std::isnan(value.reference[i])) continue;
+            found.error = std::fmax(found.error, std::abs(found.value[i] / value.reference[i] - 1.0));
+        }
+        return found;
+    }
+    throw std::runtime_error(
+        fmt::format("no {} values {} of a stage {}", value.reference.size(), value.quantity, value.source));
+}
+
 bool is_due(const BenchmarkValue& value, const DeckRun& run) {
+    if (value.is_of_shapes) return false;
     return value.is_constant || std::abs(run.time() - value.time) <= same_time * run.end_time();
 }
 
@@ -79,6 +111,10 @@ BenchmarkRun run_benchmark(const Benchmark& benchmark, const std::vector<std::st
     });
     for (std::size_t i = 0; i < found.size(); ++i) {
         if (found[i]) continue;
+        if (benchmark.values[i].is_of_shapes) {
+            result.values[i] = find_shape_value(benchmark.values[i], run);
+            continue;
+        }
         throw std::runtime_error(fmt::format(
             "{}: no step ends at t = {}, where a value is known", benchmark.name, benchmark.values[i].time));
     }

@@ -12,13 +12,14 @@ namespace gxrod {
 
 // What is compared, and with what.
 struct BenchmarkValue {
-    std::string source;  // a [[history]] of the deck, or "ledger"
+    std::string source;  // a [[history]] of the deck, "ledger", or a stage that finds shapes
     std::string quantity;
     double time = 0.0;
     bool is_constant = false;       // the reference is for every step, and the worst of them counts
     std::vector<double> reference;  // a NaN component is not compared
     double scale = 1.0;             // errors are divided by it
     double uncertainty = 0.0;       // of the reference; 0: exact
+    bool is_of_shapes = false;      // then the reference has a number for each shape; errors are relative
 };
 
 // Runs of one deck with more and more elements or steps.
@@ -33,7 +34,7 @@ struct Refinement {
 struct Benchmark {
     std::string name;
     std::string sentence;
-    std::string kind;    // "statics", "dynamics", "rigid body", "objectivity", "conservation"
+    std::string kind;    // "statics", "vibrations", "stability", "dynamics", "rigid body", …
     std::string source;  // of the problem, and how the reference was found
     std::string deck;    // its text
     std::vector<BenchmarkValue> values;

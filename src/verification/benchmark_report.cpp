@@ -46,6 +46,7 @@ std::optional<double> finest_order(const std::vector<CheckRow>& rows) {
 
 std::string describe(const BenchmarkValue& value) {
     const std::string name = value.source == "ledger" ? value.quantity : value.source + " " + value.quantity;
+    if (value.is_of_shapes) return name;
     return value.is_constant ? name + ", all times" : fmt::format("{}, t = {:.10g}", name, value.time);
 }
 

@@ -10,6 +10,8 @@
 //   [[value]]       history = "tip" (or ledger = true), quantity, time = 1 (or "all": every step), is =
 //   number or
 //                   vector, scale = 1, uncertainty = 0
+//   [[value]]       stage = "tones", quantity = "frequency", "omega", "growth" or "factor", is = those of the
+//                   first shapes, uncertainty = 0: errors are relative, the largest counts
 //   [[refinement]]  name, set = ["KEY=VALUE"] for all rows, rows = [["KEY=VALUE"], …], order, tolerance,
 //   floor
 namespace gxrod {
@@ -93,7 +95,8 @@ class ReferenceReader {
         } else {
             for (const DeckNode& element : *node->array()) values.push_back(number(element, key));
         }
-        if (values.size() > 4) faults_.add(node->place, key, "expected at most 4 numbers");
+        const bool is_of_shapes = table.find("stage") != nullptr;
+        if (!is_of_shapes && values.size() > 4) faults_.add(node->place, key, "expected at most 4 numbers");
         return values;
     }
 
@@ -119,9 +122,12 @@ class ReferenceReader {
     }
 
     BenchmarkValue read_value(const DeckNode& table) {
-        allow(table, {"history", "ledger", "quantity", "time", "is", "scale", "uncertainty"});
+        allow(table, {"history", "ledger", "stage", "quantity", "time", "is", "scale", "uncertainty"});
         BenchmarkValue value;
-        value.source = table.find("ledger") != nullptr ? "ledger" : text(table, "history");
+        value.is_of_shapes = table.find("stage") != nullptr;
+        value.source = table.find("ledger") != nullptr
+                           ? "ledger"
+                           : text(table, value.is_of_shapes ? "stage" : "history");
         value.quantity = text(table, "quantity");
         value.is_constant = is_word(table, "time", "all");
         if (!value.is_constant) value.time = number_or(table, "time", 1.0);

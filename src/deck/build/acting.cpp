@@ -62,7 +62,7 @@ void check_name(const Place& place,
     context.faults.add(
         place,
         path,
-        fmt::format("stage \"{}\" takes no steps: it has the loads and supports of the stage before it",
+        fmt::format("stage \"{}\" moves nothing: it has the loads and supports of the stage before it",
                     name));
 }
 

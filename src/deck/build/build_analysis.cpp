@@ -134,8 +134,24 @@ StaticSettings build_static(const CheckedTable& table, const BuildContext& conte
     return settings;
 }
 
+ModesSettings build_modes(const CheckedTable& table) {
+    ModesSettings settings;
+    if (table.gives("count")) settings.count = static_cast<int>(table.get<long>("count"));
+    if (table.gives("below")) settings.below = table.get<double>("below");
+    return settings;
+}
+
+BucklingSettings build_buckling(const CheckedTable& table) {
+    BucklingSettings settings;
+    if (table.gives("count")) settings.count = static_cast<int>(table.get<long>("count"));
+    return settings;
+}
+
 AnalysisSettings build_analysis(const CheckedTable& table, const BuildContext& context) {
-    if (table.get<std::string>("kind") == "static") return build_static(table, context);
+    const std::string& kind = table.get<std::string>("kind");
+    if (kind == "static") return build_static(table, context);
+    if (kind == "modes") return build_modes(table);
+    if (kind == "buckling") return build_buckling(table);
     return build_dynamic(table, context);
 }
 

@@ -8,6 +8,9 @@ namespace gxrod {
 namespace {
 
 const Condition dynamic_only{"kind", {"dynamic"}};
+const Condition with_steps{"kind", {"dynamic", "static"}};
+const Condition modes_only{"kind", {"modes"}};
+const Condition with_shapes{"kind", {"modes", "buckling"}};
 
 std::vector<Condition> for_schemes(const std::vector<Scheme>& schemes) {
     Condition condition{"integrator", {}};
@@ -17,7 +20,8 @@ std::vector<Condition> for_schemes(const std::vector<Scheme>& schemes) {
 
 // Newton's method is for static analyses and implicit integrators.
 std::vector<Condition> for_equilibria() {
-    return {for_schemes({Scheme::newmark_simplified,
+    return {with_steps,
+            for_schemes({Scheme::newmark_simplified,
                          Scheme::newmark_ibrahimbegovic,
                          Scheme::generalized_alpha,
                          Scheme::sdirk_4})
@@ -137,7 +141,24 @@ std::vector<KeySpec> scheme_keys() {
              "chains: by blocks of the unknowns of nodes, the insides of rods first, then their junctions by "
              "dense fronts. klu: sparse LU, entry by entry. umfpack: LU by dense fronts, which exchanges "
              "equations to find pivots. auto: chains.",
-         .choices = words_of(linear_solver_choices)}};
+         .choices = words_of(linear_solver_choices),
+         .only_for = {with_steps}}};
+}
+
+std::vector<KeySpec> shape_keys() {
+    return {{.name = "count",
+             .type = ValueType::integer,
+             .range = {.lower = 1, .upper = 10'000},
+             .default_text = fmt::format(
+                 "`{}` modes, `{}` buckling factors", ModesSettings{}.count, BucklingSettings{}.count),
+             .sentence = "How many: the lowest frequencies, the smallest positive factors.",
+             .only_for = {with_shapes}},
+            {.name = "below",
+             .type = ValueType::number,
+             .dimension = "1/time",
+             .range = positive,
+             .sentence = "All modes of a lower frequency, in cycles per time, instead of `count`.",
+             .only_for = {modes_only}}};
 }
 
 std::vector<KeySpec> analysis_keys() {
@@ -147,8 +168,10 @@ std::vector<KeySpec> analysis_keys() {
          .presence = Presence::required,
          .sentence = "dynamic: the motion from t = 0 to end_time. static: equilibria while the "
                      "load factor t goes from 0 to 1; loads, gravity and moves whose value has "
-                     "no t are multiplied by it.",
-         .choices = {"dynamic", "static"}},
+                     "no t are multiplied by it. modes: vibrations about the state that the stage before "
+                     "leaves, or about the reference shape without loads. buckling: the factors on the "
+                     "loads at which that state gives way, by linear theory.",
+         .choices = {"dynamic", "static", "modes", "buckling"}},
         {.name = "end_time",
          .type = ValueType::number,
          .dimension = "time",
@@ -166,29 +189,33 @@ std::vector<KeySpec> analysis_keys() {
          .type = ValueType::integer,
          .range = {.lower = 1, .upper = static_cast<double>(largest_step_count)},
          .default_text = fmt::format("`{}` if static", StaticSettings{}.steps),
-         .sentence = "How many equal steps."}};
+         .sentence = "How many equal steps.",
+         .only_for = {with_steps}}};
     for (KeySpec& key : scheme_keys()) keys.push_back(std::move(key));
+    for (KeySpec& key : shape_keys()) keys.push_back(std::move(key));
     return keys;
 }
 
 }  // namespace
 
 const TableSpec& analysis_table() {
-    static const TableSpec table{.path = "analysis",
-                                 .heading = "[analysis]",
-                                 .sentence = "What is asked of the model.",
-                                 .keys = analysis_keys(),
-                                 .groups = {{.rule = GroupRule::exactly_one,
-                                             .keys = {"time_step", "steps"},
-                                             .only_for = {dynamic_only}}},
-                                 .example =
-                                     "[analysis]\n"
-                                     "kind       = \"dynamic\"\n"
-                                     "end_time   = 15.0\n"
-                                     "time_step  = 0.01\n"
-                                     "integrator = \"generalized-alpha\"\n"
-                                     "spectral_radius = 0.8\n"
-                                     "newton     = { tolerance = 1e-10, max_iterations = 15 }\n"};
+    static const TableSpec table{
+        .path = "analysis",
+        .heading = "[analysis]",
+        .sentence = "What is asked of the model.",
+        .keys = analysis_keys(),
+        .groups = {{.rule = GroupRule::exactly_one,
+                    .keys = {"time_step", "steps"},
+                    .only_for = {dynamic_only}},
+                   {.rule = GroupRule::at_most_one, .keys = {"count", "below"}, .only_for = {modes_only}}},
+        .example =
+            "[analysis]\n"
+            "kind       = \"dynamic\"\n"
+            "end_time   = 15.0\n"
+            "time_step  = 0.01\n"
+            "integrator = \"generalized-alpha\"\n"
+            "spectral_radius = 0.8\n"
+            "newton     = { tolerance = 1e-10, max_iterations = 15 }\n"};
     return table;
 }
 

@@ -42,6 +42,7 @@ class Hdf5Handle {
     }
 
     hid_t id() const { return id_; }
+    bool is_open() const { return id_ >= 0; }
     // The library's status from closing; 0 if nothing was open.
     herr_t reset() { return id_ < 0 ? 0 : closer_(std::exchange(id_, H5I_INVALID_HID)); }
 

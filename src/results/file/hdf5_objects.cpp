@@ -111,6 +111,11 @@ void write_attribute(hid_t object, const std::string& name, std::span<const std:
     write_attribute(object, name, type, list_space(values.size()), values.data());
 }
 
+void write_attribute(hid_t object, const std::string& name, double value) {
+    const Hdf5Handle type(H5Tcopy(H5T_IEEE_F64LE), H5Tclose, "number type");
+    write_attribute(object, name, type, scalar_space(), &value);
+}
+
 void write_label(hid_t dataset, const DatasetLabel& label) {
     write_attribute(dataset, "description", label.description);
     write_attribute(dataset, "frame", label.frame);
@@ -138,6 +143,15 @@ void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span
 
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::uint8_t> values) {
     write_dataset(group, label, H5T_STD_U8LE, list_space(values.size()), values.data());
+}
+
+void write_dataset(const Hdf5Handle& group,
+                   const DatasetLabel& label,
+                   std::span<const hsize_t> size,
+                   std::span<const double> values) {
+    const Hdf5Handle space(
+        H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose, "dataspace");
+    write_dataset(group, label, H5T_IEEE_F64LE, space, values.data());
 }
 
 Hdf5Handle create_dataset(const Hdf5Handle& group, const DatasetLabel& label, hsize_t rows, hsize_t columns) {

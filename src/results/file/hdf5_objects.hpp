@@ -55,6 +55,7 @@ void write_attribute(hid_t object, const std::string& name, const std::string& t
 // A string of exactly its own length, as VTK demands of /VTKHDF@Type.
 void write_fixed_attribute(hid_t object, const std::string& name, const std::string& text);
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> values);
+void write_attribute(hid_t object, const std::string& name, double value);
 void remove_attribute(hid_t object, const std::string& name);
 // Replaces an attribute. Writing over a text would free it in HDF5 1.14, in a write before that of what
 // refers to it, and a kill between the two would leave a file that cannot be read.
@@ -71,6 +72,11 @@ void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const double> values);
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::int64_t> values);
 void write_dataset(const Hdf5Handle& group, const DatasetLabel& label, std::span<const std::uint8_t> values);
+// An array of this size in each direction.
+void write_dataset(const Hdf5Handle& group,
+                   const DatasetLabel& label,
+                   std::span<const hsize_t> size,
+                   std::span<const double> values);
 // Of doubles, not yet written.
 Hdf5Handle create_dataset(const Hdf5Handle& group, const DatasetLabel& label, hsize_t rows, hsize_t columns);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "results/tables/frame_topology.hpp"
 #include "results/tables/rod_table.hpp"
 #include "rotation/rotation_map.hpp"
 
@@ -84,31 +85,12 @@ FrameTable::FrameTable(const Hdf5Handle& root,
       frame_count_(require_frame_count(steps_)) {
     link_dataset(topology_offsets_.id(), steps_, "ConnectivityIdOffsets");
     if (!has_link(group_, "Types")) {
-        write_topology();
+        write_frame_topology(group_, mesh_, model_->nodes.size());
         flush_count();
     }
     mesh_.connectivity = mesh_.offsets = std::vector<std::int64_t>();
     mesh_.types = std::vector<std::uint8_t>();
     create_fields(root);
-}
-
-void FrameTable::write_topology() {
-    const auto points = static_cast<std::int64_t>(model_->nodes.size());
-    const auto cells = static_cast<std::int64_t>(mesh_.cell_count());
-    const auto ids = static_cast<std::int64_t>(mesh_.connectivity.size());
-    write_attribute(group_.id(), "Version", std::array<std::int64_t, 2>{2, 0});
-    write_fixed_attribute(group_.id(), "Type", "UnstructuredGrid");
-    using Count = std::array<std::int64_t, 1>;
-    write_dataset(group_, {"NumberOfPoints", "points of a frame", "none", "1"}, Count{points});
-    write_dataset(group_, {"NumberOfCells", "cells of a frame", "none", "1"}, Count{cells});
-    write_dataset(group_, {"NumberOfConnectivityIds", "length of Connectivity", "none", "1"}, Count{ids});
-    write_dataset(
-        group_, {"Connectivity", "points of each cell, the two ends first", "none", "1"}, mesh_.connectivity);
-    write_dataset(group_, {"Offsets", "where each cell begins in Connectivity", "none", "1"}, mesh_.offsets);
-    write_dataset(
-        group_,
-        {"Types", "VTK cell types: 3, 21, 68, 68 rod elements of order 1 to 4, 1 bodies", "none", "1"},
-        mesh_.types);
 }
 
 void FrameTable::create_fields(const Hdf5Handle& root) {

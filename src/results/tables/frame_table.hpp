@@ -31,7 +31,6 @@ class FrameTable {
     std::size_t buffered_bytes() const;
 
   private:
-    void write_topology();
     void create_fields(const Hdf5Handle& root);
     void append_points(const Snapshot& snapshot);
     void append_cells(const Snapshot& snapshot);

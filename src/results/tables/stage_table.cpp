@@ -6,14 +6,14 @@ StageTable::StageTable(const Hdf5Handle& root,
                        const Hdf5Handle& histories,
                        const DeckRecord& deck,
                        hsize_t rows) {
+    if (!deck.stages.empty() || deck.finds_shapes) group_ = require_group(root, "stages");
     if (deck.stages.empty()) return;
-    group_ = require_group(root, "stages");
     const DatasetLabel label{"stage", "number of the stage of each accepted step, from 0", "none", "1"};
     column_.emplace(histories, label, scalar_row, rows);
 }
 
 void StageTable::begin_stage(const StagePlace& stage, hsize_t first_row) {
-    if (!column_) return;
+    if (!group_.is_open()) return;
     const bool is_new = !has_link(group_, stage.name);
     const Hdf5Handle group = require_group(group_, stage.name);
     if (!is_new) return;
@@ -22,6 +22,15 @@ void StageTable::begin_stage(const StagePlace& stage, hsize_t first_row) {
     write_attribute(group.id(), "number", std::span(&number, 1));
     write_attribute(group.id(), "kind", stage.kind);
     write_attribute(group.id(), "first_row", std::span(&row, 1));
+}
+
+void StageTable::write_shapes(const StagePlace& stage,
+                              const Model& model,
+                              const ShapesRecord& record,
+                              std::span<const double> scales,
+                              hsize_t rows) {
+    begin_stage(stage, rows);
+    write_shape_table(require_group(group_, stage.name), model, record, scales);
 }
 
 void StageTable::append(int stage) {
@@ -37,15 +46,18 @@ void StageTable::trim() {
 }
 
 void StageTable::remove_after(std::int64_t stage) {
-    if (!column_) return;
+    if (!group_.is_open()) return;
     for (const std::string& name : list_members(group_.id())) {
         std::int64_t number = 0;
+        bool has_shapes = false;  // which are found anew
         {
             const Hdf5Handle group(H5Gopen2(group_.id(), name.c_str(), H5P_DEFAULT), H5Gclose, "a stage");
             const Hdf5Handle attribute(H5Aopen(group.id(), "number", H5P_DEFAULT), H5Aclose, "its number");
             check_hdf5(H5Aread(attribute.id(), H5T_NATIVE_INT64, &number), "reading an attribute");
+            has_shapes = has_link(group, shape_words_name);
         }
-        if (number > stage) check_hdf5(H5Ldelete(group_.id(), name.c_str(), H5P_DEFAULT), "removing a stage");
+        if (number > stage || (number == stage && has_shapes))
+            check_hdf5(H5Ldelete(group_.id(), name.c_str(), H5P_DEFAULT), "removing a stage");
     }
 }
 

@@ -48,7 +48,7 @@ TEST_CASE("Errors on missing keys say what is expected", "[deck]") {
           "x.toml:3:11: section.s.inertia.rhoIy: missing; expected a number greater than 0 or an expression; "
           "a rotation without inertia cannot be integrated in time");
     CHECK(faults_of(replaced(body_deck, "kind = \"dynamic\"\n", "")) ==
-          R"(x.toml:4:1: analysis.kind: missing; expected one of "dynamic", "static")");
+          R"(x.toml:4:1: analysis.kind: missing; expected one of "dynamic", "static", "modes", "buckling")");
     CHECK(faults_of(replaced(body_deck, "end_time = 1.0\n", "")) ==
           "x.toml:4:1: analysis.end_time: missing; expected a number greater than 0 or an expression");
     CHECK(faults_of(replaced(body_deck, "steps = 10\n", "")) ==

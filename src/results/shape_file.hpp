@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "model/deck_record.hpp"
+#include "model/model.hpp"
+#include "state/mode_record.hpp"
+#include "state/motion.hpp"
+
+namespace gxrod {
+
+// What makes the largest displacement of each shape a tenth of the model's extent; of a shape that displaces
+// nothing, the largest rotation 0.3 rad.
+std::vector<double> find_shape_scales(const Model& model, const std::vector<const Shape*>& shapes);
+
+// NAME.STAGE.vtkhdf beside the results file of this path, whose shapes it has.
+std::filesystem::path shape_file_path(const std::filesystem::path& results, const std::string& stage);
+
+// Shapes for ParaView, a step each, numbered from 1: points where the equilibrium has them, PointData
+// displacement and rotation_vector of the shape, multiplied by its scale. Replaces a file of this path,
+// written whole. Throws FileError or WriteError.
+void write_shape_file(const std::filesystem::path& path,
+                      const DeckRecord& deck,
+                      const Model& model,
+                      std::span<const NodeMotion> equilibrium,
+                      const std::vector<const Shape*>& shapes,
+                      std::span<const double> scales);
+
+}  // namespace gxrod

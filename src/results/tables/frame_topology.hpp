@@ -1,0 +1,11 @@
+#pragma once
+
+#include "results/file/hdf5_objects.hpp"
+#include "results/tables/frame_mesh.hpp"
+
+namespace gxrod {
+
+// What all frames of a file share, in /VTKHDF: its version and kind, and the cells. Throws Hdf5Error.
+void write_frame_topology(const Hdf5Handle& vtkhdf, const FrameMesh& mesh, std::size_t points);
+
+}  // namespace gxrod

@@ -1,0 +1,132 @@
+#include "results/tables/shape_table.hpp"
+
+#include <array>
+#include <functional>
+
+namespace gxrod {
+namespace {
+
+class Writer {
+  public:
+    Writer(const Hdf5Handle& group, const Model& model) : group_(group), model_(model) {}
+
+    void operator()(const ModesRecord& record) {
+        const auto column =
+            [&](const char* name, const char* description, const char* dimension, auto member) {
+                write_column(record.modes, {name, description, "none", dimension}, member);
+            };
+        column("frequency", "cycles per time; 0 of a mode that grows", "1/time", &Mode::frequency);
+        column("omega", "2 pi times the frequency", "angle/time", &Mode::omega);
+        column("growth", "rate of a mode that grows instead of vibrating", "1/time", &Mode::growth);
+        column("residual",
+               "some eigenvalue lies so near to omega squared, relative to its distance from the shift",
+               "1",
+               &Mode::residual);
+        std::vector<double> masses;
+        for (const Mode& mode : record.modes)
+            masses.insert(masses.end(), mode.effective_mass.begin(), mode.effective_mass.end());
+        const std::array<hsize_t, 2> size{record.modes.size(), 6};
+        write_dataset(group_,
+                      {"effective_mass",
+                       "met by motions of the whole model along x, y, z and about them through the origin",
+                       "spatial",
+                       "mass; mass·length²"},
+                      size,
+                      masses);
+        write_dataset(group_,
+                      {"total_mass", "of the model, in the same directions", "spatial", "mass; mass·length²"},
+                      std::span<const double>(record.total_mass.data(), 6));
+        write_number("time", record.time);
+        write_number("limit", record.limit);
+        write_count("counted_below_limit", record.counted);
+        write_count("found_below_limit", record.found);
+        write_count("complete", record.is_complete ? 1 : 0);
+        write_count("unstable", record.unstable);
+        write_number("unsymmetry", record.unsymmetry);
+    }
+
+    void operator()(const BucklingRecord& record) {
+        std::vector<double> factors, residuals;
+        for (const auto* list : {&record.factors, &record.reversed}) {
+            for (const BucklingFactor& one : *list) {
+                factors.push_back(one.factor);
+                residuals.push_back(one.residual);
+            }
+        }
+        write_dataset(group_,
+                      {"factor",
+                       "on the loads; positive ones rising, then those of the loads turned round",
+                       "none",
+                       "1"},
+                      factors);
+        write_dataset(group_, {"residual", "relative error of the factor", "none", "1"}, residuals);
+        write_number("load_time", record.load_time);
+        write_number("limit", record.limit);
+        write_count("counted_positive", record.counted_positive);
+        write_count("counted_negative", record.counted_negative);
+        write_count("complete", record.is_complete ? 1 : 0);
+    }
+
+    void write_shapes(const std::vector<const Shape*>& shapes, std::span<const double> scales) {
+        std::vector<double> shares;
+        std::vector<std::string> words;
+        for (const Shape* shape : shapes) {
+            words.push_back(shape->words);
+            for (const Vec6& of_rod : shape->energy_shares)
+                shares.insert(shares.end(), of_rod.begin(), of_rod.end());
+        }
+        const std::array<hsize_t, 3> size{shapes.size(), model_.rods.size(), 6};
+        write_dataset(group_,
+                      {"energy_share",
+                       "of extension, shear along y and z, torsion, bending about y and z of each rod in the "
+                       "strain energy of the shape",
+                       "material",
+                       "1"},
+                      size,
+                      shares);
+        write_dataset(
+            group_, {"scale", "what the shape is multiplied by in its own file", "none", "1"}, scales);
+        write_dataset(group_, {shape_words_name, "the shape in words", "none", "none"}, words);
+    }
+
+  private:
+    template <class Row>
+    void write_column(const std::vector<Row>& rows, const DatasetLabel& label, double Row::*member) {
+        std::vector<double> values;
+        for (const Row& row : rows) values.push_back(row.*member);
+        write_dataset(group_, label, values);
+    }
+    void write_number(const char* name, double value) { write_attribute(group_.id(), name, value); }
+    void write_count(const char* name, std::int64_t value) {
+        write_attribute(group_.id(), name, std::span(&value, 1));
+    }
+
+    const Hdf5Handle& group_;
+    const Model& model_;
+};
+
+}  // namespace
+
+void write_shape_table(const Hdf5Handle& group,
+                       const Model& model,
+                       const ShapesRecord& record,
+                       std::span<const double> scales) {
+    Writer writer(group, model);
+    std::visit(std::ref(writer), record);
+    writer.write_shapes(list_shapes_of(record), scales);
+}
+
+std::vector<const Shape*> list_shapes_of(const ShapesRecord& record) {
+    std::vector<const Shape*> shapes;
+    if (const auto* modes = std::get_if<ModesRecord>(&record)) {
+        for (const Mode& mode : modes->modes) shapes.push_back(&mode.shape);
+        return shapes;
+    }
+    const auto& buckling = std::get<BucklingRecord>(record);
+    for (const auto* list : {&buckling.factors, &buckling.reversed}) {
+        for (const BucklingFactor& one : *list) shapes.push_back(&one.shape);
+    }
+    return shapes;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,209 @@
+#include <cmath>
+
+#include "check/shape_report.hpp"
+#include "deck/decks.hpp"
+#include "results/file/hdf5_reader.hpp"
+#include "results/sample.hpp"
+#include "run/run.hpp"
+#include "tools/catch.hpp"
+
+// Stages that find shapes: about which state, what the results hold of them, and what is reported.
+using namespace gxrod;
+using test::faults_of;
+using test::read;
+
+namespace {
+
+// Lines 1 to 14. The pinned-free column of P16 is twice as stiff about z.
+const std::string column = R"([section.s]
+stiffness = { EA = 1e3, GAy = 4e2, GAz = 4e2, GJ = 1, EIy = 1, EIz = 2 }
+inertia = { rhoA = 1, rhoJ = 3e-4, rhoIy = 1e-4, rhoIz = 2e-4 }
+[rod.column]
+section = "s"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 16
+order = 3
+[[support]]
+at = "column.start"
+fix = "all"
+[[load]]
+at = "column.end"
+force = [-1, 0, 0]
+)";
+
+const std::string three_stages = column + R"([[stage]]
+name = "bare"
+kind = "modes"
+count = 4
+[[stage]]
+name = "press"
+kind = "static"
+steps = 3
+[[stage]]
+name = "tones"
+kind = "modes"
+below = 20
+[[stage]]
+name = "more"
+kind = "buckling"
+count = 2
+)";
+
+RunSummary run(const Problem& problem,
+               std::optional<std::filesystem::path> file = std::nullopt,
+               int most_steps = -1) {
+    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
+    if (file) request.results = ResultsFileOptions{*file};
+    request.stages = problem.stages;
+    int steps = 0;
+    request.is_interrupted = [&] { return steps++ == most_steps; };
+    return run_analysis(request);
+}
+
+const ModesRecord& modes_of(const RunSummary& summary, std::size_t i) {
+    return std::get<ModesRecord>(summary.shapes.at(i).record);
+}
+const BucklingRecord& buckling_of(const RunSummary& summary, std::size_t i) {
+    return std::get<BucklingRecord>(summary.shapes.at(i).record);
+}
+
+}  // namespace
+
+TEST_CASE("An analysis of buckling multiplies the whole load on the reference shape", "[analyses][stages]") {
+    const RunSummary summary = run(read(column + "[analysis]\nkind = \"buckling\"\ncount = 2\n"));
+    REQUIRE(summary.status == RunStatus::complete);
+    CHECK(summary.notes.empty());
+    CHECK(summary.shapes[0].stage == "buckling");
+    const BucklingRecord& found = buckling_of(summary, 0);
+    REQUIRE(found.factors.size() == 2);
+    // P16, two independent programs.
+    CHECK(found.factors[0].factor == Approx(2.4523658546).epsilon(1e-9));
+    CHECK(found.factors[1].factor == Approx(4.8753789019).epsilon(1e-9));
+    CHECK(found.is_complete);
+}
+
+TEST_CASE("Stages of shapes are about the state of the stage before", "[analyses][stages]") {
+    const RunSummary summary = run(read(three_stages));
+    REQUIRE(summary.status == RunStatus::complete);
+    REQUIRE(summary.shapes.size() == 3);
+    CHECK(summary.notes ==
+          std::vector<std::string>{"stage bare: about the reference shape, where load[0] does "
+                                   "not act: put a [[stage]] of kind static before for the "
+                                   "loaded one"});
+    // ω² falls with the load, to 0 at the factor; by Rayleigh's quotient never below a straight line.
+    const double bare = modes_of(summary, 0).modes[0].omega_squared;
+    const double loaded = modes_of(summary, 1).modes[0].omega_squared;
+    const double line = 1.0 - 1.0 / 2.4523658546;
+    CHECK(loaded / bare > line);
+    CHECK(loaded / bare < 1.1 * line);
+    for (const Mode& mode : modes_of(summary, 1).modes) CHECK(mode.frequency < 20.0);
+    CHECK(modes_of(summary, 1).is_complete);
+    // What is still to be added: nearer to the true load (B1) than from the reference shape.
+    const BucklingRecord& more = buckling_of(summary, 2);
+    CHECK(more.factors[0].factor + 1.0 > 2.4523658546);
+    CHECK(more.factors[0].factor + 1.0 < 2.458335976611);
+    CHECK(more.load_time == 1.0);
+}
+
+TEST_CASE("Results hold the shapes of each stage, and a file of them beside", "[analyses][stages]") {
+    const sample::ScratchFolder folder;
+    const Problem problem = read(three_stages);
+    const RunSummary summary = run(problem, folder / "c.vtkhdf");
+    REQUIRE(summary.status == RunStatus::complete);
+    const Hdf5Reader file(folder / "c.vtkhdf");
+    CHECK(file.text_attribute("/", "status") == "complete");
+    CHECK(file.text_attribute("/stages/tones", "kind") == "modes");
+    CHECK(file.integer_attribute("/stages/tones", "number") == 2);
+    CHECK(file.integer_attribute("/stages/tones", "complete") == 1);
+    const ModesRecord& tones = modes_of(summary, 1);
+    const std::vector<double> omega = file.numbers("/stages/tones/omega");
+    REQUIRE(omega.size() == tones.modes.size());
+    CHECK(omega[1] == tones.modes[1].omega);
+    CHECK(file.size("/stages/tones/energy_share") == std::vector<hsize_t>{omega.size(), 1, 6});
+    CHECK(file.texts("/stages/tones/words")[0] == "bending about y of column");
+    CHECK(file.numbers("/stages/more/factor")[0] == buckling_of(summary, 2).factors[0].factor);
+
+    const Hdf5Reader shapes(folder / "c.tones.vtkhdf");
+    CHECK(shapes.integer_attribute("/VTKHDF/Steps", "NSteps") == static_cast<std::int64_t>(omega.size()));
+    CHECK(shapes.numbers("/VTKHDF/Steps/Values")[1] == 2.0);
+    const std::size_t points = problem.model.nodes.size();
+    CHECK(shapes.numbers("/VTKHDF/Steps/PointDataOffsets/displacement")[2] ==
+          static_cast<double>(2 * points));
+    const std::vector<double> points_at = shapes.numbers("/VTKHDF/Points");
+    CHECK(points_at.size() == 3 * points);
+    CHECK(points_at[points_at.size() - 3] == Approx(1.0 - 1e-3).epsilon(1e-5));  // shortened by the load
+    // The largest displacement is a tenth of the length; scale leads back to the shape.
+    const std::vector<double> moves = shapes.numbers("/VTKHDF/PointData/displacement");
+    CHECK(std::abs(moves[3 * (points - 1) + 2]) == Approx(0.1));
+    CHECK(moves[3 * (points - 1) + 2] ==
+          Approx(file.numbers("/stages/tones/scale")[0] * tones.modes[0].shape.nodes.back()[2]));
+}
+
+TEST_CASE("A run that was stopped finds its shapes when it goes on", "[analyses][stages]") {
+    const sample::ScratchFolder folder;
+    const Problem problem = read(three_stages + "[[stage]]\nname = \"back\"\nkind = \"static\"\nsteps = 3\n");
+    REQUIRE(run(problem, folder / "whole.vtkhdf").status == RunStatus::complete);
+    const int stop = GENERATE(0, 2, 3, 5);
+    INFO(stop);
+    REQUIRE(run(problem, folder / "part.vtkhdf", stop).status == RunStatus::interrupted);
+    {
+        ResumableFile resumed(folder / "part.vtkhdf");
+        RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}, &resumed};
+        request.stages = problem.stages;
+        REQUIRE(run_analysis(request).status == RunStatus::complete);
+    }
+    const Hdf5Reader whole(folder / "whole.vtkhdf");
+    const Hdf5Reader part(folder / "part.vtkhdf");
+    CHECK(part.members("/stages") == whole.members("/stages"));
+    for (const char* name :
+         {"/stages/tones/omega", "/stages/more/factor", "/histories/time", "/histories/stage"})
+        CHECK(part.numbers(name) == whole.numbers(name));
+}
+
+TEST_CASE("What cannot be found ends the run with a reason", "[analyses][stages]") {
+    const std::string beyond = test::replaced(column, "force = [-1, 0, 0]", "force = [-3, 0, 0]");
+    const std::string press = "[[stage]]\nname = \"press\"\nkind = \"static\"\n";
+    const RunSummary buckling =
+        run(read(beyond + press + "[[stage]]\nname = \"more\"\nkind = \"buckling\"\n"));
+    CHECK(buckling.status == RunStatus::failed);
+    CHECK(buckling.reason == "stage more: the state is unstable as it is: its tangent has negative pivots");
+    const RunSummary modes = run(read(beyond + press + "[[stage]]\nname = \"tones\"\nkind = \"modes\"\n"));
+    CHECK(modes.status == RunStatus::complete);
+    CHECK(modes_of(modes, 0).unstable == 1);
+    CHECK(modes_of(modes, 0).modes[0].growth > 0.0);
+    CHECK(modes.warnings.back() ==
+          "stage tones: the state is unstable: 1 of the modes grows instead of vibrating");
+}
+
+TEST_CASE("Shapes in sentences", "[analyses][stages]") {
+    const RunSummary summary = run(read(three_stages));
+    const std::vector<std::string> bare = list_shapes(summary.shapes[0].record, 2);
+    REQUIRE(bare.size() == 5);
+    CHECK(bare[0].starts_with("4 modes below "));
+    CHECK(bare[0].ends_with(" cycles per time, and no others (counted)"));
+    CHECK(bare[1].ends_with("bending about y of column"));
+    CHECK(bare[3] == "      and 2 more");
+    CHECK(bare[4].starts_with("effective mass together: "));
+    CHECK(list_shapes(summary.shapes[2].record, 5)[0] ==
+          "2 buckling factors on the loads at t = 1, by linear theory, and none below (counted)");
+    const RunSummary pulled =
+        run(read(test::replaced(column, "[-1, 0, 0]", "[1, 0, 0]") + "[analysis]\nkind = \"buckling\"\n"));
+    CHECK(list_shapes(pulled.shapes[0].record, 5).back().starts_with("the loads turned round: 2.45"));
+    const RunSummary followed =
+        run(read(test::replaced(column, "force = [-1, 0, 0]", "force = [-1, 0, 0]\nframe = \"follower\"") +
+                 "[[stage]]\nname = \"press\"\nkind = \"static\"\n" +
+                 "[[stage]]\nname = \"tones\"\nkind = \"modes\"\n"));
+    CHECK(followed.warnings.back().find("load[0] follows its point, so the stiffness is not symmetric") !=
+          std::string::npos);
+}
+
+TEST_CASE("Faults of stages of shapes say what is expected", "[deck][stages]") {
+    const std::string modes = column + "[analysis]\nkind = \"modes\"\n";
+    CHECK(faults_of(modes + "count = 0") ==
+          "x.toml:17:9: analysis.count: expected an integer from 1 to 10000, found 0");
+    CHECK(faults_of(modes + "count = 3\nbelow = 2.0") != "");
+    CHECK(faults_of(column + "[analysis]\nkind = \"buckling\"\nbelow = 2.0") != "");
+    CHECK(faults_of(modes + "steps = 3") != "");
+    CHECK(faults_of(test::replaced(
+              three_stages, "force = [-1, 0, 0]", "force = [-1, 0, 0]\nstages = \"tones\"")) != "");
+}
