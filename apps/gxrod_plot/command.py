@@ -73,7 +73,8 @@ def parse(arguments):
                         help="results file, also of a running or killed job; histories or energies of several files "
                              "are drawn in one figure, a colour for each file")
     parser.add_argument("-o", "--output", metavar="FILE", help="picture, .png, .svg or .pdf (RESULTS.png)")
-    parser.add_argument("--what", choices=("shapes", "histories", "ledger", "all"), default="all")
+    parser.add_argument("--what", choices=("shapes", "histories", "ledger", "found", "all"), default="all",
+                        help="found: modes and shapes of buckling")
     parser.add_argument("--history", nargs="+", action="extend", metavar="NAME", default=[],
                         help="histories to draw, NAME or NAME/QUANTITY (all)")
     which = parser.add_mutually_exclusive_group()

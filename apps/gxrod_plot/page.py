@@ -4,6 +4,7 @@ import textwrap
 from dataclasses import dataclass
 
 from .errors import FileFault
+from .found import draw_found, section_height
 from .histories import draw_histories, history_panels, row_count
 from .ledger import draw_ledger, panel_count
 from .results import choose_histories
@@ -33,6 +34,11 @@ def draw_page(results, request):
     if request.what == "ledger":
         section = (panel_count(results) * PANEL_HEIGHT, lambda figure: draw_ledger(figure, results))
         return draw_sections(results, request, [section], NARROW_WIDTH)
+    found = [found_section(results, request, each) for each in results.found()] if request.what in ("all", "found") else []
+    if request.what == "found" and not found:
+        raise FileFault(f"{file}: has no shapes found; a stage of kind modes or buckling finds them")
+    if found and (request.what == "found" or len(results.times) == 1):
+        return draw_sections(results, request, found)
     if len(results.frame_times) == 0:
         raise FileFault(f"{file}: holds no complete frame yet")
     shapes = prepare_shapes(results, choose_frames(results, request.times, request.frames), request.view)
@@ -42,7 +48,11 @@ def draw_page(results, request):
     sections = overview_sections(results, shapes)
     if panels:
         sections.append(histories_section(results, panels))
-    return draw_sections(results, request, sections)
+    return draw_sections(results, request, sections + found)
+
+
+def found_section(results, request, found):
+    return section_height(found), lambda figure: draw_found(figure, results, found, request.view)
 
 
 def histories_section(results, panels):
@@ -120,6 +130,8 @@ def facts(results):
         status += f" ({textwrap.shorten(results.reason, LONGEST_REASON, placeholder=' …')})"
     steps = max(len(results.times) - 1, 0)
     clock = "load factor" if results.is_static else "t"
+    if steps == 0:
+        return [results.deck, status, *([f"units {results.units}"] if results.units else []), f"gxrod {results.version}"]
     found = [results.deck, f"{steps} steps to {clock} = {results.times[-1]:g}", status]
     if results.units:
         found.append(f"units {results.units}")

@@ -8,6 +8,7 @@ import h5py
 import numpy as np
 
 from .errors import FileFault, UsageError
+from .found import read_found
 
 VERTEX = 1
 CURVES = {3, 21, 35, 68}  # VTK cell types of rod elements: the two ends first, then the nodes between
@@ -35,8 +36,9 @@ class History:
 class Results:
     """An open results file. Arrays are read when asked for."""
 
-    def __init__(self, file):
+    def __init__(self, file, path):
         self._file = file
+        self._path = path
         self._grid = file["VTKHDF"]
         self.title = text_of(file.attrs, "title") or text_of(file.attrs, "deck_name")
         self.deck = text_of(file.attrs, "deck_name")
@@ -51,6 +53,10 @@ class Results:
         self.frame_times = self._grid["Steps/Values"][()]
         self._points = int(self._grid["NumberOfPoints"][0])
         self.rods, self.bodies = self._read_cells()
+
+    def found(self):
+        """What stages have found that take no steps."""
+        return read_found(self._path, self._file)
 
     @property
     def history_names(self):
@@ -118,7 +124,7 @@ def read_results(path, draw):
         try:
             with h5py.File(path, "r") as file:
                 check_is_results(path, file)
-                return draw(Results(file))
+                return draw(Results(file, path))
         except (OSError, RuntimeError, KeyError) as error:
             if attempt == attempts:
                 raise FileFault(f"{path}: cannot be read as results of gxrod: {error}") from error

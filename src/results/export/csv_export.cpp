@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "machine/file_error.hpp"
+#include "results/export/shape_csv.hpp"
 #include "results/file/results_access.hpp"
 #include "results/tables/stage_table.hpp"
 
@@ -90,6 +91,7 @@ void write_table(const Hdf5Reader& file, const std::string& group, const std::fi
 struct CsvTable {
     std::string group;
     std::filesystem::path path;
+    bool is_of_shapes = false;
 };
 
 std::vector<CsvTable> list_tables(const Hdf5Reader& file, const std::filesystem::path& folder) {
@@ -97,6 +99,12 @@ std::vector<CsvTable> list_tables(const Hdf5Reader& file, const std::filesystem:
     for (const std::string& name : file.members("/histories")) {
         if (is_history_name(name))
             tables.push_back({"/histories/" + name, folder / ("history_" + name + ".csv")});
+    }
+    if (!file.has("/stages")) return tables;
+    for (const std::string& name : file.members("/stages")) {
+        const std::string group = "/stages/" + name;
+        if (file.has(group + "/" + shape_words_name))
+            tables.push_back({group, folder / ("stage_" + name + ".csv"), true});
     }
     return tables;
 }
@@ -113,7 +121,8 @@ std::vector<std::filesystem::path> export_csv(const std::filesystem::path& resul
         for (const CsvTable& table : tables) written.push_back(table.path);
         prepare_export(folder, written, existing);
         existing = Existing::replace;  // a second attempt finds our own files
-        for (const CsvTable& table : tables) write_table(file, table.group, table.path);
+        for (const CsvTable& table : tables)
+            (table.is_of_shapes ? write_shape_csv : write_table)(file, table.group, table.path);
     });
     return written;
 }

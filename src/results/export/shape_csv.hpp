@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "results/file/hdf5_reader.hpp"
+
+namespace gxrod {
+
+// Writes the table of a stage that found shapes: a row for each, its number first and its words last. Throws
+// FileError if it cannot be written.
+void write_shape_csv(const Hdf5Reader& file, const std::string& group, const std::filesystem::path& path);
+
+}  // namespace gxrod
