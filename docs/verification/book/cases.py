@@ -10,7 +10,8 @@ EXAMPLES = PAGES.parent / "examples"
 KEPT = SOURCE / "tests" / "data" / "results.json"
 
 # In the order of the index.
-KINDS = {"rigid body": "Rigid bodies", "statics": "Statics", "dynamics": "Dynamics", "objectivity": "Objectivity",
+KINDS = {"rigid body": "Rigid bodies", "statics": "Statics", "vibrations": "Vibrations", "stability": "Stability",
+         "dynamics": "Dynamics", "objectivity": "Objectivity",
          "conservation": "Conservation", "order": "Order of the schemes"}
 
 

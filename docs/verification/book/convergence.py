@@ -77,7 +77,7 @@ def mark_values(axes, rows, key):
 
 
 def draw_refinements(name, case):
-    is_static = case["kind"] in ("statics", "objectivity")
+    is_static = case["kind"] in ("statics", "objectivity", "vibrations", "stability")
     groups, panels = group(case["rows"], "refinement"), {}
     for index, (refinement, rows) in enumerate(groups.items()):
         panels.setdefault(horizontal(rows, is_static), []).append((index, refinement, rows))
