@@ -9,7 +9,6 @@
 
 // Stages that find shapes: about which state, what the results hold of them, and what is reported.
 using namespace gxrod;
-using test::faults_of;
 using test::read;
 
 namespace {
@@ -195,15 +194,4 @@ TEST_CASE("Shapes in sentences", "[analyses][stages]") {
                  "[[stage]]\nname = \"tones\"\nkind = \"modes\"\n"));
     CHECK(followed.warnings.back().find("load[0] follows its point, so the stiffness is not symmetric") !=
           std::string::npos);
-}
-
-TEST_CASE("Faults of stages of shapes say what is expected", "[deck][stages]") {
-    const std::string modes = column + "[analysis]\nkind = \"modes\"\n";
-    CHECK(faults_of(modes + "count = 0") ==
-          "x.toml:17:9: analysis.count: expected an integer from 1 to 10000, found 0");
-    CHECK(faults_of(modes + "count = 3\nbelow = 2.0") != "");
-    CHECK(faults_of(column + "[analysis]\nkind = \"buckling\"\nbelow = 2.0") != "");
-    CHECK(faults_of(modes + "steps = 3") != "");
-    CHECK(faults_of(test::replaced(
-              three_stages, "force = [-1, 0, 0]", "force = [-1, 0, 0]\nstages = \"tones\"")) != "");
 }

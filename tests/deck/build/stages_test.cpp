@@ -139,3 +139,21 @@ TEST_CASE("Faults of stages say what is expected", "[deck][stages]") {
     CHECK(faults_of(deck_of("[[initial]]\non = \"r\"\nvelocity = [1, 0, 0]\n")) ==
           "x.toml:8:1: initial[0]: the first stage, hang, has no velocities; only dynamic ones have");
 }
+
+TEST_CASE("Faults of stages that find shapes say what is expected", "[deck][stages]") {
+    const auto faults_with = [](const std::string& kind, const std::string& keys) {
+        return faults_of(test::replaced(test::static_rod_deck, "\"static\"", "\"" + kind + "\"") + keys);
+    };
+    CHECK(faults_with("modes", "count = 0") ==
+          "x.toml:11:9: analysis.count: expected an integer from 1 to 10000, found 0");
+    CHECK(faults_with("modes", "count = 3\nbelow = 2.0") ==
+          "x.toml:12:1: analysis.below: count is given too; only one of them can be");
+    CHECK(faults_with("buckling", "below = 2.0") ==
+          "x.toml:11:1: analysis.below: kind \"buckling\" does not use this key; it is for modes");
+    CHECK(faults_with("modes", "integrator = \"sdirk-4\"") ==
+          "x.toml:11:1: analysis.integrator: kind \"modes\" does not use this key; it is for dynamic");
+    CHECK(faults_of(deck_of("[[load]]\nat = \"r.end\"\nforce = [0, 1, 0]\nstages = \"tones\"\n") +
+                    "[[stage]]\nname = \"tones\"\nkind = \"modes\"\n") ==
+          "x.toml:11:10: load[0].stages: stage \"tones\" moves nothing: it has the loads and supports of the "
+          "stage before it");
+}

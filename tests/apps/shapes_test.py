@@ -1,0 +1,102 @@
+"""Shapes that stages find, as users see them: lines of a run, tables, pictures, files for ParaView."""
+
+import csv
+import json
+import os
+import unittest
+
+import h5py
+import numpy as np
+from program import ProgramTest
+
+PLOT = os.environ["GXROD_PLOT"]
+
+COLUMN = """
+[section.s]
+stiffness = { EA = 1e3, GAy = 4e2, GAz = 4e2, GJ = 1, EIy = 1, EIz = 2 }
+inertia = { rhoA = 1, rhoJ = 3e-4, rhoIy = 1e-4, rhoIz = 2e-4 }
+[rod.column]
+section = "s"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 8
+order = 3
+[[support]]
+at = "column.start"
+fix = "all"
+[[load]]
+at = "column.end"
+force = [-1, 0, 0]
+"""
+STAGES = COLUMN + """
+[[stage]]
+name = "press"
+kind = "static"
+steps = 2
+[[stage]]
+name = "tones"
+kind = "modes"
+count = 4
+[[stage]]
+name = "more"
+kind = "buckling"
+"""
+
+
+class Shapes(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.write("column.toml", STAGES)
+
+    def test_a_run_lists_what_it_finds(self):
+        done = self.gxrod("run", "column.toml", "--summary", "summary.json")
+        self.assertRegex(done.stdout, r"tones: 4 modes below [\d.]+ cycles per time, and no others \(counted\)\n"
+                                      r"     1  [\d.]+ +ω [\d.]+ +bending about y of column\n")
+        self.assertIn("more: 3 buckling factors on the loads at t = 1, by linear theory", done.stdout)
+        summary = json.loads((self.folder / "summary.json").read_text())
+        self.assertEqual([found["stage"] for found in summary["found"]], ["tones", "more"])
+        self.assertEqual(len(summary["found"][0]["shapes"]), 4)
+        self.assertTrue(summary["found"][1]["complete"])
+
+    def test_a_table_of_each_stage(self):
+        self.gxrod("run", "column.toml", "--quiet")
+        self.gxrod("export", "column.vtkhdf", "--csv", "tables")
+        with open(self.folder / "tables" / "stage_tones.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        with h5py.File(self.folder / "column.vtkhdf") as file:
+            tones = file["stages/tones"]
+            np.testing.assert_array_equal([float(row["frequency"]) for row in rows], tones["frequency"][()])
+            np.testing.assert_array_equal([float(row["effective_mass_z"]) for row in rows],
+                                          tones["effective_mass"][:, 2])
+            self.assertEqual([row["words"] for row in rows], list(tones["words"].asstr()))
+        with open(self.folder / "tables" / "stage_more.csv", newline="") as file:
+            self.assertEqual(len(list(csv.DictReader(file))), 3)
+
+    def test_pictures(self):
+        self.gxrod("run", "column.toml", "--quiet")
+        for what in ("found", "all"):
+            self.gxrod("column.vtkhdf", "--what", what, "-o", f"{what}.png", program=PLOT)
+            self.assertGreater((self.folder / f"{what}.png").stat().st_size, 10000)
+        (self.folder / "column.tones.vtkhdf").unlink()
+        failed = self.gxrod("column.vtkhdf", code=4, program=PLOT)
+        self.assertIn("column.tones.vtkhdf: there is no such file; it holds the shapes of stage tones", failed.stderr)
+
+    def test_a_finished_run_has_nothing_to_resume(self):
+        self.gxrod("run", "column.toml", "--quiet")
+        before = (self.folder / "column.vtkhdf").read_bytes()
+        done = self.gxrod("resume", "column.vtkhdf")
+        self.assertIn("is at its end", done.stdout)
+        self.assertEqual((self.folder / "column.vtkhdf").read_bytes(), before)
+
+    def test_modes_of_the_reference_shape(self):
+        self.write("bare.toml", COLUMN + '[analysis]\nkind = "modes"\n')
+        done = self.gxrod("run", "bare.toml")
+        self.assertIn("note: about the reference shape, where load[0] does not act", done.stderr)
+        with h5py.File(self.folder / "bare.modes.vtkhdf") as file:
+            grid = file["VTKHDF"]
+            self.assertEqual(grid["Steps"].attrs["NSteps"][0], 10)
+            self.assertEqual(len(grid["PointData/displacement"]), 10 * len(grid["Points"]))
+        self.gxrod("bare.vtkhdf", "-o", "bare.png", program=PLOT)
+
+
+if __name__ == "__main__":
+    unittest.main()
