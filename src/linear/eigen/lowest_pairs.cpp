@@ -18,21 +18,6 @@ constexpr double near = 1e-6;
 constexpr double no_inertia = 1e-13;
 constexpr int most_searches = 12;
 
-// What is typical of K_ii / M_ii; 1 if nothing is stiff, 0 if nothing has inertia.
-double find_scale(const SparsePattern& pattern, const std::vector<double>& K, const std::vector<double>& M) {
-    std::vector<double> ratios;
-    bool has_inertia = false;
-    for (std::int64_t i = 0; i < pattern.size(); ++i) {
-        const auto slot = static_cast<std::size_t>(pattern.slot(i, i));
-        has_inertia = has_inertia || M[slot] > 0.0;
-        if (M[slot] > 0.0 && K[slot] != 0.0) ratios.push_back(std::abs(K[slot]) / M[slot]);
-    }
-    if (ratios.empty()) return has_inertia ? 1.0 : 0.0;
-    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-    std::nth_element(ratios.begin(), middle, ratios.end());
-    return *middle;
-}
-
 class LowestSearch {
   public:
     LowestSearch(const SparsePattern& pattern,
@@ -42,7 +27,7 @@ class LowestSearch {
         : pattern_(pattern), K_(K), M_(M), shifted_(pattern, team), counter_(pattern, team) {}
 
     bool find_shift() {
-        scale_ = find_scale(pattern_, K_, M_);
+        scale_ = find_typical_ratio(pattern_, K_, M_);
         if (scale_ == 0.0) return false;
         // A hundred units of rounding below zero, where rigid motions are.
         first_shift_ = -100.0 * std::numeric_limits<double>::epsilon() * scale_;

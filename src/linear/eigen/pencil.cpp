@@ -1,5 +1,8 @@
 #include "linear/eigen/pencil.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace gxrod {
 
 namespace {
@@ -55,6 +58,22 @@ std::vector<double> make_symmetric(const SparsePattern& pattern, const std::vect
         if (row != column) symmetric[slot] = 0.5 * (values[slot] + values[pattern.slot(column, row)]);
     });
     return symmetric;
+}
+
+double find_typical_ratio(const SparsePattern& pattern,
+                          const std::vector<double>& K,
+                          const std::vector<double>& M) {
+    std::vector<double> ratios;
+    bool has_inertia = false;
+    for (std::int64_t i = 0; i < pattern.size(); ++i) {
+        const auto slot = static_cast<std::size_t>(pattern.slot(i, i));
+        has_inertia = has_inertia || M[slot] > 0.0;
+        if (M[slot] > 0.0 && K[slot] != 0.0) ratios.push_back(std::abs(K[slot]) / M[slot]);
+    }
+    if (ratios.empty()) return has_inertia ? 1.0 : 0.0;
+    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+    std::nth_element(ratios.begin(), middle, ratios.end());
+    return *middle;
 }
 
 }  // namespace gxrod

@@ -20,6 +20,11 @@ std::vector<double> combine(const std::vector<double>& a, double factor, const s
 // (A + Aᵀ)/2.
 std::vector<double> make_symmetric(const SparsePattern& pattern, const std::vector<double>& values);
 
+// What is typical of K_ii / M_ii; 1 if nothing is stiff, 0 if nothing has inertia.
+double find_typical_ratio(const SparsePattern& pattern,
+                          const std::vector<double>& K,
+                          const std::vector<double>& M);
+
 // A pair of symmetric matrices, A x = θ B x with B positive definite and factorized. B⁻¹A is self-adjoint in
 // the inner product of B, and of A where that has no negative eigenvalue.
 class Pencil {

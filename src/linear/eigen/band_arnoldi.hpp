@@ -1,0 +1,76 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+
+#include "linear/eigen/quadratic_problem.hpp"
+#include "linear/linear_solver.hpp"
+#include "parallel/thread_team.hpp"
+
+namespace gxrod {
+
+// Arnoldi's method from several start vectors at once for the quadratic problem about a real shift σ: with μ
+// = λ − σ and S = K + σ D + σ² M the operator
+//
+//   (x, y) → (−S⁻¹ ((D + 2 σ M) x + M y), x)
+//
+// has the eigenvalues θ = 1/μ and the vectors (x, μ x). Each new vector is made orthogonal to all others; the
+// basis grows (docs/theory/vibrations.md, (V13)).
+class BandArnoldi {
+  public:
+    // `inverse` has the factors of S. Components are weighed by `weights`, and y is kept over `scale`, a
+    // typical |μ|.
+    BandArnoldi(const QuadraticProblem& problem,
+                double shift,
+                LinearSolver& inverse,
+                const Eigen::VectorXd& weights,
+                double scale);
+
+    // One of the start vectors; or, later, one that brings in what the others have no part of. False if the
+    // basis is whole.
+    bool add_noise();
+    // Applies the operator to so many of the basis; false if nothing is left of what it does.
+    bool grow(int steps);
+
+    Eigen::Index steps() const { return done_; }
+
+    struct Ritz {
+        Eigen::VectorXcd values;    // θ with Im θ ≤ 0 (Im λ ≥ 0), by falling |θ|
+        Eigen::VectorXd residuals;  // relative to |θ|
+        Eigen::MatrixXcd combinations;
+    };
+    Ritz find_ritz() const;
+    // x of a Ritz vector, improved by one more application, which frees it of parts that have no eigenvalue.
+    // With μ = 1/θ; and what is left of S⁻¹ times the problem, relative, in the weighed norm.
+    struct Vector {
+        std::complex<double> mu;
+        Eigen::VectorXcd x;
+        double residual;
+    };
+    Vector make_vector(const Ritz& ritz, Eigen::Index index);
+
+  private:
+    using Index = Eigen::Index;
+    using Ref = Eigen::Ref<const Eigen::VectorXd>;
+
+    // z → operator z; both weighed and scaled.
+    void apply(const Ref& z, Eigen::VectorXd& image);
+    // −S⁻¹ ((D + 2 σ M) x + M y), as they are.
+    void apply_top(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Eigen::VectorXd& top);
+    // Appends what of w is orthogonal to the basis; its parts go into column j of H, if j ≥ 0.
+    bool append(Index j);
+    void reserve(Index columns);
+
+    const QuadraticProblem& problem_;
+    LinearSolver& inverse_;
+    std::vector<double> damping_;  // D + 2 σ M
+    Eigen::VectorXd weights_;
+    double scale_;
+    Eigen::MatrixXd V_, H_;
+    Index done_ = 0, end_ = 0;
+    double largest_norm_ = 0.0;
+    std::uint64_t seed_ = 31;
+    Eigen::VectorXd w_, x_, y_, top_, product_;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+
+#include "linear/eigen/quadratic_problem.hpp"
+#include "parallel/thread_team.hpp"
+
+namespace gxrod {
+
+// Eigenvalues λ of a quadratic problem with Im λ ≥ 0; of the others each is the conjugate of one of these.
+struct QuadraticPairs {
+    Eigen::VectorXcd values;  // by rising distance from the shift
+    Eigen::MatrixXcd vectors;
+    Eigen::VectorXd residuals;  // of S⁻¹ (λ² M + λ D + K) x, S that at the shift, relative to x
+    double shift = 0.0;         // real; 0, but where K is singular
+    // So far from the shift all have been sought; so many more lie within as the determinant counts them,
+    // conjugates counted too. −1: not counted.
+    double radius = 0.0;
+    std::int64_t missing = -1;
+    bool is_all = false;  // there are no other finite eigenvalues
+};
+
+struct QuadraticSettings {
+    int wanted = 1;
+    bool counts = true;  // looks for those that were missed
+    // Those farther away that seem to grow, so far as rough values show it, are sought too.
+    bool follows_growth = true;
+};
+
+// The eigenvalues nearest to the shift, at least as many as wanted, fewer if there are no more or they do not
+// converge. Empty if nothing has inertia.
+std::optional<QuadraticPairs> find_nearest_pairs(const QuadraticProblem& problem,
+                                                 const QuadraticSettings& settings,
+                                                 const ThreadTeam& team = ThreadTeam::alone());
+
+}  // namespace gxrod
