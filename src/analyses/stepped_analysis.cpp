@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "assembly/frame_columns.hpp"
 #include "check/direction_words.hpp"
 #include "check/stiffness_contrast.hpp"
 #include "solvers/worst_nodes.hpp"
@@ -282,6 +283,7 @@ std::string SteppedAnalysis::find_weakness() {
         const Stage stage{0, steps_->time(), steps_->time_step(), steps_->next_time()};
         integrator_->linearize(state_, stage, workspace_.linearizations, team_);
         system_.compute_tangent(state_, state_.time, workspace_.linearizations, workspace_.values);
+        if (workspace_.frame) workspace_.frame->add_stiffness(state_, state_.time, workspace_.values);
     }
     const std::optional<Weakness> weakness = describe_weakness(system_, state_, workspace_.values);
     return weakness && weakness->stiffness < singular_stiffness ? weakness->words : "";

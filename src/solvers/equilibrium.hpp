@@ -12,6 +12,8 @@
 
 namespace gxrod {
 
+class FrameColumns;
+
 enum class Outcome {
     converged,
     out_of_iterations,   // the residual did not fall below the tolerance
@@ -56,6 +58,7 @@ struct SolverWorkspace {
     std::unique_ptr<LinearSolver> linear_solver;
     std::vector<Power> stage_powers;  // of the last step, if the scheme weighs them
     PhaseSeconds seconds;
+    const FrameColumns* frame = nullptr;  // what a frame that turns adds to the tangent, if the model is in one
 
     SolverWorkspace(const System& system, LinearSolverKind kind);
 };

@@ -1,6 +1,7 @@
 #include <cassert>
 #include <numbers>
 
+#include "assembly/frame_columns.hpp"
 #include "solvers/convergence_test.hpp"
 #include "solvers/difference_tangent.hpp"
 #include "solvers/newton_steps.hpp"
@@ -100,6 +101,7 @@ class Newton {
             case TangentKind::consistent:
                 integrator_.linearize(state_, stage_, workspace_.linearizations, team_);
                 system_.compute_tangent(state_, time_, workspace_.linearizations, workspace_.values);
+                if (workspace_.frame) workspace_.frame->add_stiffness(state_, time_, workspace_.values);
                 break;
             case TangentKind::paper:
                 assert(integrator_.has_paper_tangent());

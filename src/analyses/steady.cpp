@@ -1,0 +1,42 @@
+#include "analyses/steady.hpp"
+
+#include <stdexcept>
+
+#include "check/turning_loads.hpp"
+#include "integrators/steady_rotation.hpp"
+#include "model/newton_choice.hpp"
+#include "solvers/step_control.hpp"
+
+namespace gxrod {
+
+namespace {
+
+constexpr int halvings = 30;  // as in statics
+
+}  // namespace
+
+SteadyAnalysis::SteadyAnalysis(const Model& model,
+                               const StaticSettings& settings,
+                               const TurningFrame& frame,
+                               int threads)
+    : SteppedAnalysis(model,
+                      threads,
+                      std::make_unique<SteadyRotation>(frame),
+                      choose_newton(model, settings),
+                      settings.linear_solver,
+                      std::make_unique<StepControl>(1.0, settings.steps, halvings)),
+      columns_(system_, frame) {
+    const std::string cause = find_unsteady_load(model, frame);
+    if (!cause.empty()) throw std::runtime_error(cause);
+    workspace_.frame = &columns_;
+}
+
+EquilibriumReport SteadyAnalysis::start() {
+    const TurningFrame& frame = columns_.frame();
+    for (NodeMotion& motion : state_.trial) turn_with(frame.spin(0.0), frame.through, motion);
+    system_.compute_residual(state_, 0.0, workspace_.residual);
+    accept_start();
+    return {};
+}
+
+}  // namespace gxrod
