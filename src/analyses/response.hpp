@@ -1,0 +1,18 @@
+#pragma once
+
+#include "assembly/frame_columns.hpp"
+#include "state/response_record.hpp"
+
+namespace gxrod {
+
+// The steady answers (K + iω D − ω² M) u = f to the force and moment f on each node at each ω, about the
+// trial motions of a state, with loads at `time`. Relative to a frame that turns, if the state turns with
+// one.
+ResponseRecord find_response(const System& system,
+                             const State& state,
+                             double time,
+                             const std::vector<double>& omegas,
+                             const ComplexVectors& excitation,
+                             const FrameColumns* frame = nullptr);
+
+}  // namespace gxrod
