@@ -20,8 +20,6 @@ using Eigen::Index;
 constexpr double cycle = 2.0 * std::numbers::pi;
 // Of |λ|: a growth that is round-off. Of the shift: so small is λ of rigid motions.
 constexpr double round_off = 1e-8, rigid = 1e-3;
-// Of values λ of a problem and of its transposed.
-constexpr double same = 1e-6;
 
 class EigenvalueFinder {
   public:
@@ -29,32 +27,33 @@ class EigenvalueFinder {
                      const State& state,
                      double time,
                      const EigenvalueSettings& settings,
-                     const FrameColumns* frame)
-        : system_(system), state_(state), settings_(settings) {
-        StateMatrices matrices =
-            frame ? frame->compute_matrices(state, time) : compute_state_matrices(system, state, time);
-        problem_ = {&system.pattern(),
-                    std::move(matrices.stiffness),
-                    std::move(matrices.damping),
-                    std::move(matrices.mass)};
+                     const StateMatrices& matrices)
+        : system_(system),
+          state_(state),
+          settings_(settings),
+          problem_{&system.pattern(), matrices.stiffness, matrices.damping, matrices.mass} {
         record_.time = time;
     }
 
     EigenvaluesRecord find() {
-        const QuadraticSettings search{.wanted = settings_.count, .counts = settings_.counts};
+        const QuadraticSettings search{.wanted = settings_.count,
+                                       .counts = settings_.counts,
+                                       .left = settings_.left,
+                                       .first_steps = settings_.first_steps};
         const auto found = find_nearest_pairs(problem_, search, system_.team());
         if (!found) {
             record_.failure = "nothing that moves has inertia";
             return record_;
         }
+        if (found->values.size() == 0) record_.failure = "no eigenvalue converged";
         pairs_ = *found;
         record_.shift = pairs_.shift;
         record_.radius = pairs_.radius;
         record_.missing = pairs_.missing;
         record_.is_complete = pairs_.missing == 0;
         record_.is_all = pairs_.is_all;
+        record_.steps = pairs_.steps;
         for (const Index i : order_modes()) add_mode(i);
-        if (settings_.left) add_left_vectors();
         return record_;
     }
 
@@ -121,7 +120,7 @@ class EigenvalueFinder {
         mode.imaginary = list_nodes(x.imag());
         add_energy(mode);
         if (lambda.real() > std::max(round_off * size, rigid * pairs_.shift)) ++record_.unstable;
-        solutions_.push_back(x);
+        if (settings_.left) take_left_vector(pairs_.left.col(i), x, mode);
         record_.modes.push_back(std::move(mode));
     }
 
@@ -141,32 +140,8 @@ class EigenvalueFinder {
         mode.shape.words = describe_shape(system_, state_, mode.shape);
     }
 
-    // Those of the transposed problem that have the same λ, each once.
-    void add_left_vectors() {
-        const QuadraticProblem transposed = problem_.transposed();
-        const QuadraticSettings search{
-            .wanted = static_cast<int>(record_.modes.size()), .counts = false, .follows_growth = false};
-        const auto found = find_nearest_pairs(transposed, search, system_.team());
-        if (!found) return;
-        std::vector<char> is_taken(static_cast<std::size_t>(found->values.size()), 0);
-        for (std::size_t i = 0; i < record_.modes.size(); ++i) {
-            const Complex lambda = record_.modes[i].lambda();
-            Index nearest = -1;
-            for (Index j = 0; j < found->values.size(); ++j) {
-                if (is_taken[static_cast<std::size_t>(j)] != 0) continue;
-                if (nearest < 0 ||
-                    std::abs(found->values[j] - lambda) < std::abs(found->values[nearest] - lambda))
-                    nearest = j;
-            }
-            if (nearest < 0 ||
-                std::abs(found->values[nearest] - lambda) > same * std::abs(lambda - found->shift))
-                continue;
-            is_taken[static_cast<std::size_t>(nearest)] = 1;
-            take_left_vector(found->vectors.col(nearest), solutions_[i], record_.modes[i]);
-        }
-    }
-
     void take_left_vector(Eigen::VectorXcd y, const Eigen::VectorXcd& x, Eigenmode& mode) const {
+        if (y.isZero(0.0)) return;
         const Eigen::VectorXcd change =
             2.0 * mode.lambda() * multiply_complex(problem_.M, x) + multiply_complex(problem_.D, x);
         const Complex product = (y.transpose() * change)(0);
@@ -180,7 +155,6 @@ class EigenvalueFinder {
     const EigenvalueSettings& settings_;
     QuadraticProblem problem_;
     QuadraticPairs pairs_;
-    std::vector<Eigen::VectorXcd> solutions_;
     EigenvaluesRecord record_;
 };
 
@@ -190,8 +164,18 @@ EigenvaluesRecord find_eigenvalues(const System& system,
                                    const State& state,
                                    double time,
                                    const EigenvalueSettings& settings,
+                                   const StateMatrices& matrices) {
+    return EigenvalueFinder(system, state, time, settings, matrices).find();
+}
+
+EigenvaluesRecord find_eigenvalues(const System& system,
+                                   const State& state,
+                                   double time,
+                                   const EigenvalueSettings& settings,
                                    const FrameColumns* frame) {
-    return EigenvalueFinder(system, state, time, settings, frame).find();
+    const StateMatrices matrices =
+        frame ? frame->compute_matrices(state, time) : compute_state_matrices(system, state, time);
+    return find_eigenvalues(system, state, time, settings, matrices);
 }
 
 }  // namespace gxrod

@@ -14,5 +14,11 @@ EigenvaluesRecord find_eigenvalues(const System& system,
                                    double time,
                                    const EigenvalueSettings& settings,
                                    const FrameColumns* frame = nullptr);
+// The same of matrices that are known.
+EigenvaluesRecord find_eigenvalues(const System& system,
+                                   const State& state,
+                                   double time,
+                                   const EigenvalueSettings& settings,
+                                   const StateMatrices& matrices);
 
 }  // namespace gxrod

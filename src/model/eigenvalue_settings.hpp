@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 namespace gxrod {
 
 // Small motions about a state with all that damps, follows or turns.
@@ -9,6 +11,9 @@ struct EigenvalueSettings {
     // longer in large ones that are not chains.
     bool counts = true;
     bool left = false;  // the left vectors too
+    // Steps of Arnoldi's method before it looks at what it has, such as those of a problem next to this one;
+    // 0: by the count.
+    std::int64_t first_steps = 0;
 };
 
 }  // namespace gxrod

@@ -38,6 +38,7 @@ struct EigenvaluesRecord {
     bool is_complete = false;   // counted and all found
     bool is_all = false;        // the model has no others
     std::int64_t unstable = 0;  // modes that grow, beyond round-off
+    std::int64_t steps = 0;     // of Arnoldi's method
 };
 
 }  // namespace gxrod

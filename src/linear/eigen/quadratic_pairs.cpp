@@ -15,13 +15,14 @@ namespace {
 using Eigen::Index;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-// Of a Ritz pair, relative: it has converged, it is usable, it is known roughly.
-constexpr double converged = 1e-11, usable = 1e-7, rough = 1e-2;
+// Of a Ritz pair, relative: it is usable if no better one is found, it is known roughly.
+constexpr double usable = 1e-7, rough = 1e-2;
 // θ of what has no inertia is round-off, relative to the largest.
 constexpr double no_inertia = 1e-13;
 // Of distances from the shift: so near to each other they are copies of one.
 constexpr double near = 1e-6;
 constexpr int most_rounds = 5;
+constexpr double left_tolerance = 1e-9;
 
 class QuadraticSearch {
   public:
@@ -57,7 +58,7 @@ class QuadraticSearch {
             const bool is_whole = converge(arnoldi);
             if (settings_.follows_growth && follow_growth()) continue;
             choose_radius(is_whole);
-            if (!settings_.counts) break;
+            if (!settings_.counts || found_ == 0) break;
             result_.missing =
                 count_more_within(problem_, result_.shift, result_.radius, list_known(result_.radius));
             if (result_.missing <= 0 || is_whole) break;
@@ -66,6 +67,8 @@ class QuadraticSearch {
             least_steps_ = arnoldi.steps() + 4 * more;
         }
         make_vectors(arnoldi);
+        if (settings_.left) find_left_vectors();
+        result_.steps = arnoldi.steps();
         return result_;
     }
 
@@ -100,12 +103,16 @@ class QuadraticSearch {
     }
 
     std::complex<double> mu(Index i) const { return 1.0 / ritz_.values[i]; }
-    Index count_finite() const {
-        Index count = 0;
-        while (count < ritz_.values.size() &&
-               std::abs(ritz_.values[count]) > no_inertia * std::abs(ritz_.values[0]))
-            ++count;
-        return count;
+    // Leaves aside what has no inertia, and values of no eigenvalue, such as come and go while the basis
+    // grows.
+    void take_ritz(const BandArnoldi::Ritz& all) {
+        std::vector<Index> kept;
+        for (Index i = 0; i < all.values.size(); ++i) {
+            const bool is_finite = std::abs(all.values[i]) > no_inertia * std::abs(all.values[0]);
+            if (is_finite && all.residuals[i] < rough) kept.push_back(i);
+        }
+        ritz_ = {all.values(kept), all.residuals(kept), all.combinations(Eigen::all, kept)};
+        finite_ = static_cast<Index>(kept.size());
     }
     Index count_within(double tolerance) const {
         Index count = 0;
@@ -116,14 +123,14 @@ class QuadraticSearch {
     // Until those wanted, and roughly the next one, have converged; true if there are no others.
     bool converge(BandArnoldi& arnoldi) {
         const Index most = 12 * static_cast<Index>(wanted_) + 300;
-        int step = std::max<int>(4 * wanted_ + 12 - static_cast<int>(arnoldi.steps()), 4);
+        const auto first =
+            settings_.first_steps > 0 ? static_cast<int>(settings_.first_steps) : 2 * wanted_ + 8;
+        int step = std::max<int>(first - static_cast<int>(arnoldi.steps()), 4);
         while (true) {
             const bool is_whole = !arnoldi.grow(step);
-            ritz_ = arnoldi.find_ritz();
-            finite_ = count_finite();
-            found_ = count_within(converged);
-            const bool has_next = found_ > wanted_ ||
-                                  (found_ == wanted_ && found_ < finite_ && ritz_.residuals[found_] < rough);
+            take_ritz(arnoldi.find_ritz());
+            found_ = count_within(settings_.tolerance);
+            const bool has_next = found_ > wanted_ || (found_ == wanted_ && found_ < finite_);
             if (is_whole) {
                 found_ = count_within(usable);
                 return found_ == finite_;
@@ -133,18 +140,19 @@ class QuadraticSearch {
                 found_ = count_within(usable);
                 return false;
             }
-            step = std::max<int>(6, static_cast<int>(arnoldi.steps()) / 5);
+            step = std::max<int>(4, static_cast<int>(arnoldi.steps()) / 8);
         }
     }
 
-    // Whether more are wanted: rough values that grow beyond what their error explains.
+    // Whether more are wanted: rough values that grow by more than their error, which can be the root of the
+    // residual where two are near to each other.
     bool follow_growth() {
-        constexpr double errors = 30.0;
+        constexpr double errors = 10.0;
         Index last = -1;
         for (Index i = found_; i < finite_; ++i) {
-            const double residual = ritz_.residuals[i];
             const std::complex<double> lambda = result_.shift + mu(i);
-            if (residual < rough && lambda.real() > (errors * residual + near) * std::abs(mu(i))) last = i;
+            const double error = errors * std::sqrt(ritz_.residuals[i]) + near;
+            if (lambda.real() > error * std::abs(mu(i))) last = i;
         }
         if (last < 0 || last + 1 > 4 * static_cast<Index>(settings_.wanted) || last + 1 <= wanted_)
             return false;
@@ -184,6 +192,71 @@ class QuadraticSearch {
             result_.values[i] = result_.shift + vector.mu;
             result_.vectors.col(i) = vector.x;
             result_.residuals[i] = vector.residual;
+        }
+    }
+
+    // By the symmetry of the problem, if it has one: y = x if all matrices are symmetric, the conjugate if K
+    // and M are, D is skew and nothing grows. Else by the transposed problem.
+    void find_left_vectors() {
+        const QuadraticProblem transposed = problem_.transposed();
+        for (const bool conjugates : {true, false}) {
+            result_.left = conjugates ? result_.vectors.conjugate() : result_.vectors;
+            if (measure_left(transposed) < usable) return;
+        }
+        QuadraticSettings settings{.wanted = static_cast<int>(taken_),
+                                   .counts = false,
+                                   .follows_growth = false,
+                                   .tolerance = left_tolerance};
+        result_.left.setZero();
+        if (const auto found = find_nearest_pairs(transposed, settings, team_)) match_left_vectors(*found);
+    }
+
+    // The largest |S⁻¹ (λ² M + λ D + K)ᵀ y| / |y|, with S for its transposed.
+    double measure_left(const QuadraticProblem& transposed) {
+        double largest = 0.0;
+        Eigen::VectorXd product, rest;
+        for (Index i = 0; i < taken_ && largest < usable; ++i) {
+            const std::complex<double> lambda = result_.values[i];
+            const Eigen::VectorXcd y = result_.left.col(i);
+            Eigen::VectorXcd residual = Eigen::VectorXcd::Zero(y.size());
+            const auto add = [&](const std::vector<double>& values, std::complex<double> factor) {
+                multiply(*problem_.pattern, values, y.real(), product);
+                residual += factor * product;
+                multiply(*problem_.pattern, values, y.imag(), product);
+                residual += std::complex<double>(0.0, 1.0) * factor * product;
+            };
+            add(transposed.K, 1.0);
+            add(transposed.D, lambda);
+            add(transposed.M, lambda * lambda);
+            double square = 0.0;
+            for (const Eigen::VectorXd& part :
+                 {Eigen::VectorXd(residual.real()), Eigen::VectorXd(residual.imag())}) {
+                rest = part;
+                solver_->solve(rest);
+                square += rest.cwiseProduct(weights_).squaredNorm();
+            }
+            largest = std::max(largest, std::sqrt(square) / y.cwiseProduct(weights_).norm());
+        }
+        return largest;
+    }
+
+    // Those of the transposed problem that have the same λ, each once.
+    void match_left_vectors(const QuadraticPairs& found) {
+        std::vector<char> is_taken(static_cast<std::size_t>(found.values.size()), 0);
+        for (Index i = 0; i < taken_; ++i) {
+            const std::complex<double> lambda = result_.values[i];
+            Index nearest = -1;
+            for (Index j = 0; j < found.values.size(); ++j) {
+                if (is_taken[static_cast<std::size_t>(j)] != 0) continue;
+                if (nearest < 0 ||
+                    std::abs(found.values[j] - lambda) < std::abs(found.values[nearest] - lambda))
+                    nearest = j;
+            }
+            if (nearest < 0 ||
+                std::abs(found.values[nearest] - lambda) > near * std::abs(lambda - found.shift))
+                continue;
+            is_taken[static_cast<std::size_t>(nearest)] = 1;
+            result_.left.col(i) = found.vectors.col(nearest);
         }
     }
 

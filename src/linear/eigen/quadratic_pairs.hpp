@@ -11,13 +11,15 @@ namespace gxrod {
 struct QuadraticPairs {
     Eigen::VectorXcd values;  // by rising distance from the shift
     Eigen::MatrixXcd vectors;
+    Eigen::MatrixXcd left;      // y, yᵀ (λ² M + λ D + K) = 0, if asked for; zero where none was found
     Eigen::VectorXd residuals;  // of S⁻¹ (λ² M + λ D + K) x, S that at the shift, relative to x
     double shift = 0.0;         // real; 0, but where K is singular
     // So far from the shift all have been sought; so many more lie within as the determinant counts them,
     // conjugates counted too. −1: not counted.
     double radius = 0.0;
     std::int64_t missing = -1;
-    bool is_all = false;  // there are no other finite eigenvalues
+    bool is_all = false;     // there are no other finite eigenvalues
+    std::int64_t steps = 0;  // of Arnoldi's method
 };
 
 struct QuadraticSettings {
@@ -25,6 +27,9 @@ struct QuadraticSettings {
     bool counts = true;  // looks for those that were missed
     // Those farther away that seem to grow, so far as rough values show it, are sought too.
     bool follows_growth = true;
+    double tolerance = 1e-11;  // of a pair's residual, relative
+    bool left = false;
+    std::int64_t first_steps = 0;  // before it looks at what it has; 0: by the number wanted
 };
 
 // The eigenvalues nearest to the shift, at least as many as wanted, fewer if there are no more or they do not

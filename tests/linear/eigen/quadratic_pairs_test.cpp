@@ -211,3 +211,23 @@ TEST_CASE("right vectors of the transposed problem are left vectors", "[linear]"
               1e-8 * Q.norm() * pairs->vectors.col(i).norm());
     }
 }
+
+TEST_CASE("left vectors are found by symmetry or by the transposed problem", "[linear]") {
+    struct Row {
+        double damping, circulation, gyroscopic;
+        bool is_known;  // by symmetry
+    };
+    for (const Row& row : {Row{0.02, 0.0, 0.0, true}, Row{0.0, 0.0, 0.5, true}, Row{0.01, 3.0, 0.3, false}}) {
+        const DenseProblem dense =
+            make_problem(make_squares(30), row.damping, row.circulation, row.gyroscopic);
+        const auto pairs = find_nearest_pairs(dense.sparse(), {.wanted = 4, .left = true});
+        REQUIRE(pairs);
+        const auto guess = row.gyroscopic > 0.0 ? pairs->vectors.conjugate().eval() : pairs->vectors;
+        CHECK((pairs->left == guess) == row.is_known);
+        for (Eigen::Index i = 0; i < 4; ++i) {
+            const Complex lambda = pairs->values[i];
+            const Eigen::MatrixXcd Q = dense.K + lambda * dense.D + lambda * lambda * dense.M;
+            CHECK((pairs->left.col(i).transpose() * Q).norm() < 1e-7 * Q.norm() * pairs->left.col(i).norm());
+        }
+    }
+}
