@@ -1,0 +1,37 @@
+#pragma once
+
+#include <functional>
+
+#include "assembly/frame_columns.hpp"
+#include "model/eigenvalue_settings.hpp"
+#include "state/sweep_record.hpp"
+
+namespace gxrod {
+
+// A state about which eigenvalues are sought; what it points at must live until the next one is asked for.
+struct SweepState {
+    std::string failure;  // why there is no equilibrium, "" if there is
+    const System* system = nullptr;
+    const State* state = nullptr;
+    double time = 0.0;                    // of loads
+    const FrameColumns* frame = nullptr;  // if the state turns with one
+};
+
+// The equilibrium at a value of the parameter, from the one that was asked for before. All models have the
+// same unknowns.
+using FindSweepState = std::function<SweepState(double value)>;
+
+struct SweepSettings {
+    EigenvalueSettings eigenvalues{.counts = false};  // `count` modes are followed from the first value on
+    bool finds_onset = true;
+    // A mode that has more of another one than this is followed at values in between too.
+    double most_corruption = 0.5;
+    int halvings = 4;
+};
+
+// Eigenvalues at each value of a parameter, mode by mode.
+SweepRecord sweep_eigenvalues(const std::vector<double>& values,
+                              const FindSweepState& find_state,
+                              const SweepSettings& settings);
+
+}  // namespace gxrod
