@@ -16,16 +16,16 @@ namespace {
 using Complex = std::complex<double>;
 
 // Of Beck's and others' columns, along x in the plane xy.
-struct Column {
+struct FlutterColumn {
     double EA = 1e4, GA = 4e3, rotary = 1e-4;
     double kelvin_voigt = 0.0, mass_proportional = 0.0;
     double tip_mass = 0.0;
     bool is_distributed = false;  // the load
 };
 
-constexpr Column stiff_column{.EA = 1e6, .GA = 4e5, .rotary = 1e-6};
+constexpr FlutterColumn stiff_column{.EA = 1e6, .GA = 4e5, .rotary = 1e-6};
 
-Model make_column(const Column& column, double P) {
+Model make_column(const FlutterColumn& column, double P) {
     Section section = make_section({column.EA, column.GA, column.GA, 1.0, 1.0, 1.0},
                                    {1.0, 1.0, 1.0, 2.0 * column.rotary, column.rotary, column.rotary});
     section.kelvin_voigt = column.kelvin_voigt;
@@ -46,7 +46,7 @@ Model make_column(const Column& column, double P) {
     return model;
 }
 
-std::vector<Complex> find_lambdas(const Column& column, double P, int count = 4) {
+std::vector<Complex> find_lambdas(const FlutterColumn& column, double P, int count = 4) {
     const Model model = make_column(column, P);
     const StaticRun run = run_static(model, make_static_settings(1));
     const System system(model);
@@ -60,7 +60,7 @@ std::vector<Complex> find_lambdas(const Column& column, double P, int count = 4)
 
 // Of the two lowest frequencies, whose squares merge: what is zero where they do, smooth in P. Δ = (λ₁² −
 // λ₂²)².
-double find_discriminant(const Column& column, double P) {
+double find_discriminant(const FlutterColumn& column, double P) {
     std::vector<Complex> lambdas = find_lambdas(column, P);
     // After flutter the pair are λ and −conj λ, which has Im ≥ 0 too.
     const Complex difference = lambdas[0] * lambdas[0] - lambdas[1] * lambdas[1];
@@ -88,11 +88,11 @@ double find_zero(const std::function<double(double)>& f, double from, double to)
     return to;
 }
 
-double find_flutter_load(const Column& column, double from, double to) {
+double find_flutter_load(const FlutterColumn& column, double from, double to) {
     return find_zero([&](double P) { return find_discriminant(column, P); }, from, to);
 }
 
-double find_onset(const Column& column, double from, double to) {
+double find_onset(const FlutterColumn& column, double from, double to) {
     const auto growth = [&](double P) {
         double largest = -1e300;
         for (const Complex& lambda : find_lambdas(column, P)) largest = std::max(largest, lambda.real());
