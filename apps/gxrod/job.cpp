@@ -41,24 +41,25 @@ void print_shapes(const FoundShapes& found) {
 void print(const JobOptions& options, const RunSummary& summary, bool is_resumed) {
     if (summary.status == RunStatus::failed) {
         say(stderr,
-            "gxrod: {}\nResults up to t = {:.10g} are in {}\n",
+            "gxrod: {}\nResults up to {} are in {}\n",
             summary.reason,
-            summary.time,
+            summary.place,
             options.results);
     } else if (summary.status == RunStatus::interrupted) {
         say(stderr,
-            "gxrod: interrupted at t = {:.10g}; results up to there are in {}\n"
+            "gxrod: interrupted at {}; results up to there are in {}\n"
             "To resume: gxrod resume {}\n",
-            summary.time,
+            summary.place,
             options.results,
             options.results);
     } else if (options.prints()) {
+        for (const std::string& finding : summary.findings) say(stdout, "{}\n", finding);
         for (const FoundShapes& found : summary.shapes) print_shapes(found);
         if (summary.totals.steps > 0) {
             say(stdout,
-                "{} steps to t = {:.10g}, {} Newton iterations{}, ",
+                "{} steps to {}, {} Newton iterations{}, ",
                 summary.totals.steps,
-                summary.time,
+                summary.place,
                 summary.totals.newton_iterations,
                 is_resumed ? " in all; this part" : "");
         }
@@ -78,15 +79,18 @@ int exit_code_of(const RunSummary& summary, bool deck_fault) {
     return exit_done;
 }
 
+std::string describe_place(const RestartRecord& record) {
+    if (record.path.load_scale > 0.0) return fmt::format("λ = {:.10g}", record.path.load_factor);
+    return fmt::format("t = {:.10g}", record.axis_start + record.steps.time);
+}
+
 // After an error that ended the program while it wrote: how to resume, if that is possible.
 void print_resumption(const std::string& results) {
     try {
-        const RestartRecord record = ResumableFile(results).place().record;
-        const double time = record.axis_start + record.steps.time;
         say(stderr,
-            "{} holds what was computed up to t = {:.10g}. To resume: gxrod resume {}\n",
+            "{} holds what was computed up to {}. To resume: gxrod resume {}\n",
             results,
-            time,
+            describe_place(ResumableFile(results).place().record),
             results);
     } catch (const std::exception&) {
         // Nothing to resume from, or no memory to look.
@@ -188,8 +192,8 @@ int run_job(const Problem& problem, const JobOptions& options, ResumableFile* re
                        resumed};
     if (!options.quiet) request.report_progress = [&](const Progress& progress) { line.show(progress); };
     if (options.prints()) {
-        request.report_resumption = [&](double time) {
-            say(stdout, "{} continues from t = {:.10g}\n", options.results, time);
+        request.report_resumption = [&](const RestartRecord& record) {
+            say(stdout, "{} continues from {}\n", options.results, describe_place(record));
             std::fflush(stdout);
         };
     }

@@ -20,6 +20,12 @@ struct ResumeArguments {
 };
 
 std::string describe_end(const AnalysisSettings& analysis, double time, const std::string& results) {
+    if (is_path(analysis)) {
+        return fmt::format(
+            "{} has followed its path to the end; nothing was changed. --set analysis.until.t=… makes it "
+            "longer\n",
+            results);
+    }
     if (!needs_inertia(analysis)) {
         return fmt::format("{} is at its end, load factor 1; nothing was changed\n", results);
     }
@@ -40,7 +46,9 @@ int resume(ResumeArguments& arguments) {
         later, problem.stages.end(), [](const StagePlan& stage) { return has_steps(stage.analysis); });
     const AnalysisSettings& last = std::prev(later)->analysis;
     const double time = record.axis_start + record.steps.time;
-    const bool is_at_end = is_in_last && record.steps.time == end_of(last);
+    // A path is resumed before its first critical point.
+    const bool is_same_path = is_path(last) && arguments.overrides.empty() && job.deck.empty();
+    const bool is_at_end = is_in_last && (is_same_path || record.steps.time == end_of(last));
     // A killed run can be at its end without being closed.
     if (is_at_end && file.is_complete() && job.summary.empty()) {
         if (job.prints()) say(stdout, "{}", describe_end(last, time, job.results));
@@ -61,7 +69,9 @@ void add_resume_verb(CLI::App& program, int& exit_code) {
         "--deck",
         arguments->job.deck,
         "Deck to continue with [the one in the results]; its title, units, output, histories and, "
-        "of [analysis] or [[stage]], end_time, time_step, steps, adaptive, newton, linear_solver can differ");
+        "of [analysis] or [[stage]], end_time, time_step, steps, adaptive, newton, linear_solver, and of a "
+        "path "
+        "until, its steps, at, critical and branches can differ");
     verb->add_option("--set",
                      arguments->overrides,
                      "KEY=VALUE: change such a key of the deck, say analysis.end_time=20")

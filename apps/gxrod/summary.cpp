@@ -31,6 +31,14 @@ nlohmann::ordered_json describe_shapes(const FoundShapes& found) {
         for (const Mode& mode : modes->modes)
             rows.push_back(
                 {{"frequency", mode.frequency}, {"growth", mode.growth}, {"words", mode.shape.words}});
+    } else if (const auto* eigenvalues = std::get_if<EigenvaluesRecord>(&found.record)) {
+        is_complete = eigenvalues->is_complete || eigenvalues->is_all;
+        for (const Eigenmode& mode : eigenvalues->modes) {
+            rows.push_back(
+                {{"frequency", mode.frequency}, {"growth", mode.growth}, {"words", mode.shape.words}});
+        }
+    } else if (std::holds_alternative<ResponseRecord>(found.record)) {
+        is_complete = true;
     } else {
         const auto& buckling = std::get<BucklingRecord>(found.record);
         is_complete = buckling.is_complete;
@@ -52,6 +60,7 @@ void write_summary(const std::string& target,
         {"status", name_of(summary.status)},
         {"reason", summary.reason},
         {"warnings", summary.warnings},
+        {"findings", summary.findings},
         {"deck", deck},
         {"results", results},
         {"nodes", summary.nodes},

@@ -61,11 +61,11 @@ int verify_deck(const VerifyDeckArguments& arguments) {
             problem.stages.size());
         return exit_bad_input;
     }
-    if (!has_steps(problem.analysis)) {
+    if (!has_steps(problem.analysis) || is_path(problem.analysis)) {
         say(stderr,
             "{}: finds {}; gxrod verify refines what moves. Compare runs with more elements instead\n",
             arguments.deck,
-            kind_of(problem.analysis));
+            is_path(problem.analysis) ? "a path of equilibria" : kind_of(problem.analysis));
         return exit_bad_input;
     }
     if (!examine(problem, arguments.deck)) return exit_bad_input;

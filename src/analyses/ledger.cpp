@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "state/energy_jump.hpp"
 
@@ -206,6 +207,7 @@ LedgerRow Ledger::row(const State& state) const {
     row.numerical_dissipation = dissipated_by_scheme_;
     row.energy_error = row.kinetic_energy + row.strain_energy - initial_energy_ - row.external_work +
                        dissipated_ + dissipated_by_scheme_;
+    if (has_drive_) row.external_work += std::exchange(row.energy_error, 0.0);
     row.linear_momentum = balance.momentum.linear;
     row.angular_momentum = balance.momentum.angular;
     return row;

@@ -63,6 +63,9 @@ class Ledger {
     }
     void replace_work(const StepWork& work);
 
+    // What turns the model with a frame does the work that the balance leaves, which is then its own.
+    void add_drive() { has_drive_ = true; }
+
     LedgerRow row(const State& state) const;
 
     LedgerTotals totals(const State& state) const;
@@ -99,6 +102,7 @@ class Ledger {
     double work_ = 0.0;
     double dissipated_ = 0.0;
     double dissipated_by_scheme_ = 0.0;
+    bool has_drive_ = false;
 };
 
 }  // namespace gxrod

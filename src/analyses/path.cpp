@@ -134,10 +134,20 @@ void PathAnalysis::note_equilibrium() {
         for (BranchStart& start : trial_branches_) branches_.push_back(std::move(start));
         trial_branches_.clear();
     }
+    const bool is_back = is_closed();
+    note_progress(trial_.load_factor);
+    if (is_back) sequence().finish();
+}
+
+void PathAnalysis::note_progress(double load_factor) {
     const auto count = points_before_ + static_cast<std::int64_t>(points_.size());
-    if (targets_.is_end(trial_.load_factor) || is_closed() ||
-        (settings_.points && count >= *settings_.points))
-        sequence().finish();
+    double part =
+        settings_.points ? static_cast<double>(count) / static_cast<double>(*settings_.points) : 0.0;
+    for (const auto& bound : {settings_.least_load, settings_.greatest_load}) {
+        if (bound && *bound != 0.0) part = std::max(part, load_factor / *bound);
+    }
+    sequence().note_part(part);
+    if (targets_.is_end(load_factor) || (settings_.points && count >= *settings_.points)) sequence().finish();
 }
 
 void PathAnalysis::remember(RestartRecord& record) const {
@@ -161,6 +171,7 @@ void PathAnalysis::recall(const RestartRecord& record) {
     tangent_ = {gather(memory.tangent, system_.equations()), memory.load_rate};
     sense_ = static_cast<int>(memory.load_sense);
     points_before_ = memory.points;
+    if (steps_->steps_done() > 0) note_progress(memory.load_factor);
 }
 
 }  // namespace gxrod

@@ -55,6 +55,8 @@ class PathAnalysis : public SteppedAnalysis {
     EquilibriumReport solve_branch_trial();
     // A pivot count that can be compared with that of the last accepted equilibrium.
     void count_pivots(EquilibriumReport& report);
+    // How far it is from what ends it, and whether it is there.
+    void note_progress(double load_factor);
     // Whether a branch has come back to where it began.
     bool is_closed() const;
     // Which critical points the step has passed; false if a shorter step has to find out.

@@ -75,6 +75,7 @@ void PathAnalysis::keep_unlocated(CriticalKind kind, int multiplicity) {
     point.pivots_before = pivots_;
     point.pivots_after = trial_.pivots;
     point.load_factor = trial_.load_factor;
+    point.nodes = state_.trial;
     trial_point_ = std::move(point);
 }
 
@@ -85,6 +86,7 @@ void PathAnalysis::describe(CriticalPoint& point, const Eigen::MatrixXd& kernel)
             shape[node] = system_.equations().increment_of(static_cast<int>(node), kernel.col(i));
         point.kernel.push_back(std::move(shape));
     }
+    point.nodes = state_.trial;
     compute_consistent_tangent(system_, *integrator_, point.load_factor, workspace_, state_);
     const std::optional<Weakness> weakness = describe_weakness(system_, state_, workspace_.values);
     if (weakness) point.shape = weakness->words;

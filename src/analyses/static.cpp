@@ -2,6 +2,7 @@
 
 #include "analyses/dynamic.hpp"
 #include "analyses/path.hpp"
+#include "analyses/steady.hpp"
 #include "integrators/load_stepping.hpp"
 #include "model/newton_choice.hpp"
 #include "solvers/step_control.hpp"
@@ -93,6 +94,9 @@ std::unique_ptr<SteppedAnalysis> make_analysis(const Model& model,
     }
     if (const auto* path = std::get_if<PathSettings>(&settings)) {
         return std::make_unique<PathAnalysis>(model, *path, threads);
+    }
+    if (const auto* steady = std::get_if<SteadySettings>(&settings)) {
+        return std::make_unique<SteadyAnalysis>(model, *steady, *model.rotation, threads);
     }
     // What finds shapes finds them about the state of an equilibrium.
     const auto* statics = std::get_if<StaticSettings>(&settings);

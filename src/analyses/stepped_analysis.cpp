@@ -74,6 +74,7 @@ void SteppedAnalysis::accept_start(double time, bool is_loaded) {
                                        workspace_.residual,
                                        is_loaded,
                                        totals_before_ ? &*totals_before_ : nullptr);
+    if (frame() != nullptr) ledger_->add_drive();
 }
 
 EquilibriumReport SteppedAnalysis::start_after(const SteppedAnalysis& before) {
@@ -161,6 +162,7 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     reactions_.assign(nodes, Vec6::Zero());
     ledger_ = std::make_unique<Ledger>(system_, *integrator_);
     ledger_->resume(record.ledger);
+    if (frame() != nullptr) ledger_->add_drive();
     recall(record);
     return true;
 }

@@ -42,6 +42,8 @@ class SteppedAnalysis {
     Failure explain(const EquilibriumReport& report);
 
     const System& system() const { return system_; }
+    // What a frame adds to the matrices about the state, if the model turns with one.
+    const FrameColumns* frame() const { return workspace_.frame; }
     const State& state() const { return state_; }
     const StepSequence& steps() const { return *steps_; }
     const PhaseSeconds& seconds() const { return workspace_.seconds; }

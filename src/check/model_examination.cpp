@@ -9,6 +9,7 @@
 #include "check/plane_findings.hpp"
 #include "check/stability.hpp"
 #include "check/stiffness_contrast.hpp"
+#include "check/turning_loads.hpp"
 #include "check/unconnected_points.hpp"
 #include "check/unsupported_motions.hpp"
 #include "model/analysis_traits.hpp"
@@ -131,7 +132,8 @@ double compute_mass(const Model& model) {
 bool any_load(const Model& model) {
     const auto pushes = [](const auto& load) { return !is_zero(load.force) || !is_zero(load.moment); };
     const auto moves = [](const Support& support) { return support.moved != std::array<bool, 6>{}; };
-    return !model.gravity.is_zero() || std::any_of(model.loads.begin(), model.loads.end(), pushes) ||
+    return model.rotation || !model.gravity.is_zero() ||
+           std::any_of(model.loads.begin(), model.loads.end(), pushes) ||
            std::any_of(model.distributed_loads.begin(), model.distributed_loads.end(), pushes) ||
            std::any_of(model.supports.begin(), model.supports.end(), moves);
 }
@@ -178,12 +180,18 @@ void find_odd_bodies(const Model& model, std::vector<Finding>& findings) {
 
 }  // namespace
 
-std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& analysis) {
+std::vector<Finding> examine_model(const Model& model,
+                                   const AnalysisSettings& analysis,
+                                   bool begins_at_rest) {
     const std::vector<ModelPart> parts = find_parts(model);
     std::vector<Finding> findings;
     if (has_steps(analysis) && !needs_inertia(analysis)) {
         find_drifting_parts(model, parts, findings);
         note_lack_of_potential(model, findings);
+    }
+    if (std::holds_alternative<SteadySettings>(analysis) && model.rotation) {
+        const std::string cause = find_unsteady_load(model, *model.rotation);
+        if (!cause.empty()) findings.push_back({Severity::error, cause});
     }
     if (solves_equilibria(analysis)) {
         warn_of_contrasts(model, parts, findings);
@@ -200,7 +208,7 @@ std::vector<Finding> examine_model(const Model& model, const AnalysisSettings& a
     find_idle_loads(model, findings);
     if (const std::string push = find_push_out_of_plane(model); !push.empty())
         findings.push_back({Severity::warning, push});
-    find_missing_causes(model, analysis, findings);
+    if (begins_at_rest) find_missing_causes(model, analysis, findings);
     describe_parts(model, parts, findings);
     return findings;
 }
@@ -216,7 +224,7 @@ std::vector<Finding> examine_stages(const Model& model, const std::vector<StageP
         if (!has_steps(stages[i].analysis)) continue;
         Model own = model;
         set_actions(stages[i].actions, own);
-        for (Finding& finding : examine_model(own, stages[i].analysis)) {
+        for (Finding& finding : examine_model(own, stages[i].analysis, false)) {
             if (!is_new(finding)) continue;
             finding.message = "stage " + stages[i].name + ": " + finding.message;
             findings.push_back(std::move(finding));

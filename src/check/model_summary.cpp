@@ -1,6 +1,7 @@
 #include "check/model_summary.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -129,15 +130,33 @@ std::string describe_frames(const AnalysisSettings& settings, long every) {
             "{} frames at most, one in each {}th part of the time", default_frames + 1, default_frames);
     }
     const auto* dynamic = std::get_if<DynamicSettings>(&settings);
+    const bool is_open = is_path(settings) || (dynamic != nullptr && dynamic->adaptive);
     const std::string interval = every == 1 ? "one every step" : fmt::format("one every {} steps", every);
-    if (dynamic != nullptr && dynamic->adaptive) return "frames, " + interval;
+    if (is_open) return "frames, " + interval;
     const long steps = steps_of(settings);
     return fmt::format("{} frames, {}", 1 + steps / every + (steps % every == 0 ? 0 : 1), interval);
+}
+
+// "path: until t = 2 or arc length 5 or 300 steps, with its branches"
+std::string describe_path(const PathSettings& path) {
+    std::vector<std::string> ends;
+    for (const auto& bound : {path.least_load, path.greatest_load}) {
+        if (bound) ends.push_back(fmt::format("t = {:.6g}", *bound));
+    }
+    if (path.arc) ends.push_back(fmt::format("arc length {:.6g}", *path.arc));
+    if (path.steps) ends.push_back(fmt::format("{} step{}", *path.steps, *path.steps == 1 ? "" : "s"));
+    if (path.points)
+        ends.push_back(fmt::format("{} critical point{}", *path.points, *path.points == 1 ? "" : "s"));
+    std::string branches;
+    if (path.branches == 1) branches = ", and the branches that leave it";
+    if (path.branches > 1) branches = fmt::format(", and {} generations of branches", path.branches);
+    return fmt::format("path of equilibria until {}{}\n", fmt::join(ends, " or "), branches);
 }
 
 }  // namespace
 
 std::string describe_analysis(const AnalysisSettings& settings) {
+    if (const auto* path = std::get_if<PathSettings>(&settings)) return describe_path(*path);
     if (const auto* dynamic = std::get_if<DynamicSettings>(&settings)) return describe_dynamic(*dynamic);
     if (const auto* modes = std::get_if<ModesSettings>(&settings)) {
         if (modes->below) return fmt::format("modes: all below {:.6g} cycles per time\n", *modes->below);
@@ -145,6 +164,14 @@ std::string describe_analysis(const AnalysisSettings& settings) {
     }
     if (const auto* buckling = std::get_if<BucklingSettings>(&settings))
         return fmt::format("linear buckling: the {} smallest factors\n", buckling->count);
+    if (const auto* eigenvalues = std::get_if<EigenvalueSettings>(&settings))
+        return fmt::format("eigenvalues: the {} nearest to 0\n", eigenvalues->count);
+    if (const auto* response = std::get_if<ResponseSettings>(&settings))
+        return fmt::format("response to forces at {} frequencies\n", response->omegas.size());
+    if (std::holds_alternative<SteadySettings>(settings)) {
+        return fmt::format("steady rotation: {} steps of the load factor t from 0 to 1\n",
+                           steps_of(settings));
+    }
     return fmt::format("static analysis: {} steps of the load factor t from 0 to 1\n", steps_of(settings));
 }
 

@@ -66,7 +66,8 @@ bool lies_in_plane(const Model& model, int normal) {
         const Section& section = model.sections[rod.section];
         for (const Quat& triad : rod.triads) {
             const int across = find_normal(triad, normal);
-            if (across < 1 || couples(section.stiffness, across) || couples(section.mass, across)) return false;
+            if (across < 1 || couples(section.stiffness, across) || couples(section.mass, across))
+                return false;
         }
     }
     return std::all_of(model.supports.begin(), model.supports.end(), [&](const Support& support) {
@@ -85,9 +86,10 @@ std::string find_push_out_of_plane(const Model& model) {
     if (!model.plane) return "";
     const std::string pusher = find_push(model, model.plane->normal);
     if (pusher.empty()) return "";
-    return fmt::format("{} pushes out of the plane {} of the deck, which holds against it; only reactions feel it",
-                       pusher,
-                       names[model.plane->normal]);
+    return fmt::format(
+        "{} pushes out of the plane {} of the deck, which holds against it; only reactions feel it",
+        pusher,
+        names[model.plane->normal]);
 }
 
 std::string suggest_plane(const Model& model) {
@@ -95,7 +97,8 @@ std::string suggest_plane(const Model& model) {
     for (const int normal : {2, 1, 0}) {
         if (!find_push(model, normal).empty() || !lies_in_plane(model, normal)) continue;
         return fmt::format(
-            "all of this lies in a plane: plane = \"{}\" keeps it there, where it cannot buckle or vibrate out of "
+            "all of this lies in a plane: plane = \"{}\" keeps it there, where it cannot buckle or vibrate "
+            "out of "
             "it, with half of the unknowns",
             names[normal]);
     }

@@ -64,7 +64,60 @@ class Lister {
         return lines_;
     }
 
+    std::vector<std::string> operator()(const EigenvaluesRecord& record) {
+        const char* whole = record.is_all        ? ", all that the model has"
+                            : record.is_complete ? ", and none missed nearer to 0 (counted)"
+                                                 : "";
+        lines_.push_back(plural(record.modes.size(), "eigenvalue") + whole);
+        std::size_t number = 0;
+        for (const Eigenmode& mode : record.modes) {
+            const std::string value =
+                mode.omega == 0.0
+                    ? fmt::format(
+                          "{} as exp({:.6g} t)  ", mode.growth > 0.0 ? "grows" : "decays", mode.growth)
+                    : fmt::format("{:<12.8g} ω {:<12.8g} Re λ {:<13.6g} damping {:<10.4g} ",
+                                  mode.frequency,
+                                  mode.omega,
+                                  drop_round_off(mode.growth, mode),
+                                  drop_round_off(mode.damping_ratio, mode));
+            add(++number, value + mode.shape.words);
+        }
+        end(record.modes.size());
+        return lines_;
+    }
+
+    std::vector<std::string> operator()(const ResponseRecord& record) {
+        lines_.push_back(fmt::format("the answer at {} frequencies, ω from {:.6g} to {:.6g}",
+                                     record.responses.size(),
+                                     record.responses.front().omega,
+                                     record.responses.back().omega));
+        std::size_t number = 0;
+        for (const ResponsePoint& point : record.points) {
+            const Response* largest = nullptr;
+            double size = -1.0;
+            for (const Response& response : record.responses) {
+                if (!response.failure.empty()) continue;
+                const double amplitude =
+                    std::sqrt(response.motion.real[point.node].head<3>().squaredNorm() +
+                              response.motion.imaginary[point.node].head<3>().squaredNorm());
+                if (amplitude <= size) continue;
+                size = amplitude;
+                largest = &response;
+            }
+            if (largest == nullptr) continue;
+            add(++number,
+                fmt::format("{}: largest amplitude {:.6g}, at ω = {:.6g}", point.name, size, largest->omega));
+        }
+        end(number);
+        return lines_;
+    }
+
   private:
+    // Of an undamped motion.
+    static double drop_round_off(double value, const Eigenmode& mode) {
+        constexpr double round_off = 1e-9;
+        return std::abs(mode.damping_ratio) < round_off ? 0.0 : value;
+    }
     static std::string head(const ModesRecord& record) {
         const std::size_t count = record.modes.size();
         if (record.is_all) return plural(count, "mode") + ", all that the model has";
@@ -117,6 +170,37 @@ struct Warner {
         return sentences;
     }
 
+    std::vector<std::string> operator()(const EigenvaluesRecord& record) const {
+        std::vector<std::string> sentences;
+        if (record.unstable > 0) {
+            const Eigenmode& worst = *std::max_element(
+                record.modes.begin(), record.modes.end(), [](const Eigenmode& a, const Eigenmode& b) {
+                    return a.growth < b.growth;
+                });
+            sentences.push_back(
+                fmt::format("the state is unstable by {}: {} grow{}, at most as exp({:.4g} t){}",
+                            worst.omega == 0.0 ? "divergence" : "flutter",
+                            plural(static_cast<std::size_t>(record.unstable), "motion"),
+                            record.unstable == 1 ? "s" : "",
+                            worst.growth,
+                            worst.omega == 0.0 ? "" : fmt::format(", with ω = {:.6g}", worst.omega)));
+        }
+        if (record.failure.empty() && !record.is_complete && !record.is_all) {
+            sentences.push_back(record.missing > 0
+                                    ? fmt::format("{} eigenvalues nearer to 0 may be missing", record.missing)
+                                    : "the determinant could not be counted: an eigenvalue may be missing");
+        }
+        return sentences;
+    }
+
+    std::vector<std::string> operator()(const ResponseRecord& record) const {
+        for (const Response& response : record.responses) {
+            if (response.failure.empty()) continue;
+            return {fmt::format("at ω = {:.6g} there is no answer: {}", response.omega, response.failure)};
+        }
+        return {};
+    }
+
     static std::string describe_count(const ModesRecord& record) {
         if (record.counted < 0) return "the pivots could not be counted: a mode may be missing";
         return fmt::format("{} modes were found where the pivots count {}: {} may be missing",
@@ -135,7 +219,12 @@ std::vector<std::string> list_shapes(const ShapesRecord& record, std::size_t mos
 std::vector<std::string> warn_of_shapes(const ShapesRecord& record) { return std::visit(Warner{}, record); }
 
 std::string find_failure(const ShapesRecord& record) {
-    return std::visit([](const auto& found) { return found.failure; }, record);
+    return std::visit(
+        [](const auto& found) -> std::string {
+            if constexpr (requires { found.failure; }) return found.failure;
+            return "";
+        },
+        record);
 }
 
 std::string describe_left_out_loads(const Model& model) {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/model.hpp"
-#include "state/mode_record.hpp"
+#include "state/shapes_record.hpp"
 
 // What a stage has found about small motions, in sentences.
 namespace gxrod {

@@ -9,6 +9,8 @@
 #include "deck/build/build_initial.hpp"
 #include "deck/build/build_loads.hpp"
 #include "deck/build/build_output.hpp"
+#include "deck/build/build_path.hpp"
+#include "deck/build/build_response.hpp"
 #include "deck/build/build_rods.hpp"
 #include "deck/build/build_supports.hpp"
 #include "deck/build/plane.hpp"
@@ -74,6 +76,7 @@ void note_stages(const std::vector<StagePlan>& stages, DeckRecord& record) {
         if (!stage.name.empty()) record.stages.push_back(stage.name);
         record.has_statics = record.has_statics || !needs_inertia(stage.analysis);
         record.finds_shapes = record.finds_shapes || !has_steps(stage.analysis);
+        record.has_paths = record.has_paths || is_path(stage.analysis);
         record.is_static = record.is_static && !needs_inertia(stage.analysis);
     }
 }
@@ -96,8 +99,11 @@ Problem build_problem(const CheckedTable& deck, const MeshFiles& files, FaultLis
     build_plane(context);
     build_initial(context);
     build_actions(context);
+    build_path_targets(context);
+    build_excitation(context);
     set_frame_intervals(context);
     problem.output = build_output(context);
+    name_response_points(problem.output.histories, context.stages);
     problem.stages = std::move(context.stages);
     problem.analysis = problem.stages.front().analysis;
     note_stages(problem.stages, problem.record);

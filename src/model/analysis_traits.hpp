@@ -19,11 +19,16 @@ AnalysisTraits traits_of(const AnalysisSettings& analysis);
 
 inline const char* kind_of(const AnalysisSettings& analysis) { return traits_of(analysis).kind; }
 inline bool has_steps(const AnalysisSettings& analysis) { return traits_of(analysis).has_steps; }
+inline bool is_path(const AnalysisSettings& analysis) {
+    return std::holds_alternative<PathSettings>(analysis);
+}
 inline bool needs_inertia(const AnalysisSettings& analysis) { return traits_of(analysis).needs_inertia; }
 
-// Where t ends, which starts at 0: the time, or the load factor.
+// Where t ends, which starts at 0: the time, or the load factor. Of a path, where it may end: its bound,
+// or 1.
 double end_of(const AnalysisSettings& analysis);
-// How many steps it takes to get there if none is cut; 0 if that is not known beforehand, or there are none.
+// How many steps it takes to get there if none is cut, of a path at most; 0 if that is not known beforehand,
+// or there are none.
 long steps_of(const AnalysisSettings& analysis);
 
 }  // namespace gxrod

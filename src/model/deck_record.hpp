@@ -20,6 +20,7 @@ struct DeckRecord {
     bool is_static = false;                // no stage has time: t is a load factor
     bool has_statics = false;              // some stage has none
     bool finds_shapes = false;             // some stage finds modes or the like
+    bool has_paths = false;                // some stage goes along a path: t is a column of its own
     std::vector<std::string> stages = {};  // their names; none of a deck without [[stage]]
     std::vector<MeshRecord> meshes = {};
 };

@@ -8,7 +8,7 @@ namespace gxrod {
 
 long choose_frame_interval(const AnalysisSettings& analysis) {
     const long steps = steps_of(analysis);
-    if (steps == 0) return has_steps(analysis) ? 0 : 1;
+    if (steps == 0) return has_steps(analysis) && !is_path(analysis) ? 0 : 1;
     for (long decade = 1;; decade *= 10) {
         for (const long every : {decade, 2 * decade, 5 * decade}) {
             if (steps / every <= default_frames) return every;

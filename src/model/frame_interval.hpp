@@ -9,7 +9,7 @@ namespace gxrod {
 inline constexpr long default_frames = 500;
 
 // OutputSettings::every for an analysis: 1, 2, 5, 10, 20, 50 …, or 0, by the time, where the number of steps
-// is not known beforehand.
+// is not known beforehand; 1 of a path then.
 long choose_frame_interval(const AnalysisSettings& analysis);
 
 // With `every` 0: whether a step from one time to a later one ends in another of the equal parts of the time

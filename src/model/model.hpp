@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/time_function.hpp"
+#include "model/turning_frame.hpp"
 #include "rotation/types.hpp"
 
 // What is given: the mechanical model, const once built. Quantities are in the deck's own consistent units,
@@ -132,6 +133,7 @@ struct Plane {
 };
 
 struct Model {
+    std::optional<TurningFrame> rotation;  // that supports turn with, in stages of steady rotation
     std::optional<Plane> plane;
     TimeVector gravity{Vec3::Zero()};
     std::vector<Node> nodes;

@@ -6,7 +6,9 @@
 #include <variant>
 #include <vector>
 
+#include "model/eigenvalue_settings.hpp"
 #include "model/model.hpp"
+#include "model/response_settings.hpp"
 #include "rotation/types.hpp"
 
 // What is asked of the model: how to integrate and what to record. The defaults here are the deck's defaults.
@@ -111,8 +113,17 @@ struct PathSettings {
     LinearSolverKind linear_solver = LinearSolverKind::automatic;
 };
 
-using AnalysisSettings =
-    std::variant<DynamicSettings, StaticSettings, PathSettings, ModesSettings, BucklingSettings>;
+// Equilibria in the frame that turns with Model::rotation, while the load factor t runs from 0 to 1.
+struct SteadySettings : StaticSettings {};
+
+using AnalysisSettings = std::variant<DynamicSettings,
+                                      StaticSettings,
+                                      SteadySettings,
+                                      PathSettings,
+                                      ModesSettings,
+                                      BucklingSettings,
+                                      EigenvalueSettings,
+                                      ResponseSettings>;
 
 // A quantity that a history can record.
 enum class Quantity {

@@ -1,5 +1,6 @@
 #include "model/stage.hpp"
 
+#include <limits>
 #include <utility>
 
 #include "model/analysis_traits.hpp"
@@ -10,7 +11,8 @@ Actions take_actions(Model& model) {
     return {std::exchange(model.gravity, TimeVector(Vec3::Zero())),
             std::exchange(model.loads, {}),
             std::exchange(model.distributed_loads, {}),
-            std::exchange(model.supports, {})};
+            std::exchange(model.supports, {}),
+            std::exchange(model.rotation, {})};
 }
 
 void set_actions(Actions actions, Model& model) {
@@ -18,12 +20,14 @@ void set_actions(Actions actions, Model& model) {
     model.loads = std::move(actions.loads);
     model.distributed_loads = std::move(actions.distributed_loads);
     model.supports = std::move(actions.supports);
+    model.rotation = std::move(actions.rotation);
 }
 
 double find_axis_start(std::span<const StagePlan> stages) {
     double length = 0.0;
     for (const StagePlan& stage : stages) {
         if (!has_steps(stage.analysis)) continue;
+        if (is_path(stage.analysis)) return 0.0;
         if (needs_inertia(stage.analysis)) return -length;
         length += end_of(stage.analysis);
     }
@@ -33,6 +37,7 @@ double find_axis_start(std::span<const StagePlan> stages) {
 double find_axis_end(std::span<const StagePlan> stages) {
     double end = find_axis_start(stages);
     for (const StagePlan& stage : stages) {
+        if (is_path(stage.analysis)) return std::numeric_limits<double>::infinity();
         if (has_steps(stage.analysis)) end += end_of(stage.analysis);
     }
     return end;

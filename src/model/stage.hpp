@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ struct Actions {
     std::vector<NodalLoad> loads;
     std::vector<DistributedLoad> distributed_loads;
     std::vector<Support> supports;
+    std::optional<TurningFrame> rotation = {};
 };
 
 struct StagePlan {
@@ -23,6 +25,8 @@ struct StagePlan {
     AnalysisSettings analysis;
     Actions actions = {};     // of its own t, from 0; empty of the first stage, whose actions the model has
     long frame_interval = 1;  // as OutputSettings::every
+    // Where its t ends; of a path, once it has ended. Shared with what later stages hold at its value there.
+    std::shared_ptr<double> end = {};
 };
 
 // The model's own, which it has no longer.
@@ -30,9 +34,10 @@ Actions take_actions(Model& model);
 void set_actions(Actions actions, Model& model);
 
 // What follows one axis in the results: t of the stages added up. Stages without time before the first one
-// with time end at 0, each of length 1.
+// with time end at 0, each of length 1; with a path among them, whose arc length is not known beforehand,
+// they begin at 0.
 double find_axis_start(std::span<const StagePlan> stages);
-// Where they end on it.
+// Where they end on it; infinity with a path.
 double find_axis_end(std::span<const StagePlan> stages);
 
 }  // namespace gxrod

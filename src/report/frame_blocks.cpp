@@ -1,5 +1,6 @@
 #include "report/frame_blocks.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "model/evaluation_error.hpp"
@@ -83,6 +84,21 @@ Vec6 value_of(const LoadArrow& arrow, const Vec3& rotation, double time) {
     }
 }
 
+// t of the loads at these times of frames: on a path it is not what the frames count.
+std::vector<double> find_load_times(const Hdf5Reader& file, const std::vector<double>& times) {
+    const std::string column = "/histories/load_factor";
+    if (!file.has(column)) return times;
+    const std::vector<double> axis = file.numbers("/histories/time");
+    const std::vector<double> loads = file.rows(column, 0, axis.size(), 1);
+    std::vector<double> found;
+    for (const double time : times) {
+        const auto row = std::lower_bound(axis.begin(), axis.end(), time) - axis.begin();
+        const auto last = static_cast<std::ptrdiff_t>(loads.size()) - 1;
+        found.push_back(loads.empty() ? time : loads[static_cast<std::size_t>(std::min(row, last))]);
+    }
+    return found;
+}
+
 void write_arrows(const Hdf5Reader& file,
                   const std::vector<std::size_t>& frames,
                   const std::vector<double>& times,
@@ -139,7 +155,7 @@ void write_frame_blocks(const Hdf5Reader& file,
     for (const std::string& name : plan.cell_data) {
         write_quantity("/VTKHDF/CellData/", name, content.topology->cells, sources);
     }
-    write_arrows(file, frames, times, content, arrows, out);
+    write_arrows(file, frames, find_load_times(file, times), content, arrows, out);
 }
 
 }  // namespace gxrod

@@ -122,7 +122,11 @@ Json describe_analysis(const AnalysisSettings& analysis) {
         if (dynamic->adaptive) rows.push_back({"tolerance of a step", dynamic->adaptive->tolerance});
         add_newton(dynamic->newton);
     } else if (has_steps(analysis)) {
-        if (steps_of(analysis) > 0) rows.push_back({"load steps", steps_of(analysis)});
+        if (is_path(analysis)) {
+            rows.push_back({"kind", "path"});
+        } else if (steps_of(analysis) > 0) {
+            rows.push_back({"load steps", steps_of(analysis)});
+        }
         add_newton(newton_of(analysis));
     } else {
         rows.push_back({"kind", kind_of(analysis)});

@@ -84,6 +84,13 @@ Json describe_arrows(const RunStory& story, const NodeNumbers& number) {
     return arrows;
 }
 
+// What frames and steps count.
+const char* name_time(const Hdf5Reader& file, bool is_static) {
+    if (!is_static) return "time";
+    if (!file.has("/histories/load_factor")) return "load factor";
+    return file.has("/histories/stage") ? "time" : "arc length";
+}
+
 }  // namespace
 
 RunStory read_run_story(const Hdf5Reader& file) {
@@ -138,6 +145,7 @@ Json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbe
     }
     json["deck"] = story.deck;
     json["is_static"] = story.is_static;
+    json["time_name"] = name_time(file, story.is_static);
     json["nodes"] = story.topology.nodes;
     json["elements"] = story.topology.rod_cells.size();
     json["fail_nodes"] = Json::array();

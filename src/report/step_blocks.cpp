@@ -153,7 +153,9 @@ EnergySurvey survey_energy(const Hdf5Reader& file, bool is_static, std::size_t s
     // Files of older versions do not have it; their jumps are unknown.
     survey.is_static = is_static;
     const bool finds_jumps = is_static && file.has(uncertainty);
+    const std::string branch_column = "/histories/branch";
     EnergyPoint before;
+    double branch_before = 0.0;
     for (std::size_t first = 0; first < steps; first += most_rows_at_once) {
         const std::size_t count = std::min(most_rows_at_once, steps - first);
         const auto read = [&](const std::string& name) { return file.rows(name, first, count, 1); };
@@ -161,7 +163,8 @@ EnergySurvey survey_energy(const Hdf5Reader& file, bool is_static, std::size_t s
         const std::vector<double> strain = read("/ledger/strain_energy");
         const std::vector<double> work = read("/ledger/external_work");
         const std::vector<double> error = read("/ledger/energy_error");
-        std::vector<double> times, uncertain;
+        std::vector<double> times, uncertain, branches(count);
+        if (file.has(branch_column)) branches = read(branch_column);
         if (finds_jumps) {
             times = read("/histories/time");
             uncertain = read(uncertainty);
@@ -171,10 +174,12 @@ EnergySurvey survey_energy(const Hdf5Reader& file, bool is_static, std::size_t s
             survey.largest_error = std::max(survey.largest_error, std::abs(error[i]));
             if (!finds_jumps) continue;
             const EnergyPoint point{times[i], strain[i], work[i], uncertain[i]};
-            const bool has_before = first + i > 0;
+            // The books of a branch start anew.
+            const bool has_before = first + i > 0 && branches[i] == branch_before;
             const auto jump = has_before ? find_jump(before, point, survey.largest) : std::nullopt;
             if (jump) add_jump(*jump, survey.jumps);
             before = point;
+            branch_before = branches[i];
         }
     }
     return survey;

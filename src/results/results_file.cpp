@@ -1,6 +1,7 @@
 #include "results/results_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <set>
 #include <stdexcept>
@@ -57,7 +58,7 @@ std::size_t count_frame_bytes(const Model& model) {
 }
 
 [[maybe_unused]] bool has_valid_names(const OutputSettings& output) {
-    std::set<std::string> names{"time", "stage"};
+    std::set<std::string> names{"time", "stage", "load_factor", "branch"};
     for (const HistoryRequest& history : output.histories) {
         if (history.name.empty() || history.name.find('/') != std::string::npos) return false;
         if (!names.insert(history.name).second) return false;
@@ -200,7 +201,37 @@ void ResultsFile::write_shapes(const StagePlace& stage,
     const std::vector<const Shape*> shapes = list_shapes_of(record);
     const std::vector<double> scales = find_shape_scales(model, shapes);
     attempt(hdf5_reserve, [&] { tables_->write_shapes(stage, model, record, scales); });
-    write_shape_file(shape_file_path(path_, stage.name), deck, model, equilibrium, shapes, scales);
+    if (shapes.empty()) return;
+    const std::array equilibria{equilibrium};
+    write_shape_file(shape_file_path(path_, stage.name),
+                     deck,
+                     model,
+                     equilibria,
+                     shapes,
+                     scales,
+                     list_imaginary_parts(record));
+}
+
+void ResultsFile::write_paths(const StagePlace& stage,
+                              const DeckRecord& deck,
+                              const Model& model,
+                              const PathRecord& paths) {
+    attempt(hdf5_reserve, [&] { tables_->write_paths(stage, paths); });
+    std::vector<Shape> shapes;
+    std::vector<std::span<const NodeMotion>> equilibria;
+    for (const FollowedPath& path : paths) {
+        for (const CriticalPoint& point : path.points) {
+            for (const std::vector<Vec6>& nodes : point.kernel) {
+                shapes.push_back({nodes, {}, point.shape});
+                equilibria.emplace_back(point.nodes);
+            }
+        }
+    }
+    if (shapes.empty()) return;
+    std::vector<const Shape*> listed;
+    for (const Shape& shape : shapes) listed.push_back(&shape);
+    const std::vector<double> scales = find_shape_scales(model, listed);
+    write_shape_file(shape_file_path(path_, stage.name), deck, model, equilibria, listed, scales);
 }
 
 void ResultsFile::record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver) {

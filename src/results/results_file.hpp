@@ -14,8 +14,9 @@
 #include "results/file/output_file.hpp"
 #include "results/resumable_file.hpp"
 #include "results/stage_place.hpp"
-#include "state/mode_record.hpp"
+#include "state/path_record.hpp"
 #include "state/restart_record.hpp"
+#include "state/shapes_record.hpp"
 #include "state/step_record.hpp"
 
 namespace gxrod {
@@ -44,7 +45,7 @@ struct ResultsFileOptions {
 class ResultsFile {
   public:
     // Throws FileError, too, if the file cannot be created. `model` must outlive the file. Names of histories
-    // are unique, not "time" or "stage", and without '/' (asserted).
+    // are unique, not those of other datasets, and without '/' (asserted).
     ResultsFile(const ResultsFileOptions& options,
                 const DeckRecord& deck,
                 const Model& model,
@@ -65,6 +66,11 @@ class ResultsFile {
                       const Model& model,
                       std::span<const NodeMotion> equilibrium,
                       const ShapesRecord& record);
+    // What a stage that goes along a path has found: tables, and a file of the shapes of critical points.
+    void write_paths(const StagePlace& stage,
+                     const DeckRecord& deck,
+                     const Model& model,
+                     const PathRecord& paths);
     // Adds a row to the histories, the ledger and the solver record: each accepted step, t = 0 included.
     void record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
     // Adds a frame to /VTKHDF.

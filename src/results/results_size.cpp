@@ -36,7 +36,8 @@ double count_step_numbers(const OutputSettings& output, bool is_static) {
 ResultsSize estimate_results_size(const Model& model,
                                   const AnalysisSettings& analysis,
                                   const OutputSettings& output) {
-    if (has_steps(analysis) && steps_of(analysis) == 0) return {};
+    // A path may be over long before it has taken as many steps as it is allowed.
+    if (has_steps(analysis) && (steps_of(analysis) == 0 || is_path(analysis))) return {};
     ResultsSize size;
     size.steps = static_cast<double>(steps_of(analysis));
     const long every = output.every > 0 ? output.every : choose_frame_interval(analysis);

@@ -4,9 +4,15 @@ namespace gxrod {
 namespace {
 
 AppendDataset<double> open_times(const Hdf5Handle& histories, const DeckRecord& deck, hsize_t rows) {
-    if (deck.is_static) {
+    if (deck.is_static && !deck.has_paths) {
         return {histories,
                 {"time", "load factor at the end of each accepted step", "none", "1"},
+                scalar_row,
+                rows};
+    }
+    if (deck.has_paths) {
+        return {histories,
+                {"time", "what the axis of all stages has grown to: on paths by the arc length", "none", "1"},
                 scalar_row,
                 rows};
     }
@@ -45,7 +51,7 @@ ResultsTables::ResultsTables(const Hdf5Handle& root,
 
 void ResultsTables::append_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver) {
     times_.append(snapshot.time);
-    stages_.append(snapshot.stage);
+    stages_.append(snapshot);
     histories_.append(snapshot);
     ledger_.append(ledger);
     solver_.append(solver);

@@ -27,6 +27,9 @@ class ResultsTables {
                       std::span<const double> scales) {
         stages_.write_shapes(stage, model, record, scales, step_count_);
     }
+    void write_paths(const StagePlace& stage, const PathRecord& paths) {
+        stages_.write_paths(stage, paths, step_count_);
+    }
     void append_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
     void append_frame(const Snapshot& snapshot);
     // A run can be resumed after the steps and frames that were appended so far.

@@ -38,40 +38,50 @@ class ShapeFile {
         for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<double>(i + 1);
         write_dataset(steps_, {"Values", "number of the shape, from 1", "none", "1"}, numbers);
         const std::vector<std::int64_t> zeros(count_, 0), ones(count_, 1);
-        for (const char* name : {"PartOffsets", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets"})
+        for (const char* name : {"PartOffsets", "CellOffsets", "ConnectivityIdOffsets"})
             write_dataset(steps_, {name, "all steps share them: 0", "none", "1"}, zeros);
         write_dataset(steps_, {"NumberOfParts", "parts of each step: 1", "none", "1"}, ones);
     }
 
-    void write_points(std::span<const NodeMotion> nodes) {
+    // Of one equilibrium, or of one for each shape.
+    void write_points(std::span<const std::span<const NodeMotion>> equilibria) {
         std::vector<double> values;
-        for (const NodeMotion& node : nodes) values.insert(values.end(), node.r.begin(), node.r.end());
-        const std::array<hsize_t, 2> size{points_, 3};
+        for (const auto& nodes : equilibria) {
+            for (const NodeMotion& node : nodes) values.insert(values.end(), node.r.begin(), node.r.end());
+        }
+        const std::array<hsize_t, 2> size{points_ * equilibria.size(), 3};
         write_dataset(vtkhdf_, {"Points", "positions in equilibrium", "spatial", "length"}, size, values);
+        std::vector<std::int64_t> offsets = list_first_rows();
+        if (equilibria.size() == 1) offsets.assign(count_, 0);
+        write_dataset(steps_, {"PointOffsets", "first row of each shape in Points", "none", "1"}, offsets);
     }
 
     // Components from `first` on, of each shape.
     void write_field(const DatasetLabel& label,
                      int first,
-                     const std::vector<const Shape*>& shapes,
+                     const std::vector<const std::vector<Vec6>*>& shapes,
                      std::span<const double> scales) {
         std::vector<double> values;
         for (std::size_t i = 0; i < shapes.size(); ++i) {
-            for (const Vec6& node : shapes[i]->nodes) {
+            for (const Vec6& node : *shapes[i]) {
                 const Vec3 part = scales[i] * node.segment<3>(first);
                 values.insert(values.end(), part.begin(), part.end());
             }
         }
         const std::array<hsize_t, 2> size{points_ * count_, 3};
         write_dataset(require_group(vtkhdf_, "PointData"), label, size, values);
-        std::vector<std::int64_t> offsets(count_);
-        for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = static_cast<std::int64_t>(i * points_);
         write_dataset(require_group(steps_, "PointDataOffsets"),
                       {label.name, "first row of each shape", "none", "1"},
-                      offsets);
+                      list_first_rows());
     }
 
   private:
+    std::vector<std::int64_t> list_first_rows() const {
+        std::vector<std::int64_t> rows(count_);
+        for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = static_cast<std::int64_t>(i * points_);
+        return rows;
+    }
+
     Hdf5Handle vtkhdf_, steps_;
     std::size_t points_;
     hsize_t count_;
@@ -103,9 +113,12 @@ std::filesystem::path shape_file_path(const std::filesystem::path& results, cons
 void write_shape_file(const std::filesystem::path& path,
                       const DeckRecord& deck,
                       const Model& model,
-                      std::span<const NodeMotion> equilibrium,
+                      std::span<const std::span<const NodeMotion>> equilibria,
                       const std::vector<const Shape*>& shapes,
-                      std::span<const double> scales) {
+                      std::span<const double> scales,
+                      const std::vector<const std::vector<Vec6>*>& imaginary) {
+    std::vector<const std::vector<Vec6>*> real;
+    for (const Shape* shape : shapes) real.push_back(&shape->nodes);
     const auto file = std::make_shared<OrderedFile>(create_output_file(path, Existing::replace));
     try {
         Hdf5Handle hdf5 = create_hdf5(*file);
@@ -114,10 +127,19 @@ void write_shape_file(const std::filesystem::path& path,
             write_provenance(root, deck);
             ShapeFile out(root, model, shapes.size());
             out.write_steps();
-            out.write_points(equilibrium);
-            out.write_field({"displacement", "of the shape, scaled", "spatial", "length"}, 0, shapes, scales);
-            out.write_field(
-                {"rotation_vector", "of the shape, scaled", "spatial", "angle"}, 3, shapes, scales);
+            out.write_points(equilibria);
+            out.write_field({"displacement", "of the shape, scaled", "spatial", "length"}, 0, real, scales);
+            out.write_field({"rotation_vector", "of the shape, scaled", "spatial", "angle"}, 3, real, scales);
+            if (!imaginary.empty()) {
+                out.write_field({"displacement_imaginary", "imaginary part, scaled", "spatial", "length"},
+                                0,
+                                imaginary,
+                                scales);
+                out.write_field({"rotation_vector_imaginary", "imaginary part, scaled", "spatial", "angle"},
+                                3,
+                                imaginary,
+                                scales);
+            }
             rewrite_attribute(root.id(), "status", std::string("complete"));
         }
         check_hdf5(hdf5.reset(), "closing the file");

@@ -18,14 +18,16 @@ std::vector<double> find_shape_scales(const Model& model, const std::vector<cons
 // NAME.STAGE.vtkhdf beside the results file of this path, whose shapes it has.
 std::filesystem::path shape_file_path(const std::filesystem::path& results, const std::string& stage);
 
-// Shapes for ParaView, a step each, numbered from 1: points where the equilibrium has them, PointData
-// displacement and rotation_vector of the shape, multiplied by its scale. Replaces a file of this path,
-// written whole. Throws FileError or WriteError.
+// Shapes for ParaView, a step each, numbered from 1: points where the equilibrium has them, which is one of
+// all shapes or one of each, PointData displacement and rotation_vector of the shape, multiplied by its
+// scale; of complex shapes displacement_imaginary and rotation_vector_imaginary, too. Replaces a file of this
+// path, written whole. Throws FileError or WriteError.
 void write_shape_file(const std::filesystem::path& path,
                       const DeckRecord& deck,
                       const Model& model,
-                      std::span<const NodeMotion> equilibrium,
+                      std::span<const std::span<const NodeMotion>> equilibria,
                       const std::vector<const Shape*>& shapes,
-                      std::span<const double> scales);
+                      std::span<const double> scales,
+                      const std::vector<const std::vector<Vec6>*>& imaginary = {});
 
 }  // namespace gxrod

@@ -85,10 +85,54 @@ class Run {
     bool run_stage() {
         if (!has_steps(stages_->settings())) return find_shapes();
 
-        while (!analysis().finished()) {
-            if (interrupted() || !step()) return false;
-        }
+        begin_path();
+        std::string cause;  // why a branch was given up
+        do {
+            while (!analysis().finished() && cause.empty()) {
+                if (interrupted() || !step(cause)) return false;
+            }
+        } while (enter_next_branch(cause));
+        write_paths();
         return true;
+    }
+
+    // Where the main path at hand begins.
+    void begin_path() {
+        if (!is_path(stages_->settings())) return;
+        const bool has_start_row = stages_->index() == 0;
+        stages_->begin_path(rows_ - analysis().steps().steps_done() - (has_start_row ? 1 : 0));
+    }
+
+    bool enter_next_branch(std::string& cause) {
+        if (!is_path(stages_->settings())) return false;
+        show_last();
+        if (!stages_->enter_next_branch(cause)) return false;
+        cause.clear();
+        stages_->begin_path(rows_);
+        last_point_ = point_of(analysis().ledger_row());
+        return true;
+    }
+
+    // Frames show where a path that was given up ends, too.
+    void show_last() {
+        if (!file_ || last_framed_ || !has_started_) return;
+        file_->write_frame(take_snapshot());
+        last_framed_ = true;
+    }
+
+    // What the stage's path has found, if it is one that has not been written.
+    void write_paths() {
+        const PathRecord& paths = stages_->paths();
+        if (paths.empty() || written_paths_ == stages_->moving_index() + 1) return;
+        written_paths_ = stages_->moving_index() + 1;
+        for (const FollowedPath& path : paths) {
+            for (const std::string& finding : path.findings)
+                summary_.findings.push_back(path.name + ": " + finding);
+            if (!path.cause.empty()) shape_warnings_.push_back(path.name + " was given up: " + path.cause);
+        }
+        if (!file_) return;
+        const PhaseTimer timer(output_seconds_);
+        file_->write_paths(place_of_stage(), request_.deck, request_.model, paths);
     }
 
     bool find_shapes() {
@@ -148,6 +192,10 @@ class Run {
 
     [[noreturn]] void explain_no_step(const std::filesystem::path& path, double time) const {
         const double end = end_of(stages_->settings());
+        if (is_path(stages_->settings()))
+            throw FileError(
+                path,
+                fmt::format("cannot be resumed: its arc length is {:.10g} already, after the end", time));
         if (time > end) {
             throw FileError(
                 path,
@@ -163,7 +211,7 @@ class Run {
     }
 
     void resume() {
-        const RestartRecord& record = request_.resumed->place().record;
+        const RestartRecord record = request_.resumed->place().record;
         recorded_time_ = record.axis_start + record.steps.time;
         const std::filesystem::path path = request_.resumed->path();
         bool has_step = false;
@@ -174,6 +222,7 @@ class Run {
         }
         if (!has_step) explain_no_step(path, record.steps.time);
         first_step_ = analysis().steps().steps_done();
+        rows_ = static_cast<std::int64_t>(request_.resumed->place().steps);
         summary_.totals = record.totals;
         last_point_ = point_of(analysis().ledger_row());
         has_started_ = true;
@@ -182,7 +231,7 @@ class Run {
         file_ = std::make_unique<ResultsFile>(
             request_.deck, request_.model, request_.output, std::move(*request_.resumed));
         if (!request_.stages.empty()) file_->begin_stage(place_of_stage());
-        request_.report_resumption(recorded_time_);
+        request_.report_resumption(record);
     }
 
     bool start() {
@@ -192,22 +241,35 @@ class Run {
             fail(analysis().explain(report));
             return false;
         }
-        if (file_ && !request_.deck.stages.empty()) file_->begin_stage(place_of_stage());
+        const bool is_named = !request_.deck.stages.empty() || is_path(request_.analysis);
+        if (file_ && is_named) file_->begin_stage(place_of_stage());
         record();
         has_started_ = true;
         return true;
     }
 
-    bool step() {
+    // False if it failed; of a branch, the cause says why it cannot be followed further.
+    bool step(std::string& cause) {
+        const bool can_be_last = file_ && is_path(stages_->settings()) && !stages_->has_critical_points();
+        const std::optional<RestartRecord> before =
+            can_be_last ? std::optional(restart_record()) : std::nullopt;
         const EquilibriumReport report = analysis().advance();
         const SolverRow& row = analysis().solver_row();
         summary_.totals.rejected_steps += row.rejected_steps;
         if (!report.converged()) {
-            fail(analysis().explain(report));
-            return false;
+            const Failure failure = analysis().explain(report);
+            if (stages_->branch() == 0) {
+                fail(failure);
+                return false;
+            }
+            cause = describe_failure(failure);
+            return true;
         }
         ++summary_.totals.steps;
         summary_.totals.newton_iterations += row.newton_iterations;
+        stages_->note_row(rows_);
+        // What a path has found is not kept: it is resumed before its first critical point.
+        if (before && stages_->has_critical_points()) file_->set_restart(*before);
         record();
         const StepSequence& steps = analysis().steps();
         request_.report_progress({stages_->name(),
@@ -231,8 +293,9 @@ class Run {
         if (file_) file_->record_step(snapshot, ledger, analysis().solver_row());
         if (last_framed_) file_->write_frame(snapshot);
         recorded_time_ = stages_->axis();
+        ++rows_;
         if (file_ && file_->is_flush_due()) {
-            file_->set_restart(restart_record());
+            if (!stages_->has_critical_points()) file_->set_restart(restart_record());
             file_->flush();
         }
     }
@@ -241,12 +304,14 @@ class Run {
         Snapshot snapshot = analysis().snapshot(with_elements);
         snapshot.time = stages_->axis();
         snapshot.stage = static_cast<int>(stages_->moving_index());
+        snapshot.load_factor = analysis().state().time;
+        snapshot.branch = stages_->branch();
         return snapshot;
     }
 
     // At the accepted time; the one before it is recorded. The end of a stage is shown.
     bool is_frame_due() const {
-        if (analysis().finished() && !stages_->is_last()) return true;
+        if (analysis().finished() && (!stages_->is_last() || is_path(stages_->settings()))) return true;
         const long interval = frame_interval();
         if (interval > 0) return analysis().steps().is_frame_due(interval);
         const double before = recorded_time_ - stages_->axis_start();
@@ -259,6 +324,7 @@ class Run {
         record.is_framed = last_framed_;
         record.stage = static_cast<std::int64_t>(stages_->moving_index());
         record.axis_start = stages_->axis_start();
+        record.stage_ends = stages_->ends();
         return record;
     }
 
@@ -267,7 +333,7 @@ class Run {
         RunTotals& totals = summary_.totals;
         totals.largest_energy = std::max({totals.largest_energy, energy, std::abs(ledger.external_work)});
         totals.largest_energy_error = std::max(totals.largest_energy_error, std::abs(ledger.energy_error));
-        if (needs_inertia(stages_->settings())) return;
+        if (needs_inertia(stages_->settings()) || analysis().frame() != nullptr) return;
         const EnergyPoint point = point_of(ledger);
         if (has_started_) {
             const std::optional<EnergyJump> jump = find_jump(last_point_, point, totals.largest_energy);
@@ -283,8 +349,15 @@ class Run {
     bool interrupted() {
         if (!request_.is_interrupted()) return false;
         summary_.status = RunStatus::interrupted;
-        summary_.reason = fmt::format("interrupted at t = {:.10g}", stages_->axis());
+        summary_.reason = "interrupted at " + describe_place();
         return true;
+    }
+
+    // Where the analysis is, as messages say it.
+    std::string describe_place() const {
+        if (!is_path(stages_->settings())) return fmt::format("t = {:.10g}", stages_->axis());
+        const std::string place = fmt::format("λ = {:.10g}", analysis().state().time);
+        return stages_->branch() == 0 ? place : place + " of " + stages_->paths().back().name;
     }
 
     void fail(const std::string& reason) {
@@ -334,6 +407,8 @@ class Run {
 
     void close() {
         if (summary_.status == RunStatus::running) summary_.status = RunStatus::complete;
+        summary_.place = describe_place();
+        leave_path();
         summary_.warnings = stages_->list_warnings();
         summary_.warnings.insert(summary_.warnings.end(), shape_warnings_.begin(), shape_warnings_.end());
         summary_.is_unstable = stages_->is_unstable();
@@ -350,6 +425,14 @@ class Run {
         summary_.phases.output = output_seconds_;
     }
 
+    // Of a run that ended on it.
+    void leave_path() {
+        if (!is_path(stages_->settings())) return;
+        if (stages_->branch() > 0 && (!file_ || file_->is_sound())) show_last();
+        stages_->leave_branches();
+        if (!file_ || file_->is_sound()) write_paths();
+    }
+
     // For the file, a line each.
     std::string join_warnings() const {
         std::vector<std::string> lines = summary_.warnings;
@@ -362,7 +445,7 @@ class Run {
     void write_end() {
         // If memory ran out, the last step may not have become a row; a resumed run takes it again.
         if (has_started_ && recorded_time_ != stages_->axis()) return;
-        if (has_started_) file_->set_restart(restart_record());
+        if (has_started_ && !stages_->has_critical_points()) file_->set_restart(restart_record());
         // The last frame, where none was due, is no part of what a run resumes from.
         if (!last_framed_) file_->write_frame(take_snapshot());
     }
@@ -374,10 +457,12 @@ class Run {
     std::unique_ptr<StageSequence> stages_;
     std::unique_ptr<ResultsFile> file_;
     std::vector<std::string> shape_warnings_;
-    long first_step_ = 0;        // steps done when it was resumed
-    EnergyPoint last_point_;     // in statics, of the last step
-    RunTotals accepted_totals_;  // without what a step that failed has cost
-    bool has_started_ = false;   // has recorded an accepted state
+    std::size_t written_paths_ = 0;  // number of the last stage whose paths were written, from 1
+    std::int64_t rows_ = 0;          // of the histories
+    long first_step_ = 0;            // steps done when it was resumed
+    EnergyPoint last_point_;         // in statics, of the last step
+    RunTotals accepted_totals_;      // without what a step that failed has cost
+    bool has_started_ = false;       // has recorded an accepted state
     bool last_framed_ = false;
     double recorded_time_ = 0.0;  // of the last step that is a row of the results
 };

@@ -36,9 +36,10 @@ struct RunRequest {
     std::optional<ResultsFileOptions> results;  // nowhere, if neither this nor `resumed` is given
     ResumableFile* resumed = nullptr;           // taken over, to resume it instead of writing a new file
     std::function<void(const Progress&)> report_progress = [](const Progress&) {};
-    std::function<void(double)> report_resumption = [](double) {};  // the time where it resumes
-    std::function<bool()> is_interrupted = [] { return false; };    // asked after each step
-    int threads = 1;                                                // their number changes no result
+    // From where it resumes.
+    std::function<void(const RestartRecord&)> report_resumption = [](const RestartRecord&) {};
+    std::function<bool()> is_interrupted = [] { return false; };  // asked after each step
+    int threads = 1;                                              // their number changes no result
     // Each accepted step, t = 0 included; without frames' values of elements.
     std::function<void(const Snapshot&, const LedgerRow&)> observe = {};
     // All stages, if there are several; the first one is `analysis` on `model`.
@@ -55,6 +56,7 @@ struct RunSummary {
     bool out_of_memory = false;
     std::vector<std::string> notes;     // what a user may want to know of how stages begin, a sentence each
     std::vector<FoundShapes> shapes;    // in the order of the stages
+    std::vector<std::string> findings;  // critical points of paths, a sentence each
     std::vector<std::string> warnings;  // what is to be known before the results are trusted, a sentence each
     bool is_unstable = false;           // whether equilibria were accepted that no structure would stay at
     long nodes = 0;
@@ -63,6 +65,7 @@ struct RunSummary {
     bool is_static = false;
     RunTotals totals;   // since t = 0, also of a resumed run
     double time = 0.0;  // reached
+    std::string place;  // the same for messages: "t = 1", "λ = 2 of path.1+"
     int threads = 1;
     double wall_seconds = 0.0;
     PhaseSeconds phases;

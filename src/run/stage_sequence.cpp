@@ -1,20 +1,107 @@
 #include "run/stage_sequence.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "analyses/buckling.hpp"
+#include "analyses/eigenvalues.hpp"
 #include "analyses/modes.hpp"
+#include "analyses/response.hpp"
 #include "model/analysis_traits.hpp"
 
 namespace gxrod {
+namespace {
+
+ComplexVectors sum_up(const std::vector<Excitation>& excitation, std::size_t nodes) {
+    ComplexVectors sum{std::vector<Vec6>(nodes, Vec6::Zero()), std::vector<Vec6>(nodes, Vec6::Zero())};
+    for (const Excitation& one : excitation) {
+        Vec6 load;
+        load << one.force, one.moment;
+        sum.real[one.node] += std::cos(one.phase) * load;
+        sum.imaginary[one.node] += std::sin(one.phase) * load;
+    }
+    return sum;
+}
+
+}  // namespace
 
 StageSequence::StageSequence(Plan plan)
-    : plan_(std::move(plan)), axis_start_(find_axis_start(plan_.stages)), current_(build()) {}
+    : plan_(std::move(plan)), axis_start_(find_axis_start(plan_.stages)), current_(build()) {
+    prepare_path();
+}
 
 StageSequence::StageSequence(Plan plan, const RestartRecord& record)
-    : plan_(std::move(plan)),
+    : plan_(restore_ends(std::move(plan), record)),
       index_(static_cast<std::size_t>(record.stage)),
       moving_index_(index_),
       axis_start_(record.axis_start),
-      current_(build()) {}
+      current_(build()) {
+    prepare_path();
+}
+
+StageSequence::Plan StageSequence::restore_ends(Plan plan, const RestartRecord& record) {
+    for (std::size_t i = 0; i < std::min(plan.stages.size(), record.stage_ends.size()); ++i) {
+        if (plan.stages[i].end) *plan.stages[i].end = record.stage_ends[i];
+    }
+    return plan;
+}
+
+std::vector<double> StageSequence::ends() const {
+    std::vector<double> ends;
+    for (const StagePlan& stage : plan_.stages) ends.push_back(stage.end ? *stage.end : 0.0);
+    return ends;
+}
+
+void StageSequence::prepare_path() {
+    follower_.reset();
+    axis_end_.reset();
+    const auto* path = std::get_if<PathSettings>(&settings());
+    if (path != nullptr) follower_.emplace(*path, name().empty() ? "path" : name());
+}
+
+const PathRecord& StageSequence::paths() const {
+    static const PathRecord none;
+    return follower_ ? follower_->record() : none;
+}
+
+void StageSequence::begin_path(std::int64_t row) {
+    if (follower_) follower_->begin(row);
+}
+
+void StageSequence::note_row(std::int64_t row) {
+    if (follower_ && !axis_end_) follower_->note(static_cast<const PathAnalysis&>(analysis()), row);
+}
+
+void StageSequence::end_path(const std::string& cause) {
+    if (!follower_ || axis_end_) return;
+    follower_->end(static_cast<const PathAnalysis&>(analysis()), cause);
+    if (branch_) seconds_ += branch_->seconds();
+}
+
+bool StageSequence::enter_next_branch(const std::string& cause) {
+    if (!follower_ || axis_end_) return false;
+    end_path(cause);
+    const double here = axis();
+    const std::optional<BranchStart> start = follower_->enter_next();
+    if (!start) {
+        branch_.reset();
+        axis_end_ = here;
+        return false;
+    }
+    branch_start_ = here;
+    branch_ = std::make_unique<PathAnalysis>(model(), std::get<PathSettings>(settings()), plan_.threads);
+    branch_->watch(plan_.watched);
+    branch_->start(*start);
+    return true;
+}
+
+void StageSequence::leave_branches() {
+    if (!follower_ || axis_end_) return;
+    const double here = axis();
+    end_path("");
+    branch_.reset();
+    axis_end_ = here;
+}
 
 const AnalysisSettings& StageSequence::settings() const {
     return index_ == 0 ? plan_.analysis : plan_.stages[index_].analysis;
@@ -27,6 +114,18 @@ FoundShapes StageSequence::find_shapes() const {
     undo_trial(state);
     if (const auto* modes = std::get_if<ModesSettings>(&settings()))
         return {stage, find_modes(system, state, state.time, *modes)};
+    if (const auto* response = std::get_if<ResponseSettings>(&settings())) {
+        ResponseRecord found = find_response(system,
+                                             state,
+                                             state.time,
+                                             response->omegas,
+                                             sum_up(response->excitation, state.trial.size()),
+                                             analysis().frame());
+        found.points = response->points;
+        return {stage, std::move(found)};
+    }
+    if (const auto* eigenvalues = std::get_if<EigenvalueSettings>(&settings()))
+        return {stage, find_eigenvalues(system, state, state.time, *eigenvalues, analysis().frame())};
     const double load_time = moving_index_ == 0 && !has_steps(plan_.analysis) ? 1.0 : state.time;
     return {stage, find_buckling(system, state, load_time, std::get<BucklingSettings>(settings()))};
 }
@@ -44,7 +143,7 @@ StageSequence::Current StageSequence::build() const {
 
 double StageSequence::part_done() const {
     const auto count = static_cast<double>(std::max<std::size_t>(plan_.stages.size(), 1));
-    const double part = has_steps(settings()) ? analysis().steps().part_done() : 0.0;
+    const double part = has_steps(settings()) && !axis_end_ ? analysis().steps().part_done() : 0.0;
     return (static_cast<double>(index_) + part) / count;
 }
 
@@ -57,9 +156,14 @@ EquilibriumReport StageSequence::enter_next() {
     seconds_ = seconds();
     was_unstable_ = is_unstable();
     axis_start_ = axis();
+    // What acted on a path keeps the size that it had at its end.
+    const StagePlan& ended = plan_.stages[moving_index_];
+    if (is_path(ended.analysis) && ended.end) *ended.end = analysis().state().time;
+    branch_start_.reset();
     moving_index_ = ++index_;
     Current before = std::move(current_);
     current_ = build();
+    prepare_path();
     return current_.analysis->start_after(*before.analysis);
 }
 

@@ -1,13 +1,15 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "analyses/static.hpp"
 #include "model/stage.hpp"
-#include "state/mode_record.hpp"
+#include "run/path_follower.hpp"
+#include "state/shapes_record.hpp"
 
 namespace gxrod {
 
@@ -33,8 +35,9 @@ class StageSequence {
     explicit StageSequence(Plan plan);
     StageSequence(Plan plan, const RestartRecord& record);
 
-    SteppedAnalysis& analysis() { return *current_.analysis; }
-    const SteppedAnalysis& analysis() const { return *current_.analysis; }
+    // Of a path that is followed to its branches, that of the branch at hand.
+    SteppedAnalysis& analysis() { return branch_ ? *branch_ : *current_.analysis; }
+    const SteppedAnalysis& analysis() const { return branch_ ? *branch_ : *current_.analysis; }
     // Of the stage at hand.
     const Model& model() const { return current_.model ? *current_.model : plan_.model; }
     const AnalysisSettings& settings() const;
@@ -48,7 +51,25 @@ class StageSequence {
 
     // Where t of the stage at hand begins on the axis that all share, and where the analysis is on it.
     double axis_start() const { return axis_start_; }
-    double axis() const { return axis_start_ + analysis().axis_time(); }
+    double axis() const {
+        return axis_end_.value_or(branch_start_.value_or(axis_start_) + analysis().axis_time());
+    }
+
+    // Of a stage that goes along a path: what it has found so far, the path at hand last. Empty of others.
+    const PathRecord& paths() const;
+    bool has_critical_points() const { return follower_ && follower_->has_points(); }
+    // The rows of the histories from here on are those of the path at hand; the last one is this one.
+    void begin_path(std::int64_t row);
+    void note_row(std::int64_t row);
+    // The path at hand is at its end, or was given up; continues with the next branch, on the same axis.
+    // False if there is none, or it has no first equilibrium: then the analysis is that of the main path
+    // again, at its end, and later stages begin there.
+    bool enter_next_branch(const std::string& cause);
+    void leave_branches();
+    // Number of the branch at hand, 0 of the main path.
+    int branch() const { return branch_ ? static_cast<int>(paths().size()) - 1 : 0; }
+    // Where t of each stage ended, to resume from.
+    std::vector<double> ends() const;
 
     // Continues with the next stage, from where this one ended. As SteppedAnalysis::start_after; a stage that
     // finds shapes keeps analysis and model of the one before it.
@@ -68,7 +89,10 @@ class StageSequence {
         std::unique_ptr<SteppedAnalysis> analysis;
     };
 
+    static Plan restore_ends(Plan plan, const RestartRecord& record);
     Current build() const;
+    void end_path(const std::string& cause);
+    void prepare_path();
     std::string prefix() const { return plan_.stages.size() > 1 ? "stage " + name() + ": " : ""; }
 
     Plan plan_;
@@ -76,6 +100,10 @@ class StageSequence {
     std::size_t moving_index_ = 0;
     double axis_start_ = 0.0;
     Current current_;
+    std::optional<PathFollower> follower_;  // of a path
+    std::unique_ptr<PathAnalysis> branch_;  // at hand
+    std::optional<double> branch_start_;    // on the axis
+    std::optional<double> axis_end_;        // of a path whose branches were followed
     // Of earlier stages.
     PhaseSeconds seconds_;
     std::vector<std::string> warnings_;

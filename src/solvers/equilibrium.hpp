@@ -58,7 +58,8 @@ struct SolverWorkspace {
     std::unique_ptr<LinearSolver> linear_solver;
     std::vector<Power> stage_powers;  // of the last step, if the scheme weighs them
     PhaseSeconds seconds;
-    const FrameColumns* frame = nullptr;  // what a frame that turns adds to the tangent, if the model is in one
+    const FrameColumns* frame =
+        nullptr;  // what a frame that turns adds to the tangent, if the model is in one
 
     SolverWorkspace(const System& system, LinearSolverKind kind);
 };

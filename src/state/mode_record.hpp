@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "rotation/types.hpp"
@@ -75,8 +74,5 @@ struct BucklingRecord {
     bool is_symmetric = true;
     std::string cause;
 };
-
-// What a stage that finds shapes has found.
-using ShapesRecord = std::variant<ModesRecord, BucklingRecord>;
 
 }  // namespace gxrod

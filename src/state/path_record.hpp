@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rotation/types.hpp"
+#include "state/motion.hpp"
 
 // What is known of a path of equilibria beyond its states.
 namespace gxrod {
@@ -43,7 +44,24 @@ struct CriticalPoint {
     int multiplicity = 1;  // of the tangent's eigenvalue zero
     // As many shapes (δr, δφ of each node) without stiffness, orthonormal; of several, any basis.
     std::vector<std::vector<Vec6>> kernel;
-    std::string shape;  // the first of them in words
+    std::string shape;              // the first of them in words
+    std::vector<NodeMotion> nodes;  // where it is; of a point that was not located, where the step ends
 };
+
+// A path, or a branch of one, as it was followed.
+struct FollowedPath {
+    std::string name;            // "path" of the main one, "path.2+" of a branch at its second critical point
+    int parent = -1;             // index of the path that it leaves; −1 of the main one
+    std::size_t point = 0;       // index of the parent's critical point where it begins
+    int side = 0;                // 1 or −1, of the kernel's shape; 0 of the main path
+    std::int64_t first_row = 0;  // of the histories that belongs to it
+    std::vector<CriticalPoint> points = {};
+    std::vector<std::int64_t> rows = {};     // of the histories, of each point
+    std::vector<std::string> findings = {};  // the points in words
+    std::string cause = {};                  // why it was not followed to its end; "" if it was
+};
+
+// Of a stage: the main path, then its branches in the order in which they were followed.
+using PathRecord = std::vector<FollowedPath>;
 
 }  // namespace gxrod

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "rotation/types.hpp"
+#include "model/response_settings.hpp"
 
 // How a model answers to forces that swing steadily.
 namespace gxrod {
@@ -25,6 +25,7 @@ struct Response {
 struct ResponseRecord {
     double time = 0.0;  // at which loads were taken
     std::vector<Response> responses;
+    std::vector<ResponsePoint> points;  // whose answers are recorded
 };
 
 }  // namespace gxrod

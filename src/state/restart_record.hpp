@@ -62,6 +62,7 @@ struct RestartRecord {
     std::int64_t stage = 0;             // the last one that took a step or found shapes, from 0
     double axis_start = 0.0;            // of its t, on the axis that the stages share
     PathMemory path;                    // of a path, or empty
+    std::vector<double> stage_ends;     // t where each stage ended, or will as far as is known
 };
 
 // Where in a results file a restart record belongs.

@@ -42,6 +42,8 @@ struct Snapshot {
     std::span<const Vec6> reactions;  // per node: force and moment that its support exerts; zero if free
     std::span<const PointValues> points = {};  // as list_rod_places orders them
     int stage = 0;
+    double load_factor = 0.0;  // t of the stage: of a path it may fall
+    int branch = 0;            // of a path: 0 of the main one
 };
 
 }  // namespace gxrod

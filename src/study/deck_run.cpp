@@ -26,8 +26,18 @@ void DeckRun::run(const std::function<void()>& visit) {
     check(analysis().start());
     visit();
     for (;;) {
-        if (!has_steps(stages_->settings())) find_shapes();
-        while (has_steps(stages_->settings()) && !analysis().finished()) {
+        if (has_steps(stages_->settings()))
+            run_steps(visit);
+        else
+            find_shapes();
+        if (stages_->is_last()) return;
+        check(stages_->enter_next());
+    }
+}
+
+void DeckRun::run_steps(const std::function<void()>& visit) {
+    do {
+        while (!analysis().finished()) {
             {
                 const PhaseTimer timer(seconds_);
                 check(analysis().advance());
@@ -36,9 +46,8 @@ void DeckRun::run(const std::function<void()>& visit) {
             newton_iterations_ += analysis().solver_row().newton_iterations;
             visit();
         }
-        if (stages_->is_last()) return;
-        check(stages_->enter_next());
-    }
+    } while (stages_->enter_next_branch(""));
+    if (is_path(stages_->settings())) paths_.push_back(stages_->paths());
 }
 
 void DeckRun::find_shapes() {

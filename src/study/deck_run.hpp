@@ -31,6 +31,9 @@ class DeckRun {
     // A quantity of one of the deck's histories, now. Throws std::runtime_error if there is no such.
     HistoryPoint::Row value(const std::string& history, const std::string& quantity);
 
+    // What stages along paths have found, in their order: each begins with the main path, of the stage's
+    // name.
+    const std::vector<PathRecord>& paths() const { return paths_; }
     // What stages without steps have found, in their order.
     const std::vector<FoundShapes>& shapes() const { return shapes_; }
 
@@ -41,11 +44,14 @@ class DeckRun {
   private:
     void check(const EquilibriumReport& report);
     void find_shapes();
+    // To the end of the stage, and of the branches of a path.
+    void run_steps(const std::function<void()>& visit);
 
     std::string name_;
     Problem problem_;
     std::unique_ptr<StageSequence> stages_;
     std::vector<FoundShapes> shapes_;
+    std::vector<PathRecord> paths_;
     long steps_ = 0;
     long newton_iterations_ = 0;
     double seconds_ = 0.0;

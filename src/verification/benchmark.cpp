@@ -43,31 +43,65 @@ std::vector<double> list_shape_values(const ShapesRecord& record, const std::str
             if (quantity == "omega") values.push_back(mode.omega);
             if (quantity == "growth") values.push_back(mode.growth);
         }
-    } else if (quantity == "factor") {
+    } else if (const auto* eigenvalues = std::get_if<EigenvaluesRecord>(&record)) {
+        for (const Eigenmode& mode : eigenvalues->modes) {
+            if (quantity == "frequency") values.push_back(mode.frequency);
+            if (quantity == "omega") values.push_back(mode.omega);
+            if (quantity == "growth") values.push_back(mode.growth);
+        }
+    } else if (quantity == "factor" && std::holds_alternative<BucklingRecord>(record)) {
         for (const BucklingFactor& one : std::get<BucklingRecord>(record).factors)
             values.push_back(one.factor);
     }
     return values;
 }
 
-FoundValue find_shape_value(const BenchmarkValue& value, const DeckRun& run) {
-    for (const FoundShapes& shapes : run.shapes()) {
-        if (shapes.stage != value.source) continue;
-        FoundValue found{list_shape_values(shapes.record, value.quantity)};
-        if (found.value.size() < value.reference.size()) break;
-        found.value.resize(value.reference.size());
-        for (std::size_t i = 0; i < value.reference.size(); ++i) {
-            if (std::isnan(value.reference[i])) continue;
-            found.error = std::fmax(found.error, std::abs(found.value[i] / value.reference[i] - 1.0));
+// Of critical points, those of the main path first.
+std::vector<double> list_critical_values(const PathRecord& record, const std::string& quantity) {
+    std::vector<double> values;
+    for (const FollowedPath& path : record) {
+        for (const CriticalPoint& point : path.points) {
+            if (quantity == "load_factor") values.push_back(point.load_factor);
         }
-        return found;
     }
-    throw std::runtime_error(
-        fmt::format("no {} values {} of a stage {}", value.reference.size(), value.quantity, value.source));
+    return values;
 }
 
-bool is_due(const BenchmarkValue& value, const DeckRun& run) {
+// What the stage has found.
+std::vector<double> list_found(const BenchmarkValue& value, const DeckRun& run) {
+    for (const FoundShapes& shapes : run.shapes()) {
+        if (shapes.stage == value.source) return list_shape_values(shapes.record, value.quantity);
+    }
+    for (const PathRecord& record : run.paths()) {
+        if (record.front().name == value.source) return list_critical_values(record, value.quantity);
+    }
+    return {};
+}
+
+FoundValue find_shape_value(const BenchmarkValue& value, const DeckRun& run) {
+    FoundValue found{list_found(value, run)};
+    if (found.value.size() < value.reference.size()) {
+        throw std::runtime_error(fmt::format(
+            "no {} values {} of a stage {}", value.reference.size(), value.quantity, value.source));
+    }
+    found.value.resize(value.reference.size());
+    for (std::size_t i = 0; i < value.reference.size(); ++i) {
+        if (std::isnan(value.reference[i])) continue;
+        found.error = std::fmax(found.error, std::abs(found.value[i] / value.reference[i] - 1.0));
+    }
+    return found;
+}
+
+bool is_there(const PlaceOnPath& place, DeckRun& run) {
+    constexpr double same_place = 1e-9;
+    const HistoryPoint::Row row = run.value(place.history, "displacement");
+    const double value = row.at(static_cast<std::size_t>(place.component));
+    return std::abs(value - place.is) <= same_place * std::max(1.0, std::abs(place.is));
+}
+
+bool is_due(const BenchmarkValue& value, DeckRun& run) {
     if (value.is_of_shapes) return false;
+    if (value.where) return is_there(*value.where, run);
     return value.is_constant || std::abs(run.time() - value.time) <= same_time * run.end_time();
 }
 
@@ -76,6 +110,8 @@ FoundValue find_value(const BenchmarkValue& value, DeckRun& run) {
     if (value.source == "ledger") {
         const Vec3 row = ledger_value(value.quantity, run.analysis().ledger_row());
         found.value.assign(row.begin(), row.end());
+    } else if (value.quantity == "load_factor") {
+        found.value = {run.analysis().state().time};
     } else {
         const HistoryPoint::Row row = run.value(value.source, value.quantity);
         found.value.assign(row.begin(), row.end());
@@ -105,7 +141,10 @@ BenchmarkRun run_benchmark(const Benchmark& benchmark, const std::vector<std::st
         for (std::size_t i = 0; i < found.size(); ++i) {
             if (!is_due(benchmark.values[i], run)) continue;
             FoundValue now = find_value(benchmark.values[i], run);
-            if (!found[i] || !(now.error < result.values[i].error)) result.values[i] = std::move(now);
+            // Of several equilibria of a path the nearest counts, of all steps the worst.
+            const bool is_nearer = now.error < result.values[i].error;
+            if (!found[i] || is_nearer == benchmark.values[i].where.has_value())
+                result.values[i] = std::move(now);
             found[i] = true;
         }
     });
@@ -114,6 +153,12 @@ BenchmarkRun run_benchmark(const Benchmark& benchmark, const std::vector<std::st
         if (benchmark.values[i].is_of_shapes) {
             result.values[i] = find_shape_value(benchmark.values[i], run);
             continue;
+        }
+        if (benchmark.values[i].where) {
+            throw std::runtime_error(fmt::format("{}: the path has no equilibrium where {} is {}",
+                                                 benchmark.name,
+                                                 benchmark.values[i].where->history,
+                                                 benchmark.values[i].where->is));
         }
         throw std::runtime_error(fmt::format(
             "{}: no step ends at t = {}, where a value is known", benchmark.name, benchmark.values[i].time));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,16 +11,25 @@
 // says what the deck must give and how the error falls when mesh and steps are refined.
 namespace gxrod {
 
+// Equilibria of a path: those at which a component of a history's displacement has this value.
+struct PlaceOnPath {
+    std::string history;
+    int component = 0;
+    double is = 0.0;
+};
+
 // What is compared, and with what.
 struct BenchmarkValue {
-    std::string source;  // a [[history]] of the deck, "ledger", or a stage that finds shapes
+    std::string
+        source;  // a [[history]] of the deck, "ledger", or a stage that finds shapes or critical points
     std::string quantity;
     double time = 0.0;
     bool is_constant = false;       // the reference is for every step, and the worst of them counts
     std::vector<double> reference;  // a NaN component is not compared
     double scale = 1.0;             // errors are divided by it
     double uncertainty = 0.0;       // of the reference; 0: exact
-    bool is_of_shapes = false;      // then the reference has a number for each shape; errors are relative
+    bool is_of_shapes = false;      // then the reference has a number for each of them; errors are relative
+    std::optional<PlaceOnPath> where = {};  // instead of the time; of several equilibria the nearest counts
 };
 
 // Runs of one deck with more and more elements or steps.

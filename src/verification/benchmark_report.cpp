@@ -47,6 +47,8 @@ std::optional<double> finest_order(const std::vector<CheckRow>& rows) {
 std::string describe(const BenchmarkValue& value) {
     const std::string name = value.source == "ledger" ? value.quantity : value.source + " " + value.quantity;
     if (value.is_of_shapes) return name;
+    if (value.where)
+        return fmt::format("{} where {} = {:.10g}", name, "xyz"[value.where->component], value.where->is);
     return value.is_constant ? name + ", all times" : fmt::format("{}, t = {:.10g}", name, value.time);
 }
 

@@ -11,7 +11,10 @@
 //   number or
 //                   vector, scale = 1, uncertainty = 0
 //   [[value]]       stage = "tones", quantity = "frequency", "omega", "growth" or "factor", is = those of the
-//                   first shapes, uncertainty = 0: errors are relative, the largest counts
+//                   first shapes, or "load_factor" of the critical points of a path; errors are relative, the
+//                   largest counts
+//   On a path, where = { history, displacement = "x", "y" or "z", is = number } is in the place of time, and
+//   "load_factor" is a quantity, too
 //   [[refinement]]  name, set = ["KEY=VALUE"] for all rows, rows = [["KEY=VALUE"], …], order, tolerance,
 //   floor
 namespace gxrod {
@@ -121,14 +124,34 @@ class ReferenceReader {
         return node != nullptr && node->text() != nullptr && *node->text() == word;
     }
 
+    PlaceOnPath read_place(const DeckNode& where) {
+        PlaceOnPath place;
+        if (where.table() == nullptr) {
+            faults_.add(where.place, "where", "expected { history, displacement, is }");
+            return place;
+        }
+        allow(where, {"history", "displacement", "is"});
+        place.history = text(where, "history");
+        const std::string direction = text(where, "displacement");
+        const std::size_t component = std::string("xyz").find(direction);
+        if (direction.size() != 1 || component == std::string::npos)
+            faults_.add(where.place, "displacement", "expected x, y or z");
+        else
+            place.component = static_cast<int>(component);
+        place.is = number_or(where, "is", 0.0);
+        return place;
+    }
+
     BenchmarkValue read_value(const DeckNode& table) {
-        allow(table, {"history", "ledger", "stage", "quantity", "time", "is", "scale", "uncertainty"});
+        allow(table,
+              {"history", "ledger", "stage", "quantity", "time", "where", "is", "scale", "uncertainty"});
         BenchmarkValue value;
         value.is_of_shapes = table.find("stage") != nullptr;
         value.source = table.find("ledger") != nullptr
                            ? "ledger"
                            : text(table, value.is_of_shapes ? "stage" : "history");
         value.quantity = text(table, "quantity");
+        if (const DeckNode* where = find(table, "where")) value.where = read_place(*where);
         value.is_constant = is_word(table, "time", "all");
         if (!value.is_constant) value.time = number_or(table, "time", 1.0);
         value.reference = numbers(table, "is");

@@ -1,4 +1,6 @@
+#include <array>
 #include <cmath>
+#include <complex>
 
 #include "check/shape_report.hpp"
 #include "deck/decks.hpp"
@@ -194,4 +196,173 @@ TEST_CASE("Shapes in sentences", "[analyses][stages]") {
                  "[[stage]]\nname = \"tones\"\nkind = \"modes\"\n"));
     CHECK(followed.warnings.back().find("load[0] follows its point, so the stiffness is not symmetric") !=
           std::string::npos);
+}
+
+TEST_CASE("A stage of eigenvalues finds what loads that follow do", "[analyses][stages]") {
+    const std::string beck = R"(plane = "xy"
+[section.s]
+stiffness = { EA = 1e4, GAy = 4e3, GAz = 4e3, GJ = 1, EIy = 1, EIz = 1 }
+inertia = { rhoA = 1, rhoJ = 1e-4, rhoIy = 1e-4, rhoIz = 1e-4 }
+[rod.column]
+section = "s"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 16
+order = 4
+[[support]]
+at = "column.start"
+fix = "all"
+[[load]]
+at = "column.end"
+force = ["-19*t", 0, 0]
+frame = "follower"
+[[stage]]
+name = "press"
+kind = "static"
+[[stage]]
+name = "flutter"
+kind = "eigenvalues"
+count = 2
+)";
+    const RunSummary below = run(read(beck));
+    const auto& found = std::get<EigenvaluesRecord>(below.shapes.at(0).record);
+    // P9a, two independent programs.
+    CHECK(found.modes.at(0).omega == Approx(8.9726419193).epsilon(1e-9));
+    CHECK(found.modes.at(1).omega == Approx(13.1176119729).epsilon(1e-9));
+    CHECK(found.unstable == 0);
+    const std::vector<std::string> lines = list_shapes(below.shapes[0].record, 5);
+    CHECK(lines[0] == "2 eigenvalues, and none missed nearer to 0 (counted)");
+    CHECK(lines[1].find("Re λ 0 ") != std::string::npos);
+
+    const sample::ScratchFolder folder;
+    const Problem beyond = read(test::replaced(beck, "-19*t", "-19.9366107373*t"));
+    const RunSummary flutter = run(beyond, folder / "beck.vtkhdf");
+    const auto& modes = std::get<EigenvaluesRecord>(flutter.shapes.at(0).record).modes;
+    CHECK(modes.at(0).growth == Approx(.30638645).epsilon(1e-7));
+    CHECK(modes.at(1).growth == Approx(-.30638645).epsilon(1e-7));
+    CHECK(modes.at(1).omega == Approx(10.96715131).epsilon(1e-8));
+    CHECK(flutter.warnings.back().starts_with(
+        "stage flutter: the state is unstable by flutter: 1 motion grows, "
+        "at most as exp(0.3064 t), with ω = 10.967"));
+    const Hdf5Reader file(folder / "beck.vtkhdf");
+    CHECK(file.text_attribute("/stages/flutter", "kind") == "eigenvalues");
+    CHECK(file.numbers("/stages/flutter/growth")[1] == modes[1].growth);
+    const Hdf5Reader shapes(folder / "beck.flutter.vtkhdf");
+    const double scale = file.numbers("/stages/flutter/scale")[1];
+    const std::size_t last = 2 * beyond.model.nodes.size() - 1;
+    CHECK(shapes.numbers("/VTKHDF/PointData/displacement_imaginary")[3 * last + 1] ==
+          scale * modes[1].imaginary.back()[1]);
+}
+
+namespace {
+
+const std::string blade = R"([rotation]
+through = [0, 0, 0]
+speed = 10
+[section.s]
+stiffness = { EA = 1e4, GAy = 4e3, GAz = 4e3, GJ = 0.8, EIy = 1, EIz = 4 }
+inertia = { rhoA = 1, rhoJ = 5e-4, rhoIy = 1e-4, rhoIz = 4e-4 }
+[rod.blade]
+section = "s"
+line = { from = [0.2, 0, 0], to = [1.2, 0, 0] }
+y_axis = [0, 1, 0]
+elements = 16
+order = 4
+[[support]]
+at = "blade.start"
+fix = "all"
+[[stage]]
+name = "turn"
+kind = "steady"
+steps = 2
+newton = { tolerance = 1e-11 }
+[[stage]]
+name = "tones"
+kind = "eigenvalues"
+count = 6
+)";
+
+}  // namespace
+
+TEST_CASE("A blade turns steadily, and vibrates about that", "[analyses][stages]") {
+    const RunSummary summary = run(read(blade));
+    REQUIRE(summary.status == RunStatus::complete);
+    CHECK(summary.warnings.empty());
+    const auto& modes = std::get<EigenvaluesRecord>(summary.shapes.at(0).record).modes;
+    // P10a at Ω = 10, two independent programs.
+    const std::array<double, 6> omega{
+        9.7069294310, 12.4532489861, 35.8726186568, 50.4144878005, 63.3082244628, 76.8081776936};
+    REQUIRE(modes.size() >= omega.size());
+    for (std::size_t i = 0; i < omega.size(); ++i) CHECK(modes[i].omega == Approx(omega[i]).epsilon(1e-9));
+    // What turns it does the work that it takes.
+    CHECK(summary.totals.largest_energy_error == 0.0);
+    CHECK(summary.totals.largest_energy == Approx(29.0340097).epsilon(1e-6));
+}
+
+TEST_CASE("A blade that was turning goes on from there", "[analyses][stages]") {
+    const sample::ScratchFolder folder;
+    const Problem problem = read(test::replaced(blade, "steps = 2", "steps = 4"));
+    REQUIRE(run(problem, folder / "whole.vtkhdf").status == RunStatus::complete);
+    REQUIRE(run(problem, folder / "part.vtkhdf", 2).status == RunStatus::interrupted);
+    {
+        ResumableFile resumed(folder / "part.vtkhdf");
+        RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}, &resumed};
+        request.stages = problem.stages;
+        REQUIRE(run_analysis(request).status == RunStatus::complete);
+    }
+    const Hdf5Reader whole(folder / "whole.vtkhdf");
+    const Hdf5Reader part(folder / "part.vtkhdf");
+    for (const char* name : {"/stages/tones/omega", "/ledger/external_work", "/VTKHDF/Points"})
+        CHECK(part.numbers(name) == whole.numbers(name));
+}
+
+TEST_CASE("A damped cantilever answers to a force that swings", "[analyses][stages]") {
+    const std::string deck = R"(plane = "xy"
+[section.s]
+stiffness = { EA = 1e4, GAy = 4e3, GAz = 4e3, GJ = 1, EIy = 1, EIz = 1 }
+inertia = { rhoA = 1, rhoJ = 1e-4, rhoIy = 1e-4, rhoIz = 1e-4 }
+damping = { kelvin_voigt = 2e-3, mass_proportional = 0.2 }
+[rod.beam]
+section = "s"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 16
+order = 4
+[[support]]
+at = "beam.start"
+fix = "all"
+[analysis]
+kind = "response"
+omega = { values = [1, 3.5, 10, 21.9, 60] }
+excite = [{ at = "beam.end", force = [0, 1, 0] }]
+[[history]]
+name = "tip"
+at = "beam.end"
+quantities = "displacement"
+[[history]]
+name = "root"
+at = "beam.start"
+quantities = "reaction_moment"
+)";
+    const sample::ScratchFolder folder;
+    const RunSummary summary = run(read(deck), folder / "shake.vtkhdf");
+    REQUIRE(summary.status == RunStatus::complete);
+    CHECK(list_shapes(summary.shapes.at(0).record, 5) ==
+          std::vector<std::string>{"the answer at 5 frequencies, ω from 1 to 60",
+                                   "   1  tip: largest amplitude 5.04803, at ω = 3.5",
+                                   "   2  root: largest amplitude 0, at ω = 1"});
+    const Hdf5Reader file(folder / "shake.vtkhdf");
+    const std::vector<double> tip = file.numbers("/stages/response/histories/tip/displacement");
+    REQUIRE(tip.size() == 5 * 3 * 2);
+    // P14, 40 digits.
+    const std::array<std::complex<double>, 5> known{{{.362007553023, -.00699954964397},
+                                                     {.598289070683, -5.01245392834},
+                                                     {-.033541491529, -.00151909162518},
+                                                     {-.00397379657242, -.156320615066},
+                                                     {.00010679361073, -.00826718031826}}};
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        const std::complex<double> found{tip[6 * i + 2], tip[6 * i + 3]};
+        CHECK(std::abs(found - known[i]) < 1e-8 * std::abs(known[i]));
+    }
+    const std::vector<double> root = file.numbers("/stages/response/histories/root/reaction_moment");
+    CHECK(std::hypot(root[10], root[11]) == Approx(std::hypot(2.047754625, 17.59198733)).epsilon(1e-8));
+    CHECK_FALSE(std::filesystem::exists(folder / "shake.response.vtkhdf"));
 }

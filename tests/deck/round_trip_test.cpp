@@ -12,6 +12,11 @@
 namespace gxrod::test {
 namespace {
 
+PathSettings path_of(const Problem& p) {
+    const auto* path = std::get_if<PathSettings>(&p.analysis);
+    return path != nullptr ? *path : PathSettings{};
+}
+
 AdaptiveSettings adaptive_of(const Problem& p) { return dynamic_of(p).adaptive.value_or(AdaptiveSettings{}); }
 
 // A deck with a value other than the default for one key, and whether the problem has that value.
@@ -303,6 +308,72 @@ std::string staged(std::string deck) {
     return deck + "\n[[stage]]\nname = \"two\"\nkind = \"static\"\n";
 }
 
+ResponseSettings response_of(const Problem& p) {
+    const auto* response = std::get_if<ResponseSettings>(&p.analysis);
+    return response != nullptr ? *response : ResponseSettings{};
+}
+
+std::vector<RoundTrip> response_trips() {
+    const auto with = [](const std::string& keys) {
+        return replaced(static_rod_deck, "\"static\"", "\"response\"") + keys;
+    };
+    const std::string excited =
+        "excite = [{ at = \"r.end\", force = [1, 2, 3], moment = [4, 5, 6], phase = 0.5 }]\n";
+    const auto excites = [](const auto& test) {
+        return [test](const Problem& p) {
+            const std::vector<Excitation> found = response_of(p).excitation;
+            return found.size() == 1 && test(found[0]);
+        };
+    };
+    std::vector<RoundTrip> trips{{"analysis.excite.at",
+                                  with("omega = { values = [1] }\n" + excited),
+                                  excites([](const Excitation& one) { return one.node == 10; })},
+                                 {"analysis.excite.force",
+                                  with("omega = { values = [1] }\n" + excited),
+                                  excites([](const Excitation& one) { return one.force == Vec3(1, 2, 3); })},
+                                 {"analysis.excite.moment",
+                                  with("omega = { values = [1] }\n" + excited),
+                                  excites([](const Excitation& one) { return one.moment == Vec3(4, 5, 6); })},
+                                 {"analysis.excite.phase",
+                                  with("omega = { values = [1] }\n" + excited),
+                                  excites([](const Excitation& one) { return one.phase == 0.5; })}};
+    for (const std::string name : {"omega", "frequency"}) {
+        const double unit = name == "omega" ? 1.0 : 2.0 * M_PI;
+        const auto sweeps = [&](const std::string& keys, std::vector<double> expected) {
+            for (double& value : expected) value *= unit;
+            return std::pair{with(name + " = { " + keys + " }\n" + excited), [expected](const Problem& p) {
+                                 const std::vector<double> found = response_of(p).omegas;
+                                 bool is_same = found.size() == expected.size();
+                                 for (std::size_t i = 0; is_same && i < found.size(); ++i)
+                                     is_same = std::abs(found[i] - expected[i]) < 1e-12 * expected[i];
+                                 return is_same;
+                             }};
+        };
+        const auto linear = sweeps("from = 1, to = 3, count = 3", {1, 2, 3});
+        const auto ratios = sweeps("from = 1, to = 4, count = 3, spacing = \"log\"", {1, 2, 4});
+        const auto listed = sweeps("values = [2, 5]", {2, 5});
+        for (const char* key : {"from", "to", "count"})
+            trips.push_back({"analysis." + name + "." + key, linear.first, linear.second});
+        trips.push_back({"analysis." + name + ".spacing", ratios.first, ratios.second});
+        trips.push_back({"analysis." + name + ".values", listed.first, listed.second});
+    }
+    return trips;
+}
+
+std::vector<RoundTrip> rotation_trips() {
+    const std::string deck = replaced(static_rod_deck, "\"static\"", "\"steady\"") + "[rotation]\n";
+    const auto is_about_x = [](const Problem& p) {
+        return p.model.rotation && p.model.rotation->axis == Vec3::UnitX();
+    };
+    return {{"rotation.axis", deck + "speed = 2\naxis = [3, 0, 0]\n", is_about_x},
+            {"rotation.through",
+             deck + "speed = 2\nthrough = [1, 2, 3]\n",
+             [](const Problem& p) { return p.model.rotation->through == Vec3(1, 2, 3); }},
+            {"rotation.speed", deck + "speed = 2\n", [](const Problem& p) {
+                 return p.model.rotation->speed(0.5) == 1.0 && p.model.rotation->speed(1.0) == 2.0;
+             }}};
+}
+
 // Keys by which loads and supports know of stages, and the plane of all.
 std::vector<RoundTrip> action_trips() {
     const std::string deck = staged(rod_deck);
@@ -489,10 +560,69 @@ std::vector<RoundTrip> analysis_trips() {
          }}};
 }
 
+std::vector<RoundTrip> path_trips() {
+    const auto with = [](const std::string& until, const std::string& more = "") {
+        return replaced(static_rod_deck, "\"static\"", "\"path\"\nuntil = { " + until + " }\n" + more);
+    };
+    const auto is_target = [](const Problem& p, int node, int component, const std::vector<double>& values) {
+        const std::vector<PathTarget> targets = path_of(p).at;
+        return targets.size() == 1 && targets[0].node == node && targets[0].component == component &&
+               targets[0].values == values;
+    };
+    const std::string at = "at = [{ of = \"r.end\", displacement = \"y\", values = [\"1/2\", 3] }]";
+    return {
+        {"analysis.until.t",
+         with("t = [-1, 2]"),
+         [](const Problem& p) { return path_of(p).least_load == -1.0 && path_of(p).greatest_load == 2.0; }},
+        {"analysis.until.arc",
+         with("arc = 2.5"),
+         [](const Problem& p) { return path_of(p).arc == 2.5 && !path_of(p).steps; }},
+        {"analysis.until.steps",
+         with("steps = 25"),
+         [](const Problem& p) { return path_of(p).steps == 25 && !path_of(p).points; }},
+        {"analysis.until.points",
+         with("points = 3"),
+         [](const Problem& p) { return path_of(p).points == 3 && !path_of(p).greatest_load; }},
+        {"analysis.step",
+         with("t = 1", "step = 0.01"),
+         [](const Problem& p) { return path_of(p).first_step == 0.01; }},
+        {"analysis.max_step",
+         with("t = 1", "max_step = 0.07"),
+         [](const Problem& p) { return path_of(p).max_step == 0.07; }},
+        {"analysis.min_step",
+         with("t = 1", "min_step = 1e-4"),
+         [](const Problem& p) { return path_of(p).min_step == 1e-4; }},
+        {"analysis.at.of",
+         with("t = 1", at),
+         [=](const Problem& p) {
+             return is_target(p, 10, 1, {0.5, 3.0});
+         }},
+        {"analysis.at.displacement",
+         with("t = 1", replaced(at, "\"y\"", "\"z\"")),
+         [=](const Problem& p) {
+             return is_target(p, 10, 2, {0.5, 3.0});
+         }},
+        {"analysis.at.values",
+         with("t = 1", replaced(at, "[\"1/2\", 3]", "[7]")),
+         [=](const Problem& p) { return is_target(p, 10, 1, {7.0}); }},
+        {"analysis.at.t",
+         with("t = 1", "at = [{ t = [0.25] }]"),
+         [=](const Problem& p) { return is_target(p, -1, 0, {0.25}); }},
+        {"analysis.critical",
+         with("t = 1", "critical = \"report\""),
+         [](const Problem& p) { return path_of(p).critical == CriticalSearch::report; }},
+        {"analysis.branches", with("t = 1", "branches = 2"), [](const Problem& p) {
+             return path_of(p).branches == 2;
+         }}};
+}
+
 // The keys of a stage are those of [analysis].
 std::vector<RoundTrip> stage_trips() {
     std::vector<RoundTrip> trips;
-    for (RoundTrip& trip : analysis_trips()) {
+    std::vector<RoundTrip> of_analysis = analysis_trips();
+    for (RoundTrip& trip : path_trips()) of_analysis.push_back(std::move(trip));
+    for (RoundTrip& trip : response_trips()) of_analysis.push_back(std::move(trip));
+    for (RoundTrip& trip : of_analysis) {
         if (!trip.key.starts_with("analysis.")) continue;
         trip.key = replaced(trip.key, "analysis", "stage");
         trip.deck = staged(trip.deck);
@@ -515,9 +645,12 @@ std::vector<RoundTrip> all_trips() {
                               body_trips(),
                               load_trips(),
                               action_trips(),
+                              rotation_trips(),
+                              response_trips(),
                               support_trips(),
                               connection_and_initial_trips(),
                               analysis_trips(),
+                              path_trips(),
                               stage_trips()}) {
         all.insert(all.end(), trips.begin(), trips.end());
     }
@@ -557,7 +690,8 @@ TEST_CASE("The values that round trips see are not there by default", "[deck]") 
         if (single.contains(trip.key)) continue;
         const bool has_loads = trip.key.starts_with("load") || trip.key.starts_with("function");
         const bool has_others = trip.key.starts_with("support") || trip.key.starts_with("history") ||
-                                trip.key.starts_with("connect") || trip.key.starts_with("initial");
+                                trip.key.starts_with("connect") || trip.key.starts_with("initial") ||
+                                trip.key.starts_with("rotation");
         if (has_loads || has_others) continue;  // not there at all without their table
         const bool of_rod = trip.key.starts_with("rod") || trip.key.starts_with("section");
         INFO(trip.key);

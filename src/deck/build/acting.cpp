@@ -20,11 +20,44 @@ std::optional<std::size_t> find_stage(const std::string& name, const BuildContex
     return std::nullopt;
 }
 
-// Where no earlier stage takes steps, what has no t begins to act: at once in time, growing in statics.
-bool is_first_with_steps(const BuildContext& context) {
-    return std::none_of(context.stages.begin(),
-                        context.stages.begin() + static_cast<std::ptrdiff_t>(context.stage),
-                        [](const StagePlan& stage) { return has_steps(stage.analysis); });
+// Where what has no t begins to act: at once in time, growing in statics.
+const StagePlan& find_first_with_steps(const BuildContext& context) {
+    const auto end = context.stages.begin() + static_cast<std::ptrdiff_t>(context.stage);
+    return *std::find_if(
+        context.stages.begin(), end, [](const StagePlan& stage) { return has_steps(stage.analysis); });
+}
+
+TimeFunction hold(const TimeFunction& value, const Acting& acting) {
+    const auto& [is_absent, grows, factor, end] = acting;
+    if (factor)
+        return TimeFunction([value, factor = *factor, end](double) { return value(*end) * factor(*end); });
+    if (!value.is_constant() || value.is_zero()) return value;
+    return TimeFunction([size = value(0.0), end](double) { return *end * size; });
+}
+
+// What switches with the arc length alone stays where it is at that time.
+std::shared_ptr<const Switches> hold_switches(const LineFunction& function,
+                                              const std::shared_ptr<const double>& end) {
+    if (!function.switches()) return nullptr;
+    auto switches = std::make_shared<Switches>();
+    for (Switch one : *function.switches()) {
+        if (!one.has_arc_length) continue;
+        one.argument = [argument = one.argument, end](double, double s) { return argument(*end, s); };
+        one.has_time = false;
+        switches->push_back(std::move(one));
+    }
+    return switches->empty() ? nullptr : switches;
+}
+
+LineFunction hold(const LineExpression& value, const Acting& acting) {
+    const auto& [is_absent, grows, factor, end] = acting;
+    const LineFunction& function = value.function;
+    if (!factor && value.has_time) return function;
+    const LineForm form{InTime::constant, function.form().is_even};
+    const auto scale = factor.value_or(TimeFunction([](double t) { return t; }));
+    return LineFunction([function, scale, end](double, double s) { return scale(*end) * function(*end, s); },
+                        hold_switches(function, end),
+                        form);
 }
 
 const CheckedTimeFunction* find_factor(const StageFunctions& functions, const std::string& stage) {
@@ -70,7 +103,7 @@ void check_name(const Place& place,
 
 TimeFunction Acting::apply(const TimeFunction& value) const {
     if (is_absent) return TimeFunction(0.0);
-    if (held_at) return TimeFunction(value(*held_at) * (factor ? (*factor)(*held_at) : 1.0));
+    if (held_at) return hold(value, *this);
     if (!factor) return grows ? apply_load_factor(value) : value;
     if (value.is_zero()) return value;
     if (factor->is_constant() && value.is_constant()) return TimeFunction(value(0.0) * (*factor)(0.0));
@@ -87,24 +120,7 @@ LineFunction Acting::apply(const LineExpression& value) const {
     const LineFunction& function = value.function;
     if (is_absent) return LineFunction(0.0);
     if (function.is_zero()) return function;
-    if (held_at) {
-        const double t = *held_at;
-        const double scale = factor ? (*factor)(t) : 1.0;
-        if (function.is_constant()) return LineFunction(scale * function(t, 0.0));
-        // What switches with the arc length alone stays where it is at that time.
-        auto switches = std::make_shared<Switches>();
-        if (function.switches()) {
-            for (Switch one : *function.switches()) {
-                if (!one.has_arc_length) continue;
-                one.argument = [argument = one.argument, t](double, double s) { return argument(t, s); };
-                one.has_time = false;
-                switches->push_back(std::move(one));
-            }
-        }
-        return LineFunction([function, t, scale](double, double s) { return scale * function(t, s); },
-                            switches->empty() ? nullptr : switches,
-                            {InTime::constant, function.form().is_even});
-    }
+    if (held_at) return hold(value, *this);
     if (!factor) return grows ? apply_load_factor(value) : function;
     auto switches = std::make_shared<Switches>();
     if (function.switches()) *switches = *function.switches();
@@ -117,7 +133,11 @@ LineFunction Acting::apply(const LineExpression& value) const {
 }
 
 Acting find_acting(const BuildContext& context) {
-    return {.grows = !needs_inertia(context.analysis()) && is_first_with_steps(context)};
+    const StagePlan& first = find_first_with_steps(context);
+    const bool is_first = &first == &context.stages[context.stage];
+    if (is_first) return {.grows = !needs_inertia(context.analysis())};
+    const bool grew_elsewhere = is_path(first.analysis);
+    return {.held_at = grew_elsewhere ? first.end : nullptr};
 }
 
 Acting find_acting(const CheckedTable& load, const BuildContext& context) {
@@ -129,7 +149,7 @@ Acting find_acting(const CheckedTable& load, const BuildContext& context) {
     const std::optional<std::size_t> earlier = find_earlier(functions, context);
     if (!earlier) return {.is_absent = true};
     const StagePlan& stage = context.stages[*earlier];
-    return {.factor = find_factor(functions, stage.name)->function, .held_at = end_of(stage.analysis)};
+    return {.factor = find_factor(functions, stage.name)->function, .held_at = stage.end};
 }
 
 bool acts_in_stage(const CheckedTable& table, const BuildContext& context) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -13,7 +14,9 @@ struct Acting {
     bool is_absent = false;  // does not act in this stage
     bool grows = false;      // a value without t is multiplied by t
     std::optional<TimeFunction> factor = {};
-    std::optional<double> held_at = {};  // value and factor keep what they were at this t
+    // Where t of an earlier stage ended: value and factor keep what they were there; without a factor, a
+    // value without t is multiplied by it, as it was in that stage.
+    std::shared_ptr<const double> held_at = {};
 
     TimeFunction apply(const TimeFunction& value) const;
     LineFunction apply(const LineExpression& value) const;

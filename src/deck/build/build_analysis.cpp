@@ -6,6 +6,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "deck/build/build_path.hpp"
+#include "deck/build/build_response.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "machine/printable.hpp"
@@ -147,9 +149,31 @@ BucklingSettings build_buckling(const CheckedTable& table) {
     return settings;
 }
 
+SteadySettings build_steady(const CheckedTable& table, const BuildContext& context) {
+    if (context.deck.tables("rotation").empty())
+        context.add_fault(
+            table, "kind", "a steady stage turns with [rotation], which the deck does not have");
+    return {build_static(table, context)};
+}
+
+EigenvalueSettings build_eigenvalues(const CheckedTable& table) {
+    EigenvalueSettings settings;
+    if (table.gives("count")) settings.count = static_cast<int>(table.get<long>("count"));
+    return settings;
+}
+
 AnalysisSettings build_analysis(const CheckedTable& table, const BuildContext& context) {
     const std::string& kind = table.get<std::string>("kind");
     if (kind == "static") return build_static(table, context);
+    if (kind == "steady") return build_steady(table, context);
+    if (kind == "eigenvalues") return build_eigenvalues(table);
+    if (kind == "response") return build_response(table, context);
+    if (kind == "path") {
+        PathSettings path = build_path(table, context);
+        read_newton(table, "paths", context, path.newton);
+        path.linear_solver = find_linear_solver(table);
+        return path;
+    }
     if (kind == "modes") return build_modes(table);
     if (kind == "buckling") return build_buckling(table);
     return build_dynamic(table, context);
@@ -172,6 +196,28 @@ void check_stage_name(const CheckedTable& table,
     if (is_taken) context.add_fault(table, "name", fmt::format("\"{}\" names an earlier stage, too", name));
 }
 
+// Modes and buckling know nothing of what turns with a frame.
+void check_rotation(const std::vector<StagePlan>& stages, const BuildContext& context) {
+    const auto is_steady = [](const StagePlan& stage) {
+        return std::holds_alternative<SteadySettings>(stage.analysis);
+    };
+    const std::vector<CheckedTable>& rotation = context.deck.tables("rotation");
+    if (!rotation.empty() && std::none_of(stages.begin(), stages.end(), is_steady)) {
+        context.faults.add(rotation.front().place,
+                           rotation.front().path,
+                           "stages of kind steady turn with it, and the deck has none");
+    }
+    bool turns = false;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        if (has_steps(stages[i].analysis)) turns = is_steady(stages[i]);
+        const std::string kind = kind_of(stages[i].analysis);
+        if (!turns || (kind != "modes" && kind != "buckling")) continue;
+        context.add_fault(context.deck.tables("stage")[i],
+                          "kind",
+                          "the stage before turns, and its motions need kind \"eigenvalues\"");
+    }
+}
+
 }  // namespace
 
 std::vector<StagePlan> build_stages(const BuildContext& context) {
@@ -182,6 +228,8 @@ std::vector<StagePlan> build_stages(const BuildContext& context) {
     }
     if (stages.empty())
         stages.push_back({"", build_analysis(context.deck.tables("analysis").front(), context)});
+    check_rotation(stages, context);
+    for (StagePlan& stage : stages) stage.end = std::make_shared<double>(end_of(stage.analysis));
     return stages;
 }
 

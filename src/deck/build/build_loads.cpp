@@ -57,11 +57,23 @@ void add_distributed_load(const CheckedTable& table,
                                                .frame = frame});
 }
 
+void build_rotation(BuildContext& context) {
+    const std::vector<CheckedTable>& tables = context.deck.tables("rotation");
+    if (tables.empty()) return;
+    const CheckedTable& table = tables.front();
+    const Vec3 axis = table.get<Vec3>("axis");
+    if (axis.norm() == 0.0) return context.add_fault(table, "axis", "expected a vector that is not zero");
+    const auto& speed = table.get<CheckedTimeFunction>("speed");
+    context.model.rotation = TurningFrame{
+        axis.normalized(), table.get<Vec3>("through"), find_acting(context).apply(speed.function)};
+}
+
 }  // namespace
 
 void build_loads(BuildContext& context) {
     context.model.gravity = TimeVector(
         functions_of<TimeFunction, CheckedTimeFunction>(context.deck, "gravity", find_acting(context)));
+    build_rotation(context);
     for (const CheckedTable& table : context.deck.tables("load")) {
         const Acting acting = find_acting(table, context);
         if (acting.is_absent) continue;

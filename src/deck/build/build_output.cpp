@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <set>
 #include <span>
@@ -26,9 +27,10 @@ void check_name(const CheckedTable& history, std::set<std::string>& taken, const
         return context.add_fault(
             history, "name", fmt::format("expected a name of letters, digits, _ and -, found \"{}\"", name));
     }
-    if (name == "time" || name == "stage") {
+    constexpr std::array taken_words{"time", "stage", "load_factor", "branch"};
+    if (std::find(taken_words.begin(), taken_words.end(), name) != taken_words.end()) {
         return context.add_fault(
-            history, "name", fmt::format("\"{}\" is taken by the {}s of all histories", name, name));
+            history, "name", fmt::format("\"{}\" is taken: a column of all histories has it", name));
     }
     if (!taken.insert(name).second) {
         context.add_fault(history, "name", fmt::format("an earlier history is named \"{}\" too", name));

@@ -37,11 +37,12 @@ void check_rod(const Rod& rod, const CheckedTable& table, const Plane& plane, co
     }
     for (const Quat& triad : rod.triads) {
         if (find_normal(triad.toRotationMatrix(), plane) >= 1) continue;
-        return context.faults.add(table.place,
-                                  table.path,
-                                  fmt::format("its section leans out of the plane {} of the deck; expected the "
-                                              "section's y or z across it",
-                                              name_plane(plane)));
+        return context.faults.add(
+            table.place,
+            table.path,
+            fmt::format("its section leans out of the plane {} of the deck; expected the "
+                        "section's y or z across it",
+                        name_plane(plane)));
     }
 }
 

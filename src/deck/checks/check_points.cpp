@@ -72,6 +72,12 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
         points.check_place(table, "at");
         points.check_key(table, "relative_to");
     }
+    for (const char* key : {"analysis", "stage"}) {
+        for (const CheckedTable& table : context.deck.tables(key)) {
+            for (const CheckedTable& target : table.tables("at")) points.check_key(target, "of");
+            for (const CheckedTable& force : table.tables("excite")) points.check_key(force, "at");
+        }
+    }
     return points.take_points_of_rods();
 }
 

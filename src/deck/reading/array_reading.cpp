@@ -40,6 +40,34 @@ void expect(const DeckNode& node,
 
 }  // namespace
 
+std::optional<std::vector<double>> read_number_list(const DeckNode& node,
+                                                    const std::string& path,
+                                                    const KeySpec& key,
+                                                    const ReadingContext& context) {
+    if (node.array() != nullptr && !node.array()->empty())
+        return read_numbers(node, path, node.array()->size(), context);
+    expect(node, path, key, context);
+    return std::nullopt;
+}
+
+std::optional<std::vector<double>> read_bounds(const DeckNode& node,
+                                               const std::string& path,
+                                               const KeySpec& key,
+                                               const ReadingContext& context) {
+    if (node.array() == nullptr) {
+        const std::optional<double> bound = read_number(node, path, key, context);
+        return bound ? std::optional(std::vector{*bound}) : std::nullopt;
+    }
+    const auto bounds = node.array()->size() == 2 ? read_numbers(node, path, 2, context) : std::nullopt;
+    if (node.array()->size() != 2) expect(node, path, key, context);
+    if (!bounds || bounds->front() < bounds->back()) return bounds;
+    context.faults.add(
+        node.place,
+        path,
+        fmt::format("the first number is the lower bound; found {} and {}", bounds->front(), bounds->back()));
+    return std::nullopt;
+}
+
 std::optional<std::vector<CheckedVector>> read_vectors(const DeckNode& node,
                                                        const std::string& path,
                                                        const KeySpec& key,

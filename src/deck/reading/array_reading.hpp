@@ -7,8 +7,20 @@
 #include "deck/reading/checked_deck.hpp"
 #include "deck/reading/reading_context.hpp"
 
-// Arrays of arrays of numbers. What is wrong goes to the fault list, and nullopt comes back.
+// Arrays of numbers, and of arrays of them. What is wrong goes to the fault list, and nullopt comes back.
 namespace gxrod {
+
+// One number or more.
+std::optional<std::vector<double>> read_number_list(const DeckNode& node,
+                                                    const std::string& path,
+                                                    const KeySpec& key,
+                                                    const ReadingContext& context);
+
+// One number, or a lower and an upper one.
+std::optional<std::vector<double>> read_bounds(const DeckNode& node,
+                                               const std::string& path,
+                                               const KeySpec& key,
+                                               const ReadingContext& context);
 
 // Two vectors or more.
 std::optional<std::vector<CheckedVector>> read_vectors(const DeckNode& node,

@@ -99,6 +99,7 @@ struct CheckedValue {
                  Mat3,
                  Mat6,
                  std::vector<CheckedVector>,
+                 std::vector<double>,
                  TimeTable,
                  CheckedTimeFunction,
                  std::vector<CheckedStageFunction>,

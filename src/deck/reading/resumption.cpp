@@ -13,7 +13,19 @@ namespace {
 const ComparisonRules& rules() {
     static const ComparisonRules rules = [] {
         ComparisonRules made{{"title", "units", "output", "history"}, "the run to be resumed has "};
-        for (const char* key : {"end_time", "time_step", "steps", "adaptive", "newton", "linear_solver"}) {
+        for (const char* key : {"end_time",
+                                "time_step",
+                                "steps",
+                                "adaptive",
+                                "newton",
+                                "linear_solver",
+                                "until",
+                                "step",
+                                "max_step",
+                                "min_step",
+                                "at",
+                                "critical",
+                                "branches"}) {
             made.free_paths.push_back(std::string("analysis.") + key);
             made.free_paths.push_back(std::string("stage[].") + key);
         }

@@ -315,6 +315,10 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(reader.square_matrix(node, path));
         case ValueType::vectors:
             return wrap(read_vectors(node, path, key, context));
+        case ValueType::numbers:
+            return wrap(read_number_list(node, path, key, context));
+        case ValueType::bounds:
+            return wrap(read_bounds(node, path, key, context));
         case ValueType::section_matrix:
             return wrap(read_section_matrix(node, path, key, context));
         case ValueType::inertia:

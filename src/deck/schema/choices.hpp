@@ -53,6 +53,12 @@ inline constexpr std::array<Choice<LinearSolverKind>, 4> linear_solver_choices{
      {"klu", LinearSolverKind::klu},
      {"umfpack", LinearSolverKind::umfpack}}};
 
+inline constexpr std::array<Choice<CriticalSearch>, 3> critical_search_choices{
+    {{"locate", CriticalSearch::locate}, {"report", CriticalSearch::report}, {"off", CriticalSearch::off}}};
+
+// Of a displacement.
+inline constexpr std::array<Choice<int>, 3> direction_choices{{{"x", 0}, {"y", 1}, {"z", 2}}};
+
 inline constexpr std::array<Choice<Compression>, 2> compression_choices{
     {{"none", Compression::none}, {"deflate", Compression::deflate}}};
 

@@ -59,6 +59,7 @@ TableSpec make_root() {
         {.name = "load", .type = ValueType::table_list, .table = &load_table()},
         {.name = "support", .type = ValueType::table_list, .table = &support_table()},
         {.name = "initial", .type = ValueType::table_list, .table = &initial_table()},
+        {.name = "rotation", .type = ValueType::table, .table = &rotation_table()},
         {.name = "analysis", .type = ValueType::table, .table = &analysis_table()},
         {.name = "stage", .type = ValueType::table_list, .table = &stage_table()},
         {.name = "output", .type = ValueType::table, .table = &output_table()},
@@ -172,6 +173,10 @@ std::string describe_expected(const KeySpec& key) {
             return "an array of 3 rows of 3 numbers or expressions";
         case ValueType::vectors:
             return "an array of 2 vectors or more, each of 3 numbers or expressions";
+        case ValueType::numbers:
+            return "an array of numbers or expressions, one at least";
+        case ValueType::bounds:
+            return "a number or an expression, or an array of 2: the lower and the upper bound";
         case ValueType::section_matrix:
             return "an array of 6 rows of 6 numbers or expressions";
         case ValueType::inertia:

@@ -27,6 +27,8 @@ enum class ValueType {
     vector,           // 3 numbers
     matrix,           // 3 rows of 3 numbers
     vectors,          // 2 vectors or more
+    numbers,          // a list of numbers that is not empty
+    bounds,           // a number, or 2 of them: the lower and the upper one
     section_matrix,   // 6 rows of 6 numbers
     inertia,          // 3 numbers, or 3 rows of 3 that make a symmetric matrix
     placement,        // a vector or a point

@@ -8,9 +8,11 @@ namespace gxrod {
 namespace {
 
 const Condition dynamic_only{"kind", {"dynamic"}};
-const Condition with_steps{"kind", {"dynamic", "static"}};
+const Condition equal_steps{"kind", {"dynamic", "static", "steady"}};
+const Condition with_steps{"kind", {"dynamic", "static", "path", "steady"}};
+const Condition path_only{"kind", {"path"}};
 const Condition modes_only{"kind", {"modes"}};
-const Condition with_shapes{"kind", {"modes", "buckling"}};
+const Condition with_shapes{"kind", {"modes", "buckling", "eigenvalues"}};
 
 std::vector<Condition> for_schemes(const std::vector<Scheme>& schemes) {
     Condition condition{"integrator", {}};
@@ -18,7 +20,7 @@ std::vector<Condition> for_schemes(const std::vector<Scheme>& schemes) {
     return {dynamic_only, condition};
 }
 
-// Newton's method is for static analyses and implicit integrators.
+// Newton's method is for equilibria and implicit integrators.
 std::vector<Condition> for_equilibria() {
     return {with_steps,
             for_schemes({Scheme::newmark_simplified,
@@ -33,30 +35,30 @@ const TableSpec& newton_table() {
         .path = "analysis.newton",
         .heading = "newton = { … }",
         .sentence = "",
-        .keys = {
-            {.name = "tolerance",
-             .type = ValueType::number,
-             .dimension = "1",
-             .range = positive,
-             .default_text = "`1e-8`, or less by `adaptive.tolerance`",
-             .sentence = "Of the residual, relative to the largest force and moment at any node."},
-            {.name = "max_iterations",
-             .type = ValueType::integer,
-             .range = {.lower = 1, .upper = 1'000'000},
-             .default_value = static_cast<long>(NewtonSettings{}.max_iterations),
-             .sentence = "Of one equilibrium, before the step is cut. Ten times as many where gxrod "
-                         "warns of a rod too stiff compared with what bends."},
-            {.name = "tangent",
-             .type = ValueType::choice,
-             .default_value = word_of(tangent_choices, NewtonSettings{}.tangent),
-             .sentence = "automatic: mixed in statics, and in dynamics where a rod is 300 times as stiff "
-                         "in bending or twist about one axis as about another, else consistent. "
-                         "mixed: the resultants in its geometric part are iterated along with the "
-                         "motion, which converges in much larger steps. "
-                         "consistent: the exact derivative. paper: Rubin (2007), (5.6), for decks of "
-                         "bodies alone with newmark-simplified. "
-                         "difference: central differences of the residual.",
-             .choices = words_of(tangent_choices)}}};
+        .keys = {{.name = "tolerance",
+                  .type = ValueType::number,
+                  .dimension = "1",
+                  .range = positive,
+                  .default_text = "`1e-8`, or less by `adaptive.tolerance`",
+                  .sentence = "Of the residual, relative to the largest force and moment at any node."},
+                 {.name = "max_iterations",
+                  .type = ValueType::integer,
+                  .range = {.lower = 1, .upper = 1'000'000},
+                  .default_value = static_cast<long>(NewtonSettings{}.max_iterations),
+                  .sentence = "Of one equilibrium, before the step is cut. Ten times as many where gxrod "
+                              "warns of a rod too stiff compared with what bends."},
+                 {.name = "tangent",
+                  .type = ValueType::choice,
+                  .default_value = word_of(tangent_choices, NewtonSettings{}.tangent),
+                  .sentence = "automatic: mixed in statics and on paths, and in dynamics where a rod is 300 "
+                              "times as stiff "
+                              "in bending or twist about one axis as about another, else consistent. "
+                              "mixed: the resultants in its geometric part are iterated along with the "
+                              "motion, which converges in much larger steps. "
+                              "consistent: the exact derivative. paper: Rubin (2007), (5.6), for decks of "
+                              "bodies alone with newmark-simplified. "
+                              "difference: central differences of the residual.",
+                  .choices = words_of(tangent_choices)}}};
     return table;
 }
 
@@ -149,9 +151,11 @@ std::vector<KeySpec> shape_keys() {
     return {{.name = "count",
              .type = ValueType::integer,
              .range = {.lower = 1, .upper = 10'000},
-             .default_text = fmt::format(
-                 "`{}` modes, `{}` buckling factors", ModesSettings{}.count, BucklingSettings{}.count),
-             .sentence = "How many: the lowest frequencies, the smallest positive factors.",
+             .default_text = fmt::format("`{}` modes or eigenvalues, `{}` buckling factors",
+                                         ModesSettings{}.count,
+                                         BucklingSettings{}.count),
+             .sentence = "How many: the lowest frequencies, the smallest positive factors, the eigenvalues "
+                         "nearest to 0.",
              .only_for = {with_shapes}},
             {.name = "below",
              .type = ValueType::number,
@@ -168,10 +172,17 @@ std::vector<KeySpec> analysis_keys() {
          .presence = Presence::required,
          .sentence = "dynamic: the motion from t = 0 to end_time. static: equilibria while the "
                      "load factor t goes from 0 to 1; loads, gravity and moves whose value has "
-                     "no t are multiplied by it. modes: vibrations about the state that the stage before "
+                     "no t are multiplied by it. path: the same along a path of equilibria, on which t can "
+                     "turn back at limit points, with the branches that leave it. modes: vibrations about "
+                     "the state that the stage before "
                      "leaves, or about the reference shape without loads. buckling: the factors on the "
-                     "loads at which that state gives way, by linear theory.",
-         .choices = {"dynamic", "static", "modes", "buckling"}},
+                     "loads at which that state gives way, by linear theory. steady: equilibria in a frame "
+                     "that turns, "
+                     "see [rotation]. eigenvalues: small motions about the state with damping, loads that "
+                     "follow and rotation: frequencies, damping ratios, flutter. response: the steady motion "
+                     "about the "
+                     "state under forces that swing with each of many frequencies.",
+         .choices = {"dynamic", "static", "path", "steady", "modes", "buckling", "eigenvalues", "response"}},
         {.name = "end_time",
          .type = ValueType::number,
          .dimension = "time",
@@ -188,11 +199,13 @@ std::vector<KeySpec> analysis_keys() {
         {.name = "steps",
          .type = ValueType::integer,
          .range = {.lower = 1, .upper = static_cast<double>(largest_step_count)},
-         .default_text = fmt::format("`{}` if static", StaticSettings{}.steps),
+         .default_text = fmt::format("`{}` if static or steady", StaticSettings{}.steps),
          .sentence = "How many equal steps.",
-         .only_for = {with_steps}}};
+         .only_for = {equal_steps}}};
     for (KeySpec& key : scheme_keys()) keys.push_back(std::move(key));
+    for (KeySpec& key : path_keys()) keys.push_back(std::move(key));
     for (KeySpec& key : shape_keys()) keys.push_back(std::move(key));
+    for (KeySpec& key : response_keys()) keys.push_back(std::move(key));
     return keys;
 }
 
@@ -207,7 +220,10 @@ const TableSpec& analysis_table() {
         .groups = {{.rule = GroupRule::exactly_one,
                     .keys = {"time_step", "steps"},
                     .only_for = {dynamic_only}},
-                   {.rule = GroupRule::at_most_one, .keys = {"count", "below"}, .only_for = {modes_only}}},
+                   {.rule = GroupRule::at_most_one, .keys = {"count", "below"}, .only_for = {modes_only}},
+                   {.rule = GroupRule::exactly_one,
+                    .keys = {"omega", "frequency"},
+                    .only_for = {{"kind", {"response"}}}}},
         .example =
             "[analysis]\n"
             "kind       = \"dynamic\"\n"
@@ -238,6 +254,32 @@ const TableSpec& stage_table() {
         stage.example.clear();
         return stage;
     }();
+    return table;
+}
+
+const TableSpec& rotation_table() {
+    static const TableSpec table{
+        .path = "rotation",
+        .heading = "[rotation]",
+        .sentence =
+            "A frame that turns steadily, for stages of kind steady: supports turn with it. Loads must "
+            "follow the structure or point along the axis.",
+        .keys = {{.name = "axis",
+                  .type = ValueType::vector,
+                  .dimension = "1",
+                  .default_value = Vec3(0, 0, 1),
+                  .sentence = "About which it turns; any length."},
+                 {.name = "through",
+                  .type = ValueType::vector,
+                  .dimension = "length",
+                  .default_value = Vec3(0, 0, 0),
+                  .sentence = "A point of the axis."},
+                 {.name = "speed",
+                  .type = ValueType::time_expression,
+                  .dimension = "angle/time",
+                  .presence = Presence::required,
+                  .sentence = "Angular velocity by the load factor t of a steady stage; without t it is "
+                              "multiplied by t in the first stage that takes steps, and stays."}}};
     return table;
 }
 

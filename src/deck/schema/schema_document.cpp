@@ -80,6 +80,10 @@ std::string describe_type(const KeySpec& key) {
             return "3×3";
         case ValueType::vectors:
             return "2 vectors or more";
+        case ValueType::numbers:
+            return "numbers";
+        case ValueType::bounds:
+            return "number or 2 numbers";
         case ValueType::section_matrix:
             return "6×6";
         case ValueType::inertia:
@@ -157,6 +161,7 @@ std::string write_rows(const TableSpec& table, const std::string& prefix) {
                             describe_default(key),
                             sentence_of(key));
         if (key.type == ValueType::table) rows += write_rows(*key.table, prefix + key.name + ".");
+        if (key.type == ValueType::table_list) rows += write_rows(*key.table, prefix + key.name + "[].");
     }
     return rows;
 }

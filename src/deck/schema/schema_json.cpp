@@ -81,6 +81,10 @@ Json make_type(const KeySpec& key) {
             return array_of(array_of(reference("number"), 3), 3);
         case ValueType::vectors:
             return array_of_at_least(array_of(reference("number"), 3), 2);
+        case ValueType::numbers:
+            return array_of_at_least(reference("number"), 1);
+        case ValueType::bounds:
+            return any_of({reference("number"), array_of(reference("number"), 2)});
         case ValueType::section_matrix:
             return array_of(array_of(reference("number"), 6), 6);
         case ValueType::inertia:

@@ -15,8 +15,14 @@ const TableSpec& support_table();
 const TableSpec& initial_table();
 const TableSpec& analysis_table();
 const TableSpec& stage_table();
+const TableSpec& rotation_table();
 const TableSpec& output_table();
 const TableSpec& history_table();
+
+// Keys of [analysis] and [[stage]] for paths.
+std::vector<KeySpec> path_keys();
+// For the response to forces that swing.
+std::vector<KeySpec> response_keys();
 
 inline constexpr Range positive{.lower = 0.0, .at_lower = Bound::open};
 

@@ -95,7 +95,7 @@ constexpr KeySynonyms keys[] = {
     {"function.NAME", "table", "data values"},
     {"function.NAME", "expression", "expr formula f value"},
     {"analysis", "kind", "type mode analysis_type"},
-    {"analysis", "time_step", "dt step step_size delta_t h"},
+    {"analysis", "time_step", "dt step_size delta_t h"},
     {"analysis", "end_time", "duration t_end tend final_time total_time end stop_time t time"},
     {"analysis", "steps", "n_steps num_steps nsteps number_of_steps load_steps increments"},
     {"analysis", "integrator", "method scheme time_integrator integration solver"},

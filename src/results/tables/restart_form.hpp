@@ -14,8 +14,10 @@
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t form_version = 7;  // of /restart; raise it with every change
+inline constexpr std::int64_t form_version = 8;  // of /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
+
+using Vec1 = Eigen::Matrix<double, 1, 1>;
 
 // Calls visit(vector) for each vector of a row, const or not.
 template <class Row, class Visitor>
@@ -34,6 +36,8 @@ void visit_vectors(Row& row, Visitor&& visit) {
     } else if constexpr (std::is_same_v<Kind, AlgorithmicAcceleration>) {
         visit(row.a);
         visit(row.alpha);
+    } else if constexpr (std::is_same_v<Kind, double>) {
+        visit(Eigen::Map<std::conditional_t<std::is_const_v<Row>, const Vec1, Vec1>>(&row));
     } else {
         static_assert(std::is_same_v<Kind, Vec6>);
         visit(row);
@@ -43,7 +47,7 @@ void visit_vectors(Row& row, Visitor&& visit) {
 template <class Row>
 hsize_t count_columns() {
     hsize_t columns = 0;
-    Row row;
+    Row row{};
     visit_vectors(row, [&](const auto& vector) { columns += static_cast<hsize_t>(vector.size()); });
     return columns;
 }
@@ -147,6 +151,9 @@ inline const DatasetLabel movement_label{
 inline const DatasetLabel path_tangent_label{
     "path_tangent", "of each node: displacement and spin of the path's unit tangent", "spatial", ""};
 
+inline const DatasetLabel stage_ends_label{
+    "stage_ends", "t where each stage ended, or is to end as far as that is known", "none", ""};
+
 // Calls visit(label, rows) for each list of a record. Some are empty in some stages and not in others.
 template <class Record, class Visitor>
 void visit_lists(Record& record, Visitor&& visit) {
@@ -157,6 +164,7 @@ void visit_lists(Record& record, Visitor&& visit) {
     visit(force_change_label, record.ledger.force_change);
     visit(movement_label, record.ledger.movement);
     visit(path_tangent_label, record.path.tangent);
+    visit(stage_ends_label, record.stage_ends);
 }
 
 inline DatasetLabel numbers_label() {

@@ -1,7 +1,9 @@
 #include "results/tables/shape_table.hpp"
 
 #include <array>
+#include <cmath>
 #include <functional>
+#include <numbers>
 
 namespace gxrod {
 namespace {
@@ -67,6 +69,48 @@ class Writer {
         write_count("complete", record.is_complete ? 1 : 0);
     }
 
+    void operator()(const EigenvaluesRecord& record) {
+        const auto column =
+            [&](const char* name, const char* description, const char* dimension, auto member) {
+                write_column(record.modes, {name, description, "none", dimension}, member);
+            };
+        column("growth", "real part of the eigenvalue", "1/time", &Eigenmode::growth);
+        column("omega", "its imaginary part", "angle/time", &Eigenmode::omega);
+        column("frequency", "cycles per time", "1/time", &Eigenmode::frequency);
+        column("damping_ratio", "-Re / |eigenvalue|", "1", &Eigenmode::damping_ratio);
+        column("residual", "of the eigenvalue problem, relative to the shape", "1", &Eigenmode::residual);
+        write_number("time", record.time);
+        write_number("shift", record.shift);
+        write_number("radius", record.radius);
+        write_count("missing", record.missing);
+        write_count("complete", record.is_complete || record.is_all ? 1 : 0);
+        write_count("unstable", record.unstable);
+    }
+
+    void operator()(const ResponseRecord& record) {
+        std::vector<double> omegas, frequencies, errors;
+        for (const Response& response : record.responses) {
+            omegas.push_back(response.omega);
+            frequencies.push_back(response.omega / (2.0 * std::numbers::pi));
+            errors.push_back(response.error);
+        }
+        write_dataset(group_, {"omega", "of the forces", "none", "angle/time"}, omegas);
+        write_dataset(group_, {"frequency", "cycles per time", "none", "1/time"}, frequencies);
+        write_dataset(group_, {"error", "relative, of the motion, by round-off", "none", "1"}, errors);
+        write_number("time", record.time);
+        const Hdf5Handle histories = require_group(group_, "histories");
+        for (const ResponsePoint& point : record.points) {
+            const Hdf5Handle own = require_group(histories, point.name);
+            const auto write = [&](const char* name, const char* dimension, auto vectors, int first) {
+                write_answer(own, {name, complex, "spatial", dimension}, record, point.node, vectors, first);
+            };
+            write("displacement", "length", &Response::motion, 0);
+            write("rotation_vector", "angle", &Response::motion, 3);
+            write("reaction_force", "force", &Response::reactions, 0);
+            write("reaction_moment", "force·length", &Response::reactions, 3);
+        }
+    }
+
     void write_shapes(const std::vector<const Shape*>& shapes, std::span<const double> scales) {
         std::vector<double> shares;
         std::vector<std::string> words;
@@ -90,6 +134,29 @@ class Writer {
     }
 
   private:
+    static constexpr const char* complex =
+        "amplitude about the state: of each component real and imaginary part, the motion is Re(amplitude "
+        "exp(i omega t))";
+
+    static void write_answer(const Hdf5Handle& group,
+                             const DatasetLabel& label,
+                             const ResponseRecord& record,
+                             int node,
+                             ComplexVectors Response::*vectors,
+                             int first) {
+        std::vector<double> values;
+        for (const Response& response : record.responses) {
+            const ComplexVectors& found = response.*vectors;
+            for (int i = first; i < first + 3; ++i) {
+                const bool is_known = response.failure.empty();
+                values.push_back(is_known ? found.real[node][i] : std::nan(""));
+                values.push_back(is_known ? found.imaginary[node][i] : std::nan(""));
+            }
+        }
+        const std::array<hsize_t, 3> size{record.responses.size(), 3, 2};
+        write_dataset(group, label, size, values);
+    }
+
     template <class Row>
     void write_column(const std::vector<Row>& rows, const DatasetLabel& label, double Row::*member) {
         std::vector<double> values;
@@ -113,7 +180,7 @@ void write_shape_table(const Hdf5Handle& group,
                        std::span<const double> scales) {
     Writer writer(group, model);
     std::visit(std::ref(writer), record);
-    writer.write_shapes(list_shapes_of(record), scales);
+    if (!std::holds_alternative<ResponseRecord>(record)) writer.write_shapes(list_shapes_of(record), scales);
 }
 
 std::vector<const Shape*> list_shapes_of(const ShapesRecord& record) {
@@ -122,11 +189,24 @@ std::vector<const Shape*> list_shapes_of(const ShapesRecord& record) {
         for (const Mode& mode : modes->modes) shapes.push_back(&mode.shape);
         return shapes;
     }
+    if (const auto* found = std::get_if<EigenvaluesRecord>(&record)) {
+        for (const Eigenmode& mode : found->modes) shapes.push_back(&mode.shape);
+        return shapes;
+    }
+    if (std::holds_alternative<ResponseRecord>(record)) return shapes;
     const auto& buckling = std::get<BucklingRecord>(record);
     for (const auto* list : {&buckling.factors, &buckling.reversed}) {
         for (const BucklingFactor& one : *list) shapes.push_back(&one.shape);
     }
     return shapes;
+}
+
+std::vector<const std::vector<Vec6>*> list_imaginary_parts(const ShapesRecord& record) {
+    std::vector<const std::vector<Vec6>*> parts;
+    if (const auto* found = std::get_if<EigenvaluesRecord>(&record)) {
+        for (const Eigenmode& mode : found->modes) parts.push_back(&mode.imaginary);
+    }
+    return parts;
 }
 
 }  // namespace gxrod

@@ -5,12 +5,16 @@
 
 #include "model/model.hpp"
 #include "results/file/hdf5_objects.hpp"
-#include "state/mode_record.hpp"
+#include "state/shapes_record.hpp"
 
 namespace gxrod {
 
-// A dataset of the table that has a number for each shape, and one of words for each.
+// The dataset of words for each shape.
 inline constexpr const char* shape_words_name = "words";
+// Whether a group of /stages is of a stage that took no steps.
+inline bool has_findings(const Hdf5Handle& group) {
+    return has_link(group, shape_words_name) || has_link(group, "omega");
+}
 
 // What a stage of shapes has found, into its group of /stages; docs/guide/results.md lists the datasets.
 // `scales` are what the shapes of its own file are multiplied by. Throws Hdf5Error.
@@ -21,5 +25,7 @@ void write_shape_table(const Hdf5Handle& group,
 
 // The shapes, in the order of the table.
 std::vector<const Shape*> list_shapes_of(const ShapesRecord& record);
+// Their imaginary parts; empty where they are real.
+std::vector<const std::vector<Vec6>*> list_imaginary_parts(const ShapesRecord& record);
 
 }  // namespace gxrod

@@ -6,7 +6,21 @@ StageTable::StageTable(const Hdf5Handle& root,
                        const Hdf5Handle& histories,
                        const DeckRecord& deck,
                        hsize_t rows) {
-    if (!deck.stages.empty() || deck.finds_shapes) group_ = require_group(root, "stages");
+    if (!deck.stages.empty() || deck.finds_shapes || deck.has_paths) group_ = require_group(root, "stages");
+    if (deck.has_paths) {
+        load_factors_.emplace(
+            histories,
+            DatasetLabel{
+                "load_factor", "t of the stage: on paths and in statics the load factor", "none", "1"},
+            scalar_row,
+            rows);
+        branches_.emplace(
+            histories,
+            DatasetLabel{
+                "branch", "row of the branch in branches of its stage; 0: the main path", "none", "1"},
+            scalar_row,
+            rows);
+    }
     if (deck.stages.empty()) return;
     const DatasetLabel label{"stage", "number of the stage of each accepted step, from 0", "none", "1"};
     column_.emplace(histories, label, scalar_row, rows);
@@ -33,16 +47,30 @@ void StageTable::write_shapes(const StagePlace& stage,
     write_shape_table(require_group(group_, stage.name), model, record, scales);
 }
 
-void StageTable::append(int stage) {
-    if (column_) column_->append(stage);
+void StageTable::write_paths(const StagePlace& stage, const PathRecord& paths, hsize_t rows) {
+    begin_stage(stage, rows);
+    write_path_tables(require_group(group_, stage.name), paths);
+}
+
+void StageTable::append(const Snapshot& snapshot) {
+    if (column_) column_->append(snapshot.stage);
+    if (!load_factors_) return;
+    load_factors_->append(snapshot.load_factor);
+    branches_->append(snapshot.branch);
 }
 
 void StageTable::flush() {
     if (column_) column_->flush();
+    if (!load_factors_) return;
+    load_factors_->flush();
+    branches_->flush();
 }
 
 void StageTable::trim() {
     if (column_) column_->trim();
+    if (!load_factors_) return;
+    load_factors_->trim();
+    branches_->trim();
 }
 
 void StageTable::remove_after(std::int64_t stage) {
@@ -54,7 +82,8 @@ void StageTable::remove_after(std::int64_t stage) {
             const Hdf5Handle group(H5Gopen2(group_.id(), name.c_str(), H5P_DEFAULT), H5Gclose, "a stage");
             const Hdf5Handle attribute(H5Aopen(group.id(), "number", H5P_DEFAULT), H5Aclose, "its number");
             check_hdf5(H5Aread(attribute.id(), H5T_NATIVE_INT64, &number), "reading an attribute");
-            has_shapes = has_link(group, shape_words_name);
+            has_shapes = has_findings(group);
+            if (number == stage) remove_path_tables(group);
         }
         if (number > stage || (number == stage && has_shapes))
             check_hdf5(H5Ldelete(group_.id(), name.c_str(), H5P_DEFAULT), "removing a stage");

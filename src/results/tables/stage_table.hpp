@@ -6,15 +6,20 @@
 #include "model/deck_record.hpp"
 #include "results/file/append_dataset.hpp"
 #include "results/stage_place.hpp"
+#include "results/tables/path_table.hpp"
 #include "results/tables/shape_table.hpp"
+#include "state/step_record.hpp"
 
 namespace gxrod {
 
 // Datasets of /histories that are no histories.
-inline constexpr bool is_history_name(std::string_view name) { return name != "time" && name != "stage"; }
+inline constexpr bool is_history_name(std::string_view name) {
+    return name != "time" && name != "stage" && name != "load_factor" && name != "branch";
+}
 
 // Of a deck with stages: /histories/stage, the number of each row's stage from 0, and /stages/<name>, which
-// says what the stage is and has the shapes that it found. Throws Hdf5Error.
+// says what the stage is and has the shapes or critical points that it found. Of a deck with a path,
+// /histories/load_factor and branch, too. Throws Hdf5Error.
 class StageTable {
   public:
     // Appends after so many rows.
@@ -28,15 +33,18 @@ class StageTable {
                       const ShapesRecord& record,
                       std::span<const double> scales,
                       hsize_t rows);
-    void append(int stage);
+    // What a stage has found that goes along a path.
+    void write_paths(const StagePlace& stage, const PathRecord& paths, hsize_t rows);
+    void append(const Snapshot& snapshot);
     void flush();
     void trim();
-    // Takes away what stages after this one have left, and shapes of its own.
+    // Takes away what stages after this one have left, and what it has found itself.
     void remove_after(std::int64_t stage);
 
   private:
     Hdf5Handle group_;  // none of a deck that has neither stages nor shapes
-    std::optional<AppendDataset<std::int64_t>> column_;
+    std::optional<AppendDataset<std::int64_t>> column_, branches_;
+    std::optional<AppendDataset<double>> load_factors_;
 };
 
 }  // namespace gxrod

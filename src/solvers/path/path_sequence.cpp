@@ -20,7 +20,10 @@ PathSequence::PathSequence(const PathSettings& settings) : settings_(settings) {
     plan(settings.first_step.value_or(settings.max_step));
 }
 
-void PathSequence::start(double step) { plan(settings_.first_step.value_or(step)); }
+void PathSequence::start(double step) {
+    plan(settings_.first_step.value_or(step));
+    first_tried_ = planned_;
+}
 
 void PathSequence::plan(double step) {
     planned_ = std::clamp(step, settings_.min_step, settings_.max_step);
@@ -58,7 +61,7 @@ double PathSequence::part_done() const {
     const double of_steps =
         settings_.steps ? static_cast<double>(accepted_) / static_cast<double>(*settings_.steps) : 0.0;
     const double of_arc = settings_.arc ? arc_ / *settings_.arc : 0.0;
-    return is_finished_ ? 1.0 : std::min(1.0, std::max(of_steps, of_arc));
+    return is_finished_ ? 1.0 : std::min(1.0, std::max({of_steps, of_arc, part_}));
 }
 
 StepMemory PathSequence::memory() const {
@@ -77,6 +80,7 @@ bool PathSequence::resume(const StepMemory& memory) {
     is_finished_ =
         (settings_.arc && arc_ >= *settings_.arc) || (settings_.steps && accepted_ >= *settings_.steps);
     plan(memory.has_failed ? settings_.max_step : memory.step);
+    first_tried_ = planned_;
     return true;
 }
 

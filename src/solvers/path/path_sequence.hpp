@@ -37,6 +37,8 @@ class PathSequence : public StepSequence {
     // What the step took, before it is accepted.
     void adapt(int iterations) { iterations_ = iterations; }
     void finish() { is_finished_ = true; }
+    // How much of the path is done by what the steps do not know, 0 … 1.
+    void note_part(double part) { part_ = part; }
 
   private:
     // Within what is left.
@@ -53,6 +55,7 @@ class PathSequence : public StepSequence {
     bool is_cut_ = false;    // the trial
     bool has_failed_ = false;
     bool is_finished_ = false;
+    double part_ = 0.0;
 };
 
 }  // namespace gxrod

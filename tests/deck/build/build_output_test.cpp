@@ -16,7 +16,7 @@ quantities = "position")") ==
 name = "time"
 at = "top"
 quantities = "position")") ==
-          R"(x.toml:9:8: history[0].name: "time" is taken by the times of all histories)");
+          R"(x.toml:9:8: history[0].name: "time" is taken: a column of all histories has it)");
     CHECK(faults_of(body_deck + R"([[history]]
 name = "a"
 at = "top"

@@ -157,3 +157,19 @@ TEST_CASE("Faults of stages that find shapes say what is expected", "[deck][stag
           "x.toml:11:10: load[0].stages: stage \"tones\" moves nothing: it has the loads and supports of the "
           "stage before it");
 }
+
+TEST_CASE("Faults of rotation say what is expected", "[deck][stages]") {
+    const auto staged = [](const std::string& more) {
+        const std::string deck =
+            test::replaced(test::static_rod_deck, "[analysis]", "[[stage]]\nname = \"turn\"");
+        return faults_of(test::replaced(deck, "\"static\"", "\"steady\"") + more);
+    };
+    CHECK(staged("") ==
+          "x.toml:11:8: stage[0].kind: a steady stage turns with [rotation], which the deck does not have");
+    CHECK(staged("[rotation]\nspeed = 2\naxis = [0, 0, 0]\n") ==
+          "x.toml:14:8: rotation.axis: expected a vector that is not zero");
+    CHECK(staged("[[stage]]\nname = \"tones\"\nkind = \"modes\"\n[rotation]\nspeed = 2\n") ==
+          "x.toml:14:8: stage[1].kind: the stage before turns, and its motions need kind \"eigenvalues\"");
+    CHECK(faults_of(test::static_rod_deck + "[rotation]\nspeed = 2\n") ==
+          "x.toml:11:1: rotation: stages of kind steady turn with it, and the deck has none");
+}

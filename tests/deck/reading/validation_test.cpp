@@ -15,7 +15,7 @@ colour = 3)")) ==
           "rotation_vector, velocity, angular_velocity, angular_velocity_material");
     CHECK(faults_of(rod_deck + "[joint.a]") ==
           "x.toml:13:2: joint: unknown key; known here: title, units, gravity, plane, parameters, function, "
-          "section, rod, body, connect, load, support, initial, analysis, stage, output, history");
+          "section, rod, body, connect, load, support, initial, rotation, analysis, stage, output, history");
     CHECK(faults_of(body_deck + "gravity = [0, 0, -9.81]") ==
           "x.toml:8:1: analysis.gravity: gravity is a key of the top level and must come before the first "
           "[table]; here it belongs to [analysis]");
@@ -47,8 +47,9 @@ TEST_CASE("Errors on missing keys say what is expected", "[deck]") {
     CHECK(faults_of(replaced(rod_deck, "rhoIy = 10, ", "")) ==
           "x.toml:3:11: section.s.inertia.rhoIy: missing; expected a number greater than 0 or an expression; "
           "a rotation without inertia cannot be integrated in time");
-    CHECK(faults_of(replaced(body_deck, "kind = \"dynamic\"\n", "")) ==
-          R"(x.toml:4:1: analysis.kind: missing; expected one of "dynamic", "static", "modes", "buckling")");
+    CHECK(
+        faults_of(replaced(body_deck, "kind = \"dynamic\"\n", "")) ==
+        R"(x.toml:4:1: analysis.kind: missing; expected one of "dynamic", "static", "path", "steady", "modes", "buckling", "eigenvalues", "response")");
     CHECK(faults_of(replaced(body_deck, "end_time = 1.0\n", "")) ==
           "x.toml:4:1: analysis.end_time: missing; expected a number greater than 0 or an expression");
     CHECK(faults_of(replaced(body_deck, "steps = 10\n", "")) ==
@@ -253,7 +254,7 @@ x.toml:6:33: rod.r.line.to: the rod has no length; expected an end away from its
 x.toml:11:10: load[1].force[0]: "1/t" is inf at t = 0
 x.toml:14:11: body.b.inertia: no body has the principal moments 1, 1, 5: the largest cannot be above the sum of the others; expected 2 at most, or greater values of the others
 x.toml:19:22: analysis.newton.tangent: "paper" is for decks of bodies alone; this one has rods
-x.toml:21:8: history[0].name: "time" is taken by the times of all histories
+x.toml:21:8: history[0].name: "time" is taken: a column of all histories has it
 x.toml:23:14: history[0].quantities: "strain": only points of rods have it; this one is a body)");
 }
 

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rotation/types.hpp"
+
+namespace gxrod {
+
+// A force and a moment on a node, Re((force, moment) e^(i(ωt + phase))), global axes.
+struct Excitation {
+    int node = 0;
+    Vec3 force = Vec3::Zero();
+    Vec3 moment = Vec3::Zero();
+    double phase = 0.0;  // rad
+};
+
+// A node whose answer is recorded.
+struct ResponsePoint {
+    std::string name;
+    int node = 0;
+};
+
+// How the model answers to forces that swing steadily, about a state.
+struct ResponseSettings {
+    std::vector<double> omegas;  // rad per time, rising
+    std::vector<Excitation> excitation;
+    std::vector<ResponsePoint> points;  // of the deck's histories, those at nodes
+};
+
+}  // namespace gxrod
