@@ -58,6 +58,9 @@ def values_of(table):
     if "factor" in table:
         return [f"factor {factor:.6g}" for factor in table["factor"][()]]
     rows = zip(table["frequency"][()], table["growth"][()])
+    if "damping_ratio" in table:
+        return [f"f = {frequency:.6g}  Re λ = {growth:.4g}" if frequency else f"exp({growth:.4g} t)"
+                for frequency, growth in rows]
     return [f"grows by exp({growth:.4g} t)" if growth > 0.0 else f"f = {frequency:.6g}" for frequency, growth in rows]
 
 
@@ -75,7 +78,8 @@ def draw_found(figure, results, found, view=None):
     extremes = [found.points + sign * move for move in found.shapes[:drawn] for sign in (-1.0, 1.0)]
     scene = Scene([(points, 0.0) for points in extremes], [], [])
     view = view or best_view(scene)
-    title = {"modes": "Modes of vibration", "buckling": "Buckling, by linear theory"}.get(found.kind, found.kind)
+    title = {"modes": "Modes of vibration", "buckling": "Buckling, by linear theory",
+             "eigenvalues": "Eigenvalues, real parts of their shapes"}.get(found.kind, found.kind)
     more = f" · the first {drawn} of {len(found.labels)}" if drawn < len(found.labels) else ""
     figure.suptitle(f"{found.stage}: {title}{more}" if found.stage != found.kind else title + more, x=0.02, ha="left",
                     fontsize=9.5, fontweight="bold")

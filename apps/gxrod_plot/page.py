@@ -7,6 +7,9 @@ from .errors import FileFault
 from .found import draw_found, section_height
 from .histories import draw_histories, history_panels, row_count
 from .ledger import draw_ledger, panel_count
+from .path import draw_paths, path_curves
+from .path import section_height as path_section_height
+from .response import HEIGHT, draw_response
 from .results import choose_histories
 from .shapes import choose_frames, draw_shapes, fitting_size, prepare_shapes
 from .style import BLACK, new_figure
@@ -35,8 +38,10 @@ def draw_page(results, request):
         section = (panel_count(results) * PANEL_HEIGHT, lambda figure: draw_ledger(figure, results))
         return draw_sections(results, request, [section], NARROW_WIDTH)
     found = [found_section(results, request, each) for each in results.found()] if request.what in ("all", "found") else []
+    if request.what in ("all", "found"):
+        found += [response_section(each) for each in results.responses()]
     if request.what == "found" and not found:
-        raise FileFault(f"{file}: has no shapes found; a stage of kind modes or buckling finds them")
+        raise FileFault(f"{file}: has nothing found; stages of kind modes, eigenvalues, buckling or response find it")
     if found and (request.what == "found" or len(results.times) == 1):
         return draw_sections(results, request, found)
     if len(results.frame_times) == 0:
@@ -55,7 +60,15 @@ def found_section(results, request, found):
     return section_height(found), lambda figure: draw_found(figure, results, found, request.view)
 
 
+def response_section(response):
+    return HEIGHT, lambda figure: draw_response(figure, response)
+
+
 def histories_section(results, panels):
+    stages = results.paths()
+    curves = path_curves(panels) if stages else []
+    if curves:
+        return path_section_height(stages, curves), lambda figure: draw_paths(figure, stages, curves)
     return row_count(panels) * PANEL_HEIGHT, lambda figure: draw_histories(figure, results, panels)
 
 
@@ -129,7 +142,7 @@ def facts(results):
     if results.reason and status != "complete":
         status += f" ({textwrap.shorten(results.reason, LONGEST_REASON, placeholder=' …')})"
     steps = max(len(results.times) - 1, 0)
-    clock = "load factor" if results.is_static else "t"
+    clock = results.time_label if results.is_static else "t"
     if steps == 0:
         return [results.deck, status, *([f"units {results.units}"] if results.units else []), f"gxrod {results.version}"]
     found = [results.deck, f"{steps} steps to {clock} = {results.times[-1]:g}", status]

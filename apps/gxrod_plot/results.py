@@ -9,8 +9,11 @@ import numpy as np
 
 from .errors import FileFault, UsageError
 from .found import read_found
+from .response import read_response
+from .path import read_paths
 
 VERTEX = 1
+NO_HISTORIES = ("time", "stage", "load_factor", "branch")  # columns of all of them
 CURVES = {3, 21, 35, 68}  # VTK cell types of rod elements: the two ends first, then the nodes between
 
 
@@ -47,7 +50,8 @@ class Results:
         self.reason = text_of(file.attrs, "reason")
         self.units = text_of(file.attrs, "units")
         self.is_static = text_of(file.attrs, "analysis") == "static"
-        self.time_label = "load factor" if self.is_static else "time"
+        self.has_paths = "load_factor" in file["histories"]
+        self.time_label = time_label_of(file, self.has_paths, self.is_static)
         # The times are written last, so their number is that of complete steps.
         self.times = file["histories/time"][()]
         self.frame_times = self._grid["Steps/Values"][()]
@@ -58,9 +62,22 @@ class Results:
         """What stages have found that take no steps."""
         return read_found(self._path, self._file)
 
+    def responses(self):
+        """The answers of stages to forces that swing."""
+        stages = self._file.get("stages", {})
+        asked = {name: {series.name for series in self.history(name).quantities} for name in self.history_names}
+        return [read_response(stages[name], name, asked) for name in stages if "histories" in stages[name]]
+
     @property
     def history_names(self):
-        return [name for name in self._file["histories"] if name not in ("time", "stage")]
+        return [name for name in self._file["histories"] if name not in NO_HISTORIES]
+
+    def paths(self):
+        """What stages that go along a path have found."""
+        return read_paths(self._file, len(self.times))
+
+    def load_factors(self):
+        return self._file["histories/load_factor"][: len(self.times)] if self.has_paths else self.times
 
     def history(self, name):
         group = self._file["histories"][name]
@@ -103,6 +120,12 @@ class Results:
                 else:
                     rods.append(nodes)
         return [np.array(rod) for rod in rods], bodies
+
+
+def time_label_of(file, has_paths, is_static):
+    if has_paths:
+        return "time" if "stage" in file["histories"] else "arc length"
+    return "load factor" if is_static else "time"
 
 
 def text_of(attributes, name):

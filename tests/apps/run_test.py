@@ -122,7 +122,7 @@ class Run(ProgramTest):
         self.assertEqual(
             sorted(summary),
             sorted("status reason warnings deck results nodes elements unknowns steps rejected_steps cuts newton_limit "
-                   "found newton_iterations time wall_seconds threads version".split()))
+                   "findings found newton_iterations time wall_seconds threads version".split()))
         self.assertEqual(sorted(summary["wall_seconds"]),
                          sorted("total setup assembly solve update output".split()))
         self.assertEqual((summary["status"], summary["steps"], summary["time"]), ("complete", 100, 1.0))

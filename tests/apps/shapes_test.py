@@ -97,6 +97,38 @@ class Shapes(ProgramTest):
             self.assertEqual(len(grid["PointData/displacement"]), 10 * len(grid["Points"]))
         self.gxrod("bare.vtkhdf", "-o", "bare.png", program=PLOT)
 
+    def test_answers_to_a_force_that_swings(self):
+        self.write("shaken.toml", COLUMN + """
+[[stage]]
+name = "tones"
+kind = "eigenvalues"
+count = 4
+[[stage]]
+name = "shake"
+kind = "response"
+frequency = { from = 0.1, to = 1.0, count = 4 }
+excite = [{ at = "column.end", force = [0, 0, 1] }]
+[[history]]
+name = "tip"
+at = "column.end"
+quantities = ["displacement"]
+""")
+        done = self.gxrod("run", "shaken.toml")
+        self.assertIn("tones: 4 eigenvalues, and none missed nearer to 0 (counted)", done.stdout)
+        self.assertIn("shake: the answer at 4 frequencies", done.stdout)
+        self.gxrod("export", "shaken.vtkhdf", "--csv", "tables")
+        with open(self.folder / "tables" / "stage_shake.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        with h5py.File(self.folder / "shaken.vtkhdf") as file:
+            moves = file["stages/shake/histories/tip/displacement"][()]
+        self.assertEqual(moves.shape, (4, 3, 2))
+        np.testing.assert_array_equal([float(row["tip_displacement_z_real"]) for row in rows], moves[:, 2, 0])
+        np.testing.assert_allclose([float(row["frequency"]) for row in rows], [0.1, 0.4, 0.7, 1.0])
+        # Slowly, it bends as statics have it, PL/GA + PL^3/3EI; beyond the first tone against the force.
+        self.assertAlmostEqual(moves[0, 2, 0], 1 / 400 + 1 / 3, delta=0.02)
+        self.assertLess(moves[3, 2, 0], 0.0)
+        self.gxrod("shaken.vtkhdf", "-o", "shaken.png", program=PLOT)
+
 
 if __name__ == "__main__":
     unittest.main()

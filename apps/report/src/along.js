@@ -1,6 +1,6 @@
 import uPlot from "uplot";
 import { make } from "./elements.js";
-import { formatNumber, inWords } from "./format.js";
+import { formatNumber, inWords, timeSymbol } from "./format.js";
 import { componentOf } from "./motion.js";
 import { axesOptions, rangeAround, widen } from "./plot_axes.js";
 import { componentsOf, dimensionOf } from "./quantities.js";
@@ -165,7 +165,7 @@ export class Along {
   }
 
   follow() {
-    const symbol = this.data.info.is_static ? "λ" : "t";
+    const symbol = timeSymbol(this.data.info.time_name);
     this.now.textContent = `${symbol} = ${formatNumber(this.clock.time, 4)}`;
     if (this.isSeen) this.plot?.setData([this.plot.data[0], this.largest, this.least, this.present()]);
   }

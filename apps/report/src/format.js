@@ -23,3 +23,8 @@ export function inWords(name) {
 export function formatCount(value) {
   return String(value).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 }
+
+// Of what the frames count.
+export function timeSymbol(timeName) {
+  return { "load factor": "λ", "arc length": "s" }[timeName] ?? "t";
+}

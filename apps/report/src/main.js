@@ -16,7 +16,7 @@ import { readUnits } from "./units.js";
 
 const data = readData();
 const { info } = data;
-const timeName = info.is_static ? "load factor" : "time";
+const timeName = info.time_name;
 const units = readUnits(info.units);
 const clock = new Clock(data.times, info.is_static);
 

@@ -1,5 +1,5 @@
 import { find, make } from "./elements.js";
-import { formatNumber } from "./format.js";
+import { formatNumber, timeSymbol } from "./format.js";
 
 const rates = [0.1, 0.25, 0.5, 1, 2, 4];
 
@@ -33,7 +33,7 @@ export function bindPlayer(clock, timeName) {
     event.preventDefault();
     actions[event.key]();
   });
-  const symbol = timeName === "load factor" ? "λ" : "t";
+  const symbol = timeSymbol(timeName);
   clock.listen(() => {
     slider.value = String(Math.round(clock.position));
     const text = `${symbol} = ${formatNumber(clock.time, 5)}`;

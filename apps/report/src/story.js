@@ -44,7 +44,7 @@ export function showModel(data) {
     ["elements", formatCount(info.elements)],
     ...(info.unknowns === undefined ? [] : [["unknowns", formatCount(info.unknowns)]]),
     ["steps", formatCount(Math.max(info.steps - 1, 0))],
-    [info.is_static ? "load factor reached" : "time reached", formatNumber(times[times.length - 1], 6)],
+    [`${info.time_name} reached`, formatNumber(times[times.length - 1], 6)],
     ["gxrod", info.gxrod_version],
   ];
   find("model").append(makeTable({ title: "Run", columns: [], rows }), ...info.tables.map(makeTable));

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "machine/file_error.hpp"
+#include "results/export/item_csv.hpp"
 #include "results/export/shape_csv.hpp"
 #include "results/file/results_access.hpp"
 #include "results/tables/stage_table.hpp"
@@ -40,10 +41,19 @@ struct CsvColumn {
 // The datasets of a group, time first.
 std::vector<CsvColumn> find_columns(const Hdf5Reader& file, const std::string& group) {
     std::vector<CsvColumn> columns{{"/histories/time", "time"}};
-    if (file.text_attribute("/histories/time", "dimension") == "1") columns[0].name = "load_factor";
-    if (file.has("/histories/stage")) columns.push_back({"/histories/stage", "stage"});
+    const bool has_paths = file.has("/histories/load_factor");
+    const bool has_stages = file.has("/histories/stage");
+    if (has_paths && !has_stages) {
+        columns[0].name = "arc_length";
+    } else if (file.text_attribute("/histories/time", "dimension") == "1") {
+        columns[0].name = "load_factor";
+    }
+    for (const char* name : {"stage", "load_factor", "branch"}) {
+        const std::string path = std::string("/histories/") + name;
+        if (file.has(path)) columns.push_back({path, name});
+    }
     for (const std::string& name : file.members(group)) {
-        if (name == "time" || name == "stage") continue;
+        if (!is_history_name(name)) continue;
         const std::string path = fmt::format("{}/{}", group, name);
         columns.push_back({path, name, file.width(path)});
     }
@@ -91,7 +101,7 @@ void write_table(const Hdf5Reader& file, const std::string& group, const std::fi
 struct CsvTable {
     std::string group;
     std::filesystem::path path;
-    bool is_of_shapes = false;
+    enum class Kind { steps, items, shapes, answers } kind = Kind::steps;
 };
 
 std::vector<CsvTable> list_tables(const Hdf5Reader& file, const std::filesystem::path& folder) {
@@ -104,9 +114,25 @@ std::vector<CsvTable> list_tables(const Hdf5Reader& file, const std::filesystem:
     for (const std::string& name : file.members("/stages")) {
         const std::string group = "/stages/" + name;
         if (file.has(group + "/" + shape_words_name))
-            tables.push_back({group, folder / ("stage_" + name + ".csv"), true});
+            tables.push_back({group, folder / ("stage_" + name + ".csv"), CsvTable::Kind::shapes});
+        if (file.has(group + "/histories"))
+            tables.push_back({group, folder / ("stage_" + name + ".csv"), CsvTable::Kind::answers});
+        for (const char* table : {critical_points_name, branches_name}) {
+            const std::string items = fmt::format("{}/{}", group, table);
+            if (file.has(items))
+                tables.push_back(
+                    {items, folder / fmt::format("stage_{}_{}.csv", name, table), CsvTable::Kind::items});
+        }
     }
     return tables;
+}
+
+void write(const Hdf5Reader& file, const CsvTable& table) {
+    const auto write_kind = table.kind == CsvTable::Kind::items     ? write_item_csv
+                            : table.kind == CsvTable::Kind::shapes  ? write_shape_csv
+                            : table.kind == CsvTable::Kind::answers ? write_response_csv
+                                                                    : write_table;
+    write_kind(file, table.group, table.path);
 }
 
 }  // namespace
@@ -121,8 +147,7 @@ std::vector<std::filesystem::path> export_csv(const std::filesystem::path& resul
         for (const CsvTable& table : tables) written.push_back(table.path);
         prepare_export(folder, written, existing);
         existing = Existing::replace;  // a second attempt finds our own files
-        for (const CsvTable& table : tables)
-            (table.is_of_shapes ? write_shape_csv : write_table)(file, table.group, table.path);
+        for (const CsvTable& table : tables) write(file, table);
     });
     return written;
 }

@@ -68,4 +68,34 @@ void write_shape_csv(const Hdf5Reader& file, const std::string& group, const std
     if (!out) throw FileError(path, "cannot be written", std::generic_category().message(errno));
 }
 
+void write_response_csv(const Hdf5Reader& file, const std::string& group, const std::filesystem::path& path) {
+    std::vector<Column> columns;
+    for (const char* name : {"omega", "frequency", "error"})
+        columns.push_back({name, file.numbers(group + "/" + name), 1});
+    const std::string histories = group + "/histories";
+    for (const std::string& point : file.members(histories)) {
+        for (const std::string& quantity : file.members(histories + "/" + point)) {
+            const std::string name = point + "_" + quantity;
+            std::string heading;
+            for (const char letter : {'x', 'y', 'z'})
+                heading += fmt::format(
+                    "{}{}_{}_real,{}_{}_imaginary", heading.empty() ? "" : ",", name, letter, name, letter);
+            columns.push_back({heading, file.numbers(histories + "/" + point + "/" + quantity), 6});
+        }
+    }
+    std::ofstream out(path, std::ios::binary);
+    for (std::size_t i = 0; i < columns.size(); ++i) out << (i == 0 ? "" : ",") << columns[i].heading;
+    out << '\n';
+    for (std::size_t row = 0; row < columns[0].values.size(); ++row) {
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            for (std::size_t k = 0; k < columns[i].width; ++k)
+                out << fmt::format(
+                    "{}{}", i == 0 ? "" : ",", columns[i].values.at(row * columns[i].width + k));
+        }
+        out << '\n';
+    }
+    out.close();
+    if (!out) throw FileError(path, "cannot be written", std::generic_category().message(errno));
+}
+
 }  // namespace gxrod

@@ -11,4 +11,8 @@ namespace gxrod {
 // FileError if it cannot be written.
 void write_shape_csv(const Hdf5Reader& file, const std::string& group, const std::filesystem::path& path);
 
+// The answers of a stage to forces that swing: a row for each frequency, real and imaginary part of each
+// component. Throws FileError if it cannot be written.
+void write_response_csv(const Hdf5Reader& file, const std::string& group, const std::filesystem::path& path);
+
 }  // namespace gxrod

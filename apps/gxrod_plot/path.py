@@ -1,0 +1,146 @@
+"""Paths of equilibria: the load factor over what histories recorded, with critical points and branches."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from .style import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE
+
+COLUMNS = 2
+PANEL_HEIGHT = 3.4
+KEYS_HEIGHT = 0.35
+BRANCH_COLOURS = (ORANGE, GREEN, PURPLE, "#d1373f", "#8a6d1f", "#2aa0b8")
+MARKERS = {"limit": ("^", "limit point"), "bifurcation": ("o", "bifurcation"), "divergence": ("s", "divergence")}
+STILL = 1e-9  # components that change by less of the largest change are not drawn
+
+
+@dataclass
+class Path:
+    """The main path of a stage, or a branch."""
+
+    name: str
+    rows: np.ndarray  # of the histories; the first one of a branch is where it begins
+    is_stable: np.ndarray  # of each row but the last: what follows it
+
+
+@dataclass
+class PathStage:
+    """What a stage that goes along a path has found."""
+
+    stage: str
+    load_factors: np.ndarray  # of all rows of the histories
+    paths: list
+    points: list  # pairs of kind and row
+
+
+def read_paths(file, steps):
+    """A PathStage for each stage that goes along a path; of a run that was killed, without points."""
+    histories = file["histories"]
+    if "load_factor" not in histories:
+        return []
+    loads = histories["load_factor"][:steps]
+    branches = histories["branch"][:steps]
+    pivots = file["solver/negative_pivots"][:steps]
+    stages = histories["stage"][:steps] if "stage" in histories else np.zeros(len(loads), dtype=int)
+    found = []
+    for name, group in file["stages"].items():
+        if text(group.attrs["kind"]) == "path":
+            number = int(group.attrs["number"][0])
+            found.append((number, read_stage(name, group, loads, branches, pivots, stages == number)))
+    return [stage for _, stage in sorted(found, key=lambda pair: pair[0])]
+
+
+def read_stage(name, group, loads, branches, pivots, is_of_stage):
+    points = group.get("critical_points")
+    table = group.get("branches")
+    points = list(zip(points["kind"].asstr()[()], points["row"][()])) if points is not None else []
+    paths = []
+    for number in np.unique(branches[is_of_stage]):
+        rows = np.flatnonzero(is_of_stage & (branches == number))
+        beyond = pivots[rows]
+        label = name
+        if table is not None:
+            label = table["name"].asstr()[number]
+            if table["parent"][number] >= 0:
+                rows = np.concatenate([[points[table["critical_point"][number]][1]], rows])
+                beyond = np.concatenate([[beyond[0]], beyond])
+        paths.append(Path(label, rows, beyond[:-1] <= 0))
+    return PathStage(name, loads, paths, points)
+
+
+def text(value):
+    return value.decode() if isinstance(value, bytes) else str(value)
+
+
+def path_curves(panels):
+    """Label, values and dimension of each component of these histories that changes."""
+    curves = []
+    for history, series in panels:
+        values = series.values.reshape(len(series.values), -1)
+        letters = {1: [""], 3: [" x", " y", " z"], 4: [" w", " x", " y", " z"]}[values.shape[1]]
+        spread = np.ptp(values, axis=0)
+        for letter, column, change in zip(letters, values.T, spread):
+            if change > STILL * spread.max():
+                label = f"{history.name}: {series.name.replace('_', ' ')}{letter}"
+                curves.append((label, column, series.dimension))
+    return curves
+
+
+def section_height(stages, curves):
+    return PANEL_HEIGHT * row_count(curves) * len(stages) + KEYS_HEIGHT
+
+
+def row_count(curves):
+    return max(1, -(-len(curves) // COLUMNS))
+
+
+def draw_paths(figure, stages, curves):
+    """Fills a figure or subfigure: for each stage a panel for each curve."""
+    columns = min(COLUMNS, len(curves))
+    height = section_height(stages, curves)
+    figure, keys = figure.subfigures(2, 1, height_ratios=(height - KEYS_HEIGHT, KEYS_HEIGHT))
+    grid = figure.subplots(row_count(curves) * len(stages), columns, squeeze=False)
+    places = [(stage, curve) for stage in stages for curve in curves + [None] * (-len(curves) % columns)]
+    for axes, (stage, curve) in zip(grid.flat, places):
+        if curve is None:
+            axes.remove()
+        else:
+            draw_path(axes, stage, *curve)
+    handles = list_keys(stages)
+    keys.legend(handles=handles, loc="center", ncol=len(handles), handlelength=2.2)
+
+
+def draw_path(axes, stage, label, values, dimension):
+    for number, path in enumerate(stage.paths):
+        for rows, is_stable in split_by_stability(path):
+            axes.plot(values[rows], stage.load_factors[rows], color=colour_of(number),
+                      linestyle="-" if is_stable else (0, (4, 2)))
+    for kind, row in stage.points:
+        axes.plot(values[row], stage.load_factors[row], MARKERS[kind][0], color=BLACK, markersize=5, zorder=3)
+    axes.set_title(label)
+    axes.set_xlabel(dimension if dimension != "1" else "")
+    axes.set_ylabel("load factor")
+
+
+def split_by_stability(path):
+    """Stretches of rows that are all stable or all unstable; neighbours share a row."""
+    changes = np.flatnonzero(np.diff(path.is_stable)) + 1
+    ends = [0, *changes, len(path.is_stable)]
+    return [(path.rows[first : last + 1], path.is_stable[first]) for first, last in zip(ends, ends[1:]) if last > first]
+
+
+def colour_of(number):
+    return BLUE if number == 0 else BRANCH_COLOURS[(number - 1) % len(BRANCH_COLOURS)]
+
+
+def list_keys(stages):
+    keys = [Line2D([], [], color=GREY, label="stable"),
+            Line2D([], [], color=GREY, linestyle=(0, (4, 2)), label="unstable")]
+    kinds = {kind for stage in stages for kind, _ in stage.points}
+    keys += [Line2D([], [], color=BLACK, linestyle="", marker=marker, markersize=5, label=words)
+             for kind, (marker, words) in MARKERS.items() if kind in kinds]
+    if len(stages) == 1 and len(stages[0].paths) > 1:
+        keys += [Line2D([], [], color=colour_of(number), label=path.name)
+                 for number, path in enumerate(stages[0].paths)]
+    return keys
