@@ -199,6 +199,28 @@ TEST_CASE("complex systems are solved, transposed too, and their determinants ha
     CHECK_FALSE(solver.factorize(std::vector<Complex>(values.size(), 0.0)));
 }
 
+TEST_CASE("directions of determinants know how a sparse matrix was permuted", "[linear]") {
+    // Arrows, which are eliminated from their ends.
+    for (std::int64_t size = 2; size < 8; ++size) {
+        SparsePattern pattern;
+        std::vector<std::int64_t> rows(static_cast<std::size_t>(size));
+        std::iota(rows.begin(), rows.end(), 0);
+        pattern.add_columns(1, rows);
+        for (std::int64_t i = 1; i < size; ++i) pattern.add_columns(1, std::vector<std::int64_t>{0, i});
+        std::vector<Complex> values;
+        Eigen::MatrixXcd A = Eigen::MatrixXcd::Zero(size, size);
+        pattern.visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t) {
+            const auto place = static_cast<double>(3 * row + column);
+            values.push_back(row == column ? Complex(5.0, place) : Complex(1.0, 0.1 * place));
+            A(row, column) = values.back();
+        });
+        ComplexSolver solver(pattern);
+        REQUIRE(solver.factorize(values));
+        const Complex determinant = A.determinant();
+        CHECK(std::abs(solver.determinant_direction() - determinant / std::abs(determinant)) < 1e-10);
+    }
+}
+
 TEST_CASE("right vectors of the transposed problem are left vectors", "[linear]") {
     const DenseProblem dense = make_problem(make_squares(30), 0.01, 3.0, 0.3);
     const QuadraticProblem problem = dense.sparse();
