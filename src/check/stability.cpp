@@ -52,9 +52,8 @@ std::string describe_without_potential(const StabilityChange& change) {
     return fmt::format(
         "{} the determinant of the tangent became negative: from one of these equilibria the structure "
         "diverges. "
-        "The shape: {}. Loads that follow the structure may make it flutter as well, which a dynamic "
-        "analysis "
-        "shows",
+        "The shape: {}. Loads that follow the structure may make it flutter as well: a stage of kind "
+        "eigenvalues after this one shows that",
         between,
         change.shape);
 }
@@ -131,9 +130,10 @@ std::vector<std::string> describe_stability(const std::vector<StabilityChange>& 
     }
     if (has_potential && pivots_at_end > 0) {
         sentences.push_back(fmt::format(
-            "the state at t = {:.10g} is unstable ({}): a structure leaves it at a touch. A small "
-            "imperfection "
-            "or side load in the shape that gives way shows where it goes, a dynamic analysis how",
+            "the state at t = {:.10g} is unstable ({}): a structure leaves it at a touch. kind = \"path\" "
+            "with "
+            "branches = 1, or a small side load in the shape that gives way, shows where it goes; a dynamic "
+            "analysis how",
             end,
             count_pivots(pivots_at_end)));
     }
