@@ -16,6 +16,7 @@ MOST_SHAPES = 12
 COLUMNS = 3
 PANEL_HEIGHT = 2.0
 LABEL_WIDTH = 44  # characters of a panel's title
+ROUND_OFF = 1e-9  # of a damping ratio
 PALE = "#a9c9e6"
 
 
@@ -59,9 +60,15 @@ def values_of(table):
         return [f"factor {factor:.6g}" for factor in table["factor"][()]]
     rows = zip(table["frequency"][()], table["growth"][()])
     if "damping_ratio" in table:
-        return [f"f = {frequency:.6g}  Re λ = {growth:.4g}" if frequency else f"exp({growth:.4g} t)"
-                for frequency, growth in rows]
+        return [describe_eigenvalue(frequency, growth, ratio)
+                for (frequency, growth), ratio in zip(rows, table["damping_ratio"][()])]
     return [f"grows by exp({growth:.4g} t)" if growth > 0.0 else f"f = {frequency:.6g}" for frequency, growth in rows]
+
+
+def describe_eigenvalue(frequency, growth, ratio):
+    if frequency == 0.0:
+        return f"exp({growth:.4g} t)"
+    return f"f = {frequency:.6g}" + (f"  Re λ = {growth:.4g}" if abs(ratio) > ROUND_OFF else "")
 
 
 def section_height(found):
