@@ -1,8 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace gxrod {
+
+// Eigenvalues at each of several values of a number of the deck.
+struct EigenvalueSweep {
+    std::string key;             // of the deck, such as parameters.Omega
+    std::vector<double> values;  // in the order in which modes are followed
+    bool finds_onset = true;     // where motions begin to grow, or stop to
+};
 
 // Small motions about a state with all that damps, follows or turns.
 struct EigenvalueSettings {
@@ -14,6 +24,7 @@ struct EigenvalueSettings {
     // Steps of Arnoldi's method before it looks at what it has, such as those of a problem next to this one;
     // 0: by the count.
     std::int64_t first_steps = 0;
+    std::optional<EigenvalueSweep> sweep = {};
 };
 
 }  // namespace gxrod

@@ -133,6 +133,7 @@ struct Plane {
 };
 
 struct Model {
+    bool has_inertia = true;               // otherwise masses only have weight, and damp
     std::optional<TurningFrame> rotation;  // that supports turn with, in stages of steady rotation
     std::optional<Plane> plane;
     TimeVector gravity{Vec3::Zero()};

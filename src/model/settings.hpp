@@ -59,6 +59,8 @@ struct DynamicSettings {
     double gamma = 0.5;
     double spectral_radius = 0.9;              // at infinite frequency, of generalized_alpha
     std::optional<AdaptiveSettings> adaptive;  // then time_step() is the first step
+    // Without, the motion is so slow that nothing resists acceleration (kind quasi-static).
+    bool has_inertia = true;
     NewtonSettings newton;
     LinearSolverKind linear_solver = LinearSolverKind::automatic;
 

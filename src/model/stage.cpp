@@ -12,7 +12,8 @@ Actions take_actions(Model& model) {
             std::exchange(model.loads, {}),
             std::exchange(model.distributed_loads, {}),
             std::exchange(model.supports, {}),
-            std::exchange(model.rotation, {})};
+            std::exchange(model.rotation, {}),
+            std::exchange(model.has_inertia, true)};
 }
 
 void set_actions(Actions actions, Model& model) {
@@ -21,6 +22,7 @@ void set_actions(Actions actions, Model& model) {
     model.distributed_loads = std::move(actions.distributed_loads);
     model.supports = std::move(actions.supports);
     model.rotation = std::move(actions.rotation);
+    model.has_inertia = actions.has_inertia;
 }
 
 double find_axis_start(std::span<const StagePlan> stages) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -18,7 +19,10 @@ struct Actions {
     std::vector<DistributedLoad> distributed_loads;
     std::vector<Support> supports;
     std::optional<TurningFrame> rotation = {};
+    bool has_inertia = true;
 };
+
+struct StagedModel;
 
 struct StagePlan {
     std::string name;  // "" of the one stage of a deck that has [analysis]
@@ -27,6 +31,16 @@ struct StagePlan {
     long frame_interval = 1;  // as OutputSettings::every
     // Where its t ends; of a path, once it has ended. Shared with what later stages hold at its value there.
     std::shared_ptr<double> end = {};
+    // Of a sweep: the model, and all stages, with a value of what is varied. Throws std::runtime_error if
+    // there is none.
+    std::function<StagedModel(double value)> vary = {};
+};
+
+// A model with the stages of its deck.
+struct StagedModel {
+    Model model;                  // with what acts in the first stage
+    AnalysisSettings analysis;    // of the first stage
+    std::vector<StagePlan> stages;
 };
 
 // The model's own, which it has no longer.
