@@ -23,6 +23,17 @@ void write_json(const std::string& target, const nlohmann::ordered_json& json) {
 
 namespace {
 
+nlohmann::ordered_json describe_sweep(const std::string& stage, const SweepRecord& sweep) {
+    nlohmann::ordered_json onsets = nlohmann::ordered_json::array();
+    for (const Onset& onset : sweep.onsets) {
+        onsets.push_back({{"value", onset.value},
+                          {"kind", name_kind(onset)},
+                          {"omega", onset.omega},
+                          {"begins", onset.begins}});
+    }
+    return {{"stage", stage}, {"sweep", sweep.key}, {"modes", sweep.words}, {"onsets", onsets}};
+}
+
 nlohmann::ordered_json describe_shapes(const FoundShapes& found) {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     bool is_complete = false;
@@ -39,6 +50,8 @@ nlohmann::ordered_json describe_shapes(const FoundShapes& found) {
         }
     } else if (std::holds_alternative<ResponseRecord>(found.record)) {
         is_complete = true;
+    } else if (const auto* sweep = std::get_if<SweepRecord>(&found.record)) {
+        return describe_sweep(found.stage, *sweep);
     } else {
         const auto& buckling = std::get<BucklingRecord>(found.record);
         is_complete = buckling.is_complete;

@@ -34,7 +34,8 @@ class FoundShapes:
 def stages_of_shapes(file):
     """Names of the stages that found shapes, in their order."""
     stages = file.get("stages", {})
-    found = [(int(stages[name].attrs["number"][0]), name) for name in stages if "words" in stages[name]]
+    found = [(int(stages[name].attrs["number"][0]), name) for name in stages
+             if "words" in stages[name] and "value" not in stages[name]]
     return [name for _, name in sorted(found)]
 
 

@@ -13,6 +13,8 @@ from .response import HEIGHT, draw_response
 from .results import choose_histories
 from .shapes import choose_frames, draw_shapes, fitting_size, prepare_shapes
 from .style import BLACK, new_figure
+from .sweep import HEIGHT as SWEEP_HEIGHT
+from .sweep import draw_sweep
 
 WIDTH = 12.5
 NARROW_WIDTH = 8.4  # of a figure of shapes or the ledger only
@@ -40,6 +42,7 @@ def draw_page(results, request):
     found = [found_section(results, request, each) for each in results.found()] if request.what in ("all", "found") else []
     if request.what in ("all", "found"):
         found += [response_section(each) for each in results.responses()]
+        found += [sweep_section(each) for each in results.sweeps()]
     if request.what == "found" and not found:
         raise FileFault(f"{file}: has nothing found; stages of kind modes, eigenvalues, buckling or response find it")
     if found and (request.what == "found" or len(results.times) == 1):
@@ -62,6 +65,10 @@ def found_section(results, request, found):
 
 def response_section(response):
     return HEIGHT, lambda figure: draw_response(figure, response)
+
+
+def sweep_section(sweep):
+    return SWEEP_HEIGHT, lambda figure: draw_sweep(figure, sweep)
 
 
 def histories_section(results, panels):

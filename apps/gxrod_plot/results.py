@@ -11,6 +11,7 @@ from .errors import FileFault, UsageError
 from .found import read_found
 from .response import read_response
 from .path import read_paths
+from .sweep import read_sweep
 
 VERTEX = 1
 NO_HISTORIES = ("time", "stage", "load_factor", "branch")  # columns of all of them
@@ -67,6 +68,11 @@ class Results:
         stages = self._file.get("stages", {})
         asked = {name: {series.name for series in self.history(name).quantities} for name in self.history_names}
         return [read_response(stages[name], name, asked) for name in stages if "histories" in stages[name]]
+
+    def sweeps(self):
+        """Modes that stages have followed over a number of the deck."""
+        stages = self._file.get("stages", {})
+        return [read_sweep(stages[name], name) for name in stages if "value" in stages[name]]
 
     @property
     def history_names(self):

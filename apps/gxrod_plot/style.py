@@ -9,6 +9,7 @@ import numpy as np  # noqa: E402
 from matplotlib.colors import ListedColormap  # noqa: E402
 
 BLUE, ORANGE, GREEN, PURPLE, GREY, BLACK = "#0066b3", "#e0641b", "#12946a", "#a0479c", "#8a8f98", "#22262b"
+RED = "#c2272d"
 AXIS_COLOURS = {"x": "#d1373f", "y": GREEN, "z": BLUE}
 # Dark to bright with time, without the pale end, which is invisible on paper.
 TIME_COLOURS = ListedColormap(matplotlib.colormaps["plasma"](np.linspace(0.0, 0.88, 256)), "time")

@@ -91,6 +91,15 @@ EquilibriumReport SteppedAnalysis::start_after(const SteppedAnalysis& before) {
     return start();
 }
 
+EquilibriumReport SteppedAnalysis::settle_after(const SteppedAnalysis& before, double time) {
+    state_.trial = state_.previous = before.state_.previous;
+    state_.sections = before.state_.sections;
+    const EquilibriumReport report =
+        solve_step(system_, *integrator_, newton_, {0, time, 0.0, time}, workspace_, state_);
+    if (report.converged()) accept_start(time, true);
+    return report;
+}
+
 // No force moves a support at once.
 void SteppedAnalysis::check_moved_supports() const {
     State moved = state_;

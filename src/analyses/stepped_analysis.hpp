@@ -24,6 +24,9 @@ class SteppedAnalysis {
     // The same from the state in which an earlier stage left the same mesh. Throws std::runtime_error if a
     // support that moves would have to jump there.
     EquilibriumReport start_after(const SteppedAnalysis& before);
+    // Instead of the start and all steps, in statics: the equilibrium under what acts at this time, by
+    // Newton's method from the state of an analysis of the same mesh. The books begin there.
+    EquilibriumReport settle_after(const SteppedAnalysis& before, double time);
     // What is to be known of that start, a clause; "" if nothing: a motion that does not begin in
     // equilibrium.
     const std::string& start_note() const { return start_note_; }

@@ -44,6 +44,7 @@ class Sweep {
   private:
     struct Found {
         double value = 0.0;
+        double speed = 0.0;
         std::string failure;
         std::vector<Complex> lambdas;
         std::vector<std::string> words;
@@ -66,6 +67,7 @@ class Sweep {
         const SweepState state = find_state_(value);
         ++record_.equilibria;
         found.failure = state.failure;
+        found.speed = state.speed;
         if (!found.failure.empty()) return found;
         const StateMatrices matrices = state.frame
                                            ? state.frame->compute_matrices(*state.state, state.time)
@@ -128,6 +130,7 @@ class Sweep {
     void add_point(const Found& found) {
         SweepRecord::Point point;
         point.value = found.value;
+        point.speed = found.speed;
         point.failure = found.failure;
         point.growth = find_growth(found.lambdas);
         point.is_growing = is_growing(found.lambdas);

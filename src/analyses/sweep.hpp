@@ -15,6 +15,7 @@ struct SweepState {
     const State* state = nullptr;
     double time = 0.0;                    // of loads
     const FrameColumns* frame = nullptr;  // if the state turns with one
+    double speed = 0.0;                   // of that
 };
 
 // The equilibrium at a value of the parameter, from the one that was asked for before. All models have the

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 
 namespace gxrod {
 namespace {
@@ -112,7 +113,41 @@ class Lister {
         return lines_;
     }
 
+    std::vector<std::string> operator()(const SweepRecord& record) {
+        lines_.push_back(fmt::format("{} followed over {} values of {}, from {:.6g} to {:.6g}",
+                                     plural(record.words.size(), "mode"),
+                                     record.points.size(),
+                                     record.key,
+                                     record.points.front().value,
+                                     record.points.back().value));
+        for (std::size_t i = 0; i < record.words.size(); ++i) {
+            const double first = find_omega(record.points, i),
+                         last = find_omega(std::views::reverse(record.points), i);
+            add(i + 1, fmt::format("ω {:<10.6g} … {:<10.6g} {}", first, last, record.words[i]));
+        }
+        end(record.words.size());
+        for (const Onset& onset : record.onsets) {
+            const std::string omega = onset.is_flutter ? fmt::format(", ω = {:.8g}", onset.omega) : "";
+            lines_.push_back(fmt::format("{} {} at {} = {:.10g}{}",
+                                         name_kind(onset),
+                                         onset.begins ? "begins" : "ends",
+                                         record.key,
+                                         onset.value,
+                                         omega));
+        }
+        return lines_;
+    }
+
   private:
+    // The first one that is known.
+    template <class Points>
+    static double find_omega(const Points& points, std::size_t mode) {
+        for (const SweepRecord::Point& point : points) {
+            if (mode < point.lambda.size() && !std::isnan(point.lambda[mode].imag()))
+                return point.lambda[mode].imag();
+        }
+        return std::nan("");
+    }
     // Of an undamped motion.
     static double drop_round_off(double value, const Eigenmode& mode) {
         constexpr double round_off = 1e-9;
@@ -199,6 +234,34 @@ struct Warner {
             return {fmt::format("at ω = {:.6g} there is no answer: {}", response.omega, response.failure)};
         }
         return {};
+    }
+
+    std::vector<std::string> operator()(const SweepRecord& record) const {
+        std::vector<std::string> sentences;
+        const auto fails = [](const SweepRecord::Point& point) { return !point.failure.empty(); };
+        const auto failed = std::ranges::find_if(record.points, fails);
+        if (failed != record.points.end()) {
+            sentences.push_back(fmt::format("nothing was found at {} of {} values of {}; at {:.6g}: {}",
+                                            std::ranges::count_if(record.points, fails),
+                                            record.points.size(),
+                                            record.key,
+                                            failed->value,
+                                            failed->failure));
+        }
+        for (std::size_t i = 0; i < record.words.size(); ++i) {
+            const auto loses = [&](const SweepRecord::Point& point) {
+                return !fails(point) && std::isnan(point.lambda[i].real());
+            };
+            const auto lost = std::ranges::find_if(record.points, loses);
+            if (lost == record.points.end()) continue;
+            sentences.push_back(
+                fmt::format("mode {} is lost at {} = {:.6g}: other modes came nearer to 0, or it split; a "
+                            "larger count keeps it longer",
+                            i + 1,
+                            record.key,
+                            lost->value));
+        }
+        return sentences;
     }
 
     static std::string describe_count(const ModesRecord& record) {

@@ -1,6 +1,9 @@
 #include "deck/problem.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <memory>
 
 #include "deck/build/acting.hpp"
 #include "deck/build/build_analysis.hpp"
@@ -126,6 +129,7 @@ struct DeckSource {
     const std::string& file;
     const MeshFiles& meshes;
     TableFiles tables;
+    bool is_varied = false;  // for one value of a sweep
 };
 
 CheckedTable check_with_tables(const DeckNode& tree,
@@ -136,6 +140,37 @@ CheckedTable check_with_tables(const DeckNode& tree,
     DeckNode filled = tree;
     fill_function_tables(filled, files, records, faults);
     return check_deck(filled, faults);
+}
+
+Problem read_source(const DeckSource& source,
+                    const std::vector<std::string>& overrides,
+                    const DeckRecord* before = nullptr);
+
+// The problem with a value for a key, as deck and files were read.
+StagedModel vary(const DeckRecord& record, const std::string& key, double value) {
+    Problem problem =
+        read_source({record.text, record.name, MeshFiles(record.meshes), TableFiles(record.meshes), true},
+                    {fmt::format("{}={}", key, value)});
+    return {std::move(problem.model), std::move(problem.analysis), std::move(problem.stages)};
+}
+
+// Lets each sweep build its models, and tries the first of them.
+void prepare_sweeps(const CheckedTable& deck, Problem& problem, FaultList& faults) {
+    for (std::size_t i = 0; i < problem.stages.size(); ++i) {
+        StagePlan& stage = problem.stages[i];
+        const auto* settings = std::get_if<EigenvalueSettings>(&stage.analysis);
+        if (settings == nullptr || !settings->sweep) continue;
+        stage.vary = [record = std::make_shared<DeckRecord>(problem.record),
+                      key = settings->sweep->key](double value) { return vary(*record, key, value); };
+        const std::vector<CheckedTable>& stages = deck.tables("stage");
+        const CheckedTable& table =
+            (stages.empty() ? deck.tables("analysis").front() : stages[i]).tables("sweep").front();
+        try {
+            stage.vary(settings->sweep->values.front());
+        } catch (const DeckError& error) {
+            faults.add(table.place_of("key"), table.path_of("key"), error.faults.front().message);
+        }
+    }
 }
 
 // The deck of a tree, with one to resume, if any: a key that must not differ is a fault.
@@ -156,12 +191,14 @@ Problem build_tree(DeckNode tree,
     problem.record.name = std::filesystem::path(source.file).filename().string();
     problem.record.text =
         overrides.empty() ? source.text : write_overridden_deck(problem.record.name, overrides, tree);
+    if (!source.is_varied) prepare_sweeps(deck, problem, faults);
+    faults.throw_if_any();
     return problem;
 }
 
 Problem read_source(const DeckSource& source,
                     const std::vector<std::string>& overrides,
-                    const DeckRecord* before = nullptr) {
+                    const DeckRecord* before) {
     return build_tree(read_toml(source.text, source.file), source, overrides, before);
 }
 

@@ -27,6 +27,7 @@ struct Traits {
 struct End {
     double operator()(const DynamicSettings& dynamic) const { return dynamic.end_time; }
     double operator()(const StaticSettings&) const { return 1.0; }
+    double operator()(const SteadySettings&) const { return 1.0; }
     double operator()(const PathSettings& path) const {
         return path.greatest_load.value_or(path.least_load.value_or(1.0));
     }
@@ -39,6 +40,7 @@ struct End {
 struct Steps {
     long operator()(const DynamicSettings& dynamic) const { return dynamic.adaptive ? 0 : dynamic.steps; }
     long operator()(const StaticSettings& settings) const { return settings.steps; }
+    long operator()(const SteadySettings& settings) const { return settings.steps; }
     long operator()(const PathSettings& path) const { return path.steps.value_or(0); }
     template <class Other>
     long operator()(const Other&) const {

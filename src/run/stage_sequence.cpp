@@ -8,6 +8,7 @@
 #include "analyses/modes.hpp"
 #include "analyses/response.hpp"
 #include "model/analysis_traits.hpp"
+#include "run/swept_equilibria.hpp"
 
 namespace gxrod {
 namespace {
@@ -124,10 +125,22 @@ FoundShapes StageSequence::find_shapes() const {
         found.points = response->points;
         return {stage, std::move(found)};
     }
-    if (const auto* eigenvalues = std::get_if<EigenvalueSettings>(&settings()))
+    const auto* eigenvalues = std::get_if<EigenvalueSettings>(&settings());
+    if (eigenvalues != nullptr && eigenvalues->sweep) return {stage, find_sweep(*eigenvalues)};
+    if (eigenvalues != nullptr)
         return {stage, find_eigenvalues(system, state, state.time, *eigenvalues, analysis().frame())};
     const double load_time = moving_index_ == 0 && !has_steps(plan_.analysis) ? 1.0 : state.time;
     return {stage, find_buckling(system, state, load_time, std::get<BucklingSettings>(settings()))};
+}
+
+SweepRecord StageSequence::find_sweep(const EigenvalueSettings& settings) const {
+    SweptEquilibria equilibria(plan_.stages[index_], index_, plan_.threads);
+    SweepSettings sweep{.eigenvalues = settings, .finds_onset = settings.sweep->finds_onset};
+    sweep.eigenvalues.counts = false;
+    SweepRecord record = sweep_eigenvalues(
+        settings.sweep->values, [&](double value) { return equilibria.find(value); }, sweep);
+    record.key = settings.sweep->key;
+    return record;
 }
 
 StageSequence::Current StageSequence::build() const {

@@ -91,6 +91,7 @@ class StageSequence {
 
     static Plan restore_ends(Plan plan, const RestartRecord& record);
     Current build() const;
+    SweepRecord find_sweep(const EigenvalueSettings& settings) const;
     void end_path(const std::string& cause);
     void prepare_path();
     std::string prefix() const { return plan_.stages.size() > 1 ? "stage " + name() + ": " : ""; }

@@ -5,10 +5,17 @@
 #include "state/eigenvalue_record.hpp"
 #include "state/mode_record.hpp"
 #include "state/response_record.hpp"
+#include "state/sweep_record.hpp"
 
 namespace gxrod {
 
 // What a stage that finds shapes has found.
-using ShapesRecord = std::variant<ModesRecord, BucklingRecord, EigenvaluesRecord, ResponseRecord>;
+using ShapesRecord =
+    std::variant<ModesRecord, BucklingRecord, EigenvaluesRecord, ResponseRecord, SweepRecord>;
+
+// A response has none of its own, and a sweep keeps none.
+inline bool has_shapes(const ShapesRecord& record) {
+    return !std::holds_alternative<ResponseRecord>(record) && !std::holds_alternative<SweepRecord>(record);
+}
 
 }  // namespace gxrod

@@ -16,9 +16,12 @@ struct Onset {
     bool begins = true;       // as the parameter goes on
 };
 
+inline const char* name_kind(const Onset& onset) { return onset.is_flutter ? "flutter" : "divergence"; }
+
 struct SweepRecord {
     struct Point {
         double value = 0.0;
+        double speed = 0.0;   // at which the state turns, rad per time
         std::string failure;  // why there are no eigenvalues here, "" if they were found
         // Of each mode that is followed, in the order in which the first point has them; NaN where it was
         // lost.
@@ -29,6 +32,7 @@ struct SweepRecord {
         double growth = 0.0;      // the largest Re λ of all that were found
         bool is_growing = false;  // beyond round-off
     };
+    std::string key;                 // of the deck, whose value is swept
     std::vector<std::string> words;  // of each mode, at the first point
     std::vector<Point> points;
     std::vector<Onset> onsets;  // by the parameter

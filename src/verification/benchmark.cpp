@@ -56,6 +56,22 @@ std::vector<double> list_shape_values(const ShapesRecord& record, const std::str
     return values;
 }
 
+std::vector<double> list_sweep_values(const SweepRecord& record, const BenchmarkValue& value) {
+    std::vector<double> values;
+    for (const Onset& onset : record.onsets) {
+        if (value.quantity == "onset") values.push_back(onset.value);
+        if (value.quantity == "onset_omega") values.push_back(onset.omega);
+    }
+    for (const SweepRecord::Point& point : record.points) {
+        if (!value.at || std::abs(point.value - *value.at) > same_time * std::abs(*value.at)) continue;
+        for (const std::complex<double>& lambda : point.lambda) {
+            if (value.quantity == "omega") values.push_back(lambda.imag());
+            if (value.quantity == "growth") values.push_back(lambda.real());
+        }
+    }
+    return values;
+}
+
 // Of critical points, those of the main path first.
 std::vector<double> list_critical_values(const PathRecord& record, const std::string& quantity) {
     std::vector<double> values;
@@ -70,7 +86,10 @@ std::vector<double> list_critical_values(const PathRecord& record, const std::st
 // What the stage has found.
 std::vector<double> list_found(const BenchmarkValue& value, const DeckRun& run) {
     for (const FoundShapes& shapes : run.shapes()) {
-        if (shapes.stage == value.source) return list_shape_values(shapes.record, value.quantity);
+        if (shapes.stage != value.source) continue;
+        const auto* sweep = std::get_if<SweepRecord>(&shapes.record);
+        return sweep != nullptr ? list_sweep_values(*sweep, value)
+                                : list_shape_values(shapes.record, value.quantity);
     }
     for (const PathRecord& record : run.paths()) {
         if (record.front().name == value.source) return list_critical_values(record, value.quantity);

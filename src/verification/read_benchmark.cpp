@@ -13,6 +13,8 @@
 //   [[value]]       stage = "tones", quantity = "frequency", "omega", "growth" or "factor", is = those of the
 //                   first shapes, or "load_factor" of the critical points of a path; errors are relative, the
 //                   largest counts
+//   Of a sweep "omega" and "growth" of all modes, with at = the value of the sweep, or "onset" and
+//   "onset_omega"
 //   On a path, where = { history, displacement = "x", "y" or "z", is = number } is in the place of time, and
 //   "load_factor" is a quantity, too
 //   [[refinement]]  name, set = ["KEY=VALUE"] for all rows, rows = [["KEY=VALUE"], …], order, tolerance,
@@ -144,7 +146,7 @@ class ReferenceReader {
 
     BenchmarkValue read_value(const DeckNode& table) {
         allow(table,
-              {"history", "ledger", "stage", "quantity", "time", "where", "is", "scale", "uncertainty"});
+              {"history", "ledger", "stage", "quantity", "time", "where", "at", "is", "scale", "uncertainty"});
         BenchmarkValue value;
         value.is_of_shapes = table.find("stage") != nullptr;
         value.source = table.find("ledger") != nullptr
@@ -155,6 +157,7 @@ class ReferenceReader {
         value.is_constant = is_word(table, "time", "all");
         if (!value.is_constant) value.time = number_or(table, "time", 1.0);
         value.reference = numbers(table, "is");
+        if (table.find("at") != nullptr) value.at = number_or(table, "at", 0.0);
         value.scale = number_or(table, "scale", 1.0);
         value.uncertainty = number_or(table, "uncertainty", 0.0);
         return value;

@@ -8,6 +8,7 @@
 
 #include "deck/build/build_path.hpp"
 #include "deck/build/build_response.hpp"
+#include "deck/build/listed_values.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "machine/printable.hpp"
@@ -156,9 +157,14 @@ SteadySettings build_steady(const CheckedTable& table, const BuildContext& conte
     return {build_static(table, context)};
 }
 
-EigenvalueSettings build_eigenvalues(const CheckedTable& table) {
+EigenvalueSettings build_eigenvalues(const CheckedTable& table, const BuildContext& context) {
     EigenvalueSettings settings;
     if (table.gives("count")) settings.count = static_cast<int>(table.get<long>("count"));
+    if (!table.gives("sweep")) return settings;
+    const CheckedTable& sweep = table.tables("sweep").front();
+    settings.sweep = {sweep.get<std::string>("key"),
+                      list_values(sweep, context),
+                      sweep.get<std::string>("onset") == "locate"};
     return settings;
 }
 
@@ -166,7 +172,7 @@ AnalysisSettings build_analysis(const CheckedTable& table, const BuildContext& c
     const std::string& kind = table.get<std::string>("kind");
     if (kind == "static") return build_static(table, context);
     if (kind == "steady") return build_steady(table, context);
-    if (kind == "eigenvalues") return build_eigenvalues(table);
+    if (kind == "eigenvalues") return build_eigenvalues(table, context);
     if (kind == "response") return build_response(table, context);
     if (kind == "path") {
         PathSettings path = build_path(table, context);
@@ -218,6 +224,21 @@ void check_rotation(const std::vector<StagePlan>& stages, const BuildContext& co
     }
 }
 
+// A sweep repeats what leads to its states.
+void check_sweeps(const std::vector<StagePlan>& stages, const BuildContext& context) {
+    std::string moving;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        const std::string kind = kind_of(stages[i].analysis);
+        if (has_steps(stages[i].analysis) && kind != "static" && kind != "steady") moving = kind;
+        const auto* settings = std::get_if<EigenvalueSettings>(&stages[i].analysis);
+        if (settings == nullptr || !settings->sweep || moving.empty()) continue;
+        context.add_fault(
+            context.deck.tables("stage")[i],
+            "sweep",
+            "only static and steady stages may come before, and one of kind " + moving + " does");
+    }
+}
+
 }  // namespace
 
 std::vector<StagePlan> build_stages(const BuildContext& context) {
@@ -229,6 +250,7 @@ std::vector<StagePlan> build_stages(const BuildContext& context) {
     if (stages.empty())
         stages.push_back({"", build_analysis(context.deck.tables("analysis").front(), context)});
     check_rotation(stages, context);
+    check_sweeps(stages, context);
     for (StagePlan& stage : stages) stage.end = std::make_shared<double>(end_of(stage.analysis));
     return stages;
 }

@@ -3,33 +3,26 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
+
+#include "deck/build/listed_values.hpp"
 
 namespace gxrod {
 namespace {
 
-// The numbers of a table that has their ends or lists them.
-std::vector<double> list_sweep(const CheckedTable& table, const BuildContext& context) {
-    std::vector<double> values;
+// Rising.
+std::vector<double> list_frequencies(const CheckedTable& table, const BuildContext& context) {
+    std::vector<double> values = list_values(table, context);
     if (table.gives("values")) {
-        values = table.get<std::vector<double>>("values");
         std::sort(values.begin(), values.end());
         if (values.front() < 0.0)
             context.add_fault(table, "values", "expected numbers that are not negative");
-        return values;
+    } else if (values.back() < values.front()) {
+        context.add_fault(
+            table,
+            "to",
+            fmt::format("expected a number above from, {}; found {}", values.front(), values.back()));
     }
-    const double from = table.get<double>("from"), to = table.get<double>("to");
-    const bool is_log = table.get<std::string>("spacing") == "log";
-    if (to <= from)
-        context.add_fault(table, "to", fmt::format("expected a number above from, {}; found {}", from, to));
-    if (is_log && from == 0.0) context.add_fault(table, "from", "equal ratios cannot begin at 0");
-    const long count = table.get<long>("count");
-    for (long i = 0; i < count; ++i) {
-        const double part = static_cast<double>(i) / static_cast<double>(count - 1);
-        values.push_back(is_log ? from * std::pow(to / from, part) : from + part * (to - from));
-    }
-    values.back() = to;
     return values;
 }
 
@@ -47,7 +40,7 @@ void add_excitation(const CheckedTable& table, const BuildContext& context, Resp
 ResponseSettings build_response(const CheckedTable& table, const BuildContext& context) {
     ResponseSettings settings;
     const bool is_omega = table.gives("omega");
-    settings.omegas = list_sweep(table.tables(is_omega ? "omega" : "frequency").front(), context);
+    settings.omegas = list_frequencies(table.tables(is_omega ? "omega" : "frequency").front(), context);
     if (!is_omega) {
         for (double& omega : settings.omegas) omega *= 2.0 * std::numbers::pi;
     }

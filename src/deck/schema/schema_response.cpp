@@ -7,48 +7,21 @@ namespace {
 
 constexpr Range not_negative{.lower = 0.0};
 
-TableSpec make_sweep(const char* name, const char* dimension) {
+TableSpec make_values(const char* name, const char* dimension) {
     return {.path = std::string("analysis.") + name,
             .heading = std::string(name) + " = { … }",
             .sentence = "",
-            .keys = {{.name = "from",
-                      .type = ValueType::number,
-                      .dimension = dimension,
-                      .range = not_negative,
-                      .sentence = "The first."},
-                     {.name = "to",
-                      .type = ValueType::number,
-                      .dimension = dimension,
-                      .range = positive,
-                      .presence = Presence::required,
-                      .sentence = "The last.",
-                      .only_with = "from"},
-                     {.name = "count",
-                      .type = ValueType::integer,
-                      .range = {.lower = 2, .upper = 1'000'000},
-                      .default_value = 100L,
-                      .sentence = "How many.",
-                      .only_with = "from"},
-                     {.name = "spacing",
-                      .type = ValueType::choice,
-                      .default_value = std::string("linear"),
-                      .sentence = "linear: equal steps; log: equal ratios.",
-                      .choices = {"linear", "log"},
-                      .only_with = "from"},
-                     {.name = "values",
-                      .type = ValueType::numbers,
-                      .dimension = dimension,
-                      .sentence = "Instead: these."}},
-            .groups = {{.rule = GroupRule::exactly_one, .keys = {"from", "values"}}}};
+            .keys = value_keys(dimension, not_negative, 100),
+            .groups = {value_group()}};
 }
 
 const TableSpec& omega_table() {
-    static const TableSpec table = make_sweep("omega", "angle/time");
+    static const TableSpec table = make_values("omega", "angle/time");
     return table;
 }
 
 const TableSpec& frequency_table() {
-    static const TableSpec table = make_sweep("frequency", "1/time");
+    static const TableSpec table = make_values("frequency", "1/time");
     return table;
 }
 
@@ -81,6 +54,39 @@ const TableSpec& excite_table() {
 }
 
 }  // namespace
+
+std::vector<KeySpec> value_keys(const char* dimension, const Range& range, long count) {
+    return {{.name = "from",
+             .type = ValueType::number,
+             .dimension = dimension,
+             .range = range,
+             .sentence = "The first."},
+            {.name = "to",
+             .type = ValueType::number,
+             .dimension = dimension,
+             .range = range,
+             .presence = Presence::required,
+             .sentence = "The last.",
+             .only_with = "from"},
+            {.name = "count",
+             .type = ValueType::integer,
+             .range = {.lower = 2, .upper = 1'000'000},
+             .default_value = count,
+             .sentence = "How many.",
+             .only_with = "from"},
+            {.name = "spacing",
+             .type = ValueType::choice,
+             .default_value = std::string("linear"),
+             .sentence = "linear: equal steps; log: equal ratios.",
+             .choices = {"linear", "log"},
+             .only_with = "from"},
+            {.name = "values",
+             .type = ValueType::numbers,
+             .dimension = dimension,
+             .sentence = "Instead: these."}};
+}
+
+KeyGroup value_group() { return {.rule = GroupRule::exactly_one, .keys = {"from", "values"}}; }
 
 std::vector<KeySpec> response_keys() {
     const Condition response_only{"kind", {"response"}};

@@ -24,6 +24,10 @@ std::vector<KeySpec> path_keys();
 // For the response to forces that swing.
 std::vector<KeySpec> response_keys();
 
+// Of a table of numbers: from … to, so many of them, or a list; and the group that says so.
+std::vector<KeySpec> value_keys(const char* dimension, const Range& range, long count);
+KeyGroup value_group();
+
 inline constexpr Range positive{.lower = 0.0, .at_lower = Bound::open};
 
 // Ends messages about a rotary inertia that is missing or not positive.

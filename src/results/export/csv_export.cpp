@@ -101,7 +101,7 @@ void write_table(const Hdf5Reader& file, const std::string& group, const std::fi
 struct CsvTable {
     std::string group;
     std::filesystem::path path;
-    enum class Kind { steps, items, shapes, answers } kind = Kind::steps;
+    void (*write)(const Hdf5Reader&, const std::string&, const std::filesystem::path&) = write_table;
 };
 
 std::vector<CsvTable> list_tables(const Hdf5Reader& file, const std::filesystem::path& folder) {
@@ -113,26 +113,20 @@ std::vector<CsvTable> list_tables(const Hdf5Reader& file, const std::filesystem:
     if (!file.has("/stages")) return tables;
     for (const std::string& name : file.members("/stages")) {
         const std::string group = "/stages/" + name;
+        const bool is_sweep = file.has(group + "/" + sweep_values_name);
         if (file.has(group + "/" + shape_words_name))
-            tables.push_back({group, folder / ("stage_" + name + ".csv"), CsvTable::Kind::shapes});
+            tables.push_back(
+                {group, folder / ("stage_" + name + ".csv"), is_sweep ? write_sweep_csv : write_shape_csv});
         if (file.has(group + "/histories"))
-            tables.push_back({group, folder / ("stage_" + name + ".csv"), CsvTable::Kind::answers});
-        for (const char* table : {critical_points_name, branches_name}) {
+            tables.push_back({group, folder / ("stage_" + name + ".csv"), write_response_csv});
+        for (const char* table : {critical_points_name, branches_name, onsets_name}) {
             const std::string items = fmt::format("{}/{}", group, table);
             if (file.has(items))
                 tables.push_back(
-                    {items, folder / fmt::format("stage_{}_{}.csv", name, table), CsvTable::Kind::items});
+                    {items, folder / fmt::format("stage_{}_{}.csv", name, table), write_item_csv});
         }
     }
     return tables;
-}
-
-void write(const Hdf5Reader& file, const CsvTable& table) {
-    const auto write_kind = table.kind == CsvTable::Kind::items     ? write_item_csv
-                            : table.kind == CsvTable::Kind::shapes  ? write_shape_csv
-                            : table.kind == CsvTable::Kind::answers ? write_response_csv
-                                                                    : write_table;
-    write_kind(file, table.group, table.path);
 }
 
 }  // namespace
@@ -147,7 +141,7 @@ std::vector<std::filesystem::path> export_csv(const std::filesystem::path& resul
         for (const CsvTable& table : tables) written.push_back(table.path);
         prepare_export(folder, written, existing);
         existing = Existing::replace;  // a second attempt finds our own files
-        for (const CsvTable& table : tables) write(file, table);
+        for (const CsvTable& table : tables) table.write(file, table.group, table.path);
     });
     return written;
 }

@@ -15,4 +15,8 @@ void write_shape_csv(const Hdf5Reader& file, const std::string& group, const std
 // component. Throws FileError if it cannot be written.
 void write_response_csv(const Hdf5Reader& file, const std::string& group, const std::filesystem::path& path);
 
+// The eigenvalues of a sweep: a row for each value, with columns for each mode. Throws FileError if it cannot
+// be written.
+void write_sweep_csv(const Hdf5Reader& file, const std::string& group, const std::filesystem::path& path);
+
 }  // namespace gxrod

@@ -111,6 +111,61 @@ class Writer {
         }
     }
 
+    void operator()(const SweepRecord& record) {
+        std::vector<double> values, speeds, growths, omegas, corruption, largest;
+        for (const SweepRecord::Point& point : record.points) {
+            values.push_back(point.value);
+            speeds.push_back(point.speed);
+            largest.push_back(point.failure.empty() ? point.growth : std::nan(""));
+            for (std::size_t i = 0; i < record.words.size(); ++i) {
+                const bool is_known = i < point.lambda.size();
+                growths.push_back(is_known ? point.lambda[i].real() : std::nan(""));
+                omegas.push_back(is_known ? point.lambda[i].imag() : std::nan(""));
+                corruption.push_back(is_known ? point.corruption[i] : std::nan(""));
+            }
+        }
+        write_dataset(group_, {sweep_values_name, "of " + record.key, "none", "as in the deck"}, values);
+        write_dataset(group_, {"speed", "at which the state turns", "none", "angle/time"}, speeds);
+        const std::array<hsize_t, 2> size{values.size(), record.words.size()};
+        write_dataset(
+            group_, {"omega", "imaginary part, a column for each mode", "none", "angle/time"}, size, omegas);
+        write_dataset(group_, {"growth", "real part, likewise", "none", "1/time"}, size, growths);
+        write_dataset(group_,
+                      {"corruption",
+                       "how much each mode has of another one of the value before, compared with its own",
+                       "none",
+                       "1"},
+                      size,
+                      corruption);
+        write_dataset(
+            group_, {"largest_growth", "largest real part of all found", "none", "1/time"}, largest);
+        write_dataset(group_,
+                      {shape_words_name, "each mode in words, at the first value", "none", "none"},
+                      record.words);
+        write_onsets(record.onsets);
+        write_attribute(group_.id(), "key", record.key);
+    }
+
+    void write_onsets(const std::vector<Onset>& onsets) {
+        if (onsets.empty()) return;
+        std::vector<double> values, omegas;
+        std::vector<std::int64_t> begins;
+        std::vector<std::string> kinds;
+        for (const Onset& onset : onsets) {
+            values.push_back(onset.value);
+            omegas.push_back(onset.omega);
+            begins.push_back(onset.begins ? 1 : 0);
+            kinds.emplace_back(name_kind(onset));
+        }
+        const Hdf5Handle own = require_group(group_, onsets_name);
+        write_dataset(
+            own, {"value", "where motions begin to grow, or cease to", "none", "as in the deck"}, values);
+        write_dataset(own, {"omega", "of the motion; 0 of divergence", "none", "angle/time"}, omegas);
+        write_dataset(
+            own, {"begins", "1 if it begins as the value goes on, 0 if it ends", "none", "1"}, begins);
+        write_dataset(own, {"kind", "flutter or divergence", "none", "none"}, kinds);
+    }
+
     void write_shapes(const std::vector<const Shape*>& shapes, std::span<const double> scales) {
         std::vector<double> shares;
         std::vector<std::string> words;
@@ -180,7 +235,7 @@ void write_shape_table(const Hdf5Handle& group,
                        std::span<const double> scales) {
     Writer writer(group, model);
     std::visit(std::ref(writer), record);
-    if (!std::holds_alternative<ResponseRecord>(record)) writer.write_shapes(list_shapes_of(record), scales);
+    if (has_shapes(record)) writer.write_shapes(list_shapes_of(record), scales);
 }
 
 std::vector<const Shape*> list_shapes_of(const ShapesRecord& record) {
@@ -193,7 +248,7 @@ std::vector<const Shape*> list_shapes_of(const ShapesRecord& record) {
         for (const Eigenmode& mode : found->modes) shapes.push_back(&mode.shape);
         return shapes;
     }
-    if (std::holds_alternative<ResponseRecord>(record)) return shapes;
+    if (!has_shapes(record)) return shapes;
     const auto& buckling = std::get<BucklingRecord>(record);
     for (const auto* list : {&buckling.factors, &buckling.reversed}) {
         for (const BucklingFactor& one : *list) shapes.push_back(&one.shape);

@@ -11,6 +11,9 @@ namespace gxrod {
 
 // The dataset of words for each shape.
 inline constexpr const char* shape_words_name = "words";
+// The dataset of the values of a sweep.
+inline constexpr const char* sweep_values_name = "value";
+inline constexpr const char* onsets_name = "onset";
 // Whether a group of /stages is of a stage that took no steps.
 inline bool has_findings(const Hdf5Handle& group) {
     return has_link(group, shape_words_name) || has_link(group, "omega");
