@@ -107,7 +107,7 @@ bool has_uneven_loads(const Model& model) {
 // EvaluationError.
 int start_analysis(const Problem& problem) {
     const auto* dynamic = std::get_if<DynamicSettings>(&problem.analysis);
-    if (dynamic == nullptr) {
+    if (dynamic == nullptr || !dynamic->has_inertia) {
         if (has_uneven_loads(problem.model)) make_analysis(problem.model, problem.analysis)->start();
         return exit_done;
     }

@@ -26,7 +26,7 @@ std::string describe_end(const AnalysisSettings& analysis, double time, const st
             "longer\n",
             results);
     }
-    if (!needs_inertia(analysis)) {
+    if (!is_timed(analysis)) {
         return fmt::format("{} is at its end, load factor 1; nothing was changed\n", results);
     }
     return fmt::format(

@@ -1,5 +1,6 @@
 #include "analyses/dynamic.hpp"
 
+#include "integrators/quasi_static.hpp"
 #include "model/newton_choice.hpp"
 
 namespace gxrod {
@@ -7,16 +8,32 @@ namespace gxrod {
 DynamicAnalysis::DynamicAnalysis(const Model& model, const DynamicSettings& settings, int threads)
     : SteppedAnalysis(model,
                       threads,
-                      make_integrator(settings),
+                      settings.has_inertia ? make_integrator(settings) : std::make_unique<QuasiStatic>(),
                       choose_newton(model, settings),
                       settings.linear_solver,
                       make_step_sequence(settings)) {}
 
 EquilibriumReport DynamicAnalysis::start() {
+    if (!system_.model().has_inertia) {
+        start_at_rest();
+        return {};
+    }
     const TimeSpan first_step{0.0, steps_->time_step()};
     const EquilibriumReport report = solve_accelerations(system_, 0.0, first_step, workspace_, state_);
     if (report.converged()) accept_start();
     return report;
+}
+
+// What creeps at once has no rate yet.
+void DynamicAnalysis::start_at_rest() {
+    for (NodeMotion& motion : state_.trial) {
+        motion.v.setZero();
+        motion.omega.setZero();
+        motion.a.setZero();
+        motion.alpha.setZero();
+    }
+    system_.compute_residual(state_, 0.0, workspace_.residual);
+    accept_start();
 }
 
 }  // namespace gxrod

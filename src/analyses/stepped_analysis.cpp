@@ -86,7 +86,7 @@ EquilibriumReport SteppedAnalysis::start_after(const SteppedAnalysis& before) {
     if (before.accepted_pivots() >= 0) resume_pivots(before.accepted_pivots());
     if (!integrator_->is_static()) {
         check_moved_supports();
-        start_note_ = describe_imbalance();
+        if (system_.model().has_inertia) start_note_ = describe_imbalance();
     }
     return start();
 }

@@ -40,7 +40,7 @@ RodElementGeometry<Nodes> find_geometry(const Model& model, const Rod& rod, int 
 
 template <class E>
 void add_rod(const Model& model, const Rod& rod, int group, int first_element, ElementBlock<E>& block) {
-    const auto section = std::make_shared<const RodSection>(model.sections[rod.section]);
+    const auto section = std::make_shared<const RodSection>(model.sections[rod.section], model.has_inertia);
     const auto count = static_cast<std::size_t>(rod.element_count());
     reserve_more(count, block.elements);
     reserve_more(count, block.section_index);
@@ -114,7 +114,7 @@ System::System(const Model& model, const Kernels& kernels, const ThreadTeam& tea
 void System::build_blocks() {
     auto& bodies = std::get<ElementBlock<RigidBody>>(blocks_);
     for (int body = 0; body < static_cast<int>(model_->bodies.size()); ++body) {
-        bodies.elements.emplace_back(model_->bodies[body]);
+        bodies.elements.emplace_back(model_->bodies[body], model_->has_inertia);
         bodies.groups.push_back(scale_groups_.of_body(body));
     }
     for (int index = 0; index < static_cast<int>(model_->rods.size()); ++index) {
@@ -187,7 +187,7 @@ void System::build_batches() {
                     const int node = element.nodes[i];
                     const int group = scale_groups_.of_node(node);
                     const Mat3 inertia = element.inertia().compute_rotary_inertia(i);
-                    rotary_batches_.add(node, group, inertia);
+                    if (model_->has_inertia) rotary_batches_.add(node, group, inertia);
                     if (damping > 0.0) rotary_damping_batches_.add(node, group, damping * inertia);
                 }
             }

@@ -45,12 +45,14 @@ void RodBatches<Nodes>::add_to_batches(int element) {
     const bool is_same = !sections_.empty() && sections_.back() == section;
     if (!is_same) sections_.push_back(section);
     if (!is_same || batches_.size() == first_batch_.back() || batches_.back().count == width_) {
-        batches_.push_back({.section = sections_.size() - 1,
-                            .is_general = added.is_damped() || added.inertia().has_offset(),
-                            .is_damped = added.is_damped(),
-                            .count = 0,
-                            .elements = {},
-                            .nodes = {}});
+        batches_.push_back(
+            {.section = sections_.size() - 1,
+             .is_general = added.is_damped() || added.inertia().has_offset(),
+             .is_damped = added.is_damped(),
+             .is_alone = added.inertia().has_offset() && !added.inertia().section().has_inertia,
+             .count = 0,
+             .elements = {},
+             .nodes = {}});
     }
     Batch& batch = batches_.back();
     for (int lane = batch.count++; lane < width_; ++lane) {
@@ -137,7 +139,8 @@ void RodBatches<Nodes>::add_forces(std::size_t part,
     for (std::size_t b = first_batch_[part]; b < first_batch_[part + 1]; ++b) {
         const Batch& batch = batches_[b];
         write_motions(batch, motions, gravity, rows.data());
-        if (!kernels_of(batch).compute_forces(section(batch), constants(b), rows.data(), forces.data())) {
+        if (batch.is_alone ||
+            !kernels_of(batch).compute_forces(section(batch), constants(b), rows.data(), forces.data())) {
             add_forces_alone(batch, motions, gravity, nodal, scales);
             continue;
         }
@@ -216,7 +219,8 @@ void RodBatches<Nodes>::add_tangents(std::size_t part,
     for (std::size_t b = first_batch_[part]; b < first_batch_[part + 1]; ++b) {
         const Batch& batch = batches_[b];
         write_linearizations(batch, motions, gravity, linearizations, rows.data());
-        if (!kernels_of(batch).compute_tangents(section(batch), constants(b), rows.data(), tangents.data())) {
+        if (batch.is_alone ||
+            !kernels_of(batch).compute_tangents(section(batch), constants(b), rows.data(), tangents.data())) {
             add_tangents_alone(batch, motions, gravity, linearizations, values);
             continue;
         }

@@ -45,6 +45,7 @@ class RodBatches {
         std::size_t section;
         bool is_general;  // of its section
         bool is_damped;
+        bool is_alone;  // kernels know no masses off the axis that have no inertia
         int count;
         std::array<int, most_lanes> elements;
         std::array<std::array<int, Nodes>, most_lanes> nodes;

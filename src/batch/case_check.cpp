@@ -7,7 +7,7 @@
 #include "batch/case_groups.hpp"
 #include "batch/collector.hpp"
 #include "check/model_examination.hpp"
-#include "deck/reading/override_key.hpp"
+#include "deck/reading/overrides.hpp"
 #include "deck/schema/suggestion.hpp"
 #include "results/results_size.hpp"
 
@@ -19,21 +19,10 @@ constexpr long most_faulty_cases = 1000;
 
 // Parameters that the deck does not have: --set would add them, and nothing would use them.
 void check_parameters(const CaseContext& context, FaultList& faults) {
-    const DeckEntry* table = context.decks.front().tree().find("parameters");
-    std::vector<std::string> names;
-    if (table != nullptr && table->node.table() != nullptr) {
-        for (const DeckEntry& entry : *table->node.table()) names.push_back(entry.key);
-    }
     for (const Variation& variation : context.plan.variations) {
-        const auto steps = split_key(variation.key);
-        if (!steps || steps->size() != 2 || steps->at(0) != KeyStep("parameters")) continue;
-        const auto* name = std::get_if<std::string>(&steps->at(1));
-        if (name == nullptr || std::find(names.begin(), names.end(), *name) != names.end()) continue;
-        const std::string hint = did_you_mean(*name, names);
-        const std::string known = names.empty() ? "; it has none" : "; it has " + plain_list(names);
-        faults.add(variation.place,
-                   fmt::format("vary.\"{}\"", variation.key),
-                   fmt::format("the deck has no parameter \"{}\"{}", *name, hint.empty() ? known : hint));
+        const std::string lack = describe_missing_parameter(variation.key, context.decks.front().tree());
+        if (!lack.empty())
+            faults.add(variation.place, fmt::format("vary.\"{}\"", variation.key), "the deck has no " + lack);
     }
 }
 

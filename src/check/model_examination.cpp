@@ -152,7 +152,7 @@ void find_missing_causes(const Model& model,
         findings.push_back({Severity::warning, "gravity acts on nothing: the model has no mass"});
     }
     if (any_load(model) || !has_steps(analysis)) return;
-    if (!needs_inertia(analysis)) {
+    if (!is_timed(analysis)) {
         findings.push_back({Severity::warning, "nothing loads the model: it has no load, gravity or move"});
     } else if (!any_velocity(model)) {
         findings.push_back({Severity::warning,

@@ -97,6 +97,14 @@ std::string describe_total(const Model& model) {
 namespace {
 
 std::string describe_dynamic(const DynamicSettings& settings) {
+    if (!settings.has_inertia) {
+        const std::string steps =
+            settings.adaptive ? fmt::format("steps by their error, tolerance {:.6g}, first step {:.6g}",
+                                            settings.adaptive->tolerance,
+                                            settings.time_step())
+                              : fmt::format("{} steps of {:.6g}", settings.steps, settings.time_step());
+        return fmt::format("quasi-static analysis: {} to t = {:.6g}\n", steps, settings.end_time);
+    }
     std::string parameters;
     if (settings.scheme == Scheme::newmark_simplified || settings.scheme == Scheme::newmark_ibrahimbegovic) {
         parameters = fmt::format(" (beta {:.6g}, gamma {:.6g})", settings.beta, settings.gamma);
@@ -164,8 +172,14 @@ std::string describe_analysis(const AnalysisSettings& settings) {
     }
     if (const auto* buckling = std::get_if<BucklingSettings>(&settings))
         return fmt::format("linear buckling: the {} smallest factors\n", buckling->count);
-    if (const auto* eigenvalues = std::get_if<EigenvalueSettings>(&settings))
-        return fmt::format("eigenvalues: the {} nearest to 0\n", eigenvalues->count);
+    const auto* eigenvalues = std::get_if<EigenvalueSettings>(&settings);
+    if (eigenvalues != nullptr && eigenvalues->sweep) {
+        return fmt::format("eigenvalues: the {} nearest to 0, at {} values of {}\n",
+                           eigenvalues->count,
+                           eigenvalues->sweep->values.size(),
+                           eigenvalues->sweep->key);
+    }
+    if (eigenvalues != nullptr) return fmt::format("eigenvalues: the {} nearest to 0\n", eigenvalues->count);
     if (const auto* response = std::get_if<ResponseSettings>(&settings))
         return fmt::format("response to forces at {} frequencies\n", response->omegas.size());
     if (std::holds_alternative<SteadySettings>(settings)) {

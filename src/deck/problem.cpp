@@ -53,6 +53,8 @@ void build_actions(BuildContext& context) {
         context.stage = i;
         Actions first;
         if (i > 0) first = take_actions(context.model);
+        const auto* timed = std::get_if<DynamicSettings>(&context.stages[i].analysis);
+        context.model.has_inertia = timed == nullptr || timed->has_inertia;
         build_supports(context);
         check_velocities(context);
         build_loads(context);
@@ -77,10 +79,10 @@ void note_stages(const std::vector<StagePlan>& stages, DeckRecord& record) {
     record.is_static = true;
     for (const StagePlan& stage : stages) {
         if (!stage.name.empty()) record.stages.push_back(stage.name);
-        record.has_statics = record.has_statics || !needs_inertia(stage.analysis);
+        record.has_statics = record.has_statics || !is_timed(stage.analysis);
         record.finds_shapes = record.finds_shapes || !has_steps(stage.analysis);
         record.has_paths = record.has_paths || is_path(stage.analysis);
-        record.is_static = record.is_static && !needs_inertia(stage.analysis);
+        record.is_static = record.is_static && !is_timed(stage.analysis);
     }
 }
 
@@ -155,7 +157,7 @@ StagedModel vary(const DeckRecord& record, const std::string& key, double value)
 }
 
 // Lets each sweep build its models, and tries the first of them.
-void prepare_sweeps(const CheckedTable& deck, Problem& problem, FaultList& faults) {
+void prepare_sweeps(const DeckNode& tree, const CheckedTable& deck, Problem& problem, FaultList& faults) {
     for (std::size_t i = 0; i < problem.stages.size(); ++i) {
         StagePlan& stage = problem.stages[i];
         const auto* settings = std::get_if<EigenvalueSettings>(&stage.analysis);
@@ -165,10 +167,16 @@ void prepare_sweeps(const CheckedTable& deck, Problem& problem, FaultList& fault
         const std::vector<CheckedTable>& stages = deck.tables("stage");
         const CheckedTable& table =
             (stages.empty() ? deck.tables("analysis").front() : stages[i]).tables("sweep").front();
+        const std::string& key = settings->sweep->key;
+        const std::string lack = describe_missing_parameter(key, tree);
+        if (!lack.empty()) faults.add(table.place_of("key"), table.path_of("key"), "the deck has no " + lack);
+        const double first = settings->sweep->values.front();
         try {
-            stage.vary(settings->sweep->values.front());
+            stage.vary(first);
         } catch (const DeckError& error) {
-            faults.add(table.place_of("key"), table.path_of("key"), error.faults.front().message);
+            faults.add(table.place_of("key"),
+                       table.path_of("key"),
+                       fmt::format("with {}={}: {}", key, first, error.faults.front().message));
         }
     }
 }
@@ -191,7 +199,7 @@ Problem build_tree(DeckNode tree,
     problem.record.name = std::filesystem::path(source.file).filename().string();
     problem.record.text =
         overrides.empty() ? source.text : write_overridden_deck(problem.record.name, overrides, tree);
-    if (!source.is_varied) prepare_sweeps(deck, problem, faults);
+    if (!source.is_varied) prepare_sweeps(tree, deck, problem, faults);
     faults.throw_if_any();
     return problem;
 }

@@ -14,7 +14,8 @@ class RigidBody {
     static constexpr bool has_section = false;
     std::array<int, 1> nodes;
 
-    explicit RigidBody(const Body& body);
+    // Without inertia it only has weight.
+    explicit RigidBody(const Body& body, bool has_inertia = true);
 
     void add_internal_force(const Motions<1>&, Histories, NodalVector<1>&) const {}
     void add_internal_tangent(const Motions<1>&, Histories, const Linearizations<1>&, NodalMatrix<1>&) const {
@@ -40,7 +41,10 @@ class RigidBody {
     Momentum momentum(const Motions<1>& motions) const;
 
   private:
+    NodeMotion take_motion(const NodeMotion& motion) const;
+
     RigidInertia inertia_;
+    bool has_inertia_;
 };
 
 static_assert(Element<RigidBody>);

@@ -4,8 +4,12 @@ namespace gxrod {
 namespace {
 
 struct Traits {
-    AnalysisTraits operator()(const DynamicSettings&) const {
-        return {.kind = "dynamic", .has_steps = true, .needs_inertia = true, .uses_mass = true};
+    AnalysisTraits operator()(const DynamicSettings& settings) const {
+        return {.kind = settings.has_inertia ? "dynamic" : "quasi-static",
+                .has_steps = true,
+                .is_timed = true,
+                .needs_inertia = settings.has_inertia,
+                .uses_mass = settings.has_inertia};
     }
     AnalysisTraits operator()(const StaticSettings&) const { return {}; }
     AnalysisTraits operator()(const SteadySettings&) const { return {.kind = "steady", .uses_mass = true}; }

@@ -9,7 +9,9 @@ struct AnalysisTraits {
     const char* kind = "static";  // as decks say it
     // Takes steps in t that move the state; other kinds look at the state that they are given.
     bool has_steps = true;
-    // t is time and accelerations are integrated: every free motion needs inertia, and there are velocities.
+    // t is time, and loads are as they are written; otherwise it is the load factor.
+    bool is_timed = false;
+    // Accelerations are integrated: every free motion needs inertia, and there are initial velocities.
     bool needs_inertia = false;
     // Masses matter, though some motions may have none.
     bool uses_mass = false;
@@ -22,6 +24,7 @@ inline bool has_steps(const AnalysisSettings& analysis) { return traits_of(analy
 inline bool is_path(const AnalysisSettings& analysis) {
     return std::holds_alternative<PathSettings>(analysis);
 }
+inline bool is_timed(const AnalysisSettings& analysis) { return traits_of(analysis).is_timed; }
 inline bool needs_inertia(const AnalysisSettings& analysis) { return traits_of(analysis).needs_inertia; }
 
 // Where t ends, which starts at 0: the time, or the load factor. Of a path, where it may end: its bound,

@@ -19,7 +19,7 @@ const NewtonSettings& newton_of(const AnalysisSettings& analysis) {
 TangentChoice choose_tangent(const Model& model, const AnalysisSettings& analysis) {
     const NewtonSettings& newton = newton_of(analysis);
     if (newton.tangent != TangentKind::automatic) return {newton.tangent};
-    if (!needs_inertia(analysis)) return {TangentKind::mixed};
+    if (!is_timed(analysis)) return {TangentKind::mixed};
     const std::optional<StiffnessRatio> ratio = find_stiffness_ratio(model);
     if (!ratio || ratio->ratio < mixed_from_ratio) return {TangentKind::consistent};
     return {TangentKind::mixed, ratio};

@@ -30,7 +30,7 @@ double find_axis_start(std::span<const StagePlan> stages) {
     for (const StagePlan& stage : stages) {
         if (!has_steps(stage.analysis)) continue;
         if (is_path(stage.analysis)) return 0.0;
-        if (needs_inertia(stage.analysis)) return -length;
+        if (is_timed(stage.analysis)) return -length;
         length += end_of(stage.analysis);
     }
     return 0.0;

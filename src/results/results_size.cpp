@@ -42,7 +42,7 @@ ResultsSize estimate_results_size(const Model& model,
     size.steps = static_cast<double>(steps_of(analysis));
     const long every = output.every > 0 ? output.every : choose_frame_interval(analysis);
     size.frames = 1.0 + std::ceil(size.steps / static_cast<double>(every));
-    double numbers = (size.steps + 1.0) * count_step_numbers(output, !needs_inertia(analysis));
+    double numbers = (size.steps + 1.0) * count_step_numbers(output, !is_timed(analysis));
     if (output.compression == Compression::none) numbers += size.frames * count_frame_numbers(model);
     size.bytes = numbers * sizeof(double);
     return size;

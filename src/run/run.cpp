@@ -333,7 +333,7 @@ class Run {
         RunTotals& totals = summary_.totals;
         totals.largest_energy = std::max({totals.largest_energy, energy, std::abs(ledger.external_work)});
         totals.largest_energy_error = std::max(totals.largest_energy_error, std::abs(ledger.energy_error));
-        if (needs_inertia(stages_->settings()) || analysis().frame() != nullptr) return;
+        if (is_timed(stages_->settings()) || analysis().frame() != nullptr) return;
         const EnergyPoint point = point_of(ledger);
         if (has_started_) {
             const std::optional<EnergyJump> jump = find_jump(last_point_, point, totals.largest_energy);

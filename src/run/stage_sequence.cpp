@@ -110,7 +110,14 @@ const AnalysisSettings& StageSequence::settings() const {
 
 FoundShapes StageSequence::find_shapes() const {
     const std::string stage = name().empty() ? kind_of(settings()) : name();
-    const System& system = analysis().system();
+    // After a quasi-static stage, whose system has none.
+    std::optional<Model> with_inertia;
+    std::optional<System> own_system;
+    if (!model().has_inertia) {
+        with_inertia.emplace(model()).has_inertia = true;
+        own_system.emplace(*with_inertia, analysis().system().team());
+    }
+    const System& system = own_system ? *own_system : analysis().system();
     State state = analysis().state();
     undo_trial(state);
     if (const auto* modes = std::get_if<ModesSettings>(&settings()))

@@ -135,7 +135,7 @@ LineFunction Acting::apply(const LineExpression& value) const {
 Acting find_acting(const BuildContext& context) {
     const StagePlan& first = find_first_with_steps(context);
     const bool is_first = &first == &context.stages[context.stage];
-    if (is_first) return {.grows = !needs_inertia(context.analysis())};
+    if (is_first) return {.grows = !is_timed(context.analysis())};
     const bool grew_elsewhere = is_path(first.analysis);
     return {.held_at = grew_elsewhere ? first.end : nullptr};
 }

@@ -112,6 +112,20 @@ LinearSolverKind find_linear_solver(const CheckedTable& table) {
     return value_of(linear_solver_choices, table.get<std::string>("linear_solver"));
 }
 
+// By the scheme of order 4, whose last stage is the equilibrium at the end of the step.
+DynamicSettings build_quasi_static(const CheckedTable& table, const BuildContext& context) {
+    DynamicSettings settings;
+    settings.has_inertia = false;
+    settings.scheme = Scheme::sdirk_4;
+    settings.end_time = table.get<double>("end_time");
+    settings.steps = find_steps(table, settings.end_time, context);
+    settings.adaptive = build_adaptive(table, context);
+    if (settings.adaptive) note_first_step(settings, table, context);
+    read_newton(table, "quasi-static analyses", context, settings.newton);
+    settings.linear_solver = find_linear_solver(table);
+    return settings;
+}
+
 DynamicSettings build_dynamic(const CheckedTable& table, const BuildContext& context) {
     DynamicSettings settings;
     settings.end_time = table.get<double>("end_time");
@@ -171,6 +185,7 @@ EigenvalueSettings build_eigenvalues(const CheckedTable& table, const BuildConte
 AnalysisSettings build_analysis(const CheckedTable& table, const BuildContext& context) {
     const std::string& kind = table.get<std::string>("kind");
     if (kind == "static") return build_static(table, context);
+    if (kind == "quasi-static") return build_quasi_static(table, context);
     if (kind == "steady") return build_steady(table, context);
     if (kind == "eigenvalues") return build_eigenvalues(table, context);
     if (kind == "response") return build_response(table, context);

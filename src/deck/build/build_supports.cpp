@@ -144,7 +144,7 @@ void build_supports(BuildContext& context) {
         if (!acts_in_stage(table, context)) continue;
         const std::optional<PlacedPoint> point = context.place(table.get<std::string>("at"));
         if (point) merge_support(table, find_support(point->node, supports, by_node), context);
-        if (!needs_inertia(context.analysis())) continue;
+        if (!is_timed(context.analysis())) continue;
         const auto moves = moves_of(table);
         for (std::size_t i = 0; i < moves.size(); ++i) {
             if (moves[i] == nullptr) continue;

@@ -189,6 +189,21 @@ void apply_overrides(const std::vector<std::string>& overrides, DeckNode& deck, 
     }
 }
 
+std::string describe_missing_parameter(const std::string& key, const DeckNode& deck) {
+    const auto steps = split_key(key);
+    if (!steps || steps->size() != 2 || steps->at(0) != KeyStep("parameters")) return "";
+    std::vector<std::string> names;
+    const DeckEntry* table = deck.find("parameters");
+    if (table != nullptr && table->node.table() != nullptr) {
+        for (const DeckEntry& entry : *table->node.table()) names.push_back(entry.key);
+    }
+    const auto* name = std::get_if<std::string>(&steps->at(1));
+    if (name == nullptr || std::find(names.begin(), names.end(), *name) != names.end()) return "";
+    const std::string hint = did_you_mean(*name, names);
+    const std::string known = names.empty() ? "; it has none" : "; it has " + plain_list(names);
+    return fmt::format("parameter \"{}\"{}", *name, hint.empty() ? known : hint);
+}
+
 std::string write_overridden_deck(const std::string& name,
                                   const std::vector<std::string>& overrides,
                                   const DeckNode& deck) {

@@ -13,6 +13,10 @@ namespace gxrod {
 // text, as steps excludes time_step, takes their place. What is wrong goes to the fault list.
 void apply_overrides(const std::vector<std::string>& overrides, DeckNode& deck, FaultList& faults);
 
+// If the key is one of [parameters] that the deck does not have, so that a value would be added which nothing
+// uses: 'parameter "NAME"' and which there are; "" otherwise.
+std::string describe_missing_parameter(const std::string& key, const DeckNode& deck);
+
 // The deck as run: its overrides named in a comment, then the deck itself.
 std::string write_overridden_deck(const std::string& name,
                                   const std::vector<std::string>& overrides,

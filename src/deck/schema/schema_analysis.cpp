@@ -8,8 +8,9 @@ namespace gxrod {
 namespace {
 
 const Condition dynamic_only{"kind", {"dynamic"}};
-const Condition equal_steps{"kind", {"dynamic", "static", "steady"}};
-const Condition with_steps{"kind", {"dynamic", "static", "path", "steady"}};
+const Condition timed{"kind", {"dynamic", "quasi-static"}};
+const Condition equal_steps{"kind", {"dynamic", "quasi-static", "static", "steady"}};
+const Condition with_steps{"kind", {"dynamic", "quasi-static", "static", "path", "steady"}};
 const Condition path_only{"kind", {"path"}};
 const Condition modes_only{"kind", {"modes"}};
 const Condition with_shapes{"kind", {"modes", "buckling", "eigenvalues"}};
@@ -129,7 +130,7 @@ std::vector<KeySpec> scheme_keys() {
          .sentence =
              "Steps chosen by an estimate of their error; time_step or steps gives the first one; left "
              "out, equal steps.",
-         .only_for = for_schemes({Scheme::sdirk_4}),
+         .only_for = {timed, for_schemes({Scheme::sdirk_4}).back()},
          .table = &adaptive_table()},
         {.name = "newton",
          .type = ValueType::table,
@@ -201,32 +202,42 @@ std::vector<KeySpec> analysis_keys() {
         {.name = "kind",
          .type = ValueType::choice,
          .presence = Presence::required,
-         .sentence = "dynamic: the motion from t = 0 to end_time. static: equilibria while the "
-                     "load factor t goes from 0 to 1; loads, gravity and moves whose value has "
-                     "no t are multiplied by it. path: the same along a path of equilibria, on which t can "
-                     "turn back at limit points, with the branches that leave it. modes: vibrations about "
-                     "the state that the stage before "
-                     "leaves, or about the reference shape without loads. buckling: the factors on the "
-                     "loads at which that state gives way, by linear theory. steady: equilibria in a frame "
-                     "that turns, "
-                     "see [rotation]. eigenvalues: small motions about the state with damping, loads that "
-                     "follow and rotation: frequencies, damping ratios, flutter. response: the steady motion "
-                     "about the "
-                     "state under forces that swing with each of many frequencies.",
-         .choices = {"dynamic", "static", "path", "steady", "modes", "buckling", "eigenvalues", "response"}},
+         .sentence =
+             "dynamic: the motion from t = 0 to end_time. static: equilibria while the "
+             "load factor t goes from 0 to 1; loads, gravity and moves whose value has "
+             "no t are multiplied by it. path: the same along a path of equilibria, on which t can "
+             "turn back at limit points, with the branches that leave it. quasi-static: in time, but so "
+             "slowly that inertia does not matter; damping does. modes: vibrations about "
+             "the state that the stage before "
+             "leaves, or about the reference shape without loads. buckling: the factors on the "
+             "loads at which that state gives way, by linear theory. steady: equilibria in a frame "
+             "that turns, "
+             "see [rotation]. eigenvalues: small motions about the state with damping, loads that "
+             "follow and rotation: frequencies, damping ratios, flutter. response: the steady motion "
+             "about the "
+             "state under forces that swing with each of many frequencies.",
+         .choices = {"dynamic",
+                     "static",
+                     "quasi-static",
+                     "path",
+                     "steady",
+                     "modes",
+                     "buckling",
+                     "eigenvalues",
+                     "response"}},
         {.name = "end_time",
          .type = ValueType::number,
          .dimension = "time",
          .range = positive,
          .presence = Presence::required,
          .sentence = "Where the analysis ends; it starts at t = 0.",
-         .only_for = {dynamic_only}},
+         .only_for = {timed}},
         {.name = "time_step",
          .type = ValueType::number,
          .dimension = "time",
          .range = positive,
          .sentence = "Of equal steps; shortened where it does not divide end_time.",
-         .only_for = {dynamic_only}},
+         .only_for = {timed}},
         {.name = "steps",
          .type = ValueType::integer,
          .range = {.lower = 1, .upper = static_cast<double>(largest_step_count)},
@@ -248,9 +259,7 @@ const TableSpec& analysis_table() {
         .heading = "[analysis]",
         .sentence = "What is asked of the model.",
         .keys = analysis_keys(),
-        .groups = {{.rule = GroupRule::exactly_one,
-                    .keys = {"time_step", "steps"},
-                    .only_for = {dynamic_only}},
+        .groups = {{.rule = GroupRule::exactly_one, .keys = {"time_step", "steps"}, .only_for = {timed}},
                    {.rule = GroupRule::at_most_one, .keys = {"count", "below"}, .only_for = {modes_only}},
                    {.rule = GroupRule::exactly_one,
                     .keys = {"omega", "frequency"},

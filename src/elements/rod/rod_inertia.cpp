@@ -62,7 +62,7 @@ auto RodInertia<Nodes>::compute_accelerations(const Motions<Nodes>& motions,
     Columns3 accelerations;
     for (int i = 0; i < Nodes; ++i) {
         accelerations.col(i) = motions[i]->a - gravity;
-        if (!has_offset()) continue;
+        if (!has_offset() || !section_->has_inertia) continue;
         const Vec3& omega = motions[i]->omega;
         const Vec3 d_i = d.col(i);
         accelerations.col(i) += motions[i]->alpha.cross(d_i) + omega.cross(omega.cross(d_i));
@@ -75,6 +75,7 @@ void RodInertia<Nodes>::add_force(const Motions<Nodes>& motions,
                                   const Vec3& gravity,
                                   NodalVector<Nodes>& force) const {
     add_translational_force(motions, gravity, force);
+    if (!section_->has_inertia) return;
     for (int i = 0; i < Nodes; ++i) {
         force.template segment<3>(6 * i + 3) +=
             turn(i, *motions[i]).compute_moment(motions[i]->omega, motions[i]->alpha);
@@ -113,10 +114,13 @@ void RodInertia<Nodes>::add_translational_tangent(const Motions<Nodes>& motions,
         const Mat3 spin_d = spin(d.col(j));
         const Mat3 spin_omega = spin(motions[j]->omega);
         // How the centre of mass's acceleration follows the spin of node j.
-        const Mat3 by_spin =
-            -spin_d * linearization.d_alpha -
-            (spin(motions[j]->omega.cross(Vec3(d.col(j)))) + spin_omega * spin_d) * linearization.d_omega -
-            linearization.placement * (spin(motions[j]->alpha) + spin_omega * spin_omega) * spin_d;
+        Mat3 by_spin = Mat3::Zero();
+        if (section_->has_inertia) {
+            by_spin = -spin_d * linearization.d_alpha -
+                      (spin(motions[j]->omega.cross(Vec3(d.col(j)))) + spin_omega * spin_d) *
+                          linearization.d_omega -
+                      linearization.placement * (spin(motions[j]->alpha) + spin_omega * spin_omega) * spin_d;
+        }
         for (int i = 0; i < Nodes; ++i) {
             const Mat3 lever = mass_(i, j) * spin(d.col(i));
             tangent.template block<3, 3>(6 * i, 6 * j + 3) += mass_(i, j) * by_spin;
@@ -134,6 +138,7 @@ void RodInertia<Nodes>::add_tangent(const Motions<Nodes>& motions,
                                     const Linearizations<Nodes>& linearizations,
                                     NodalMatrix<Nodes>& tangent) const {
     add_translational_tangent(motions, gravity, linearizations, tangent);
+    if (!section_->has_inertia) return;
     for (int i = 0; i < Nodes; ++i) {
         tangent.template block<3, 3>(6 * i + 3, 6 * i + 3) +=
             turn(i, *motions[i])
@@ -218,11 +223,16 @@ double RodInertia<Nodes>::damping_action(const Motions<Nodes>& previous, const M
         at_end[i] = &after[i];
     }
     // Offsets turn within the step: the mean of both ends.
-    return section_->mass_proportional * (kinetic_energy(at_start) + kinetic_energy(at_end));
+    return section_->mass_proportional * (compute_energy(at_start) + compute_energy(at_end));
 }
 
 template <int Nodes>
 double RodInertia<Nodes>::kinetic_energy(const Motions<Nodes>& motions) const {
+    return section_->has_inertia ? compute_energy(motions) : 0.0;
+}
+
+template <int Nodes>
+double RodInertia<Nodes>::compute_energy(const Motions<Nodes>& motions) const {
     const Columns3 v = compute_velocities(motions, compute_offsets(motions));
     double energy = 0.5 * (v * mass_).cwiseProduct(v).sum();
     for (int i = 0; i < Nodes; ++i)
@@ -242,6 +252,7 @@ double RodInertia<Nodes>::gravity_potential(const Motions<Nodes>& motions, const
 
 template <int Nodes>
 Momentum RodInertia<Nodes>::momentum(const Motions<Nodes>& motions) const {
+    if (!section_->has_inertia) return {};
     const Columns3 d = compute_offsets(motions);
     const Columns3 p = compute_velocities(motions, d) * mass_;
     Momentum total;

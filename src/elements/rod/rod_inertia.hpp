@@ -73,6 +73,8 @@ class RodInertia {
                                    const Vec3& gravity,
                                    const Columns3& d) const;
 
+    // Half the mass times the squared velocities.
+    double compute_energy(const Motions<Nodes>& motions) const;
     // Of the rotary inertia that is lumped to a node, now.
     RotaryInertia<double> turn(int node, const NodeMotion& motion) const;
     // Its J ω, without J.

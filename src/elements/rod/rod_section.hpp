@@ -14,8 +14,9 @@ struct RodSection {
     double mass;               // per length
     Vec3 centre_of_mass;       // from the node
     Mat3 rotary_inertia;       // per length, about the centre of mass
+    bool has_inertia;          // as Model::has_inertia
 
-    explicit RodSection(const Section& section);
+    explicit RodSection(const Section& section, bool has_inertia = true);
 
     bool has_offset() const { return !centre_of_mass.isZero(0.0); }
 };
