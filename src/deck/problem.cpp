@@ -108,7 +108,7 @@ Problem build_problem(const CheckedTable& deck, const MeshFiles& files, FaultLis
     build_excitation(context);
     set_frame_intervals(context);
     problem.output = build_output(context);
-    name_response_points(problem.output.histories, context.stages);
+    name_response_points(problem.output.histories, context);
     problem.stages = std::move(context.stages);
     problem.analysis = problem.stages.front().analysis;
     note_stages(problem.stages, problem.record);

@@ -56,13 +56,19 @@ void build_excitation(BuildContext& context) {
     }
 }
 
-void name_response_points(const std::vector<HistoryRequest>& histories, std::vector<StagePlan>& stages) {
-    for (StagePlan& stage : stages) {
-        auto* response = std::get_if<ResponseSettings>(&stage.analysis);
+void name_response_points(const std::vector<HistoryRequest>& histories, BuildContext& context) {
+    const auto& listed = context.deck.tables("stage");
+    for (std::size_t i = 0; i < context.stages.size(); ++i) {
+        auto* response = std::get_if<ResponseSettings>(&context.stages[i].analysis);
         if (response == nullptr) continue;
         for (const HistoryRequest& history : histories) {
             if (history.node >= 0) response->points.push_back({history.name, history.node});
         }
+        if (!response->points.empty()) continue;
+        context.add_fault(
+            listed.empty() ? context.deck.tables("analysis").front() : listed[i],
+            "kind",
+            "a response is recorded where [[history]] names a node; the deck has no such history");
     }
 }
 

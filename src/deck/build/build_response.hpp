@@ -11,6 +11,6 @@ ResponseSettings build_response(const CheckedTable& table, const BuildContext& c
 void build_excitation(BuildContext& context);
 
 // Answers are recorded where the deck has histories, at nodes.
-void name_response_points(const std::vector<HistoryRequest>& histories, std::vector<StagePlan>& stages);
+void name_response_points(const std::vector<HistoryRequest>& histories, BuildContext& context);
 
 }  // namespace gxrod
