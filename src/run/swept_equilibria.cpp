@@ -15,6 +15,19 @@ namespace {
 // found through all stages.
 constexpr int few_iterations = 10;
 
+// Unless the deck says otherwise: where two frequencies merge, errors of the equilibrium count many times.
+constexpr double sharp_tolerance = 1e-11;
+
+AnalysisSettings sharpen(AnalysisSettings analysis) {
+    std::visit(
+        [](auto& settings) {
+            if constexpr (requires { settings.newton; })
+                settings.newton.tolerance = settings.newton.tolerance.value_or(sharp_tolerance);
+        },
+        analysis);
+    return analysis;
+}
+
 bool have_same_shape(const Model& a, const Model& b) {
     const auto same_node = [](const Node& one, const Node& other) { return one.position == other.position; };
     return std::ranges::equal(a.nodes, b.nodes, same_node);
@@ -34,7 +47,7 @@ SweptEquilibria::Equilibrium SweptEquilibria::prepare(const StagedModel& deck, s
     Equilibrium prepared;
     prepared.model = std::make_unique<Model>(deck.model);
     if (stage > 0) set_actions(deck.stages[stage].actions, *prepared.model);
-    prepared.analysis = make_analysis(*prepared.model, deck.stages[stage].analysis, threads_);
+    prepared.analysis = make_analysis(*prepared.model, sharpen(deck.stages[stage].analysis), threads_);
     return prepared;
 }
 

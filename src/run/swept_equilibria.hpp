@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "analyses/stepped_analysis.hpp"
 #include "analyses/sweep.hpp"
 #include "model/stage.hpp"
 

@@ -20,13 +20,13 @@ Mat3 compute_rotary_inertia(const Section& section, const Vec3& offset) {
 
 }  // namespace
 
-RodSection::RodSection(const Section& section, bool has_inertia)
+RodSection::RodSection(const Section& section, bool resists_acceleration)
     : stiffness(section.stiffness),
       kelvin_voigt(section.kelvin_voigt),
       mass_proportional(section.mass_proportional),
       mass(section.mass(0, 0)),
       centre_of_mass(compute_offset(section)),
       rotary_inertia(compute_rotary_inertia(section, centre_of_mass)),
-      has_inertia(has_inertia) {}
+      has_inertia(resists_acceleration) {}
 
 }  // namespace gxrod

@@ -16,7 +16,7 @@ struct RodSection {
     Mat3 rotary_inertia;       // per length, about the centre of mass
     bool has_inertia;          // as Model::has_inertia
 
-    explicit RodSection(const Section& section, bool has_inertia = true);
+    explicit RodSection(const Section& section, bool resists_acceleration = true);
 
     bool has_offset() const { return !centre_of_mass.isZero(0.0); }
 };
