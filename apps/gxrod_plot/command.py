@@ -74,7 +74,7 @@ def parse(arguments):
                              "are drawn in one figure, a colour for each file")
     parser.add_argument("-o", "--output", metavar="FILE", help="picture, .png, .svg or .pdf (RESULTS.png)")
     parser.add_argument("--what", choices=("shapes", "histories", "ledger", "found", "all"), default="all",
-                        help="found: modes and shapes of buckling")
+                        help="found: what stages of modes, buckling, eigenvalues and response found")
     parser.add_argument("--history", nargs="+", action="extend", metavar="NAME", default=[],
                         help="histories to draw, NAME or NAME/QUANTITY (all)")
     which = parser.add_mutually_exclusive_group()

@@ -65,7 +65,7 @@ def draw_sweep(figure, sweep):
     above.set_ylim(0.0, top or 1.0)
     above.set_ylabel("ω, rad per time")
     (below or above).set_xlabel(sweep.key)
-    legend_above(above, 2)
+    legend_above(above, 3)
 
 
 def draw_rays(axes, sweep, top):
