@@ -70,7 +70,9 @@ class CaseRun {
             if (finding.severity == Severity::warning) add_warning(row_, finding.message);
         }
         Collector collector(context_.plan.collections, problem);
-        take(run(problem, collector), compute_energy_round_off(problem.model));
+        const RunSummary summary = run(problem, collector);
+        collector.add(summary);
+        take(summary, compute_energy_round_off(problem.model));
         row_.collected = collector.values();
     }
 

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 
+#include "check/found_values.hpp"
 #include "deck/schema/suggestion.hpp"
+#include "model/analysis_traits.hpp"
 #include "results/tables/quantity.hpp"
 
 namespace gxrod {
@@ -62,6 +64,36 @@ const HistoryRequest* find_history(const Problem& problem, const std::string& na
     return found == histories.end() ? nullptr : &*found;
 }
 
+// The name of a stage as results have it.
+std::string name_of(const StagePlan& stage) {
+    return stage.name.empty() ? kind_of(stage.analysis) : stage.name;
+}
+
+void check_stage(const Collection& collection, const Problem& problem, FaultList& faults) {
+    std::vector<std::string> names;
+    for (const StagePlan& stage : problem.stages) {
+        names.push_back(name_of(stage));
+        if (names.back() != collection.stage) continue;
+        const std::string kind = kind_of(stage.analysis);
+        const auto* eigenvalues = std::get_if<EigenvalueSettings>(&stage.analysis);
+        const bool sweeps = eigenvalues != nullptr && eigenvalues->sweep;
+        if (has_found_quantity(kind, sweeps, collection.found)) return;
+        return faults.add(collection.place,
+                          collection.path() + ".found",
+                          fmt::format("stage \"{}\" of the deck, of kind {}{}, finds no {}",
+                                      collection.stage,
+                                      kind,
+                                      sweeps ? " with a sweep" : "",
+                                      collection.found));
+    }
+    const std::string hint = did_you_mean(collection.stage, names);
+    faults.add(collection.place,
+               collection.path() + ".stage",
+               fmt::format("the deck has no stage \"{}\"{}",
+                           collection.stage,
+                           hint.empty() ? "; it has " + quoted_list(names) : hint));
+}
+
 void check_history(const Collection& collection, const Problem& problem, FaultList& faults) {
     const HistoryRequest* history = find_history(problem, collection.history);
     if (history == nullptr) {
@@ -96,6 +128,10 @@ void check_collections(const std::vector<Collection>& collections,
                        const Problem& problem,
                        FaultList& faults) {
     for (const Collection& collection : collections) {
+        if (!collection.stage.empty()) {
+            check_stage(collection, problem, faults);
+            continue;
+        }
         if (!collection.history.empty()) {
             check_history(collection, problem, faults);
         } else {
@@ -116,6 +152,11 @@ void check_collections(const std::vector<Collection>& collections,
 
 std::string describe(const Collection& collection) {
     constexpr std::array words{"least", "largest", "mean", "rms of", "final", "largest absolute"};
+    if (!collection.stage.empty()) {
+        const std::string text =
+            fmt::format("{} {} of stage {}", collection.found, collection.number, collection.stage);
+        return collection.reference ? fmt::format("{}, distance from {}", text, *collection.reference) : text;
+    }
     std::string text =
         collection.at ? "" : fmt::format("{} ", words[static_cast<std::size_t>(collection.take)]);
     if (collection.component) text += word_of(component_choices, *collection.component) + " of ";
@@ -188,6 +229,7 @@ Collector::Collector(const std::vector<Collection>& collections, const Problem& 
 void Collector::add(const Snapshot& snapshot, const LedgerRow& ledger) {
     for (Column& column : columns_) {
         const Collection& collection = column.collection;
+        if (!collection.stage.empty()) continue;
         const Values values = column.point ? Values{column.point->compute(collection.quantity, snapshot),
                                                     width_of(collection.quantity)}
                                            : values_of(*collection.ledger, ledger);
@@ -195,11 +237,26 @@ void Collector::add(const Snapshot& snapshot, const LedgerRow& ledger) {
     }
 }
 
+void Collector::add(const RunSummary& summary) {
+    for (Column& column : columns_) {
+        const Collection& collection = column.collection;
+        std::vector<double> found;
+        for (const FoundShapes& shapes : summary.shapes) {
+            if (shapes.stage == collection.stage) found = list_found_values(shapes.record, collection.found);
+        }
+        for (const PathRecord& record : summary.paths) {
+            if (record.front().name == collection.stage) found = list_found_values(record, collection.found);
+        }
+        const auto index = static_cast<std::size_t>(collection.number - 1);
+        if (index < found.size()) column.found = found[index];
+    }
+}
+
 std::vector<double> Collector::values() const {
     std::vector<double> values;
     for (const Column& column : columns_) {
         const std::optional<double>& reference = column.collection.reference;
-        const double value = column.number.value();
+        const double value = column.collection.stage.empty() ? column.number.value() : column.found;
         values.push_back(reference ? std::abs(value - *reference) : value);
     }
     return values;

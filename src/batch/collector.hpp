@@ -6,6 +6,7 @@
 #include "batch/plan.hpp"
 #include "deck/problem.hpp"
 #include "results/tables/history_point.hpp"
+#include "run/run.hpp"
 
 namespace gxrod {
 
@@ -49,7 +50,9 @@ class Collector {
 
     // Each accepted step, t = 0 included.
     void add(const Snapshot& snapshot, const LedgerRow& ledger);
-    // In the order of the collections; NaN for what no step gave.
+    // What stages have found, once the run has ended.
+    void add(const RunSummary& summary);
+    // In the order of the collections; NaN for what no step gave, and for what was not found.
     std::vector<double> values() const;
 
   private:
@@ -57,6 +60,7 @@ class Collector {
         const Collection& collection;
         std::optional<HistoryPoint> point;
         TakenNumber number;
+        double found = std::numeric_limits<double>::quiet_NaN();
     };
     std::vector<Column> columns_;
 };

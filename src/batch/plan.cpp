@@ -46,14 +46,19 @@ std::optional<Collection> read_collection(const CheckedTable& table, FaultList& 
         faults.add(
             table.place, table.path, "every table has a column of this name already; take another one");
     }
-    bool is_right =
-        table.gives("history") != table.gives("ledger") && table.gives("take") != table.gives("at");
+    const bool is_of_stage = table.gives("stage");
+    bool is_right = is_of_stage ? table.gives("found")
+                                : table.gives("history") != table.gives("ledger") &&
+                                      table.gives("take") != table.gives("at");
     const auto take_word = [&](const char* key, const auto& take) {
         if (!table.gives(key)) return;
         const auto* word = find_value<std::string>(table, key);
         is_right = is_right && word != nullptr;
         if (word != nullptr) take(*word);
     };
+    take_word("stage", [&](const std::string& word) { collection.stage = word; });
+    take_word("found", [&](const std::string& word) { collection.found = word; });
+    if (const auto* number = find_value<long>(table, "number")) collection.number = *number;
     take_word("history", [&](const std::string& word) { collection.history = word; });
     if (table.gives("history")) {
         is_right = is_right && table.gives("quantity");

@@ -48,7 +48,11 @@ struct Variation {
 struct Collection {
     std::string name;
     Place place;  // in the plan
-    // Either a quantity of a history or a column of the ledger.
+    // Either a quantity of a history, or a column of the ledger, or what a stage finds: of its items this
+    // one, from 1.
+    std::string stage = {};
+    std::string found = {};
+    long number = 1;
     std::string history;
     Quantity quantity = Quantity::position;
     const LedgerColumn* ledger = nullptr;

@@ -125,6 +125,7 @@ class Run {
         const PathRecord& paths = stages_->paths();
         if (paths.empty() || written_paths_ == stages_->moving_index() + 1) return;
         written_paths_ = stages_->moving_index() + 1;
+        summary_.paths.push_back(paths);
         for (const FollowedPath& path : paths) {
             for (const std::string& finding : path.findings)
                 summary_.findings.push_back(path.name + ": " + finding);

@@ -56,6 +56,7 @@ struct RunSummary {
     bool out_of_memory = false;
     std::vector<std::string> notes;     // what a user may want to know of how stages begin, a sentence each
     std::vector<FoundShapes> shapes;    // in the order of the stages
+    std::vector<PathRecord> paths;      // of stages that go along one, in their order
     std::vector<std::string> findings;  // critical points of paths, a sentence each
     std::vector<std::string> warnings;  // what is to be known before the results are trusted, a sentence each
     bool is_unstable = false;           // whether equilibria were accepted that no structure would stay at

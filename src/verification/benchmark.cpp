@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "check/found_values.hpp"
 #include "study/deck_run.hpp"
 #include "verification/example_texts.hpp"
 
@@ -35,64 +36,16 @@ Vec3 ledger_value(const std::string& quantity, const LedgerRow& row) {
     throw std::runtime_error("the ledger has no " + quantity);
 }
 
-std::vector<double> list_shape_values(const ShapesRecord& record, const std::string& quantity) {
-    std::vector<double> values;
-    if (const auto* modes = std::get_if<ModesRecord>(&record)) {
-        for (const Mode& mode : modes->modes) {
-            if (quantity == "frequency") values.push_back(mode.frequency);
-            if (quantity == "omega") values.push_back(mode.omega);
-            if (quantity == "growth") values.push_back(mode.growth);
-        }
-    } else if (const auto* eigenvalues = std::get_if<EigenvaluesRecord>(&record)) {
-        for (const Eigenmode& mode : eigenvalues->modes) {
-            if (quantity == "frequency") values.push_back(mode.frequency);
-            if (quantity == "omega") values.push_back(mode.omega);
-            if (quantity == "growth") values.push_back(mode.growth);
-        }
-    } else if (quantity == "factor" && std::holds_alternative<BucklingRecord>(record)) {
-        for (const BucklingFactor& one : std::get<BucklingRecord>(record).factors)
-            values.push_back(one.factor);
-    }
-    return values;
-}
-
-std::vector<double> list_sweep_values(const SweepRecord& record, const BenchmarkValue& value) {
-    std::vector<double> values;
-    for (const Onset& onset : record.onsets) {
-        if (value.quantity == "onset") values.push_back(onset.value);
-        if (value.quantity == "onset_omega") values.push_back(onset.omega);
-    }
-    for (const SweepRecord::Point& point : record.points) {
-        if (!value.at || std::abs(point.value - *value.at) > same_time * std::abs(*value.at)) continue;
-        for (const std::complex<double>& lambda : point.lambda) {
-            if (value.quantity == "omega") values.push_back(lambda.imag());
-            if (value.quantity == "growth") values.push_back(lambda.real());
-        }
-    }
-    return values;
-}
-
-// Of critical points, those of the main path first.
-std::vector<double> list_critical_values(const PathRecord& record, const std::string& quantity) {
-    std::vector<double> values;
-    for (const FollowedPath& path : record) {
-        for (const CriticalPoint& point : path.points) {
-            if (quantity == "load_factor") values.push_back(point.load_factor);
-        }
-    }
-    return values;
-}
-
 // What the stage has found.
 std::vector<double> list_found(const BenchmarkValue& value, const DeckRun& run) {
     for (const FoundShapes& shapes : run.shapes()) {
         if (shapes.stage != value.source) continue;
         const auto* sweep = std::get_if<SweepRecord>(&shapes.record);
-        return sweep != nullptr ? list_sweep_values(*sweep, value)
-                                : list_shape_values(shapes.record, value.quantity);
+        return sweep != nullptr && value.at ? list_values_at(*sweep, value.quantity, *value.at)
+                                            : list_found_values(shapes.record, value.quantity);
     }
     for (const PathRecord& record : run.paths()) {
-        if (record.front().name == value.source) return list_critical_values(record, value.quantity);
+        if (record.front().name == value.source) return list_found_values(record, value.quantity);
     }
     return {};
 }

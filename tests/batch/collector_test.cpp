@@ -23,10 +23,41 @@ double take_of_sine(Take take, std::optional<double> at = {}) {
     return number.value();
 }
 
-std::vector<double> collect(const std::string& collect) {
+// A pinned-free column (P16) that is pressed, its tones, its factors and its path.
+constexpr const char* column_deck = R"([parameters]
+load = 1.0
+[section.s]
+stiffness = { EA = 1e3, GAy = 4e2, GAz = 4e2, GJ = 1, EIy = 1, EIz = 2 }
+inertia = { rhoA = 1, rhoJ = 3e-4, rhoIy = 1e-4, rhoIz = 2e-4 }
+[rod.column]
+section = "s"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 8
+order = 3
+[[support]]
+at = "column.start"
+fix = "all"
+[[load]]
+at = "column.end"
+force = ["-load", 0, 0]
+[[stage]]
+name = "tones"
+kind = "modes"
+count = 2
+[[stage]]
+name = "bend"
+kind = "buckling"
+[[stage]]
+name = "press"
+kind = "path"
+until = { t = 3 }
+)";
+
+std::vector<double> collect(const std::string& collect, const char* deck = nullptr) {
     const PlanFiles files(
         "deck = \"deck.toml\"\n[vary]\n\"parameters.load\" = [2.0]\n[keep]\nresults = \"none\"\n[collect]\n" +
         collect);
+    if (deck != nullptr) files.write("deck.toml", deck);
     const Plan plan = files.read();
     const CaseList cases(plan);
     std::deque<DeckTemplate> decks;
@@ -66,6 +97,44 @@ TEST_CASE("Mean, rms and values between steps are those of straight lines", "[ba
     CHECK(take(Take::last, 3.5) == Approx(0.0).margin(1e-15));
     CHECK(take(Take::last, 5.0) == -3.0);
     CHECK(take(Take::largest_absolute, {}) == 3.0);
+}
+
+TEST_CASE("Numbers of what stages find are collected", "[batch][stages]") {
+    const std::vector<double> found = collect(R"(
+first = { stage = "tones", found = "omega" }
+second = { stage = "tones", found = "omega", number = 2 }
+none = { stage = "tones", found = "omega", number = 3 }
+factor = { stage = "bend", found = "factor", reference = 1.2 }
+limit = { stage = "press", found = "load_factor" }
+)",
+                                              column_deck);
+    REQUIRE(found.size() == 5);
+    // A cantilever: 3.516 √(EI/ρA) less some for shear and rotary inertia.
+    CHECK(found[0] == Approx(3.516015).epsilon(2e-2));
+    CHECK(found[1] == Approx(std::sqrt(2.0) * 3.516015).epsilon(2e-2));
+    CHECK(std::isnan(found[2]));
+    // P16 and B1, for half of the load factor.
+    CHECK(found[3] == Approx(2.4523658546 / 2.0 - 1.2).epsilon(1e-5));
+    CHECK(found[4] == Approx(2.458335976611 / 2.0).epsilon(1e-5));
+}
+
+TEST_CASE("What a stage cannot find is refused", "[batch][stages]") {
+    const auto faults = [](const std::string& entry) {
+        const PlanFiles files("deck = \"deck.toml\"\n[vary]\n\"parameters.load\" = [2.0]\n[collect]\n" +
+                              entry + "\n");
+        files.write("deck.toml", column_deck);
+        const Plan plan = files.read();
+        FaultList list("plan.toml", {});
+        check_collections(plan.collections, read_problem(plan.decks[0]), list);
+        std::string text;
+        for (const DeckFault& fault : list.list()) text += fault.key + ": " + fault.message;
+        return text;
+    };
+    CHECK(faults("a = { stage = \"tone\", found = \"omega\" }") ==
+          "collect.a.stage: the deck has no stage \"tone\"; did you mean \"tones\"?");
+    CHECK(faults("a = { stage = \"bend\", found = \"omega\" }") ==
+          "collect.a.found: stage \"bend\" of the deck, of kind buckling, finds no omega");
+    CHECK(faults("a = { stage = \"press\", found = \"load_factor\" }").empty());
 }
 
 TEST_CASE("A run of no step, or one, collects what there is", "[batch]") {
