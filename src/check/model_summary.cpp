@@ -189,8 +189,16 @@ std::string describe_analysis(const AnalysisSettings& settings) {
     return fmt::format("static analysis: {} steps of the load factor t from 0 to 1\n", steps_of(settings));
 }
 
-std::string describe_output(const AnalysisSettings& settings, const OutputSettings& output) {
-    std::string text = "output: " + describe_frames(settings, output.every);
+std::string describe_output(const std::vector<StagePlan>& stages, const OutputSettings& output) {
+    std::string text = "output: ";
+    const char* separator = "";
+    for (const StagePlan& stage : stages) {
+        if (!has_steps(stage.analysis)) continue;
+        const std::string frames = describe_frames(stage.analysis, stage.frame_interval);
+        text += separator + (stages.size() > 1 ? "of stage " + stage.name + " " : "") + frames;
+        separator = ", ";
+    }
+    if (*separator == '\0') text += "one frame";
     for (const HistoryRequest& history : output.histories) {
         text += fmt::format(", history {} at {}", history.name, history.at);
     }

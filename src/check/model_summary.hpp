@@ -6,6 +6,7 @@
 #include "check/item_list.hpp"
 #include "model/model.hpp"
 #include "model/settings.hpp"
+#include "model/stage.hpp"
 
 namespace gxrod {
 
@@ -14,7 +15,7 @@ namespace gxrod {
 std::vector<ItemList> list_model(const Model& model);
 std::string describe_total(const Model& model);
 std::string describe_analysis(const AnalysisSettings& settings);
-std::string describe_output(const AnalysisSettings& settings, const OutputSettings& output);
+std::string describe_output(const std::vector<StagePlan>& stages, const OutputSettings& output);
 
 // The name of an integrator as decks have it.
 const char* name_of(Scheme scheme);
