@@ -144,7 +144,7 @@ class Lister {
     static double find_omega(const Points& points, std::size_t mode) {
         for (const SweepRecord::Point& point : points) {
             if (mode < point.lambda.size() && !std::isnan(point.lambda[mode].imag()))
-                return point.lambda[mode].imag();
+                return std::abs(point.lambda[mode].imag());  // without the sign of zero
         }
         return std::nan("");
     }

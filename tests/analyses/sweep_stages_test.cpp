@@ -83,7 +83,7 @@ TEST_CASE("A sweep follows modes over a load and locates flutter", "[analyses][s
     const std::vector<std::string> lines = list_shapes(summary.shapes[0].record, 10);
     REQUIRE(lines.size() == 4);
     CHECK(lines[0] == "2 modes followed over 6 values of parameters.P, from 0 to 25");
-    CHECK(lines[3].starts_with("flutter begins at parameters.P = 19.91669404, ω = 10.96880"));
+    CHECK(lines[3].starts_with("flutter begins at parameters.P = 19.916694"));
 }
 
 TEST_CASE("A sweep may change the reference shape, and go downwards", "[analyses][sweep]") {
@@ -118,7 +118,8 @@ TEST_CASE("Results and tables hold a sweep", "[analyses][sweep]") {
         CHECK(results.numbers("/stages/sweep/value") == std::vector<double>{0, 5, 10, 15, 20, 25});
         CHECK(results.size("/stages/sweep/omega") == std::vector<hsize_t>{6, 2});
         CHECK(results.numbers("/stages/sweep/omega")[3] == Approx(20.3156816471).epsilon(1e-8));
-        CHECK(results.numbers("/stages/sweep/growth")[8] == Approx(0.0).margin(1e-6));
+        CHECK(results.numbers("/stages/sweep/growth")[6] == Approx(0.0).margin(1e-6));
+        CHECK(std::abs(results.numbers("/stages/sweep/growth")[8]) > 0.1);
         CHECK(results.numbers("/stages/sweep/largest_growth")[4] > 0.1);
         CHECK(results.numbers("/stages/sweep/onset/value").at(0) == Approx(19.9166940433).epsilon(1e-8));
         CHECK(results.texts("/stages/sweep/onset/kind").at(0) == "flutter");
@@ -135,17 +136,18 @@ TEST_CASE("Results and tables hold a sweep", "[analyses][sweep]") {
 TEST_CASE("Sweeps that cannot be are refused", "[deck][sweep]") {
     const auto faults = [](const std::string& sweep) { return faults_of(column + press + sweep_of(sweep)); };
     CHECK(faults("key = \"parameters.Q\", values = [1]") ==
-          "28: stage[1].sweep.key: the deck has no parameter \"Q\"; it has P, stretch\n");
+          "x.toml:28:17: stage[1].sweep.key: the deck has no parameter \"Q\"; it has P, stretch");
     CHECK(faults("key = \"rod.column.elements\", values = [0.5]") ==
-          "28: stage[1].sweep.key: with rod.column.elements=0.5: expected an integer, found 0.5\n");
+          "x.toml:28:17: stage[1].sweep.key: with rod.column.elements=0.5: expected an integer from 1 to "
+          "10000000, found 0.5");
     CHECK(faults("key = \"parameters.P\", from = 1, to = 1") ==
-          "28: stage[1].sweep.to: expected another number than that of from\n");
+          "x.toml:28:48: stage[1].sweep.to: expected another number than that of from");
     CHECK(faults("key = \"parameters.P\", from = -1, to = 1, spacing = \"log\"") ==
-          "28: stage[1].sweep.to: equal ratios need two numbers of one sign that are not 0\n");
+          "x.toml:28:49: stage[1].sweep.to: equal ratios need two numbers of one sign that are not 0");
     const std::string shake = "[[stage]]\nname = \"shake\"\nkind = \"dynamic\"\nend_time = 1\nsteps = 10\n";
-    CHECK(
-        faults_of(column + press + shake + sweep_of("key = \"parameters.P\", values = [1]")) ==
-        "33: stage[2].sweep: only static and steady stages may come before, and one of kind dynamic does\n");
+    CHECK(faults_of(column + press + shake + sweep_of("key = \"parameters.P\", values = [1]")) ==
+          "x.toml:33:9: stage[2].sweep: only static and steady stages may come before, and one of kind "
+          "dynamic does");
 }
 
 TEST_CASE("A value without an equilibrium is reported, and the others are found", "[analyses][sweep]") {

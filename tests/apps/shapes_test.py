@@ -129,6 +129,36 @@ quantities = ["displacement"]
         self.assertLess(moves[3, 2, 0], 0.0)
         self.gxrod("shaken.vtkhdf", "-o", "shaken.png", program=PLOT)
 
+    def test_modes_over_a_number_of_the_deck(self):
+        self.write("swept.toml", "[parameters]\nP = 1\n" + COLUMN.replace("force = [-1, 0, 0]", 'force = ["-P", 0, 0]') + """
+[[stage]]
+name = "press"
+kind = "static"
+steps = 1
+[[stage]]
+name = "onset"
+kind = "eigenvalues"
+count = 2
+sweep = { key = "parameters.P", from = 0, to = 3, count = 4 }
+""")
+        done = self.gxrod("run", "swept.toml", "--summary", "summary.json")
+        # B1: the column buckles at 2.458335976611 about y.
+        self.assertRegex(done.stdout, r"onset: 2 modes followed over 4 values of parameters.P, from 0 to 3\n"
+                                      r"     1  ω [\d.]+ +… [\d.]+ +bending about y of column\n")
+        self.assertRegex(done.stdout, r"\n  divergence begins at parameters.P = 2.4583\d+\n")
+        found = json.loads((self.folder / "summary.json").read_text())["found"][0]
+        self.assertEqual((found["stage"], found["sweep"], len(found["modes"])), ("onset", "parameters.P", 2))
+        self.assertAlmostEqual(found["onsets"][0]["value"], 2.458335976611, delta=1e-5)
+        self.assertEqual(found["onsets"][0]["kind"], "divergence")
+        self.gxrod("export", "swept.vtkhdf", "--csv", "tables")
+        with open(self.folder / "tables" / "stage_onset.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        with h5py.File(self.folder / "swept.vtkhdf") as file:
+            omegas = file["stages/onset/omega"][()]
+        np.testing.assert_array_equal([float(row["omega_2"]) for row in rows], omegas[:, 1])
+        self.gxrod("swept.vtkhdf", "--what", "found", "-o", "swept.png", program=PLOT)
+        self.assertGreater((self.folder / "swept.png").stat().st_size, 10000)
+
 
 if __name__ == "__main__":
     unittest.main()
