@@ -227,7 +227,7 @@ TEST_CASE("What is collected must be there", "[batch]") {
     CHECK(faults_of_collect("a = { ledger = \"strain_energy\" }") ==
           "plan.toml:5:5: collect.a: missing; expected take or at");
     CHECK(faults_of_collect("a = { take = \"max\" }") ==
-          "plan.toml:5:5: collect.a: missing; expected history or ledger");
+          "plan.toml:5:5: collect.a: missing; expected history or ledger or stage");
     CHECK(faults_of_collect("a = { history = \"tip\", take = \"max\" }")
               .starts_with("plan.toml:5:5: collect.a.quantity: missing; expected one of \"position\", "));
     CHECK(faults_of_collect("steps = { ledger = \"strain_energy\", take = \"max\" }") ==

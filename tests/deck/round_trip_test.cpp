@@ -318,7 +318,8 @@ std::vector<RoundTrip> response_trips() {
         return replaced(static_rod_deck, "\"static\"", "\"response\"") + keys;
     };
     const std::string excited =
-        "excite = [{ at = \"r.end\", force = [1, 2, 3], moment = [4, 5, 6], phase = 0.5 }]\n";
+        "excite = [{ at = \"r.end\", force = [1, 2, 3], moment = [4, 5, 6], phase = 0.5 }]\n"
+        "[[history]]\nname = \"tip\"\nat = \"r.end\"\nquantities = [\"displacement\"]\n";
     const auto excites = [](const auto& test) {
         return [test](const Problem& p) {
             const std::vector<Excitation> found = response_of(p).excitation;
@@ -358,6 +359,40 @@ std::vector<RoundTrip> response_trips() {
         trips.push_back({"analysis." + name + ".values", listed.first, listed.second});
     }
     return trips;
+}
+
+std::vector<RoundTrip> sweep_trips() {
+    const auto with = [](const std::string& keys) {
+        return replaced(static_rod_deck, "\"static\"", "\"eigenvalues\"") +
+               "sweep = { key = \"section.s.stiffness.EA\", " + keys + " }\n";
+    };
+    const auto sweeps = [](const auto& test) {
+        return [test](const Problem& p) {
+            const auto* settings = std::get_if<EigenvalueSettings>(&p.stages[0].analysis);
+            return settings != nullptr && settings->sweep && test(*settings->sweep);
+        };
+    };
+    const auto has = [&](std::vector<double> expected) {
+        return sweeps([expected](const EigenvalueSweep& sweep) {
+            bool is_same = sweep.values.size() == expected.size();
+            for (std::size_t i = 0; is_same && i < expected.size(); ++i)
+                is_same = std::abs(sweep.values[i] - expected[i]) < 1e-12 * expected[i];
+            return is_same;
+        });
+    };
+    return {
+        {"analysis.sweep.key", with("values = [1]"), sweeps([](const EigenvalueSweep& sweep) {
+             return sweep.key == "section.s.stiffness.EA";
+         })},
+        {"analysis.sweep.from", with("from = 3, to = 1, count = 3"), has({3, 2, 1})},
+        {"analysis.sweep.to", with("from = 1, to = 21"), has({1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11,
+                                                              12, 13, 14, 15, 16, 17, 18, 19, 20, 21})},
+        {"analysis.sweep.count", with("from = 1, to = 3, count = 2"), has({1, 3})},
+        {"analysis.sweep.spacing", with("from = 1, to = 4, count = 3, spacing = \"log\""), has({1, 2, 4})},
+        {"analysis.sweep.values", with("values = [5, 2]"), has({5, 2})},
+        {"analysis.sweep.onset",
+         with("values = [1], onset = \"off\""),
+         sweeps([](const EigenvalueSweep& sweep) { return !sweep.finds_onset; })}};
 }
 
 std::vector<RoundTrip> rotation_trips() {
@@ -622,6 +657,7 @@ std::vector<RoundTrip> stage_trips() {
     std::vector<RoundTrip> of_analysis = analysis_trips();
     for (RoundTrip& trip : path_trips()) of_analysis.push_back(std::move(trip));
     for (RoundTrip& trip : response_trips()) of_analysis.push_back(std::move(trip));
+    for (RoundTrip& trip : sweep_trips()) of_analysis.push_back(std::move(trip));
     for (RoundTrip& trip : of_analysis) {
         if (!trip.key.starts_with("analysis.")) continue;
         trip.key = replaced(trip.key, "analysis", "stage");
@@ -647,6 +683,7 @@ std::vector<RoundTrip> all_trips() {
                               action_trips(),
                               rotation_trips(),
                               response_trips(),
+                              sweep_trips(),
                               support_trips(),
                               connection_and_initial_trips(),
                               analysis_trips(),
@@ -695,7 +732,8 @@ TEST_CASE("The values that round trips see are not there by default", "[deck]") 
         if (has_loads || has_others) continue;  // not there at all without their table
         const bool of_rod = trip.key.starts_with("rod") || trip.key.starts_with("section");
         INFO(trip.key);
-        const bool of_shapes = trip.key.ends_with(".count") || trip.key.ends_with(".below");
+        const bool of_shapes = (trip.key.ends_with(".count") && !trip.key.ends_with("sweep.count")) ||
+                               trip.key.ends_with(".below");
         const std::string kind = trip.key.ends_with(".count") ? "buckling" : "modes";
         const std::string bare = of_shapes ? shape_deck(kind, "") : of_rod ? rod_deck : body_deck;
         CHECK_FALSE(trip.is_seen(read(bare)));

@@ -1,6 +1,7 @@
 
 #include "deck/decks.hpp"
 
+#include "model/analysis_traits.hpp"
 #include "tools/catch.hpp"
 
 namespace gxrod::test {
@@ -121,6 +122,34 @@ TEST_CASE("A first step outside the limits is noted", "[deck]") {
     CHECK(notes("time_step = 0.25", "{ max_step = 0.02 }") ==
           std::vector<std::string>{
               "analysis.time_step: the first step, 0.25, is above adaptive.max_step; it will be 0.02"});
+}
+
+TEST_CASE("A quasi-static analysis has time and no inertia", "[deck]") {
+    const std::string deck = replaced(static_rod_deck, "\"static\"", "\"quasi-static\"") +
+                             "end_time = 2.0\nsteps = 4\nadaptive = { tolerance = 1e-6 }\n"
+                             "[[load]]\nat = \"r.end\"\nforce = [0, 3, 0]\n";
+    const Problem problem =
+        read(replaced(deck, "inertia = { rhoA = 1.0, rhoJ = 20, rhoIy = 10, rhoIz = 11 }\n", ""));
+    const DynamicSettings settings = dynamic_of(problem);
+    CHECK_FALSE(settings.has_inertia);
+    CHECK_FALSE(problem.model.has_inertia);
+    CHECK(settings.scheme == Scheme::sdirk_4);
+    CHECK(settings.time_step() == 0.5);
+    CHECK(settings.adaptive->tolerance == 1e-6);
+    // A load is as it is written.
+    CHECK(problem.model.loads[0].force[1](0.1) == 3.0);
+    CHECK(std::string(kind_of(problem.analysis)) == "quasi-static");
+    CHECK(faults_of(deck + "[[initial]]\non = \"r\"\nvelocity = [1, 0, 0]\n").find("velocit") !=
+          std::string::npos);
+}
+
+TEST_CASE("A response needs a history to be recorded in", "[deck]") {
+    const std::string deck = replaced(static_rod_deck, "\"static\"", "\"response\"") +
+                             "omega = { values = [1] }\nexcite = [{ at = \"r.end\", force = [1, 0, 0] }]\n";
+    CHECK(faults_of(deck) ==
+          "x.toml:10:8: analysis.kind: a response is recorded where [[history]] names a node; the deck has "
+          "no such "
+          "history");
 }
 
 }  // namespace gxrod::test

@@ -34,7 +34,8 @@ TEST_CASE("Keys of a path are for paths", "[deck]") {
     CHECK(faults_of(static_rod_deck + "branches = 1\n") ==
           "x.toml:11:1: analysis.branches: kind \"static\" does not use this key; it is for path");
     CHECK(faults_with("until = { t = 1 }\nsteps = 5\n") ==
-          "x.toml:12:1: analysis.steps: kind \"path\" does not use this key; it is for dynamic, static, "
+          "x.toml:12:1: analysis.steps: kind \"path\" does not use this key; it is for dynamic, "
+          "quasi-static, static, "
           "steady");
 }
 

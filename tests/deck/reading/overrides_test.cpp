@@ -80,7 +80,7 @@ TEST_CASE("Values of --set are checked as those of a deck", "[deck]") {
     CHECK(
         faults_of(replaced(body_deck, R"("dynamic")", R"("dynamc")"),
                   {"body.top.mass=-1", "body.top.inertia=[1,2"}) ==
-        R"(x.toml:5:8: analysis.kind: expected one of "dynamic", "static", "path", "steady", "modes", "buckling", "eigenvalues", "response", found the text "dynamc"; did you mean "dynamic"?
+        R"(x.toml:5:8: analysis.kind: expected one of "dynamic", "static", "quasi-static", "path", "steady", "modes", "buckling", "eigenvalues", "response", found the text "dynamc"; did you mean "dynamic"?
 --set body.top.mass=-1: expected a number greater than 0, found -1
 --set body.top.inertia=[1,2: not TOML: encountered end-of-file)");
 }

@@ -49,7 +49,7 @@ TEST_CASE("Errors on missing keys say what is expected", "[deck]") {
           "a rotation without inertia cannot be integrated in time");
     CHECK(
         faults_of(replaced(body_deck, "kind = \"dynamic\"\n", "")) ==
-        R"(x.toml:4:1: analysis.kind: missing; expected one of "dynamic", "static", "path", "steady", "modes", "buckling", "eigenvalues", "response")");
+        R"(x.toml:4:1: analysis.kind: missing; expected one of "dynamic", "static", "quasi-static", "path", "steady", "modes", "buckling", "eigenvalues", "response")");
     CHECK(faults_of(replaced(body_deck, "end_time = 1.0\n", "")) ==
           "x.toml:4:1: analysis.end_time: missing; expected a number greater than 0 or an expression");
     CHECK(faults_of(replaced(body_deck, "steps = 10\n", "")) ==
@@ -168,7 +168,8 @@ TEST_CASE("A key that the kind of analysis does not use is an error", "[deck]") 
     for (const std::string key : {"end_time = 1.0", "time_step = 0.1", "beta = 0.25", "gamma = 0.5"}) {
         CHECK(faults_of(static_deck + key) ==
               "x.toml:7:1: analysis." + key.substr(0, key.find(' ')) +
-                  ": kind \"static\" does not use this key; it is for dynamic");
+                  ": kind \"static\" does not use this key; it is for dynamic" +
+                  (key.find("time") == std::string::npos ? "" : ", quasi-static"));
     }
     CHECK(faults_of(static_deck + "integrator = \"sdirk-4\"") ==
           R"(x.toml:7:1: analysis.integrator: kind "static" does not use this key; it is for dynamic)");
@@ -219,7 +220,7 @@ x.toml:6:34: rod.r.line.from[1]: expected a number or an expression, found a boo
 x.toml:6:40: rod.r.line.from[2]: "1/0": the value is inf, not a finite number
 x.toml:8:1: body.b.mas: unknown key; did you mean "mass"?
 x.toml:10:1: load[0]: missing; expected force or moment
-x.toml:14:1: analysis.end_time: kind "static" does not use this key; it is for dynamic
+x.toml:14:1: analysis.end_time: kind "static" does not use this key; it is for dynamic, quasi-static
 x.toml:14:12: analysis.end_time: expected a number greater than 0, found -1)");
 }
 

@@ -14,7 +14,7 @@ TEST_CASE("Words are among the choices", "[deck]") {
           R"(x.toml:8:11: rod.r.element: expected one of "objective", "simo", found 1)");
     CHECK(
         faults_of(replaced(body_deck, R"("dynamic")", R"("statics")")) ==
-        R"(x.toml:5:8: analysis.kind: expected one of "dynamic", "static", "path", "steady", "modes", "buckling", "eigenvalues", "response", found the text "statics"; did you mean "static"?)");
+        R"(x.toml:5:8: analysis.kind: expected one of "dynamic", "static", "quasi-static", "path", "steady", "modes", "buckling", "eigenvalues", "response", found the text "statics"; did you mean "static"?)");
     CHECK(faults_of(body_deck + R"(integrator = "sdirk4")") ==
           "x.toml:8:14: analysis.integrator: expected one of " + quoted_list(words_of(scheme_choices)) +
               R"(, found the text "sdirk4"; did you mean "sdirk-4"?)");

@@ -60,8 +60,9 @@ TEST_CASE("The JSON Schema has ranges, words, sizes and exclusions", "[deck]") {
 
 TEST_CASE("The JSON Schema has the conditions of keys and groups", "[deck]") {
     const Json properties = Json::parse(json_schema(deck_schema(), "gxrod deck")).at("properties");
-    const Json is_dynamic = {
-        {"allOf", {{{"properties", {{"kind", {{"enum", {"dynamic"}}}}}}, {"required", {"kind"}}}}}};
+    const Json is_timed = {
+        {"allOf",
+         {{{"properties", {{"kind", {{"enum", {"dynamic", "quasi-static"}}}}}}, {"required", {"kind"}}}}}};
     const auto requires_key = [](const char* key) { return Json({{"required", {key}}}); };
     const auto has = [](const Json& table, const Json& condition, const Json& consequence) {
         const Json& all = table.at("allOf");
@@ -69,9 +70,9 @@ TEST_CASE("The JSON Schema has the conditions of keys and groups", "[deck]") {
                all.end();
     };
     const Json& analysis = properties.at("analysis");
-    CHECK(has(analysis, is_dynamic, requires_key("end_time")));
-    CHECK(has(analysis, requires_key("end_time"), is_dynamic));
-    CHECK(has(analysis, is_dynamic, {{"oneOf", {requires_key("time_step"), requires_key("steps")}}}));
+    CHECK(has(analysis, is_timed, requires_key("end_time")));
+    CHECK(has(analysis, requires_key("end_time"), is_timed));
+    CHECK(has(analysis, is_timed, {{"oneOf", {requires_key("time_step"), requires_key("steps")}}}));
     const Json& load = properties.at("load").at("items");
     const Json with_on = {{"allOf", Json::array({requires_key("on")})}};
     CHECK(load.at("oneOf") == Json::array({requires_key("at"), requires_key("on")}));
