@@ -253,6 +253,9 @@ class Validator {
             for (const Condition& condition : key.only_for) {
                 const std::string* word = word_of(condition, checked);
                 if (word == nullptr || allows(condition, *word)) continue;
+                // A default of a key that the table does not use says nothing.
+                const bool is_given = node.find(condition.key) != nullptr;
+                if (!is_given && !is_used(*spec.find(condition.key), checked)) continue;
                 add(node.find(key.name)->place,
                     join_path(checked.path, key.name),
                     fmt::format("{} \"{}\" does not use this key; it is for {}",
