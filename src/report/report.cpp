@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 
 #include "machine/file_error.hpp"
 #include "report/data_blocks.hpp"
+#include "report/findings/findings.hpp"
 #include "report/frame_blocks.hpp"
 #include "report/page_file.hpp"
 #include "report/page_template.hpp"
@@ -48,6 +50,8 @@ class Page {
         for (const StepChart& chart : charts_) content_.columns += chart.columns();
         content_.arrows = story_.arrows.size();
         content_.is_static = story_.is_static;
+        findings_.emplace(file, options.results, charts_, content_, options.most_bytes);
+        content_.shape_vectors = findings_->count_shape_vectors();
         warnings_ = list_warnings(file, story_, content_.steps);
         if (!doubt.empty()) warnings_.push_back("This file is in doubt: " + doubt + ".");
     }
@@ -59,6 +63,7 @@ class Page {
         write_description(out, describe());
         write_frame_blocks(file_, plan_, content_, story_.arrows, out);
         write_step_blocks(file_, charts_, plan_.steps, content_.steps, out);
+        findings_->write(plan_, out);
         out << shell.after;
         return {static_cast<std::size_t>(out.tellp()), left_out(), warnings_};
     }
@@ -67,8 +72,8 @@ class Page {
     void plan(std::size_t shell_bytes) {
         // Sentences on what is left out come later.
         constexpr std::size_t sentences = 2000;
-        const std::size_t fixed =
-            shell_bytes + write_script_json(describe()).size() + sentences + most_blocks * block_frame_bytes;
+        const std::size_t fixed = shell_bytes + write_script_json(describe()).size() + sentences +
+                                  most_blocks * block_frame_bytes + findings_->count_bytes();
         try {
             if (fixed >= options_.most_bytes) throw std::length_error("no room for data");
             plan_ = plan_report(content_, options_.most_bytes - fixed);
@@ -91,12 +96,14 @@ class Page {
         json["node_data"] = plan_.node_data;
         json["cell_data"] = plan_.cell_data;
         json["charts"] = describe_charts(charts_);
+        findings_->describe(json);
         return json;
     }
 
     std::vector<std::string> left_out() const {
         std::vector<std::string> sentences = plan_.left_out;
-        sentences.insert(sentences.end(), story_.left_out.begin(), story_.left_out.end());
+        for (const std::vector<std::string>& others : {findings_->left_out(), story_.left_out})
+            sentences.insert(sentences.end(), others.begin(), others.end());
         return sentences;
     }
 
@@ -113,6 +120,7 @@ class Page {
     std::vector<std::string> warnings_;
     std::vector<StepChart> charts_;
     ReportContent content_;
+    std::optional<Findings> findings_;
     ReportPlan plan_;
 };
 

@@ -46,10 +46,11 @@ std::vector<int> nodes_of(const std::vector<DrawnCell>& cells, const std::vector
     return nodes;
 }
 
-std::size_t still_bytes(const ReportPlan& plan) {
+std::size_t still_bytes(const ReportPlan& plan, const ReportContent& content) {
     std::size_t entries = 0;
     for (const DrawnCell& cell : plan.cells) entries += cell.nodes.size();
-    return base64_length(plan.nodes.size() * vector_bytes) + base64_length(entries * sizeof(std::int32_t)) +
+    return (1 + content.shape_vectors) * base64_length(plan.nodes.size() * vector_bytes) +
+           base64_length(entries * sizeof(std::int32_t)) +
            base64_length((plan.cells.size() + 1) * sizeof(std::int32_t)) +
            base64_length(entries * 4 * sizeof(float)) + base64_length(plan.cells.size() * 2 * sizeof(float)) +
            base64_length(plan.cells.size() * sizeof(std::int32_t)) +
@@ -97,7 +98,7 @@ class Planner {
     void choose_steps() {
         set(sample_cells(all_cells(), most_cells), 0);
         const double frames = static_cast<double>(content_.frames) * frame_bytes(plan_, content_) +
-                              static_cast<double>(still_bytes(plan_));
+                              static_cast<double>(still_bytes(plan_, content_));
         const double room = std::max(least_share_of_steps * bytes_, bytes_ - frames);
         const double step =
             4.0 / 3.0 * static_cast<double>(sizeof(double) + content_.columns * sizeof(float));
@@ -109,7 +110,7 @@ class Planner {
     std::size_t frames_that_fit() const {
         constexpr double blocks = 16.0;
         const double room = bytes_ - static_cast<double>(step_bytes(plan_, content_)) -
-                            static_cast<double>(still_bytes(plan_)) - blocks * block_bytes;
+                            static_cast<double>(still_bytes(plan_, content_)) - blocks * block_bytes;
         return room < 0.0 ? 0 : static_cast<std::size_t>(room / frame_bytes(plan_, content_));
     }
 
@@ -163,7 +164,7 @@ std::vector<std::size_t> ReportPlan::frames(std::size_t of) const {
 
 std::size_t count_bytes(const ReportPlan& plan, const ReportContent& content) {
     const std::size_t frames = plan.frames(content.frames).size();
-    std::size_t bytes = still_bytes(plan) + step_bytes(plan, content) +
+    std::size_t bytes = still_bytes(plan, content) + step_bytes(plan, content) +
                         base64_length(frames * sizeof(double)) +
                         base64_length(frames * 2 * content.arrows * vector_bytes);
     bytes += plan.node_data.size() * base64_length(frames * plan.nodes.size() * vector_bytes);

@@ -17,7 +17,9 @@ struct ReportContent {
     std::size_t steps = 0;
     std::size_t columns = 0;  // of all histories and tables, one number a step each
     std::size_t arrows = 0;   // of loads
-    bool is_static = false;   // no velocities
+    // Of shapes that stages have found, for each node: three numbers each.
+    std::size_t shape_vectors = 0;
+    bool is_static = false;  // no velocities
 };
 
 // What of it goes into a page.

@@ -47,16 +47,23 @@ void for_each_row(
     }
 }
 
+// Calls `add` with the number of a column and its value, row after row; a vector's magnitude comes last.
+template <class Add>
+void for_each_value(const Hdf5Reader& file, const StepChart::Source& source, std::size_t steps, Add&& add) {
+    for_each_row(file, source.dataset, source.width, steps, [&](std::span<const double> row) {
+        for (std::size_t i = 0; i < row.size(); ++i) add(i, row[i]);
+        if (source.labels.size() > row.size()) add(row.size(), std::hypot(row[0], row[1], row[2]));
+    });
+}
+
 void write_source(const Hdf5Reader& file,
                   const StepChart::Source& source,
                   const StepThinning& thinning,
                   std::size_t steps,
                   Base64Writer& base64) {
     std::vector<ColumnThinning> columns(source.labels.size(), ColumnThinning(thinning));
-    for_each_row(file, source.dataset, source.width, steps, [&](std::span<const double> row) {
-        for (std::size_t i = 0; i < row.size(); ++i) columns[i].add(row[i]);
-        if (columns.size() > row.size()) columns.back().add(std::hypot(row[0], row[1], row[2]));
-    });
+    for_each_value(
+        file, source, steps, [&](std::size_t column, double value) { columns[column].add(value); });
     for (const ColumnThinning& column : columns) base64.write(std::span<const float>(column.values()));
 }
 
@@ -145,6 +152,25 @@ void write_step_blocks(const Hdf5Reader& file,
             }
         }
     });
+}
+
+void write_chart_rows(const Hdf5Reader& file,
+                      const StepChart& chart,
+                      const std::vector<std::size_t>& rows,
+                      std::size_t steps,
+                      Base64Writer& base64) {
+    for (const StepChart::Source& source : chart.sources) {
+        std::vector<std::vector<float>> columns(source.labels.size());
+        std::size_t row = 0;
+        auto next = rows.begin();
+        for_each_value(file, source, steps, [&](std::size_t column, double value) {
+            if (next != rows.end() && *next == row) columns[column].push_back(static_cast<float>(value));
+            if (column + 1 < columns.size()) return;
+            if (next != rows.end() && *next == row) ++next;
+            ++row;
+        });
+        for (const std::vector<float>& column : columns) base64.write(std::span<const float>(column));
+    }
 }
 
 EnergySurvey survey_energy(const Hdf5Reader& file, bool is_static, std::size_t steps) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "report/base64.hpp"
 #include "report/step_thinning.hpp"
 #include "results/energy_warning.hpp"
 #include "results/file/hdf5_reader.hpp"
@@ -40,6 +41,13 @@ void write_step_blocks(const Hdf5Reader& file,
                        const StepThinning& thinning,
                        std::size_t steps,
                        std::ostream& out);
+
+// Column after column of a chart, as float, at some rows of the first `steps`, which rise. Throws Hdf5Error.
+void write_chart_rows(const Hdf5Reader& file,
+                      const StepChart& chart,
+                      const std::vector<std::size_t>& rows,
+                      std::size_t steps,
+                      Base64Writer& base64);
 
 // Over the first `steps` steps. Throws Hdf5Error.
 EnergySurvey survey_energy(const Hdf5Reader& file, bool is_static, std::size_t steps);
