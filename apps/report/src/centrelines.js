@@ -38,6 +38,13 @@ export function makeReference(data) {
   return makeLines(points, 0.55);
 }
 
+// The rods with their nodes at these places.
+export function makeState(data, places) {
+  const points = [];
+  addSegments(data, places, points);
+  return makeLines(points, 0.7);
+}
+
 // The rods at some frames, evenly over all of them.
 export function makeShapes(data, motion) {
   const points = [];

@@ -9,11 +9,12 @@ const height = 168;
 
 // One chart with its values at the clock's time; pressing or dragging in it moves the clock.
 export class Chart {
-  constructor(chart, times, clock, { timeName, units, leastHeight, unstable }) {
+  constructor(chart, times, clock, { timeName, units, leastHeight, unstable, stages }) {
     this.chart = chart;
     this.units = units;
     this.leastHeight = leastHeight;
     this.unstable = unstable;
+    this.stages = stages;
     this.times = times;
     this.clock = clock;
     this.timeName = timeName;
@@ -98,7 +99,7 @@ export class Chart {
           points: { show: this.times.length < 40, size: 5 },
         })),
       ],
-      hooks: { drawClear: [(plot) => this.shadeUnstable(plot)], draw: [() => this.moveLine()] },
+      hooks: { drawClear: [(plot) => this.shadeUnstable(plot), (plot) => drawStages(plot, this.stages)], draw: [() => this.moveLine()] },
     };
   }
 
@@ -140,6 +141,29 @@ export class Chart {
   recolour() {
     this.plot?.redraw(false, true);
   }
+}
+
+// A dashed line where each stage starts but the first, and its name where there is room.
+function drawStages(plot, stages) {
+  const { ctx: context, bbox } = plot;
+  const ratio = uPlot.pxRatio;
+  context.save();
+  context.strokeStyle = context.fillStyle = readTheme().muted;
+  context.lineWidth = ratio;
+  context.setLineDash([3 * ratio, 3 * ratio]);
+  context.font = `${10 * ratio}px ${getComputedStyle(document.body).fontFamily}`;
+  stages.forEach(({ name, from, until }, i) => {
+    const left = plot.valToPos(from, "x", true);
+    if (i > 0) {
+      context.beginPath();
+      context.moveTo(left, bbox.top);
+      context.lineTo(left, bbox.top + bbox.height);
+      context.stroke();
+    }
+    const room = plot.valToPos(until, "x", true) - left - 8 * ratio;
+    if (stages.length > 1 && context.measureText(name).width < room) context.fillText(name, left + 4 * ratio, bbox.top - 1 * ratio);
+  });
+  context.restore();
 }
 
 // Whose magnitudes say nothing.
@@ -190,11 +214,11 @@ function listUnstableParts({ info, stepTimes }) {
 const headings = { energy: "Energy", history: "Histories", momentum: "Momentum", solver: "Solver" };
 
 // All charts under headings; each is drawn when it comes into sight.
-export function showCharts(data, clock, { timeName, units, along }) {
+export function showCharts(data, clock, { timeName, units, along, stages }) {
   const heights = listLeastHeights(data.info.charts);
   const unstable = listUnstableParts(data);
   const charts = data.info.charts.map(
-    (chart, i) => new Chart(chart, data.stepTimes, clock, { timeName, units, leastHeight: heights[i], unstable }),
+    (chart, i) => new Chart(chart, data.stepTimes, clock, { timeName, units, leastHeight: heights[i], unstable, stages }),
   );
   const panel = find("charts");
   if (along) panel.append(along.element);

@@ -5,6 +5,7 @@ export class Clock {
     this.position = 0;
     this.playing = false;
     this.isOpening = false;
+    this.isCyclic = false; // plays over and over
     this.rate = 1;
     this.unitsPerSecond = chooseSpeed(times, isStatic);
     this.listeners = [];
@@ -74,8 +75,8 @@ export class Clock {
       if (!this.playing) return;
       const time = this.time + ((now - before) / 1000) * this.unitsPerSecond * this.rate;
       before = now;
-      this.position = this.positionAt(time);
-      if (this.position >= this.last) this.playing = false;
+      this.position = this.positionAt(this.isCyclic ? time % this.times[this.last] : time);
+      if (this.position >= this.last && !this.isCyclic) this.playing = false;
       this.notify();
       if (this.playing) requestAnimationFrame(advance);
     };

@@ -9,7 +9,7 @@ export function bindColouring(data, picture, units) {
   const component = find("component");
   quantity.append(make("option", { value: "" }, "plain"));
   for (const name of Object.keys(data.quantities)) quantity.append(make("option", { value: name }, inWords(name)));
-  const hasRods = data.offsets.length > 1;
+  const hasRods = picture.hasColours;
   find("colouring").hidden = !hasRods;
   quantity.value = hasRods && data.quantities.moment ? "moment" : "";
 

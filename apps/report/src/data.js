@@ -1,6 +1,7 @@
 // The data of the page: one JSON text and blocks of numbers in base64.
 
-function decode(name, Type) {
+// The numbers of the block of this name, which is then gone; none if there is no such block.
+export function decode(name, Type) {
   const element = document.getElementById(`data-${name}`);
   if (!element) return new Type(0);
   const text = atob(element.textContent);

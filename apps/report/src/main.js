@@ -6,6 +6,11 @@ import { readData } from "./data.js";
 import { showDeck } from "./deck.js";
 import { bindDisplay } from "./display.js";
 import { find } from "./elements.js";
+import { readFindings } from "./findings/found_data.js";
+import { addFoundTabs } from "./findings/found_tabs.js";
+import { shapeOf } from "./findings/modes_tab.js";
+import { describeTime, listSeams, listTimedStages } from "./findings/stages.js";
+import { Swinging } from "./findings/swinging.js";
 import { findMostMoved, Motion } from "./motion.js";
 import { Picture } from "./picture.js";
 import { bindPlayer } from "./player.js";
@@ -16,6 +21,7 @@ import { readUnits } from "./units.js";
 
 const data = readData();
 const { info } = data;
+const found = readFindings(info);
 const timeName = info.time_name;
 const units = readUnits(info.units);
 const clock = new Clock(data.times, info.is_static);
@@ -23,7 +29,9 @@ const clock = new Clock(data.times, info.is_static);
 // null where the browser cannot draw in 3D.
 function makePicture() {
   try {
-    const picture = new Picture(find("canvas"), data, new Motion(data));
+    const motion = new Motion(data);
+    motion.seams = listSeams(found, data.times);
+    const picture = new Picture(find("canvas"), data, motion);
     clock.listen(() => picture.move(clock.position));
     return picture;
   } catch (error) {
@@ -36,18 +44,20 @@ function makePicture() {
 showHeader(info);
 showDeck(info);
 showModel(data);
-bindTabs(find("tabs"));
-bindPlayer(clock, timeName);
 const picture = makePicture();
+const swinging = picture && [...found.modes, ...found.paths].some(({ shapes }) => shapes) ? new Swinging(picture, clock) : null;
+const foundCharts = addFoundTabs(found, { clock, swinging, units, timeName });
+bindTabs(find("tabs"));
+bindPlayer(clock, timeName, { swinging, describe: (time) => describeTime(found, time) });
 const along = Along.isPossible(data) ? new Along(data, clock, units) : null;
-const charts = [...showCharts(data, clock, { timeName, units, along }), ...(along ? [along] : [])];
+const charts = [...showCharts(data, clock, { timeName, units, along, stages: listTimedStages(found) }), ...(along ? [along] : []), ...foundCharts];
 showAbout(data, picture);
 if (picture) {
   bindColouring(data, picture, units);
   bindDisplay(data, picture, clock);
   showFailure(info);
   const legend = document.querySelector(".overlay.top");
-  picture.stage.covered = () => (find("colouring").hidden ? 0 : legend.offsetTop + legend.offsetHeight);
+  picture.stage.covered = () => (find("colouring").hidden && !swinging?.chosen ? 0 : legend.offsetTop + legend.offsetHeight);
   picture.stage.resize();
   picture.resetView();
 }
@@ -57,4 +67,7 @@ bindThemeButton(find("theme"), () => {
 });
 picture?.setColours(readTheme());
 clock.openAt(info.status === "failed" || info.is_static ? clock.last : findMostMoved(data));
+// Of a run that moved nothing, its first mode.
+const [first] = found.modes.filter(({ shapes }) => shapes);
+if (swinging && first && clock.last === 0) swinging.choose(shapeOf(first, 0), { isPlaying: false });
 document.documentElement.dataset.ready = "true";

@@ -6,6 +6,7 @@ export class Motion {
     this.data = data;
     this.count = data.reference.length / 3;
     this.frames = data.times.length;
+    this.seams = new Set(); // frames from which the motion jumps to the next
     this.scale = 1; // of the displacements, and of rotations since t = 0
     this.positions = new Float32Array(3 * this.count);
     this.rotations = new Float32Array(4 * this.count); // since t = 0
@@ -17,6 +18,10 @@ export class Motion {
   moveTo(position) {
     this.frame = Math.min(Math.floor(position), this.frames - 1);
     this.part = position - this.frame;
+    if (this.seams.has(this.frame) && this.part > 0) {
+      if (this.part >= 0.5) this.frame++;
+      this.part = 0;
+    }
     const following = Math.min(this.frame + 1, this.frames - 1);
     const { displacement, rotation_vector: rotation } = this.data.quantities;
     const first = 3 * this.count * this.frame;

@@ -1,6 +1,6 @@
 import { Group } from "three";
 import { Bodies } from "./bodies.js";
-import { makeReference, makeShapes } from "./centrelines.js";
+import { makeReference, makeShapes, makeState } from "./centrelines.js";
 import { ColourScale } from "./colours.js";
 import { makeGrid } from "./grid.js";
 import { rangeOf } from "./motion.js";
@@ -26,9 +26,17 @@ export class Picture {
     this.reference = makeReference(data);
     this.shapes = new Group();
     this.grid = new Group();
-    this.stage.scene.add(rods.mesh, bodies.group, bodies.paths, this.reference, this.shapes, this.grid);
+    this.ofRun = new Group().add(bodies.paths, this.reference, this.shapes); // what shows other times
+    this.state = new Group(); // about which a shape swings
+    this.isInState = false;
+    this.stage.scene.add(rods.mesh, bodies.group, this.ofRun, this.state, this.grid);
     this.stage.scene.add(...Object.values(marks).map((mark) => mark.group));
     this.updateBox();
+  }
+
+  // Whether there is anything to colour.
+  get hasColours() {
+    return this.data.offsets.length > 1;
   }
 
   // Colours the rods by a component (3: the magnitude) of a quantity, or plainly. Returns the scale, if any.
@@ -42,17 +50,58 @@ export class Picture {
     return this.scale;
   }
 
+  // A shape that swings is plain.
   paint() {
-    if (this.scale) this.motion.sample(this.quantity, this.component, this.values);
-    this.parts.rods.paint(this.scale, this.quantity?.of, this.values);
+    const scale = this.isInState ? null : this.scale;
+    if (scale) this.motion.sample(this.quantity, this.component, this.values);
+    this.parts.rods.paint(scale, this.quantity?.of, this.values);
     this.stage.draw();
   }
 
   move(position) {
+    if (this.isInState) return;
     this.motion.moveTo(position);
-    for (const part of Object.values(this.parts)) part.move();
+    this.moveParts();
     this.parts.bodies.showPathsUpTo(Math.round(position));
     this.paint();
+  }
+
+  moveParts() {
+    for (const part of Object.values(this.parts)) part.move();
+  }
+
+  // From now on the nodes are where a shape about this state has them; loads are those of a frame. The bounds are
+  // [least, largest] corners of all that the nodes reach.
+  enterState({ places }, frame, bounds) {
+    this.isInState = true;
+    this.ofRun.visible = false;
+    Object.assign(this.motion, { frame, part: 0 });
+    replaceIn(this.state, makeState(this.data, places));
+    this.state.visible = true;
+    this.stateBounds = bounds;
+    this.colourLines();
+    this.showBox();
+  }
+
+  leaveState() {
+    this.isInState = false;
+    this.ofRun.visible = true;
+    this.state.visible = false;
+    this.showBox();
+  }
+
+  // After the nodes were placed.
+  showState() {
+    this.moveParts();
+    this.paint();
+  }
+
+  // Turns to what is shown now, unless the reader has turned the view.
+  showBox() {
+    if (!this.isInState) this.stage.setBox(this.box);
+    else this.stage.setBox(widenBox(this.stateBounds, 0.03 * this.size));
+    if (!this.stage.isOwnView) this.resetView();
+    else this.stage.draw();
   }
 
   // What depends on all frames; then the picture is that of the first.
@@ -60,7 +109,8 @@ export class Picture {
     this.parts.bodies.trace();
     replaceIn(this.shapes, makeShapes(this.data, this.motion));
     this.move(0);
-    this.stage.setBox(this.boxOfAll());
+    this.box = this.boxOfAll();
+    this.stage.setBox(this.box);
     const { lines, step } = makeGrid(this.stage.box);
     this.gridStep = step;
     replaceIn(this.grid, lines);
@@ -80,7 +130,7 @@ export class Picture {
 
   // Along the shortest side of what is flat, else obliquely from above.
   resetView() {
-    const [least, largest] = this.motion.bounds();
+    const [least, largest] = this.isInState ? this.stateBounds : this.motion.bounds();
     const sides = least.map((x, i) => largest[i] - x);
     const flat = sides.map((side) => side < 1e-3 * this.size);
     const isBodyAlone = sides.every((side) => side === 0);
@@ -100,9 +150,13 @@ export class Picture {
 
   colourLines() {
     this.reference.material.color.set(this.theme.ink);
-    for (const lines of this.shapes.children) lines.material.color.set(this.theme.muted);
+    for (const lines of [...this.shapes.children, ...this.state.children]) lines.material.color.set(this.theme.muted);
     for (const grid of this.grid.children) grid.material.color.set(this.theme.line);
   }
+}
+
+function widenBox([least, largest], margin) {
+  return [least.map((x) => x - margin), largest.map((x) => x + margin)];
 }
 
 // Relative to the magnitude: less is round-off of single precision, and gets one colour.

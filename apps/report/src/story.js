@@ -10,11 +10,18 @@ export function showHeader(info) {
   find("title").textContent = title;
   find("status").textContent = statusWords[info.status] ?? info.status;
   find("status").dataset.status = info.status;
-  const words = [info.file, info.is_static ? "static" : "dynamic", info.units && `units ${info.units}`];
+  const words = [info.file, nameAnalysis(info), info.units && `units ${info.units}`];
   find("subtitle").textContent = words.filter(Boolean).join(" · ");
   find("thinned").hidden = info.left_out.length === 0;
   find("thinned").addEventListener("click", () => document.querySelector("[aria-controls=about]").click());
   find("warnings").append(...info.warnings.map((warning) => make("p", { className: "warning" }, warning)));
+}
+
+// Of a run with stages the kinds of all of them.
+function nameAnalysis({ stages, paths, modes, responses, is_static: isStatic }) {
+  if (stages) return [...new Set(stages.map(({ kind }) => kind))].join(", ");
+  if (paths) return "path";
+  return modes ? modes[0].kind : responses ? "response" : isStatic ? "static" : "dynamic";
 }
 
 const inTable = (cell) => (typeof cell === "number" ? formatNumber(cell, 6) : cell);

@@ -13,6 +13,7 @@ export function readTheme() {
   const style = getComputedStyle(document.documentElement);
   const colour = (name) => style.getPropertyValue(`--${name}`).trim();
   return {
+    paper: colour("paper"),
     ink: colour("ink"),
     muted: colour("muted"),
     line: colour("line"),
@@ -21,6 +22,7 @@ export function readTheme() {
     path: colour("path"),
     bad: colour("bad"),
     series: [1, 2, 3, 4].map((i) => colour(`series-${i}`)),
+    branches: [1, 2, 3, 4, 5, 6].map((i) => colour(`branch-${i}`)),
     // From blue over violet and red to orange, for more lines in an order than there are series.
     ranks: (part) => `oklch(${colour("rank-lightness")} 0.16 ${265 + 155 * part})`,
   };

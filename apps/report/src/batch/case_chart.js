@@ -4,7 +4,7 @@ import { ChartChoices } from "./chart_choices.js";
 import { HeatFigure } from "./heat_figure.js";
 import { HistogramFigure } from "./histogram_figure.js";
 import { Paint } from "./paint.js";
-import { Plot } from "./plot.js";
+import { Plot } from "../figures/plot.js";
 import { count, PointFigure } from "./point_figure.js";
 import { summarise } from "./statistics.js";
 import { readTheme } from "../theme.js";

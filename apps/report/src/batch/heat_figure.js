@@ -1,5 +1,5 @@
 import { ColourScale } from "../colours.js";
-import { Axis } from "./axis.js";
+import { Axis } from "../figures/axis.js";
 import { count } from "./point_figure.js";
 
 // A rectangle a case, for two parameters; its colour is a value. Each value of a parameter takes the same room.

@@ -1,6 +1,6 @@
 import { make } from "../elements.js";
 import { formatNumber } from "../format.js";
-import { Axis } from "./axis.js";
+import { Axis } from "../figures/axis.js";
 import { Column } from "./column.js";
 import { quantile, summarise } from "./statistics.js";
 

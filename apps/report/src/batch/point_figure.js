@@ -1,4 +1,4 @@
-import { Axis } from "./axis.js";
+import { Axis } from "../figures/axis.js";
 import { slopeOf } from "./statistics.js";
 
 const edge = 8; // pixels between a mark at the edge and the edge
