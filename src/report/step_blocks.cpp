@@ -182,6 +182,7 @@ EnergySurvey survey_energy(const Hdf5Reader& file, bool is_static, std::size_t s
     const std::string branch_column = "/histories/branch";
     EnergyPoint before;
     double branch_before = 0.0;
+    bool has_point = false;
     for (std::size_t first = 0; first < steps; first += most_rows_at_once) {
         const std::size_t count = std::min(most_rows_at_once, steps - first);
         const auto read = [&](const std::string& name) { return file.rows(name, first, count, 1); };
@@ -198,13 +199,18 @@ EnergySurvey survey_energy(const Hdf5Reader& file, bool is_static, std::size_t s
         for (std::size_t i = 0; i < count; ++i) {
             survey.largest = std::max({survey.largest, kinetic[i] + strain[i], std::abs(work[i])});
             survey.largest_error = std::max(survey.largest_error, std::abs(error[i]));
-            if (!finds_jumps) continue;
+            // What keeps a model turning does work that no load does.
+            if (!finds_jumps || kinetic[i] != 0.0) {
+                has_point = false;
+                continue;
+            }
             const EnergyPoint point{times[i], strain[i], work[i], uncertain[i]};
             // The books of a branch start anew.
-            const bool has_before = first + i > 0 && branches[i] == branch_before;
+            const bool has_before = has_point && branches[i] == branch_before;
             const auto jump = has_before ? find_jump(before, point, survey.largest) : std::nullopt;
             if (jump) add_jump(*jump, survey.jumps);
             before = point;
+            has_point = true;
             branch_before = branches[i];
         }
     }
