@@ -50,21 +50,21 @@ class Page {
         for (const StepChart& chart : charts_) content_.columns += chart.columns();
         content_.arrows = story_.arrows.size();
         content_.is_static = story_.is_static;
-        findings_.emplace(file, options.results, charts_, content_, options.most_bytes);
+        const std::size_t room = options.most_bytes - std::min(options.most_bytes, shell_.size());
+        findings_.emplace(file, options.results, charts_, content_, room);
         content_.shape_vectors = findings_->count_shape_vectors();
         warnings_ = list_warnings(file, story_, content_.steps);
         if (!doubt.empty()) warnings_.push_back("This file is in doubt: " + doubt + ".");
     }
 
     ReportSummary write(std::ostream& out) {
-        const PageShell shell(page_template());
-        plan(shell.size());
-        out << shell.before;
+        plan(shell_.size());
+        out << shell_.before;
         write_description(out, describe());
         write_frame_blocks(file_, plan_, content_, story_.arrows, out);
         write_step_blocks(file_, charts_, plan_.steps, content_.steps, out);
         findings_->write(plan_, out);
-        out << shell.after;
+        out << shell_.after;
         return {static_cast<std::size_t>(out.tellp()), left_out(), warnings_};
     }
 
@@ -116,6 +116,7 @@ class Page {
 
     const Hdf5Reader& file_;
     const ReportOptions& options_;
+    PageShell shell_{page_template()};
     RunStory story_;
     std::vector<std::string> warnings_;
     std::vector<StepChart> charts_;

@@ -20,7 +20,7 @@ namespace gxrod {
 // to forces that swing. A run without any adds nothing to its page.
 class Findings {
   public:
-    // What of it fits into a page of `bytes`: paths and answers take a tenth of it each, at most, and shapes
+    // What of it fits into `bytes` of data: paths and answers take a tenth of it each, at most, and shapes
     // three tenths. Throws Hdf5Error.
     Findings(const Hdf5Reader& file,
              const std::filesystem::path& results,

@@ -85,7 +85,7 @@ std::size_t PathData::bytes_of_row() const {
 
 void PathData::choose_rows(std::size_t bytes) {
     for (const Stretch& stretch : stretches_) all_rows_ += stretch.end - stretch.first;
-    const std::size_t most = std::max<std::size_t>(bytes / bytes_of_row(), 100);
+    const std::size_t most = std::max<std::size_t>(bytes / bytes_of_row(), 20);
     const std::size_t stride = all_rows_ <= most ? 1 : all_rows_ / most + 1;
     std::vector<bool> is_kept(branches_.size(), false);
     for (const Stretch& stretch : stretches_) {

@@ -83,7 +83,7 @@ std::size_t ResponseData::bytes_of_row() const {
 // Of each group of frequencies the first and, of each curve, that with the largest amplitude.
 void ResponseData::choose_rows(std::size_t bytes) {
     const std::size_t count = omegas_.size();
-    const std::size_t most = std::max<std::size_t>(bytes / bytes_of_row(), 100);
+    const std::size_t most = std::max<std::size_t>(bytes / bytes_of_row(), 20);
     const std::size_t group = count <= most ? 1 : (count * (curves_.size() + 1)) / most + 1;
     std::set<std::size_t> kept;
     for (std::size_t first = 0; first < count; first += group) {
