@@ -9,12 +9,12 @@ const height = 168;
 
 // One chart with its values at the clock's time; pressing or dragging in it moves the clock.
 export class Chart {
-  constructor(chart, times, clock, { timeName, units, leastHeight, unstable, stages }) {
+  constructor(chart, times, clock, { timeName, units, leastHeight, unstable, parts }) {
     this.chart = chart;
     this.units = units;
     this.leastHeight = leastHeight;
     this.unstable = unstable;
-    this.stages = stages;
+    this.parts = parts;
     this.times = times;
     this.clock = clock;
     this.timeName = timeName;
@@ -99,7 +99,7 @@ export class Chart {
           points: { show: this.times.length < 40, size: 5 },
         })),
       ],
-      hooks: { drawClear: [(plot) => this.shadeUnstable(plot), (plot) => drawStages(plot, this.stages)], draw: [() => this.moveLine()] },
+      hooks: { drawClear: [(plot) => this.shadeUnstable(plot), (plot) => drawParts(plot, this.parts)], draw: [() => this.moveLine()] },
     };
   }
 
@@ -143,8 +143,8 @@ export class Chart {
   }
 }
 
-// A dashed line where each stage starts but the first, and its name where there is room.
-function drawStages(plot, stages) {
+// A dashed line where each part of the run starts but the first, and its name where there is room.
+function drawParts(plot, parts) {
   const { ctx: context, bbox } = plot;
   const ratio = uPlot.pxRatio;
   context.save();
@@ -152,7 +152,7 @@ function drawStages(plot, stages) {
   context.lineWidth = ratio;
   context.setLineDash([3 * ratio, 3 * ratio]);
   context.font = `${10 * ratio}px ${getComputedStyle(document.body).fontFamily}`;
-  stages.forEach(({ name, from, until }, i) => {
+  parts.forEach(({ name, from, until }, i) => {
     const left = plot.valToPos(from, "x", true);
     if (i > 0) {
       context.beginPath();
@@ -161,7 +161,7 @@ function drawStages(plot, stages) {
       context.stroke();
     }
     const room = plot.valToPos(until, "x", true) - left - 8 * ratio;
-    if (stages.length > 1 && context.measureText(name).width < room) context.fillText(name, left + 4 * ratio, bbox.top - 1 * ratio);
+    if (parts.length > 1 && context.measureText(name).width < room) context.fillText(name, left + 4 * ratio, bbox.top - 1 * ratio);
   });
   context.restore();
 }
@@ -199,26 +199,27 @@ function nearest(times, time) {
   return time - times[low] <= times[high] - time ? low : high;
 }
 
-// Parts of a run whose equilibria are unstable: from the step before the first to the last.
-function listUnstableParts({ info, stepTimes }) {
+// Parts of a run whose equilibria are unstable: from the step before the first to the last. Paths have their own.
+function listUnstableParts({ info, stepTimes }, onPaths) {
+  const isOnPath = (time) => onPaths.whole.some(([from, until]) => time >= from && time <= until);
   const pivots = info.charts.find(({ labels }) => labels[0] === "negative pivots")?.columns[0] ?? [];
   const parts = [];
   for (let i = 0; i < pivots.length; ++i) {
-    if (pivots[i] <= 0) continue;
+    if (pivots[i] <= 0 || isOnPath(stepTimes[i])) continue;
     if (i > 0 && pivots[i - 1] > 0) parts.at(-1)[1] = stepTimes[i];
     else parts.push([stepTimes[Math.max(i - 1, 0)], stepTimes[i]]);
   }
-  return parts;
+  return [...parts, ...onPaths.unstable];
 }
 
 const headings = { energy: "Energy", history: "Histories", momentum: "Momentum", solver: "Solver" };
 
 // All charts under headings; each is drawn when it comes into sight.
-export function showCharts(data, clock, { timeName, units, along, stages }) {
+export function showCharts(data, clock, { timeName, units, along, parts, onPaths }) {
   const heights = listLeastHeights(data.info.charts);
-  const unstable = listUnstableParts(data);
+  const unstable = listUnstableParts(data, onPaths);
   const charts = data.info.charts.map(
-    (chart, i) => new Chart(chart, data.stepTimes, clock, { timeName, units, leastHeight: heights[i], unstable, stages }),
+    (chart, i) => new Chart(chart, data.stepTimes, clock, { timeName, units, leastHeight: heights[i], unstable, parts }),
   );
   const panel = find("charts");
   if (along) panel.append(along.element);

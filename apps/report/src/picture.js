@@ -14,6 +14,7 @@ export class Picture {
     this.data = data;
     this.motion = motion;
     this.stage = new Stage(canvas);
+    canvas.motion = () => motion; // for tests
     this.size = measure(data, motion);
     this.parts = {
       rods: new Tubes(data, motion, this.size),

@@ -1,38 +1,61 @@
 import { nearestRow } from "./path_tab.js";
 
-// Stages that take time, in their order; none of a run without stages.
-export function listTimedStages({ stages }) {
-  return stages.filter(({ from, until }) => until > from);
+// Parts of a run with names, in their order: stages that take time and, of a path with branches, the path and each branch.
+export function listParts({ stages, paths, rows }) {
+  const branched = paths.filter(({ paths: branches }) => branches.length > 1);
+  const whole = stages.filter(({ name, from, until }) => until > from && !branched.some(({ stage }) => stage === name));
+  return [...whole, ...branched.flatMap((path) => splitByBranch(path, rows))].sort((a, b) => a.from - b.from);
 }
 
-// Which of these stages a time belongs to; a boundary belongs to the stage that ends there.
-export function stageAt(stages, time) {
-  return stages.find(({ until }) => time <= until) ?? stages.at(-1) ?? null;
+function splitByBranch({ stage, first, count, paths }, { times, branches }) {
+  const parts = [];
+  for (let row = first; row < first + count; row++) {
+    const isNew = row === first || branches[row] !== branches[row - 1];
+    const name = paths[branches[row]]?.name ?? (branches[row] === 0 ? stage : `branch ${branches[row]}`);
+    if (isNew) parts.push({ name, from: times[Math.max(row - 1, first)], until: times[row] });
+    else parts.at(-1).until = times[row];
+  }
+  return parts;
 }
 
-// What the player says in addition to the time: the stage and, on a path, the load factor.
-export function describeTime({ stages, paths, rows }, time) {
-  const words = [];
-  const stage = stageAt(listTimedStages({ stages }), time);
-  if (stage) words.push(stage.name);
-  const path = paths.find(({ first, count }) => time >= rows.times[first] && time <= rows.times[first + count - 1]);
-  const load = path ? rows.loads[nearestRow(path, rows, time)] : null;
-  return { words, load };
+// Which of these parts a time belongs to; a boundary belongs to the part that ends there.
+export function partAt(parts, time) {
+  return parts.find(({ until }) => time <= until) ?? parts.at(-1) ?? null;
 }
 
-// Frames after which the motion does not go on from frame to frame: the next one is of another branch of a path.
-export function listSeams({ paths, rows }, times) {
+const pathAt = ({ paths, rows }, time) => paths.find(({ first, count }) => time >= rows.times[first] && time <= rows.times[first + count - 1]);
+
+// What the player says in addition to the time: the part of the run and, on a path, the load factor.
+export function describeTime(found, parts, time) {
+  const path = pathAt(found, time);
+  const load = path ? found.rows.loads[nearestRow(path, found.rows, time)] : null;
+  const part = partAt(parts, time);
+  return { words: part ? [part.name] : [], load };
+}
+
+// Frames after which the motion does not go on from frame to frame: the next one is of another branch of a path, or is after it.
+export function listSeams(found, times) {
   const seams = new Set();
-  if (paths.length === 0) return seams;
   const branchAt = (time) => {
-    const path = paths.find(({ first, count }) => time >= rows.times[first] && time <= rows.times[first + count - 1]);
-    return path ? `${path.stage} ${rows.branches[nearestRow(path, rows, time)]}` : "";
+    const path = pathAt(found, time);
+    return path ? found.rows.branches[nearestRow(path, found.rows, time)] : 0;
   };
-  let before = null;
-  times.forEach((time, frame) => {
-    const branch = branchAt(time);
-    if (before && branch && branch !== before && !branch.endsWith(" 0")) seams.add(frame - 1);
-    before = branch;
-  });
+  for (let frame = 0; frame + 1 < times.length; frame++) {
+    if (branchAt(times[frame]) !== branchAt(times[frame + 1])) seams.add(frame);
+  }
   return seams;
+}
+
+// Stretches of time [from, until] of paths, and of these the unstable ones: after a point whose tangent has negative pivots.
+export function listPathStretches({ paths, rows }) {
+  const whole = paths.map(({ first, count }) => [rows.times[first], rows.times[first + count - 1]]);
+  const unstable = [];
+  for (const { first, count } of paths) {
+    for (let row = first; row + 1 < first + count; row++) {
+      if (!(rows.pivots[row] > 0) || rows.branches[row] !== rows.branches[row + 1]) continue;
+      if (unstable.length > 0 && unstable.at(-1)[1] === rows.times[row]) unstable.at(-1)[1] = rows.times[row + 1];
+      else unstable.push([rows.times[row], rows.times[row + 1]]);
+    }
+  }
+  return { whole, unstable };
 }

@@ -1,0 +1,240 @@
+"""Paths, modes, eigenvalues and answers in the page of gxrod report, in a browser."""
+
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+import h5py
+import numpy as np
+from browser import Browser
+from program import GXROD, SOURCE
+from report_pages import PageTest
+
+DECKS = ("sway", "sagging_cable", "damped_cantilever", "turning_blade")
+MOVE = """
+    const over = document.querySelector(arguments[0] + ' .u-over');
+    const box = over.getBoundingClientRect();
+    const at = { clientX: box.left + arguments[1], clientY: box.top + arguments[2], bubbles: true };
+    over.dispatchEvent(new PointerEvent('pointermove', at));
+    if (arguments[3]) over.dispatchEvent(new MouseEvent('click', at));
+    const tip = over.querySelector('.tip');
+    return tip.hidden ? '' : tip.textContent;"""
+
+
+def setUpModule():
+    temporary = tempfile.TemporaryDirectory()
+    unittest.addModuleCleanup(temporary.cleanup)
+    PageTest.folder = pathlib.Path(temporary.name)
+    for name in DECKS:
+        shutil.copy(SOURCE / f"docs/examples/{name}/{name}.toml", PageTest.folder)
+        for words in (f"run {name}.toml --quiet", f"report {name}.vtkhdf"):
+            subprocess.run([GXROD, *words.split()], cwd=PageTest.folder, check=True, capture_output=True)
+    PageTest.browser = Browser()
+    unittest.addModuleCleanup(PageTest.browser.close)
+
+
+class FoundTest(PageTest):
+    def setUp(self):
+        self.addCleanup(lambda: self.assertEqual(self.browser.take_errors(), []))
+
+    def results(self, name):
+        file = h5py.File(self.folder / f"{name}.vtkhdf")
+        self.addCleanup(file.close)
+        return file
+
+    def tabs(self):
+        return self.browser.run("return [...document.querySelectorAll('[role=tab]')].map((tab) => tab.textContent)")
+
+    def press(self, selector, number=0):
+        self.browser.run("document.querySelectorAll(arguments[0])[arguments[1]].click()", selector, number)
+        self.browser.settle()
+
+    def is_playing(self):
+        return self.browser.run("return document.getElementById('play').dataset.playing") == "true"
+
+    def pause(self):
+        if self.is_playing():
+            self.press("#play")
+
+
+class Paths(FoundTest):
+    def place_of_mark(self, number):
+        return self.browser.run("""
+            const figure = document.querySelector('#path .figure').figure();
+            const canvas = document.querySelector('#path canvas');
+            const over = document.querySelector('#path .u-over');
+            const ratio = canvas.width / canvas.clientWidth;
+            const mark = figure.marks[arguments[0]];
+            return [mark.left / ratio - over.offsetLeft, mark.top / ratio - over.offsetTop];""", number)
+
+    def test_is_full_where_it_is_stable_and_leads_to_the_shapes(self):
+        self.open("sway")
+        self.assertEqual(self.tabs()[:2], ["Path", "Charts"])
+        file = self.results("sway")
+        branches = self.browser.run("""
+            const figure = document.querySelector('#path .figure').figure();
+            return figure.branches.map(({ name, rows, isStable }, i) =>
+                ({ name, rows, isStable, x: figure.places[i].map(({ x }) => x), y: figure.places[i].map(({ y }) => y) }));""")
+        rows = file["histories/branch"][()]
+        pivots = file["solver/negative_pivots"][()]
+        bifurcation = int(file["stages/path/critical_points/row"][0])
+        for number, branch in enumerate(branches):
+            own = list(np.flatnonzero(rows == number))
+            expected = own if number == 0 else [bifurcation, *own]
+            self.assertEqual(branch["rows"], expected)
+            np.testing.assert_allclose(branch["y"], file["histories/load_factor"][()][expected], rtol=1e-12)
+            np.testing.assert_allclose(branch["x"], file["histories/crown/displacement"][:, 0][expected], rtol=1e-6, atol=1e-9)
+            stable = list(pivots[own] <= 0)
+            self.assertEqual(branch["isStable"], stable if number == 0 else [stable[0], *stable])
+        self.assertEqual([branch["name"] for branch in branches], ["path", "path.1+", "path.1−"])
+        # Pointing at the bifurcation says what it is, pressing it goes there.
+        finding = file["stages/path/critical_points/finding"].asstr()[0]
+        place = self.place_of_mark(0)
+        self.assertIn(finding, self.browser.run(MOVE, "#path", *place, True))
+        self.browser.settle()
+        time = file["histories/time"][bifurcation]
+        self.assertEqual(self.text("#time-text"), f"s = {float(f'{time:.5g}'):g}")
+        self.assertIn("λ = 327.6", self.text("#frame-text"))
+        frame = int(np.argmin(np.abs(file["VTKHDF/Steps/Values"][()] - time)))
+        self.assertIn(f"frame {frame + 1} of", self.text("#frame-text"))
+
+    def test_swings_in_the_shape_of_a_critical_point(self):
+        self.open("sway")
+        before = self.picture()
+        self.press("#path .swing")
+        self.pause()
+        self.assertIn("bifurcation at λ = 327.6", self.text("#swing-note"))
+        self.assertTrue(self.browser.run("return document.getElementById('colouring').hidden"))
+        self.slide(0)
+        one = self.picture()
+        self.slide(36)  # half a period later
+        other = self.picture()
+        for first, second in ((before, one), (one, other)):
+            self.assertGreater((np.abs(first - second).max(axis=2) > 40).mean(), 0.001, "the picture does not move")
+        self.slide(72)
+        self.assertLess((np.abs(one - self.picture()).max(axis=2) > 40).mean(), 1e-4, "a period later it is elsewhere")
+        self.press("#back")
+        self.assertLess((np.abs(before - self.picture()).max(axis=2) > 40).mean(), 1e-4, "the run does not come back")
+        self.assertTrue(self.browser.run("return document.getElementById('swing-note').hidden"))
+
+    def test_hides_branches_and_draws_other_quantities(self):
+        self.open("sway")
+        range_of = lambda: self.browser.run("return document.querySelector('#path .figure').figure().x.range")
+        self.assertLess(range_of()[0], -80)
+        self.press("#path .keys button", 2)  # path.1−
+        self.assertGreater(range_of()[0], -80)
+        self.browser.run("""
+            const menu = document.querySelector('#path select[aria-label=Across]');
+            menu.value = [...menu.options].find((option) => option.textContent === 'crown: displacement y').value;
+            menu.dispatchEvent(new Event('change'));""")
+        self.browser.settle()
+        x = self.browser.run("return document.querySelector('#path .figure').figure().places[0].map(({ x }) => x)")
+        file = self.results("sway")
+        main = file["histories/branch"][()] == 0
+        np.testing.assert_allclose(x, file["histories/crown/displacement"][:, 1][main], rtol=1e-6)
+
+
+class Modes(FoundTest):
+    def positions(self):
+        """Of the rods' centreline, at the phase that is shown."""
+        return np.array(self.browser.run("return Array.from(document.getElementById('canvas').motion().positions)")).reshape(-1, 3)
+
+    def test_lists_them_and_swings_in_the_chosen_one(self):
+        self.open("sagging_cable")
+        self.assertEqual(self.tabs()[:2], ["Modes", "Charts"])
+        tones = self.results("sagging_cable")["stages/tones"]
+        listed = self.browser.run("return [...document.querySelectorAll('.modes tbody')].map((body) => body.textContent)")
+        self.assertEqual(len(listed), len(tones["frequency"]))
+        shares = tones["effective_mass"][()] / tones["total_mass"][()]
+        for text, frequency, words, share in zip(listed, tones["frequency"], tones["words"].asstr(), shares):
+            self.assertIn(f"{frequency:.6g}", text)
+            self.assertIn(words, text)
+            for part, direction in zip(share, ("along x", "along y", "along z")):
+                self.assertEqual(f"{round(100 * part)} % {direction}" in text, bool(part >= 0.005), text)
+        self.press(".modes .swing", 1)
+        self.assertTrue(self.is_playing())
+        self.pause()
+        with h5py.File(self.folder / "sagging_cable.tones.vtkhdf") as shapes:
+            points = shapes["VTKHDF/Points"][()]
+            move = shapes["VTKHDF/PointData/displacement"][()].reshape(-1, len(points), 3)[1]
+        for step in (0, 9, 18, 36):
+            self.slide(step)
+            np.testing.assert_allclose(self.positions(), points + np.cos(2 * np.pi * step / 72) * move, atol=2e-6)
+        self.browser.run("const s = document.getElementById('amplitude'); s.value = 1; s.dispatchEvent(new Event('input'))")
+        self.slide(0)
+        np.testing.assert_allclose(self.positions(), points + 2.0 * move, atol=2e-6)
+        self.press(".modes .swing", 1)  # once more leaves it
+        self.assertIn("frame", self.text("#frame-text"))
+
+    def test_a_complex_shape_goes_round(self):
+        self.open("turning_blade")
+        with h5py.File(self.folder / "turning_blade.tones.vtkhdf") as shapes:
+            points = shapes["VTKHDF/Points"][()]
+            read = lambda name: shapes[f"VTKHDF/PointData/{name}"][()].reshape(-1, len(points), 3)
+            real, imaginary, turns = read("displacement"), read("displacement_imaginary"), read("rotation_vector")
+        mode = 0
+        self.assertLess(np.linalg.norm(turns[mode], axis=1).max(), 1.9)  # so that it is drawn as large as it is
+        self.press(".modes .swing", mode)
+        self.pause()
+        for step in (0, 9, 18, 30):
+            self.slide(step)
+            angle = 2 * np.pi * step / 72
+            expected = points + np.cos(angle) * real[mode] - np.sin(angle) * imaginary[mode]
+            np.testing.assert_allclose(self.positions(), expected, atol=2e-6)
+
+    def test_eigenvalues_in_the_complex_plane(self):
+        self.open("damped_cantilever")
+        tones = self.results("damped_cantilever")["stages/tones"]
+        points = self.browser.run("return document.querySelector('#modes .figure').figure().points")
+        np.testing.assert_allclose([[point["x"], point["y"]] for point in points],
+                                   np.column_stack([tones["growth"], tones["omega"]]), rtol=1e-12)
+        # It opens on its first mode, as nothing moves in the run; pressing an eigenvalue chooses its own.
+        self.assertIn("tones 1", self.text("#swing-note"))
+        self.assertFalse(self.is_playing())
+        place = self.browser.run("""
+            const canvas = document.querySelector('#modes canvas');
+            const over = document.querySelector('#modes .u-over');
+            const ratio = canvas.width / canvas.clientWidth;
+            const point = document.querySelector('#modes .figure').figure().points[2];
+            return [point.left / ratio - over.offsetLeft, point.top / ratio - over.offsetTop];""")
+        self.assertIn(tones["words"].asstr()[2], self.browser.run(MOVE, "#modes", *place, True))
+        self.assertIn("tones 3", self.text("#swing-note"))
+
+
+class Responses(FoundTest):
+    def test_amplitudes_and_phases_over_the_frequency(self):
+        self.open("damped_cantilever")
+        self.press("[aria-controls=response]")
+        stages = self.results("damped_cantilever")["stages"]
+        omegas = stages["shake/omega"][()]
+        answers = stages["shake/histories/tip/displacement"][:, 1]
+        curves = """
+            return [...document.querySelectorAll('#response .figure')].map((body) => {
+                const { x, y, lines, ticks } = body.figure();
+                return { isLog: [x.isLog, y.isLog], xs: lines[0].map((p) => p.x), ys: lines[0].map((p) => p.y), ticks: ticks.map((t) => t.value) };
+            });"""
+        root, _, amplitude, phase = self.browser.run(curves)
+        self.assertEqual((root["isLog"], amplitude["isLog"], phase["isLog"]), ([True, True], [True, True], [True, False]))
+        np.testing.assert_allclose(amplitude["xs"], omegas, rtol=1e-12)
+        np.testing.assert_allclose(amplitude["ys"], np.hypot(*answers.T), rtol=1e-6)
+        np.testing.assert_allclose(phase["ys"], np.degrees(np.unwrap(np.arctan2(answers[:, 1], answers[:, 0]))), atol=1e-3)
+        np.testing.assert_allclose(amplitude["ticks"], stages["tones/omega"][()], rtol=1e-12)
+        self.browser.run("const m = document.querySelector('#response select'); m.value = 'frequency'; m.dispatchEvent(new Event('change'))")
+        np.testing.assert_allclose(self.browser.run(curves)[2]["xs"], omegas / (2 * np.pi), rtol=1e-12)
+
+
+class Stages(FoundTest):
+    def test_the_player_names_the_stage(self):
+        self.open("sagging_cable")
+        file = self.results("sagging_cable")
+        times = file["VTKHDF/Steps/Values"][()]
+        for frame, time in enumerate(times):
+            self.slide(frame)
+            self.assertIn("hang · frame" if time <= 1.0 else "slacken · frame", self.text("#frame-text"))
+        self.assertIn("static, modes", self.text("#subtitle"))
+
+
+if __name__ == "__main__":
+    unittest.main()
