@@ -8,7 +8,7 @@ import unittest
 
 import h5py
 import numpy as np
-from browser import Browser
+from browser import PHONE, Browser
 from program import GXROD, SOURCE
 from report_pages import PageTest
 
@@ -234,6 +234,36 @@ class Stages(FoundTest):
             self.slide(frame)
             self.assertIn("hang · frame" if time <= 1.0 else "slacken · frame", self.text("#frame-text"))
         self.assertIn("static, modes", self.text("#subtitle"))
+
+    def test_charts_have_a_dashed_line_where_a_stage_starts(self):
+        self.open("sagging_cable")
+        self.press("[aria-controls=charts]")
+        self.slide(0)
+        self.browser.wait(lambda: self.browser.run("return document.querySelector('.chart:not(.along) canvas') !== null"))
+        self.browser.settle()
+        drawn = self.browser.run("""
+            const canvas = document.querySelector('.chart:not(.along) canvas');
+            const over = document.querySelector('.chart:not(.along) .u-over');
+            const ratio = canvas.width / canvas.clientWidth;
+            return [0.375, 0.5].map((part) => {
+                const left = Math.round((over.offsetLeft + part * over.clientWidth) * ratio) - 1;
+                const { data } = canvas.getContext('2d').getImageData(left, over.offsetTop * ratio, 3, over.clientHeight * ratio);
+                let count = 0;
+                for (let i = 0; i < data.length; i += 4) count += data[i + 3] > 60 && Math.max(data[i], data[i + 1], data[i + 2]) < 140;
+                return count;
+            });""")  # before the second stage starts, and there
+        self.assertLess(drawn[0], 12)
+        self.assertGreater(drawn[1], 40)
+
+
+class Looks(FoundTest):
+    def test_a_phone_does_not_scroll_sideways(self):
+        for name, tabs in (("sway", ["path"]), ("sagging_cable", ["modes"]), ("damped_cantilever", ["modes", "response"])):
+            self.open(name, PHONE)
+            for tab in tabs:
+                self.press(f"[aria-controls={tab}]")
+                width = self.browser.run("return Math.max(document.documentElement.scrollWidth, document.body.scrollWidth)")
+                self.assertLessEqual(width, PHONE[0], (name, tab))
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "report/base64.hpp"
 #include "tools/catch.hpp"
 
 using namespace gxrod;
@@ -92,6 +93,21 @@ TEST_CASE("Bodies that are not drawn take no room", "[report]") {
     ReportContent content = make_content(heap, 100, 100);
     content.marked_nodes = {500, 600};
     CHECK(plan_report(content, megabyte).nodes.size() == 22);
+}
+
+TEST_CASE("Shapes that stages have found have their room", "[report]") {
+    const FrameTopology line = make_line(5000);
+    ReportContent content = make_content(line, 20, 100);
+    const ReportPlan without = plan_report(content, 19 * megabyte);
+    REQUIRE(without.nodes.size() == 5001);
+    const std::size_t bytes = count_bytes(without, content);
+    content.shape_vectors = 7;
+    // Each takes three numbers of four bytes a node, as base64.
+    CHECK(count_bytes(without, content) == bytes + 7 * base64_length(without.nodes.size() * 12));
+    content.shape_vectors = 200;
+    const ReportPlan with = plan_report(content, 19 * megabyte);
+    CHECK(count_bytes(with, content) <= 19 * megabyte);
+    CHECK(with.nodes.size() < without.nodes.size());
 }
 
 TEST_CASE("Every thinning is reported", "[report]") {

@@ -99,7 +99,7 @@ export class Chart {
           points: { show: this.times.length < 40, size: 5 },
         })),
       ],
-      hooks: { drawClear: [(plot) => this.shadeUnstable(plot), (plot) => drawParts(plot, this.parts)], draw: [() => this.moveLine()] },
+      hooks: { drawClear: [(plot) => this.shadeUnstable(plot)], drawAxes: [(plot) => drawParts(plot, this.parts)], draw: [() => this.moveLine()] },
     };
   }
 
