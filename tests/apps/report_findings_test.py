@@ -291,6 +291,34 @@ class Findings(ProgramTest):
             self.assertNotIn(name, page.info)
         self.assertEqual([name for name in page.blocks if name.startswith(("path", "shape", "response"))], [])
 
+    def test_modes_over_a_number_of_the_deck(self):
+        self.write("swept.toml", "[parameters]\nP = 1\n" + COLUMN.replace("[-1, 0, 0.2]", '["-P", 0, 0]') + """
+[[stage]]
+name = "press"
+kind = "static"
+steps = 1
+[[stage]]
+name = "onset"
+kind = "eigenvalues"
+count = 2
+sweep = { key = "parameters.P", values = [0, 2, 3] }
+""")
+        self.gxrod("run", "swept.toml", "--quiet")
+        self.gxrod("report", "swept.vtkhdf")
+        info = PageData(self.folder / "swept.html").info
+        self.assertNotIn("modes", info)
+        [sweep] = info["sweeps"]
+        with h5py.File(self.folder / "swept.vtkhdf") as file:
+            stage = file["stages/onset"]
+            for part in ("omega", "growth"):
+                np.testing.assert_array_equal(np.array(sweep[part]).T, stage[part][()])
+            self.assertEqual(sweep["words"], list(stage["words"].asstr()))
+        self.assertEqual((sweep["key"], sweep["values"], sweep["speeds"]), ("parameters.P", [0, 2, 3], [0, 0, 0]))
+        # B1: the column buckles at 2.458335976611.
+        [onset] = sweep["onsets"]
+        self.assertEqual((onset["kind"], onset["begins"]), ("divergence", True))
+        self.assertAlmostEqual(onset["value"], 2.458335976611, delta=1e-5)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -8,6 +8,7 @@
 #include "report/base64.hpp"
 #include "report/data_blocks.hpp"
 #include "report/findings/mode_json.hpp"
+#include "report/findings/sweep_json.hpp"
 #include "results/shape_file.hpp"
 
 namespace gxrod {
@@ -117,6 +118,11 @@ void Findings::describe(Json& json) const {
     Json responses = Json::array();
     for (std::size_t i = 0; i < responses_.size(); ++i) responses.push_back(responses_[i].describe(i));
     add("responses", std::move(responses));
+    Json sweeps = Json::array();
+    for (const FoundStage& stage : stages_) {
+        if (has_sweep(file_, stage)) sweeps.push_back(describe_sweep(file_, stage));
+    }
+    add("sweeps", std::move(sweeps));
 }
 
 void Findings::write(const ReportPlan& plan, std::ostream& out) const {

@@ -33,7 +33,7 @@ class Findings {
     // Of the shapes, for each node of the plan.
     std::size_t count_shape_vectors() const;
     std::vector<std::string> left_out() const;
-    // Adds "stages", "paths", "modes" and "responses", as far as there are any.
+    // Adds "stages", "paths", "modes", "responses" and "sweeps", as far as there are any.
     void describe(nlohmann::ordered_json& json) const;
     // Throws Hdf5Error.
     void write(const ReportPlan& plan, std::ostream& out) const;

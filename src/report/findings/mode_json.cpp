@@ -27,7 +27,9 @@ Json share_masses(const std::vector<double>& masses, const std::vector<double>& 
 
 }  // namespace
 
-bool has_modes(const Hdf5Reader& file, const FoundStage& stage) { return stage.has(file, shape_words_name); }
+bool has_modes(const Hdf5Reader& file, const FoundStage& stage) {
+    return stage.has(file, shape_words_name) && !stage.has(file, sweep_values_name);
+}
 
 std::size_t count_modes(const Hdf5Reader& file, const FoundStage& stage) {
     return file.size(stage.group() + "/" + shape_words_name).at(0);

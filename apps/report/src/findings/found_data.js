@@ -1,6 +1,6 @@
 import { decode } from "../data.js";
 
-// What the stages of a run have found, as far as there is any: { stages, paths, rows, modes, responses }.
+// What the stages of a run have found, as far as there is any: { stages, paths, rows, modes, responses, sweeps }.
 export function readFindings(info) {
   return {
     stages: info.stages ?? [],
@@ -8,6 +8,7 @@ export function readFindings(info) {
     rows: info.paths ? readPathRows(info) : null,
     modes: (info.modes ?? []).map((modes) => ({ ...modes, shapes: readShapes(modes.swing) })),
     responses: (info.responses ?? []).map(readResponse),
+    sweeps: info.sweeps ?? [],
   };
 }
 

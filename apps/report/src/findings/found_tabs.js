@@ -2,6 +2,7 @@ import { find, make } from "../elements.js";
 import { ModesTab } from "./modes_tab.js";
 import { PathTab } from "./path_tab.js";
 import { ResponseTab } from "./response_tab.js";
+import { SweepTab } from "./sweep_tab.js";
 
 // Tabs of what the stages of a run have found, before the others. Returns what follows the colours of the page.
 export function addFoundTabs(found, { clock, swinging, units, timeName }) {
@@ -20,6 +21,7 @@ export function addFoundTabs(found, { clock, swinging, units, timeName }) {
   }
   if (found.modes.length > 0) add("modes", found.modes.every(({ kind }) => kind === "buckling") ? "Buckling" : "Modes", [new ModesTab(found.modes, { swinging, units })]);
   if (found.responses.length > 0) add("response", "Response", [new ResponseTab(found.responses, found.modes, units)]);
+  if (found.sweeps.length > 0) add("sweep", "Sweep", [new SweepTab(found.sweeps, units)]);
   find("tabs").classList.toggle("many", tabs.length > 1);
   find("tabs").prepend(...tabs.map(([tab]) => tab));
   find("charts").before(...tabs.map(([, panel]) => panel));

@@ -1,0 +1,68 @@
+import { make } from "../elements.js";
+import { Plot } from "../figures/plot.js";
+import { formatNumber } from "../format.js";
+import { unitOf } from "../units.js";
+import { SweepFigure } from "./sweep_figure.js";
+
+const noAttention = { pointed: -1, chosen: -1, listen() {}, point() {}, choose() {} };
+const roundOff = 1e-6; // of a growth, compared with |λ|
+
+// Eigenvalues over a number of the deck: frequencies, with multiples of the speed if the model turns, and growth if any motion
+// grows or decays.
+export class SweepTab {
+  constructor(sweeps, units) {
+    this.units = units;
+    this.plots = [];
+    this.element = make("div", {}, ...sweeps.map((sweep) => this.makeSweep(sweep)));
+  }
+
+  makeSweep(sweep) {
+    const growth = sweep.growth.map((list, mode) =>
+      list.map((value, i) => (value === null ? NaN : Math.abs(value) > roundOff * Math.hypot(value, sweep.omega[mode][i]) ? value : 0)),
+    );
+    const colourOf = (mode) => (theme) => theme.series[mode % theme.series.length];
+    const drawn = sweep.words.map((words, mode) => ({ name: String(mode + 1), words, colour: colourOf(mode), isHidden: false }));
+    const parts = [{ up: `ω, ${unitOf("angle/time", this.units)}`, lists: sweep.omega.map((list) => list.map((value) => value ?? NaN)), isGrowth: false }];
+    if (growth.some((list) => list.some((value) => value !== 0 && Number.isFinite(value)))) parts.push({ up: `growth, ${unitOf("1/time", this.units)}`, lists: growth, isGrowth: true });
+    const bodies = parts.map(() => make("div", { className: "figure" }));
+    const plots = bodies.map((body) => new Plot(body, noAttention, () => []));
+    this.plots.push(...plots);
+    const across = { name: sweep.key, symbol: sweep.key, values: sweep.values };
+    const show = () =>
+      parts.forEach(({ up, lists, isGrowth }, i) =>
+        plots[i].show(
+          new SweepFigure({
+            across,
+            up,
+            curves: drawn.map((curve, mode) => ({ ...curve, values: lists[mode] })),
+            speeds: isGrowth ? [] : sweep.speeds,
+            onsets: sweep.onsets.map(({ value, omega }) => ({ value, name: "", height: isGrowth ? null : omega })),
+          }),
+        ),
+      );
+    bodies.forEach((body, i) => (body.figure = () => plots[i].figure)); // for tests
+    const keys = make("div", { className: "keys" }, ...drawn.map((curve, mode) => makeKey(curve, mode, show)));
+    const sentences = sweep.onsets.map(({ kind, begins, value, omega }) => {
+      const frequency = omega > 0 ? `, ω = ${formatNumber(omega, 6)}` : "";
+      return make("p", { className: "note" }, make("b", {}, `${kind} ${begins ? "begins" : "ends"}`), ` at ${sweep.key} = ${formatNumber(value, 8)}${frequency}`);
+    });
+    show();
+    return make("section", { className: "chart" }, make("h3", {}, `${sweep.stage}: modes over ${sweep.key}`), keys, ...sentences, ...bodies);
+  }
+
+  recolour() {
+    this.plots.forEach((plot) => plot.redraw());
+  }
+}
+
+function makeKey(curve, mode, show) {
+  const key = make("button", { className: "key", type: "button" }, make("i"), `${curve.name} ${curve.words}`);
+  key.style.setProperty("--series", `var(--series-${(mode % 4) + 1})`);
+  key.setAttribute("aria-pressed", "true");
+  key.addEventListener("click", () => {
+    curve.isHidden = !curve.isHidden;
+    key.setAttribute("aria-pressed", String(!curve.isHidden));
+    show();
+  });
+  return key;
+}
