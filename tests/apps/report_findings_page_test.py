@@ -210,16 +210,20 @@ class Responses(FoundTest):
         stages = self.results("damped_cantilever")["stages"]
         omegas = stages["shake/omega"][()]
         answers = stages["shake/histories/tip/displacement"][:, 1]
+        moments = stages["shake/histories/root/reaction_moment"][:, 2]
+        phase_of = lambda complex_parts: np.degrees(np.unwrap(np.arctan2(complex_parts[:, 1], complex_parts[:, 0])))
         curves = """
             return [...document.querySelectorAll('#response .figure')].map((body) => {
                 const { x, y, lines, ticks } = body.figure();
                 return { isLog: [x.isLog, y.isLog], xs: lines[0].map((p) => p.x), ys: lines[0].map((p) => p.y), ticks: ticks.map((t) => t.value) };
             });"""
-        root, _, amplitude, phase = self.browser.run(curves)
+        root, turned, amplitude, phase = self.browser.run(curves)
         self.assertEqual((root["isLog"], amplitude["isLog"], phase["isLog"]), ([True, True], [True, True], [True, False]))
         np.testing.assert_allclose(amplitude["xs"], omegas, rtol=1e-12)
         np.testing.assert_allclose(amplitude["ys"], np.hypot(*answers.T), rtol=1e-6)
-        np.testing.assert_allclose(phase["ys"], np.degrees(np.unwrap(np.arctan2(answers[:, 1], answers[:, 0]))), atol=1e-3)
+        np.testing.assert_allclose(phase["ys"], phase_of(answers), atol=1e-3)
+        self.assertLess(phase_of(moments)[-1], -200)  # without a jump back by a turn
+        np.testing.assert_allclose(turned["ys"], phase_of(moments), atol=1e-3)
         np.testing.assert_allclose(amplitude["ticks"], stages["tones/omega"][()], rtol=1e-12)
         self.browser.run("const m = document.querySelector('#response select'); m.value = 'frequency'; m.dispatchEvent(new Event('change'))")
         np.testing.assert_allclose(self.browser.run(curves)[2]["xs"], omegas / (2 * np.pi), rtol=1e-12)

@@ -16,12 +16,12 @@ namespace {
 constexpr double least_part = 1e-9;  // of the largest amplitude: smaller components are left out
 
 // Quantities of a response, with the names of histories that ask for them.
-struct Quantity {
+struct AnsweredQuantity {
     const char* name;
     std::vector<const char*> asked_as;
 };
-const std::vector<Quantity>& list_quantities() {
-    static const std::vector<Quantity> quantities{
+const std::vector<AnsweredQuantity>& list_quantities() {
+    static const std::vector<AnsweredQuantity> quantities{
         {"displacement", {"displacement", "position"}},
         {"rotation_vector", {"rotation_vector", "quaternion", "orientation"}},
         {"reaction_force", {"reaction_force"}},
@@ -29,7 +29,7 @@ const std::vector<Quantity>& list_quantities() {
     return quantities;
 }
 
-bool is_asked_for(const Hdf5Reader& file, const std::string& history, const Quantity& quantity) {
+bool is_asked_for(const Hdf5Reader& file, const std::string& history, const AnsweredQuantity& quantity) {
     const std::string group = "/histories/" + history;
     return std::any_of(quantity.asked_as.begin(), quantity.asked_as.end(), [&](const char* name) {
         return file.has(group + "/" + name);
@@ -45,7 +45,7 @@ bool ResponseData::has_any(const Hdf5Reader& file, const FoundStage& stage) {
 ResponseData::ResponseData(const Hdf5Reader& file, const FoundStage& stage, std::size_t bytes)
     : stage_(stage), omegas_(file.numbers(stage.group() + "/omega")) {
     for (const std::string& history : file.members(stage.group() + "/histories")) {
-        for (const Quantity& quantity : list_quantities()) {
+        for (const AnsweredQuantity& quantity : list_quantities()) {
             if (is_asked_for(file, history, quantity)) add_curves(file, history, quantity.name);
         }
     }

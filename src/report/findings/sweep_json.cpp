@@ -50,8 +50,7 @@ Json describe_sweep(const Hdf5Reader& file, const FoundStage& stage) {
     json["words"] = words;
     for (const char* name : {"omega", "growth"})
         json[name] = list_by_mode(file.numbers(group + name), words.size());
-    json["onsets"] =
-        stage.has(file, onsets_name) ? list_onsets(file, group + onsets_name) : Json::array();
+    json["onsets"] = stage.has(file, onsets_name) ? list_onsets(file, group + onsets_name) : Json::array();
     return json;
 }
 

@@ -74,7 +74,6 @@ export class Swinging {
     this.note.hidden = true;
     this.hideColouring(false);
     this.picture.leaveState();
-    this.picture.move(this.clock.position);
     this.notify();
     this.clock.notify();
   }
