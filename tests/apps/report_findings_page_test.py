@@ -193,6 +193,7 @@ class Modes(FoundTest):
         # It opens on its first mode, as nothing moves in the run; pressing an eigenvalue chooses its own.
         self.assertIn("tones 1", self.text("#swing-note"))
         self.assertFalse(self.is_playing())
+        self.assertIn("has no steps", self.text("#charts"))
         place = self.browser.run("""
             const canvas = document.querySelector('#modes canvas');
             const over = document.querySelector('#modes .u-over');

@@ -215,7 +215,7 @@ function listUnstableParts({ info, stepTimes }, onPaths) {
 const headings = { energy: "Energy", history: "Histories", momentum: "Momentum", solver: "Solver" };
 
 // All charts under headings; each is drawn when it comes into sight.
-export function showCharts(data, clock, { timeName, units, along, parts, onPaths }) {
+export function showCharts(data, clock, { timeName, units, along, parts, onPaths, isStill }) {
   const heights = listLeastHeights(data.info.charts);
   const unstable = listUnstableParts(data, onPaths);
   const charts = data.info.charts.map(
@@ -223,7 +223,7 @@ export function showCharts(data, clock, { timeName, units, along, parts, onPaths
   );
   const panel = find("charts");
   if (along) panel.append(along.element);
-  if (data.stepTimes.length === 0) {
+  if (data.stepTimes.length === 0 || isStill) {
     panel.append(make("p", { className: "note" }, "The run has no steps, so there is nothing to draw over time."));
     return charts;
   }

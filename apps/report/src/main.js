@@ -23,6 +23,8 @@ const data = readData();
 const { info } = data;
 const found = readFindings(info);
 const parts = listParts(found);
+// Whether it found something without a step.
+const isStill = data.stepTimes.length === 1 && found.modes.length + found.responses.length > 0;
 const timeName = info.time_name;
 const units = readUnits(info.units);
 const clock = new Clock(data.times, info.is_static);
@@ -51,7 +53,7 @@ const foundCharts = addFoundTabs(found, { clock, swinging, units, timeName });
 bindTabs(find("tabs"));
 bindPlayer(clock, timeName, { swinging, describe: (time) => describeTime(found, parts, time) });
 const along = Along.isPossible(data) ? new Along(data, clock, units) : null;
-const charts = [...showCharts(data, clock, { timeName, units, along, parts, onPaths: listPathStretches(found) }), ...(along ? [along] : []), ...foundCharts];
+const charts = [...showCharts(data, clock, { timeName, units, along, parts, onPaths: listPathStretches(found), isStill }), ...(along ? [along] : []), ...foundCharts];
 showAbout(data, picture);
 if (picture) {
   bindColouring(data, picture, units);
