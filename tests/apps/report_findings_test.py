@@ -67,6 +67,38 @@ quantities = ["reaction_force", "reaction_moment"]
 """
 
 
+ARCH = """plane = "xy"
+[parameters]
+half = "pi/6"
+[section.strip]
+stiffness = { EA = 1e6, GAy = 1e6, GAz = 1e6, GJ = 1e4, EIy = 1e4, EIz = 1e4 }
+inertia = { rhoA = 1, rhoJ = 0.2, rhoIy = 0.1, rhoIz = 0.1 }
+[rod.arch]
+section = "strip"
+arc = { centre = [0, 0, 0], axis = [0, 0, 1], from = ["100*sin(half)", "100*cos(half)", 0], angle = "2*half" }
+elements = 8
+order = 3
+[[support]]
+at = "arch.start"
+fix = ["x", "y"]
+[[support]]
+at = "arch.end"
+fix = ["x", "y"]
+[[load]]
+at = "arch@0.5"
+force = [0, -1, 0]
+[[stage]]
+name = "load"
+kind = "path"
+until = { points = 1, t = 200 }
+branches = 1
+[[stage]]
+name = "tones"
+kind = "modes"
+count = 3
+"""
+
+
 class PageData:
     """The JSON and the numbers of a page."""
 
@@ -204,6 +236,17 @@ class Findings(ProgramTest):
         np.testing.assert_allclose(tones["mass_shares"], masses, rtol=1e-12)
         self.assertNotIn("mass_shares", more)
         self.assertNotIn("paths", page.info)
+
+    def test_modes_after_a_path_are_about_where_its_main_path_ends(self):
+        self.run_deck("arch", ARCH)
+        page, _ = self.make("arch")
+        file = self.open("arch")
+        branches = file["histories/branch"][()]
+        self.assertGreater(branches[-1], 0)
+        end = file["histories/time"][np.flatnonzero(branches == 0)[-1]]
+        [tones] = page.info["modes"]
+        self.assertEqual(tones["swing"]["times"], [end])
+        self.check_shapes(page, tones["swing"], self.open("arch.tones"), self.rotations_at(file, [end]))
 
     def test_eigenvalues_of_a_turning_blade_are_complex(self):
         self.run_deck("turning_blade")

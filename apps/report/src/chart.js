@@ -152,6 +152,8 @@ function drawParts(plot, parts) {
   context.lineWidth = ratio;
   context.setLineDash([3 * ratio, 3 * ratio]);
   context.font = `${10 * ratio}px ${getComputedStyle(document.body).fontFamily}`;
+  context.textAlign = "left";
+  context.textBaseline = "alphabetic";
   parts.forEach(({ name, from, until }, i) => {
     const left = plot.valToPos(from, "x", true);
     if (i > 0) {

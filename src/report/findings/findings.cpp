@@ -37,7 +37,7 @@ Findings::Findings(const Hdf5Reader& file,
     }
     for (const FoundStage* stage : responses)
         responses_.emplace_back(file, *stage, bytes / 10 / responses.size());
-    if (!times_.empty()) add_shapes(results, content, bytes / 10 * 3);
+    if (!times_.empty()) add_shapes(results, content, bytes);
 }
 
 void Findings::add_shapes(const std::filesystem::path& results,
@@ -46,7 +46,8 @@ void Findings::add_shapes(const std::filesystem::path& results,
     for (const FoundStage& stage : stages_) {
         std::vector<double> times;
         if (has_modes(file_, stage)) {
-            times.assign(count_modes(file_, stage), times_[std::min(row_before(stage), times_.size() - 1)]);
+            const std::size_t row = std::min(find_row_of_state(file_, stage), times_.size() - 1);
+            times.assign(count_modes(file_, stage), times_[row]);
         } else {
             for (const std::size_t row : path_.list_rows_of_shapes(stage))
                 times.push_back(times_[std::min(row, times_.size() - 1)]);
@@ -55,16 +56,24 @@ void Findings::add_shapes(const std::filesystem::path& results,
         shapes_.push_back(
             {stage.name, StageShapes(file_, shape_file_path(results, stage.name), times, content)});
     }
-    limit_shapes(static_cast<std::size_t>(content.topology->nodes), bytes);
+    limit_shapes(content, bytes);
 }
 
-// So that they fit into the bytes, were all nodes drawn.
-void Findings::limit_shapes(std::size_t nodes, std::size_t bytes) {
-    constexpr std::size_t most_nodes = 60000;  // of as many elements as are drawn at most
-    const std::size_t all = count_shape_vectors() * base64_length(std::min(nodes, most_nodes) * vector_bytes);
-    if (all <= bytes) return;
+// So that they fit into three tenths of the bytes or, where frames are few, into what these leave of six
+// tenths.
+void Findings::limit_shapes(const ReportContent& content, std::size_t bytes) {
+    constexpr std::size_t most_elements = 30000;  // more are joined to straight pieces
+    constexpr std::size_t vectors_of_frame = 8;   // at most, of a node and an element
+    const auto nodes = static_cast<std::size_t>(content.topology->nodes);
+    const bool is_joined = content.topology->rod_cells.size() > most_elements;
+    const std::size_t vector =
+        base64_length(vector_bytes * (is_joined ? std::min(nodes, most_elements) : nodes));
+    const std::size_t frames = content.frames * vectors_of_frame * vector;
+    const std::size_t room = std::max(bytes / 10 * 3, bytes / 10 * 6 - std::min(frames, bytes / 10 * 6));
+    const std::size_t all = count_shape_vectors() * vector;
+    if (all <= room) return;
     for (ShapesOfStage& of_stage : shapes_) {
-        const std::size_t kept = of_stage.shapes.kept() * bytes / all;
+        const std::size_t kept = of_stage.shapes.kept() * room / all;
         of_stage.shapes.keep(std::max<std::size_t>(kept, 1));
     }
 }

@@ -21,7 +21,7 @@ namespace gxrod {
 class Findings {
   public:
     // What of it fits into `bytes` of data: paths and answers take a tenth of it each, at most, and shapes
-    // three tenths. Throws Hdf5Error.
+    // three tenths, or more where frames are few. Throws Hdf5Error.
     Findings(const Hdf5Reader& file,
              const std::filesystem::path& results,
              const std::vector<StepChart>& charts,
@@ -40,7 +40,7 @@ class Findings {
 
   private:
     void add_shapes(const std::filesystem::path& results, const ReportContent& content, std::size_t bytes);
-    void limit_shapes(std::size_t nodes, std::size_t bytes);
+    void limit_shapes(const ReportContent& content, std::size_t bytes);
     nlohmann::ordered_json describe_swing(const std::string& stage) const;
 
     struct ShapesOfStage {

@@ -31,6 +31,15 @@ std::vector<FoundStage> list_stages(const Hdf5Reader& file) {
 
 std::size_t row_before(const FoundStage& stage) { return stage.first_row > 0 ? stage.first_row - 1 : 0; }
 
+std::size_t find_row_of_state(const Hdf5Reader& file, const FoundStage& stage) {
+    std::size_t row = row_before(stage);
+    const std::string branches = "/histories/branch";
+    if (!file.has(branches)) return row;
+    const std::vector<double> of_rows = file.rows(branches, 0, row + 1, 1);
+    while (row > 0 && of_rows[row] != 0.0) --row;
+    return row;
+}
+
 nlohmann::ordered_json describe_stages(const Hdf5Reader& file,
                                        const std::vector<FoundStage>& stages,
                                        const std::vector<double>& times) {

@@ -22,8 +22,11 @@ struct FoundStage {
 // In their order; none of results without /stages. Throws Hdf5Error.
 std::vector<FoundStage> list_stages(const Hdf5Reader& file);
 
-// The row of the histories whose state a stage that takes no steps is about.
+// The last row of the histories before a stage; 0 before the first.
 std::size_t row_before(const FoundStage& stage);
+// The row whose state a stage that takes no steps is about: after a path, that where its main path ends.
+// Throws Hdf5Error.
+std::size_t find_row_of_state(const Hdf5Reader& file, const FoundStage& stage);
 
 // [{name, kind, from, until}] of a deck with stages, on the axis of the results; empty otherwise. `times` has
 // that axis, one number a row. Throws Hdf5Error.

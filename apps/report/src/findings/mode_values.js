@@ -51,5 +51,5 @@ export function listColumns(modes, units) {
 // "61 % along y, 92 % about z": of the mass of the whole model.
 export function describeMass(shares) {
   const named = shares.map((share, i) => [share, directions[i]]).filter(([share]) => share >= leastShare);
-  return named.map(([share, direction]) => `${Math.round(100 * share)} % ${direction}`).join(", ");
+  return named.map(([share, direction]) => `${Math.round(100 * share)}\u00a0% ${direction.replace(" ", "\u00a0")}`).join(", ");
 }
