@@ -29,6 +29,9 @@ struct StagePlan {
     std::shared_ptr<double> end = {};
 };
 
+// Whether one of them follows limit points.
+bool follows_limits(std::span<const StagePlan> stages);
+
 // The model's own, which it has no longer.
 Actions take_actions(Model& model);
 void set_actions(Actions actions, Model& model);
