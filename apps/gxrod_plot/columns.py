@@ -23,6 +23,8 @@ def read_columns(results, name):
     """What `name` asks for: time, ledger/ENERGY, or NAME/QUANTITY or NAME/QUANTITY/COMPONENT of a history."""
     if name == "load-factor" and results.has_paths:
         return [Column("load factor", results.load_factors(), "1")]
+    if name == "limit-load-factor" and results.follows_limits:
+        return [Column("load factor of the limit point", results.limit_load_factors(), "1")]
     if name in ("time", "load-factor"):
         return [Column(results.time_label, results.times, "1" if results.is_static else "time")]
     group, _, rest = name.partition("/")

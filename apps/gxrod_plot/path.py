@@ -39,7 +39,8 @@ def read_paths(file, steps):
     histories = file["histories"]
     if "load_factor" not in histories:
         return []
-    loads = histories["load_factor"][:steps]
+    # Where limit points are followed, those of them; of other stages both are the same.
+    loads = histories["limit_load_factor" if "limit_load_factor" in histories else "load_factor"][:steps]
     branches = histories["branch"][:steps]
     pivots = file["solver/negative_pivots"][:steps]
     stages = histories["stage"][:steps] if "stage" in histories else np.zeros(len(loads), dtype=int)

@@ -14,7 +14,7 @@ from .path import read_paths
 from .sweep import read_sweep
 
 VERTEX = 1
-NO_HISTORIES = ("time", "stage", "load_factor", "branch")  # columns of all of them
+NO_HISTORIES = ("time", "stage", "load_factor", "limit_load_factor", "branch")  # columns of all of them
 CURVES = {3, 21, 35, 68}  # VTK cell types of rod elements: the two ends first, then the nodes between
 
 
@@ -52,6 +52,7 @@ class Results:
         self.units = text_of(file.attrs, "units")
         self.is_static = text_of(file.attrs, "analysis") == "static"
         self.has_paths = "load_factor" in file["histories"]
+        self.follows_limits = "limit_load_factor" in file["histories"]
         self.time_label = time_label_of(file, self.has_paths, self.is_static)
         # The times are written last, so their number is that of complete steps.
         self.times = file["histories/time"][()]
@@ -84,6 +85,11 @@ class Results:
 
     def load_factors(self):
         return self._file["histories/load_factor"][: len(self.times)] if self.has_paths else self.times
+
+    def limit_load_factors(self):
+        """Of rows where limit points are followed; NaN elsewhere, where the file has the load factor."""
+        limits = self._file["histories/limit_load_factor"][: len(self.times)]
+        return np.where(limits == self.load_factors(), np.nan, limits)
 
     def history(self, name):
         group = self._file["histories"][name]

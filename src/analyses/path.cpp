@@ -32,24 +32,49 @@ PathAnalysis::PathAnalysis(const Model& model, const PathSettings& settings, int
       targets_(system_, settings),
       counter_(system_),
       has_potential_(find_load_without_potential(model).empty()),
-      has_pivots_(!has_contrast_) {
+      has_pivots_(!has_contrast_ && !settings.limit_load_factor) {
     if (!settings.least_load && !settings.greatest_load && !settings.arc && !settings.steps &&
         !settings.points)
         throw std::invalid_argument("nothing ends the path");
+    if (settings_.control) control_ = targets_.row_of(*settings_.control);
+    if (!settings_.limit_load_factor) return;
+    // All of its points are critical.
+    settings_.critical = CriticalSearch::off;
+    limit_load_factor_ = *settings_.limit_load_factor;
+}
+
+void PathAnalysis::restore_limit_load() {
+    if (!settings_.limit_load_factor || *settings_.limit_load_factor == limit_load_factor_) return;
+    *settings_.limit_load_factor = limit_load_factor_;
+    system_.forget_loads();
 }
 
 PathContext PathAnalysis::work() {
-    return {system_, *integrator_, newton_, metric_, has_potential_, workspace_, state_};
+    PathContext context{system_, *integrator_, newton_, metric_, has_potential_, workspace_, state_};
+    context.limit_load_factor = settings_.limit_load_factor.get();
+    return context;
+}
+
+double PathAnalysis::control_rate(const PathVector& direction) const {
+    return std::abs(control_->u.dot(direction.u));
 }
 
 EquilibriumReport PathAnalysis::solve_trial() {
+    constexpr double slow = 0.05;  // of the largest rate: the displacement is about to turn back
     trial_point_.reset();
     trial_branches_.clear();
     trial_ = {};
     trial_.step = steps_->time_step();
     if (branch_) return solve_branch_trial();
-    PathContext search = work();
-    return solve_path_step(search, trial_.step * tangent_, metric_.row(tangent_), trial_);
+    // The tangent gives no direction.
+    if (!symmetry_.empty()) throw std::runtime_error(symmetry_);
+    restore_limit_load();
+    PathContext search = settings_.limit_load_factor ? exact_work() : work();
+    const PathVector row = control_ ? *control_ : metric_.row(tangent_);
+    EquilibriumReport report = solve_path_step(search, trial_.step * tangent_, row, trial_);
+    if (control_ && !report.converged() && control_rate(tangent_) < slow * largest_control_rate_)
+        report.outcome = Outcome::control_turned;
+    return report;
 }
 
 EquilibriumReport PathAnalysis::solve_branch_trial() {
@@ -62,6 +87,7 @@ EquilibriumReport PathAnalysis::solve_branch_trial() {
         return report;
     }
     trial_ = *found;
+    trial_.effort = report.iterations;
     report.negative_pivots = trial_.pivots;
     report.residual = trial_.residual;
     sequence().end_at(trial_.step);
@@ -69,14 +95,20 @@ EquilibriumReport PathAnalysis::solve_branch_trial() {
 }
 
 void PathAnalysis::judge_equilibrium(EquilibriumReport& report) {
+    judge_trial(report);
+    if (!report.converged()) restore_limit_load();
+}
+
+void PathAnalysis::judge_trial(EquilibriumReport& report) {
     const double cosine = metric_.multiply(trial_.direction, tangent_);
     const bool can_shorten = !sequence().is_shortest();
     if (!branch_ && can_shorten && cosine < std::cos(widest_path_angle)) {
         report.outcome = Outcome::lost_stability;
         return;
     }
-    PathContext search = work();
+    PathContext search = settings_.limit_load_factor ? exact_work() : work();
     const double whole = trial_.step;
+    const int effort = trial_.effort;
     if (!branch_ && !targets_.hit(search, trial_)) {
         report.outcome = Outcome::lost_stability;
         return;
@@ -85,7 +117,8 @@ void PathAnalysis::judge_equilibrium(EquilibriumReport& report) {
     report.negative_pivots = trial_.pivots;
     trial_sense_ = sign_of(trial_.direction.load);
     count_pivots(report);
-    sequence().adapt(report.iterations);
+    look_for_symmetry();
+    sequence().adapt(effort);
     if (!look_for_critical_points()) report.outcome = Outcome::lost_stability;
     report.residual = trial_.residual;
     report.iterations += search.iterations;
@@ -123,8 +156,11 @@ bool PathAnalysis::is_closed() const {
 
 void PathAnalysis::note_equilibrium() {
     tangent_ = trial_.direction;
+    if (control_) largest_control_rate_ = std::max(largest_control_rate_, control_rate(tangent_));
     pivots_ = trial_.pivots;
     sense_ = trial_sense_;
+    if (settings_.limit_load_factor) limit_load_factor_ = *settings_.limit_load_factor;
+    if (trial_is_singular_) (*trial_is_singular_ ? was_singular_ : is_regular_) = true;
     branch_.reset();
     if (trial_point_) {
         trial_point_->step = steps_->steps_done() + 1;
@@ -136,7 +172,7 @@ void PathAnalysis::note_equilibrium() {
     }
     const bool is_back = is_closed();
     note_progress(trial_.load_factor);
-    if (is_back) sequence().finish();
+    if (is_back || (!origin_.empty() && !symmetry_.empty())) sequence().finish();
 }
 
 void PathAnalysis::note_progress(double load_factor) {
@@ -147,7 +183,8 @@ void PathAnalysis::note_progress(double load_factor) {
         if (bound && *bound != 0.0) part = std::max(part, load_factor / *bound);
     }
     sequence().note_part(part);
-    if (targets_.is_end(load_factor) || (settings_.points && count >= *settings_.points)) sequence().finish();
+    if (targets_.is_end(state_.trial, load_factor) || (settings_.points && count >= *settings_.points))
+        sequence().finish();
 }
 
 void PathAnalysis::remember(RestartRecord& record) const {

@@ -50,11 +50,24 @@ class PathAnalysis : public SteppedAnalysis {
     // Of a more exact search.
     PathContext exact_work();
     PathSequence& sequence() { return static_cast<PathSequence&>(*steps_); }
-    // The path's first direction, at the start.
+    // The path's first direction, at the start; and what follows from how the unknowns follow the load
+    // factor.
     EquilibriumReport find_first_direction();
+    // Whether the load factor falls first, whose growth by 1 moves the unknowns by `rate`.
+    bool falls_first(const Eigen::VectorXd& rate) const;
+    void set_first_direction(const Eigen::VectorXd& rate);
+    EquilibriumReport start_at_limit();
     EquilibriumReport solve_branch_trial();
+    // How the controlling displacement changes along a direction.
+    double control_rate(const PathVector& direction) const;
+    void judge_trial(EquilibriumReport& report);
+    // The load factor of a followed limit point, at the last accepted one.
+    void restore_limit_load();
     // A pivot count that can be compared with that of the last accepted equilibrium.
     void count_pivots(EquilibriumReport& report);
+    // Whether the tangent is singular at the first equilibria, whatever the path does: the model has a
+    // continuous symmetry.
+    void look_for_symmetry();
     // How far it is from what ends it, and whether it is there.
     void note_progress(double load_factor);
     // Whether a branch has come back to where it began.
@@ -81,10 +94,18 @@ class PathAnalysis : public SteppedAnalysis {
     PathVector tangent_;
     std::int64_t pivots_ = -1;
     int sense_ = 1;  // of the load factor beyond it; 0: not known
+    double limit_load_factor_ = 0.0;
+    std::optional<PathVector> control_;  // of a path under control: the row of what controls it
+    double largest_control_rate_ = 0.0;  // of the steps so far
     // At the trial one.
     PathTrial trial_;
     int trial_sense_ = 1;
     bool has_pivots_ = true;  // whether they are counted at all
+    // Of the tangent at the first equilibria; once one is regular, no more are examined.
+    bool is_regular_ = false;
+    bool was_singular_ = false;
+    std::optional<bool> trial_is_singular_;
+    std::string symmetry_ = {};  // of a path on which the tangent is singular everywhere, what to do
     std::optional<CriticalPoint> trial_point_;
     std::vector<BranchStart> trial_branches_;
 

@@ -3,6 +3,7 @@
 #include "analyses/path.hpp"
 #include "analyses/path_words.hpp"
 #include "check/direction_words.hpp"
+#include "solvers/path/soft_modes.hpp"
 
 namespace gxrod {
 
@@ -35,6 +36,22 @@ bool PathAnalysis::look_for_critical_points() {
 
 // At a limit point both change, by one; elsewhere, if that is not several points in one step, the path
 // crosses another one.
+void PathAnalysis::look_for_symmetry() {
+    constexpr double singular = 1e-9;  // of the next eigenvalue
+    constexpr double away = 0.01;      // of arc length: at its start a branch is singular, too
+    trial_is_singular_.reset();
+    if (!has_pivots_ || is_regular_ || settings_.critical == CriticalSearch::off) return;
+    if (!origin_.empty() && steps_->next_time() < away) return;
+    if (!compute_path_tangent(
+            system_, *integrator_, metric_, trial_.direction, trial_.load_factor, workspace_, state_))
+        return;
+    const LoneSoftness soft = estimate_lone_softness(*workspace_.linear_solver, metric_.weights());
+    trial_is_singular_ = soft.ratio < singular;
+    if (!*trial_is_singular_) return;
+    trial_.pivots = -1;
+    if (was_singular_) symmetry_ = describe_symmetry(system_, soft.vector);
+}
+
 std::optional<LocatedPoint> PathAnalysis::locate(bool turns, std::int64_t change) {
     const PathTrial end = trial_;
     PathContext search = exact_work();
@@ -93,7 +110,11 @@ void PathAnalysis::describe(CriticalPoint& point, const Eigen::MatrixXd& kernel)
 }
 
 std::vector<std::string> PathAnalysis::list_findings() const {
-    return describe_critical_points(points_, branches_, has_potential_);
+    if (settings_.limit_load_factor) return {describe_followed_limit(state_.time, limit_load_factor_)};
+    std::vector<std::string> findings = describe_critical_points(points_, branches_, has_potential_);
+    // A main path that is not at its end fails.
+    if (!symmetry_.empty() && finished()) findings.push_back(symmetry_);
+    return findings;
 }
 
 }  // namespace gxrod

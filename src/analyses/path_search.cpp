@@ -1,5 +1,6 @@
 #include "analyses/path_search.hpp"
 
+#include "analyses/limit_search.hpp"
 #include "solvers/newton_steps.hpp"
 #include "state/increment.hpp"
 
@@ -9,11 +10,12 @@ EquilibriumReport solve_path_step(PathContext& work,
                                   const PathVector& prediction,
                                   const PathVector& row,
                                   PathTrial& trial) {
+    if (work.limit_load_factor != nullptr) return solve_limit_step(work, prediction, row, trial);
     PathSolution solution;
     const EquilibriumReport report = solve_path_equilibrium(work.system,
                                                             work.integrator,
                                                             work.newton,
-                                                            {prediction, {row}, {}},
+                                                            {prediction, {row}, {}, nullptr},
                                                             work.workspace,
                                                             work.state,
                                                             solution);
@@ -22,6 +24,7 @@ EquilibriumReport solve_path_step(PathContext& work,
     trial.load_factor = solution.load_factor;
     trial.pivots = report.negative_pivots;
     trial.residual = report.residual;
+    trial.effort = report.iterations;
     const double length = work.metric.norm(solution.direction);
     const double sense = work.metric.multiply(solution.direction, prediction) < 0.0 ? -1.0 : 1.0;
     trial.direction = (sense / length) * solution.direction;

@@ -22,6 +22,8 @@ struct PathContext {
     SolverWorkspace& workspace;
     State& state;
     int iterations = 0;  // of all its searches
+    // Of a path of limit points, PathSettings::limit_load_factor: then equilibria are limit points.
+    double* limit_load_factor = nullptr;
 };
 
 // An equilibrium that the trial motions hold.
@@ -31,6 +33,7 @@ struct PathTrial {
     PathVector direction;      // of the path, of unit length
     std::int64_t pivots = -1;  // −1: not counted
     double residual = 0.0;
+    int effort = 0;  // iterations, of which a step should need few
 };
 
 // The equilibrium whose first increment this is and whose further ones are orthogonal to `row`. The workspace

@@ -1,7 +1,9 @@
 // How a path begins.
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
+#include "analyses/limit_search.hpp"
 #include "analyses/path.hpp"
 #include "solvers/newton_steps.hpp"
 
@@ -23,6 +25,7 @@ EquilibriumReport PathAnalysis::start() {
         motion.alpha.setZero();
     }
     state_.previous = state_.trial;
+    if (settings_.limit_load_factor) return start_at_limit();
     // What acts at t = 0 already acts before the path begins.
     EquilibriumReport report =
         solve_equilibrium(system_, *integrator_, newton_, {0, 0.0, 0.0, 0.0}, workspace_, state_);
@@ -30,6 +33,52 @@ EquilibriumReport PathAnalysis::start() {
     const bool is_loaded = report.iterations > 0;
     accept_start(0.0, is_loaded);
     return find_first_direction();
+}
+
+EquilibriumReport PathAnalysis::start_at_limit() {
+    const auto no_limit = [] {
+        return std::runtime_error(
+            "the stage before does not end at a limit point that could be followed; a path ends there by "
+            "until = { points = … }");
+    };
+    constexpr double near = 0.01;  // of arc length: how far from the limit point the stage before may end
+    state_.time = 0.0;
+    PathContext search = exact_work();
+    const PathVector none{Eigen::VectorXd::Zero(system_.equations().count()), 0.0};
+    EquilibriumReport report = solve_limit_step(search, none, {none.u, 1.0}, trial_);
+    const bool is_found = report.converged() && trial_.step <= near;
+    if (!is_found) {
+        undo_trial(state_);
+        restore_limit_load();
+        system_.compute_residual(state_, 0.0, workspace_.residual);
+    }
+    limit_load_factor_ = *settings_.limit_load_factor;
+    tangent_ = {none.u, 1.0};
+    accept_start(0.0, true);
+    if (!is_found) throw no_limit();
+    const std::optional<Eigen::VectorXd> rate = find_limit_rate(search);
+    if (!rate) throw no_limit();
+    set_first_direction(*rate);
+    pivots_ = -1;
+    return report;
+}
+
+bool PathAnalysis::falls_first(const Eigen::VectorXd& rate) const {
+    if (!control_ || !settings_.control->to) return settings_.least_load && !settings_.greatest_load;
+    const double way = *settings_.control->to - targets_.value_of(*settings_.control, state_.previous);
+    return way * control_->u.dot(rate) < 0.0;
+}
+
+void PathAnalysis::set_first_direction(const Eigen::VectorXd& rate) {
+    metric_.scale_load(rate);
+    const bool falls = falls_first(rate);
+    tangent_ = {rate, 1.0};
+    tangent_ = ((falls ? -1.0 : 1.0) / metric_.norm(tangent_)) * tangent_;
+    sense_ = falls ? -1 : 1;
+    const double range = std::max(std::abs(settings_.greatest_load.value_or(falls ? 0.0 : 1.0)),
+                                  std::abs(settings_.least_load.value_or(0.0)));
+    sequence().start(
+        std::min(first_movement * std::numbers::sqrt2, first_part * range / std::abs(tangent_.load)));
 }
 
 EquilibriumReport PathAnalysis::find_first_direction() {
@@ -42,19 +91,10 @@ EquilibriumReport PathAnalysis::find_first_direction() {
         report.outcome = Outcome::not_finite;
         return report;
     }
-    metric_.scale_load(rate);
-    const bool falls = settings_.least_load && !settings_.greatest_load;
-    tangent_ = {rate, 1.0};
-    tangent_ = ((falls ? -1.0 : 1.0) / metric_.norm(tangent_)) * tangent_;
-    sense_ = falls ? -1 : 1;
+    set_first_direction(rate);
     pivots_ = has_pivots_
                   ? counter_.count(*integrator_, {0, state_.time, 0.0, state_.time}, workspace_, state_)
                   : -1;
-    const double range = std::max(std::abs(settings_.greatest_load.value_or(falls ? 0.0 : 1.0)),
-                                  std::abs(settings_.least_load.value_or(0.0)));
-    const double step =
-        std::min(first_movement * std::numbers::sqrt2, first_part * range / std::abs(tangent_.load));
-    sequence().start(step);
     return report;
 }
 

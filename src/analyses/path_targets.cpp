@@ -16,22 +16,40 @@ PathTargets::PathTargets(const System& system, const PathSettings& settings)
     : system_(&system),
       least_load_(settings.least_load),
       greatest_load_(settings.greatest_load),
-      targets_(settings.at) {
+      targets_(settings.at),
+      control_(settings.control) {
     PathTarget bounds;
     if (least_load_) bounds.values.push_back(*least_load_);
     if (greatest_load_) bounds.values.push_back(*greatest_load_);
     targets_.push_back(bounds);
+    if (control_ && control_->to) targets_.push_back({control_->node, control_->component, {*control_->to}});
     for (const PathTarget& target : targets_) {
         if (target.node >= 0 && std::abs(row_of(target).u.norm() - 1.0) > close)
             throw std::invalid_argument("a support holds a displacement whose values a path must have");
     }
+    if (control_ && std::abs(row_of(*control_).u.norm() - 1.0) > close)
+        throw std::invalid_argument("a support holds what is to control the path");
 }
 
 PathVector PathTargets::row_of(const PathTarget& target) const {
     if (target.node < 0) return {Eigen::VectorXd::Zero(system_->equations().count()), 1.0};
+    return row_of(target.node, target.component);
+}
+
+PathVector PathTargets::row_of(const PathControl& control) const {
+    return row_of(control.node, control.component);
+}
+
+PathVector PathTargets::row_of(int node, int component) const {
     std::vector<Vec6> nodal(system_->model().nodes.size(), Vec6::Zero());
-    nodal[static_cast<std::size_t>(target.node)][target.component] = 1.0;
+    nodal[static_cast<std::size_t>(node)][component] = 1.0;
     return {gather(nodal, system_->equations()), 0.0};
+}
+
+double PathTargets::value_of(const PathControl& control, const std::vector<NodeMotion>& motions) const {
+    return value_of(PathTarget{control.node, control.component, {}},
+                    &motions[static_cast<std::size_t>(control.node)],
+                    0.0);
 }
 
 double PathTargets::value_of(const PathTarget& target, const NodeMotion* motion, double load_factor) const {
@@ -75,10 +93,13 @@ bool PathTargets::hit(PathContext& work, PathTrial& trial) const {
     return true;
 }
 
-bool PathTargets::is_end(double load_factor) const {
+bool PathTargets::is_end(const std::vector<NodeMotion>& motions, double load_factor) const {
     const auto reaches = [&](double bound) {
         return std::abs(load_factor - bound) <= close * std::max(1.0, std::abs(bound));
     };
+    if (control_ && control_->to &&
+        std::abs(value_of(*control_, motions) - *control_->to) <= close * system_->length_scale())
+        return true;
     return (least_load_ && reaches(*least_load_)) || (greatest_load_ && reaches(*greatest_load_));
 }
 

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "solvers/worst_nodes.hpp"
 
 namespace gxrod {
 
@@ -103,6 +106,32 @@ std::vector<std::string> describe_critical_points(std::span<const CriticalPoint>
         sentences.push_back(describe_point(points[i], count, has_potential));
     }
     return sentences;
+}
+
+std::string describe_symmetry(const System& system, const Eigen::VectorXd& direction) {
+    const int count = static_cast<int>(system.model().nodes.size());
+    int node = -1, component = 0;
+    double largest = 0.0;
+    for (int i = 0; i < count; ++i) {
+        const Vec6 moves = system.equations().increment_of(i, direction);
+        for (int k = 0; k < 3; ++k) {
+            if (std::abs(moves[k]) <= largest) continue;
+            largest = std::abs(moves[k]);
+            node = i;
+            component = k;
+        }
+    }
+    const std::string text =
+        "the tangent is singular all along the path, for the model has a continuous symmetry: it can move "
+        "without a change of forces. Hold ";
+    if (node < 0) return text + "one rotation against it";
+    return text + "one displacement against it, such as that of " +
+           name_place(system.model(), node, component);
+}
+
+std::string describe_followed_limit(double end, double load_factor) {
+    return fmt::format(
+        "limit point followed to t = {:.10g}, where its load factor is {:.10g}", end, load_factor);
 }
 
 }  // namespace gxrod

@@ -15,4 +15,10 @@ std::vector<std::string> describe_critical_points(std::span<const CriticalPoint>
                                                   std::span<const BranchStart> branches,
                                                   bool has_potential);
 
+// That the tangent is singular in this direction all along a path, and which displacement to hold.
+std::string describe_symmetry(const System& system, const Eigen::VectorXd& direction);
+
+// That a limit point was followed to an end of the parameter, where its load factor is this.
+std::string describe_followed_limit(double end, double load_factor);
+
 }  // namespace gxrod

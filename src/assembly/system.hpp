@@ -93,6 +93,9 @@ class System {
     // Makes the trial motions the last accepted step, at `time`.
     void commit(State& state, double time) const;
 
+    // The functions of loads rest on a number that has changed, in addition to the time.
+    void forget_loads() const { load_values_.forget(); }
+
     // With gravity at `time`.
     Balance compute_balance(const State& state, double time) const;
     // Forces and moments per node that do work, of the trial motions: loads, and gravity where it changes

@@ -94,6 +94,8 @@ std::string describe_outcome(const Failure& failure) {
         case Outcome::error_too_large:
             return fmt::format(
                 "the estimated error of the step, {:.2e}, is above the tolerance{}", failure.step_error, at);
+        case Outcome::control_turned:
+            return "the displacement or rotation that controls the path turns back here";
         case Outcome::lost_stability:
             return "the equilibrium found is less stable than the one before" + at;
     }
@@ -130,6 +132,9 @@ std::vector<std::string> advise(const Failure& failure) {
         case Outcome::error_too_large:
             advice.push_back("a smaller adaptive.min_step");
             advice.push_back("a larger adaptive.tolerance");
+            break;
+        case Outcome::control_turned:
+            advice.push_back("a path without control: its arc length goes on where displacements turn back");
             break;
         case Outcome::lost_stability:
             advice.push_back(shorter_steps(failure));

@@ -82,6 +82,7 @@ void note_stages(const std::vector<StagePlan>& stages, DeckRecord& record) {
         record.has_statics = record.has_statics || !is_timed(stage.analysis);
         record.finds_shapes = record.finds_shapes || !has_steps(stage.analysis);
         record.has_paths = record.has_paths || is_path(stage.analysis);
+        record.follows_limits = follows_limits(stages);
         record.is_static = record.is_static && !is_timed(stage.analysis);
     }
 }

@@ -137,6 +137,11 @@ void LoadValues::sum_dead_loads() {
     }
 }
 
+void LoadValues::forget() {
+    time_.reset();
+    for (Along& along : distributed_) along.is_known = false;
+}
+
 void LoadValues::move_to(double time) {
     if (time_ == time) return;
     time_.reset();

@@ -20,6 +20,8 @@ class LoadValues {
 
     // Throws EvaluationError, of a function without a finite value or integral.
     void move_to(double time);
+    // Of functions that rest on more than the time: they are evaluated again, whatever the time.
+    void forget();
 
     // Of each of Model::loads, force and moment stacked, in the axes that the load is given in.
     const std::vector<Vec6>& nodal() const { return nodal_; }

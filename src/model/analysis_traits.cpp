@@ -56,6 +56,12 @@ struct Steps {
 
 AnalysisTraits traits_of(const AnalysisSettings& analysis) { return std::visit(Traits{}, analysis); }
 
+std::optional<double> limit_load_factor_of(const AnalysisSettings& analysis) {
+    const auto* path = std::get_if<PathSettings>(&analysis);
+    if (path == nullptr || !path->limit_load_factor) return std::nullopt;
+    return *path->limit_load_factor;
+}
+
 double end_of(const AnalysisSettings& analysis) { return std::visit(End{}, analysis); }
 
 long steps_of(const AnalysisSettings& analysis) { return std::visit(Steps{}, analysis); }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "model/settings.hpp"
 
 // What an analysis asks of a model and of its deck, whatever its kind.
@@ -25,6 +27,8 @@ inline bool is_path(const AnalysisSettings& analysis) {
     return std::holds_alternative<PathSettings>(analysis);
 }
 inline bool is_timed(const AnalysisSettings& analysis) { return traits_of(analysis).is_timed; }
+// Of a path that follows limit points, where it is now.
+std::optional<double> limit_load_factor_of(const AnalysisSettings& analysis);
 inline bool needs_inertia(const AnalysisSettings& analysis) { return traits_of(analysis).needs_inertia; }
 
 // Where t ends, which starts at 0: the time, or the load factor. Of a path, where it may end: its bound,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -93,6 +94,13 @@ struct PathTarget {
     std::vector<double> values;
 };
 
+// What each step of a path prescribes instead of the arc length.
+struct PathControl {
+    int node = -1;
+    int component = 0;         // of displacement, or, from 3 on, of rotation
+    std::optional<double> to;  // of displacement: where the path ends, to which it sets out
+};
+
 // What is done about limit points and bifurcations of a path: steps end on them, or the steps between which
 // they lie are reported, or nothing.
 enum class CriticalSearch { locate, report, off };
@@ -109,8 +117,13 @@ struct PathSettings {
     double max_step = 0.2;
     double min_step = 1e-7;
     std::vector<PathTarget> at;
+    std::optional<PathControl> control;
     CriticalSearch critical = CriticalSearch::locate;
     int branches = 0;  // generations of branches to follow
+    // Instead of equilibria at any load factor, limit points are followed while t goes on: this is the load
+    // factor of an earlier path, on which loads of the model rest, and it is found together with them. None:
+    // no limit points are followed.
+    std::shared_ptr<double> limit_load_factor;
     NewtonSettings newton;
     LinearSolverKind linear_solver = LinearSolverKind::automatic;
 };

@@ -1,5 +1,6 @@
 #include "model/stage.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -23,6 +24,12 @@ void set_actions(Actions actions, Model& model) {
     model.supports = std::move(actions.supports);
     model.rotation = std::move(actions.rotation);
     model.has_inertia = actions.has_inertia;
+}
+
+bool follows_limits(std::span<const StagePlan> stages) {
+    return std::any_of(stages.begin(), stages.end(), [](const StagePlan& stage) {
+        return limit_load_factor_of(stage.analysis).has_value();
+    });
 }
 
 double find_axis_start(std::span<const StagePlan> stages) {

@@ -43,6 +43,9 @@ struct StagedModel {
     std::vector<StagePlan> stages;
 };
 
+// Whether one of them follows limit points.
+bool follows_limits(std::span<const StagePlan> stages);
+
 // The model's own, which it has no longer.
 Actions take_actions(Model& model);
 void set_actions(Actions actions, Model& model);

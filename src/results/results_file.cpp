@@ -58,7 +58,7 @@ std::size_t count_frame_bytes(const Model& model) {
 }
 
 [[maybe_unused]] bool has_valid_names(const OutputSettings& output) {
-    std::set<std::string> names{"time", "stage", "load_factor", "branch"};
+    std::set<std::string> names{"time", "stage", "load_factor", "limit_load_factor", "branch"};
     for (const HistoryRequest& history : output.histories) {
         if (history.name.empty() || history.name.find('/') != std::string::npos) return false;
         if (!names.insert(history.name).second) return false;

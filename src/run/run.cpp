@@ -307,6 +307,7 @@ class Run {
         snapshot.stage = static_cast<int>(stages_->moving_index());
         snapshot.load_factor = analysis().state().time;
         snapshot.branch = stages_->branch();
+        snapshot.limit_load_factor = limit_load_factor_of(stages_->settings()).value_or(snapshot.load_factor);
         return snapshot;
     }
 

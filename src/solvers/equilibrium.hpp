@@ -22,6 +22,7 @@ enum class Outcome {
     rotation_too_large,  // a node turns by π or more within the step
     element_too_turned,  // nodes of one element are turned against each other by nearly π
     error_too_large,     // the step's estimated error is above its tolerance
+    control_turned,      // the displacement that controls a path turns back
     lost_stability       // the step is good, but shorter ones seek what it may have passed: a stable
                          // equilibrium, or, on a path, a bend or critical points
 };

@@ -44,6 +44,8 @@ struct Snapshot {
     int stage = 0;
     double load_factor = 0.0;  // t of the stage: of a path it may fall
     int branch = 0;            // of a path: 0 of the main one
+    // Of a stage that follows limit points, of the limit point; of others, t, too.
+    double limit_load_factor = 0.0;
 };
 
 }  // namespace gxrod

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <stdexcept>
 
 #include "check/shape_report.hpp"
@@ -16,6 +17,10 @@ DeckRun::DeckRun(const std::string& name, const std::string& text, const std::ve
       problem_(read_problem_text(text, name + ".toml", overrides)),
       stages_(std::make_unique<StageSequence>(StageSequence::Plan{
           problem_.model, problem_.analysis, problem_.stages, list_rod_places(problem_.output.histories)})) {}
+
+double DeckRun::limit_load_factor() const {
+    return limit_load_factor_of(stages_->settings()).value_or(std::numeric_limits<double>::quiet_NaN());
+}
 
 void DeckRun::check(const EquilibriumReport& report) {
     if (report.converged()) return;

@@ -20,6 +20,9 @@ class DeckRun {
     const Problem& problem() const { return problem_; }
     // Of the stage at hand.
     SteppedAnalysis& analysis() { return stages_->analysis(); }
+    std::string stage() const { return stages_->name(); }
+    // Of a stage that follows limit points; NaN of others.
+    double limit_load_factor() const;
     // On the axis that stages share.
     double time() const { return stages_->axis(); }
     double end_time() const { return find_axis_end(problem_.stages); }

@@ -66,6 +66,11 @@ FoundValue find_shape_value(const BenchmarkValue& value, const DeckRun& run) {
 
 bool is_there(const PlaceOnPath& place, DeckRun& run) {
     constexpr double same_place = 1e-9;
+    if (place.history.empty()) {
+        return (place.stage.empty() || place.stage == run.stage()) &&
+               std::abs(run.analysis().state().time - place.is) <=
+                   same_place * std::max(1.0, std::abs(place.is));
+    }
     const HistoryPoint::Row row = run.value(place.history, "displacement");
     const double value = row.at(static_cast<std::size_t>(place.component));
     return std::abs(value - place.is) <= same_place * std::max(1.0, std::abs(place.is));
@@ -84,6 +89,8 @@ FoundValue find_value(const BenchmarkValue& value, DeckRun& run) {
         found.value.assign(row.begin(), row.end());
     } else if (value.quantity == "load_factor") {
         found.value = {run.analysis().state().time};
+    } else if (value.quantity == "limit_load_factor") {
+        found.value = {run.limit_load_factor()};
     } else {
         const HistoryPoint::Row row = run.value(value.source, value.quantity);
         found.value.assign(row.begin(), row.end());
@@ -127,10 +134,11 @@ BenchmarkRun run_benchmark(const Benchmark& benchmark, const std::vector<std::st
             continue;
         }
         if (benchmark.values[i].where) {
-            throw std::runtime_error(fmt::format("{}: the path has no equilibrium where {} is {}",
-                                                 benchmark.name,
-                                                 benchmark.values[i].where->history,
-                                                 benchmark.values[i].where->is));
+            throw std::runtime_error(fmt::format(
+                "{}: the path has no equilibrium where {} is {}",
+                benchmark.name,
+                benchmark.values[i].where->history.empty() ? "t" : benchmark.values[i].where->history,
+                benchmark.values[i].where->is));
         }
         throw std::runtime_error(fmt::format(
             "{}: no step ends at t = {}, where a value is known", benchmark.name, benchmark.values[i].time));

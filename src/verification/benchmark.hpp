@@ -11,11 +11,13 @@
 // says what the deck must give and how the error falls when mesh and steps are refined.
 namespace gxrod {
 
-// Equilibria of a path: those at which a component of a history's displacement has this value.
+// Equilibria of a path: those at which a component of a history's displacement has this value, or t of a
+// stage.
 struct PlaceOnPath {
-    std::string history;
+    std::string history;  // "": t
     int component = 0;
     double is = 0.0;
+    std::string stage = {};  // "": any
 };
 
 // What is compared, and with what.

@@ -15,8 +15,8 @@
 //                   largest counts
 //   Of a sweep "omega" and "growth" of all modes, with at = the value of the sweep, or "onset" and
 //   "onset_omega"
-//   On a path, where = { history, displacement = "x", "y" or "z", is = number } is in the place of time, and
-//   "load_factor" is a quantity, too
+//   On a path, where = { history, displacement = "x", "y" or "z", is = number } or { stage, t = number } is
+//   in the place of time, and "load_factor" and "limit_load_factor" are quantities, too
 //   [[refinement]]  name, set = ["KEY=VALUE"] for all rows, rows = [["KEY=VALUE"], …], order, tolerance,
 //   floor
 namespace gxrod {
@@ -130,6 +130,12 @@ class ReferenceReader {
         PlaceOnPath place;
         if (where.table() == nullptr) {
             faults_.add(where.place, "where", "expected { history, displacement, is }");
+            return place;
+        }
+        if (where.find("t") != nullptr) {
+            allow(where, {"stage", "t"});
+            if (where.find("stage") != nullptr) place.stage = text(where, "stage");
+            place.is = number_or(where, "t", 0.0);
             return place;
         }
         allow(where, {"history", "displacement", "is"});

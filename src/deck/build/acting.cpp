@@ -28,7 +28,8 @@ const StagePlan& find_first_with_steps(const BuildContext& context) {
 }
 
 TimeFunction hold(const TimeFunction& value, const Acting& acting) {
-    const auto& [is_absent, grows, factor, end] = acting;
+    const std::optional<TimeFunction>& factor = acting.factor;
+    const std::shared_ptr<const double>& end = acting.held_at;
     if (factor)
         return TimeFunction([value, factor = *factor, end](double) { return value(*end) * factor(*end); });
     if (!value.is_constant() || value.is_zero()) return value;
@@ -50,7 +51,8 @@ std::shared_ptr<const Switches> hold_switches(const LineFunction& function,
 }
 
 LineFunction hold(const LineExpression& value, const Acting& acting) {
-    const auto& [is_absent, grows, factor, end] = acting;
+    const std::optional<TimeFunction>& factor = acting.factor;
+    const std::shared_ptr<const double>& end = acting.held_at;
     const LineFunction& function = value.function;
     if (!factor && value.has_time) return function;
     const LineForm form{InTime::constant, function.form().is_even};
@@ -102,6 +104,21 @@ void check_name(const Place& place,
 }  // namespace
 
 TimeFunction Acting::apply(const TimeFunction& value) const {
+    const TimeFunction own = apply_own(value);
+    if (!limit_load_factor || own.is_zero()) return own;
+    return TimeFunction([own, limit = limit_load_factor](double t) { return *limit * own(t); },
+                        own.switches());
+}
+
+LineFunction Acting::apply(const LineExpression& value) const {
+    const LineFunction own = apply_own(value);
+    if (!limit_load_factor || own.is_zero()) return own;
+    return LineFunction([own, limit = limit_load_factor](double t, double s) { return *limit * own(t, s); },
+                        own.switches(),
+                        own.form());
+}
+
+TimeFunction Acting::apply_own(const TimeFunction& value) const {
     if (is_absent) return TimeFunction(0.0);
     if (held_at) return hold(value, *this);
     if (!factor) return grows ? apply_load_factor(value) : value;
@@ -116,7 +133,7 @@ TimeFunction Acting::apply(const TimeFunction& value) const {
     return TimeFunction([value, factor = *factor](double t) { return factor(t) * value(t); }, switches);
 }
 
-LineFunction Acting::apply(const LineExpression& value) const {
+LineFunction Acting::apply_own(const LineExpression& value) const {
     const LineFunction& function = value.function;
     if (is_absent) return LineFunction(0.0);
     if (function.is_zero()) return function;
@@ -140,8 +157,9 @@ Acting find_acting(const BuildContext& context) {
     return {.held_at = grew_elsewhere ? first.end : nullptr};
 }
 
-Acting find_acting(const CheckedTable& load, const BuildContext& context) {
-    if (!acts_in_stage(load, context)) return {.is_absent = true};
+namespace {
+
+Acting find_own_acting(const CheckedTable& load, const BuildContext& context) {
     if (!load.gives("factor")) return find_acting(context);
     const auto& functions = load.get<StageFunctions>("factor");
     if (const CheckedTimeFunction* own = find_factor(functions, context.stages[context.stage].name))
@@ -150,6 +168,28 @@ Acting find_acting(const CheckedTable& load, const BuildContext& context) {
     if (!earlier) return {.is_absent = true};
     const StagePlan& stage = context.stages[*earlier];
     return {.factor = find_factor(functions, stage.name)->function, .held_at = stage.end};
+}
+
+// It grows in the stage that follows the limit point, and stays in later ones.
+Acting find_relative_acting(const CheckedTable& load, const BuildContext& context) {
+    for (std::size_t i = context.stage + 1; i-- > 0;) {
+        const auto* path = std::get_if<PathSettings>(&context.stages[i].analysis);
+        if (path == nullptr || !path->limit_load_factor) continue;
+        Acting acting{.grows = true};
+        if (load.gives("factor")) acting = find_own_acting(load, context);
+        if (i < context.stage && !acting.held_at && !acting.factor) acting.held_at = context.stages[i].end;
+        acting.limit_load_factor = path->limit_load_factor;
+        return acting;
+    }
+    return {.is_absent = true};
+}
+
+}  // namespace
+
+Acting find_acting(const CheckedTable& load, const BuildContext& context) {
+    if (!acts_in_stage(load, context)) return {.is_absent = true};
+    if (load.gives("relative_to")) return find_relative_acting(load, context);
+    return find_own_acting(load, context);
 }
 
 bool acts_in_stage(const CheckedTable& table, const BuildContext& context) {
@@ -163,6 +203,8 @@ bool acts_in_stage(const CheckedTable& table, const BuildContext& context) {
 void check_stage_names(const BuildContext& context) {
     for (const char* kind : {"load", "support"}) {
         for (const CheckedTable& table : context.deck.tables(kind)) {
+            if (table.gives("relative_to") && !follows_limits(context.stages))
+                context.add_fault(table, "relative_to", "no stage follows a limit point");
             if (table.gives("stages")) {
                 for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("stages"))
                     check_name(word.place, word.path, word.word, context);

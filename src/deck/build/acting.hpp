@@ -18,8 +18,15 @@ struct Acting {
     // value without t is multiplied by it, as it was in that stage.
     std::shared_ptr<const double> held_at = {};
 
+    // The load factor of a followed limit point, by which the load is multiplied as well.
+    std::shared_ptr<const double> limit_load_factor = {};
+
     TimeFunction apply(const TimeFunction& value) const;
     LineFunction apply(const LineExpression& value) const;
+
+  private:
+    TimeFunction apply_own(const TimeFunction& value) const;
+    LineFunction apply_own(const LineExpression& value) const;
 };
 
 // Of gravity and moves, which have no factor.

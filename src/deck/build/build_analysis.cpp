@@ -258,15 +258,18 @@ void check_sweeps(const std::vector<StagePlan>& stages, const BuildContext& cont
 
 std::vector<StagePlan> build_stages(const BuildContext& context) {
     std::vector<StagePlan> stages;
+    const auto add = [&](std::string name, const CheckedTable& table) {
+        stages.push_back({std::move(name), build_analysis(table, context)});
+        stages.back().end = std::make_shared<double>(end_of(stages.back().analysis));
+        build_follow(table, stages, context);
+    };
     for (const CheckedTable& table : context.deck.tables("stage")) {
         check_stage_name(table, stages, context);
-        stages.push_back({table.get<std::string>("name"), build_analysis(table, context)});
+        add(table.get<std::string>("name"), table);
     }
-    if (stages.empty())
-        stages.push_back({"", build_analysis(context.deck.tables("analysis").front(), context)});
+    if (stages.empty()) add("", context.deck.tables("analysis").front());
     check_rotation(stages, context);
     check_sweeps(stages, context);
-    for (StagePlan& stage : stages) stage.end = std::make_shared<double>(end_of(stage.analysis));
     return stages;
 }
 

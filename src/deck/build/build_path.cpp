@@ -40,17 +40,31 @@ PathTarget build_target(const CheckedTable& table, const BuildContext& context) 
     return target;
 }
 
-bool is_held(const PathTarget& target, const Model& model, const std::vector<Support>& supports) {
-    if (target.node < 0) return false;
-    if (model.plane && model.plane->holds(target.component)) return true;
+bool is_held(int node, int component, const Model& model, const std::vector<Support>& supports) {
+    if (node < 0) return false;
+    if (model.plane && model.plane->holds(component)) return true;
+    const int first = component < 3 ? 0 : 3;
     return std::any_of(supports.begin(), supports.end(), [&](const Support& support) {
-        if (support.node != target.node) return false;
+        if (support.node != node) return false;
         // In oblique axes, what stays free of a component is not the component.
         for (int i = 0; i < 3; ++i) {
-            if (support.holds(i) && support.axes.toRotationMatrix()(target.component, i) != 0.0) return true;
+            if (support.holds(first + i) && support.axes.toRotationMatrix()(component - first, i) != 0.0)
+                return true;
         }
         return false;
     });
+}
+
+// Once points have nodes.
+PathControl build_control(const CheckedTable& table, const BuildContext& context) {
+    PathControl control;
+    if (const std::optional<PlacedPoint> point = context.place(table.get<std::string>("of")))
+        control.node = point->node;
+    const bool turns = table.gives("rotation");
+    const std::string& direction = table.get<std::string>(turns ? "rotation" : "displacement");
+    control.component = value_of(direction_choices, direction) + (turns ? 3 : 0);
+    if (table.gives("to")) control.to = table.get<double>("to");
+    return control;
 }
 
 }  // namespace
@@ -79,7 +93,24 @@ PathSettings build_path(const CheckedTable& table, const BuildContext& context) 
         context.add_fault(
             table, "branches", "branches leave bifurcations, which critical = \"locate\" finds");
     }
+    if (table.gives("follow") && settings.branches > 0)
+        context.add_fault(table, "branches", "a stage that follows limit points has no branches");
+    if (table.gives("follow") && table.gives("control"))
+        context.add_fault(table, "control", "a stage that follows limit points goes by its arc length");
     return settings;
+}
+
+void build_follow(const CheckedTable& table, std::span<StagePlan> stages, const BuildContext& context) {
+    auto* path = std::get_if<PathSettings>(&stages.back().analysis);
+    if (path == nullptr || !table.gives("follow")) return;
+    const std::span<StagePlan> earlier = stages.first(stages.size() - 1);
+    const auto before = std::find_if(
+        earlier.rbegin(), earlier.rend(), [](const StagePlan& stage) { return has_steps(stage.analysis); });
+    const auto* ended = before == earlier.rend() ? nullptr : std::get_if<PathSettings>(&before->analysis);
+    if (ended == nullptr || ended->limit_load_factor)
+        return context.add_fault(
+            table, "follow", "the stage before must be a path, which ends on the limit point to follow");
+    path->limit_load_factor = before->end;
 }
 
 void build_path_targets(BuildContext& context) {
@@ -89,11 +120,18 @@ void build_path_targets(BuildContext& context) {
         const CheckedTable& table = listed.empty() ? context.deck.tables("analysis").front() : listed[i];
         auto* path = std::get_if<PathSettings>(&stage.analysis);
         if (path == nullptr) continue;
+        const std::vector<Support>& supports = i == 0 ? context.model.supports : stage.actions.supports;
         for (const CheckedTable& one : table.tables("at")) {
             path->at.push_back(build_target(one, context));
-            if (is_held(
-                    path->at.back(), context.model, i == 0 ? context.model.supports : stage.actions.supports))
+            if (is_held(path->at.back().node, path->at.back().component, context.model, supports))
                 context.add_fault(one, "displacement", "a support holds it");
+        }
+        for (const CheckedTable& one : table.tables("control")) {
+            const PathControl control = build_control(one, context);
+            if (control.node >= 0) path->control = control;
+            if (is_held(control.node, control.component, context.model, supports))
+                context.add_fault(
+                    one, control.component < 3 ? "displacement" : "rotation", "a support holds it");
         }
     }
 }

@@ -34,35 +34,41 @@ KeySpec load_vector(const char* name, const char* dimension, const char* with, c
 }
 
 std::vector<KeySpec> load_keys() {
-    return {{.name = "at", .type = ValueType::point, .sentence = "A point of a rod, or a body."},
-            {.name = "on",
-             .type = ValueType::reference,
-             .sentence = "The name of a rod, for a load along it.",
-             .refers_to = {"rod"}},
-            load_vector("force", force_dimension, "at", "Force."),
-            load_vector("moment", moment_dimension, "at", "Moment."),
-            load_vector("force_per_length",
-                        force_per_length_dimension,
-                        "on",
-                        "Force per reference length; s is the arc length from the rod's start."),
-            load_vector("moment_per_length",
-                        force_dimension,
-                        "on",
-                        "Moment per reference length; s is the arc length from the rod's start."),
-            {.name = "frame",
-             .type = ValueType::choice,
-             .default_value = word_of(frame_choices, NodalLoad{}.frame),
-             .sentence = "spatial: fixed in space, a dead load. follower: global components at t = 0, turned "
-                         "with the node or section. body: components in the section axes of the point named, "
-                         "or along the rod (body axes of a body).",
-             .choices = words_of(frame_choices)},
-            {.name = "factor",
-             .type = ValueType::stage_functions,
-             .dimension = "1",
-             .default_text = "1; t in the first stage if that is static and the value has no t",
-             .sentence = "What the load is multiplied by, in a stage's own t. By stage: a stage that is not "
-                         "named keeps the last value, and before the first one there is no load."},
-            stages_key("The stages in which the load acts.")};
+    return {
+        {.name = "at", .type = ValueType::point, .sentence = "A point of a rod, or a body."},
+        {.name = "on",
+         .type = ValueType::reference,
+         .sentence = "The name of a rod, for a load along it.",
+         .refers_to = {"rod"}},
+        load_vector("force", force_dimension, "at", "Force."),
+        load_vector("moment", moment_dimension, "at", "Moment."),
+        load_vector("force_per_length",
+                    force_per_length_dimension,
+                    "on",
+                    "Force per reference length; s is the arc length from the rod's start."),
+        load_vector("moment_per_length",
+                    force_dimension,
+                    "on",
+                    "Moment per reference length; s is the arc length from the rod's start."),
+        {.name = "frame",
+         .type = ValueType::choice,
+         .default_value = word_of(frame_choices, NodalLoad{}.frame),
+         .sentence = "spatial: fixed in space, a dead load. follower: global components at t = 0, turned "
+                     "with the node or section. body: components in the section axes of the point named, "
+                     "or along the rod (body axes of a body).",
+         .choices = words_of(frame_choices)},
+        {.name = "factor",
+         .type = ValueType::stage_functions,
+         .dimension = "1",
+         .default_text = "1; t in the first stage if that is static and the value has no t",
+         .sentence = "What the load is multiplied by, in a stage's own t. By stage: a stage that is not "
+                     "named keeps the last value, and before the first one there is no load."},
+        {.name = "relative_to",
+         .type = ValueType::choice,
+         .sentence = "limit: for a stage with `follow`, where it begins to act: the load is its value times "
+                     "the load factor of the limit point, and without t times t.",
+         .choices = {"limit"}},
+        stages_key("The stages in which the load acts.")};
 }
 
 const TableSpec& move_table() {

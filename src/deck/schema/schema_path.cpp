@@ -61,6 +61,34 @@ const TableSpec& at_table() {
     return table;
 }
 
+const TableSpec& control_table() {
+    static const TableSpec table{
+        .path = "analysis.control",
+        .heading = "control = { … }",
+        .sentence = "",
+        .keys = {{.name = "of",
+                  .type = ValueType::point,
+                  .presence = Presence::required,
+                  .sentence = "The point that moves."},
+                 {.name = "displacement",
+                  .type = ValueType::choice,
+                  .sentence = "Its component that each step prescribes, in global axes.",
+                  .choices = words_of(direction_choices)},
+                 {.name = "rotation",
+                  .type = ValueType::choice,
+                  .sentence = "Instead, the component of the rotation in the step.",
+                  .choices = words_of(direction_choices)},
+                 {.name = "to",
+                  .type = ValueType::number,
+                  .dimension = "length",
+                  .sentence =
+                      "The displacement at which the path ends; it sets out to there, whether t grows "
+                      "or falls.",
+                  .only_with = "displacement"}},
+        .groups = {{.rule = GroupRule::exactly_one, .keys = {"displacement", "rotation"}}}};
+    return table;
+}
+
 }  // namespace
 
 std::vector<KeySpec> path_keys() {
@@ -102,6 +130,13 @@ std::vector<KeySpec> path_keys() {
                      "frame, as often as it passes them.",
          .only_for = {path_only},
          .table = &at_table()},
+        {.name = "control",
+         .type = ValueType::table,
+         .sentence =
+             "Steps prescribe a displacement instead of the arc length. The path fails where that turns "
+             "back.",
+         .only_for = {path_only},
+         .table = &control_table()},
         {.name = "critical",
          .type = ValueType::choice,
          .default_value = word_of(critical_search_choices, defaults.critical),
@@ -115,6 +150,13 @@ std::vector<KeySpec> path_keys() {
          .default_value = static_cast<long>(defaults.branches),
          .sentence = "0: the main path only. 1: also the branches that leave it at simple bifurcations, to "
                      "both sides. 2: also those that leave these, and so on. Needs critical `locate`.",
+         .only_for = {path_only}},
+        {.name = "follow",
+         .type = ValueType::choice,
+         .sentence =
+             "limit: the stage before, a path, ended on a limit point, whose load factor is free in this "
+             "stage: the limit point is followed while t, the parameter, grows from 0.",
+         .choices = {"limit"},
          .only_for = {path_only}}};
 }
 

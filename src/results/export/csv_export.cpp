@@ -48,7 +48,7 @@ std::vector<CsvColumn> find_columns(const Hdf5Reader& file, const std::string& g
     } else if (file.text_attribute("/histories/time", "dimension") == "1") {
         columns[0].name = "load_factor";
     }
-    for (const char* name : {"stage", "load_factor", "branch"}) {
+    for (const char* name : {"stage", "load_factor", "limit_load_factor", "branch"}) {
         const std::string path = std::string("/histories/") + name;
         if (file.has(path)) columns.push_back({path, name});
     }

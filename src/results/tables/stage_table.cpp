@@ -21,6 +21,15 @@ StageTable::StageTable(const Hdf5Handle& root,
             scalar_row,
             rows);
     }
+    if (deck.follows_limits)
+        limit_load_factors_.emplace(
+            histories,
+            DatasetLabel{"limit_load_factor",
+                         "where limit points are followed, that of the limit point; else as load_factor",
+                         "none",
+                         "1"},
+            scalar_row,
+            rows);
     if (deck.stages.empty()) return;
     const DatasetLabel label{"stage", "number of the stage of each accepted step, from 0", "none", "1"};
     column_.emplace(histories, label, scalar_row, rows);
@@ -57,6 +66,7 @@ void StageTable::append(const Snapshot& snapshot) {
     if (!load_factors_) return;
     load_factors_->append(snapshot.load_factor);
     branches_->append(snapshot.branch);
+    if (limit_load_factors_) limit_load_factors_->append(snapshot.limit_load_factor);
 }
 
 void StageTable::flush() {
@@ -64,6 +74,7 @@ void StageTable::flush() {
     if (!load_factors_) return;
     load_factors_->flush();
     branches_->flush();
+    if (limit_load_factors_) limit_load_factors_->flush();
 }
 
 void StageTable::trim() {
@@ -71,6 +82,7 @@ void StageTable::trim() {
     if (!load_factors_) return;
     load_factors_->trim();
     branches_->trim();
+    if (limit_load_factors_) limit_load_factors_->trim();
 }
 
 void StageTable::remove_after(std::int64_t stage) {

@@ -14,12 +14,14 @@ namespace gxrod {
 
 // Datasets of /histories that are no histories.
 inline constexpr bool is_history_name(std::string_view name) {
-    return name != "time" && name != "stage" && name != "load_factor" && name != "branch";
+    return name != "time" && name != "stage" && name != "load_factor" && name != "limit_load_factor" &&
+           name != "branch";
 }
 
 // Of a deck with stages: /histories/stage, the number of each row's stage from 0, and /stages/<name>, which
 // says what the stage is and has the shapes or critical points that it found. Of a deck with a path,
-// /histories/load_factor and branch, too. Throws Hdf5Error.
+// /histories/load_factor and branch, too; where limit points are followed, limit_load_factor. Throws
+// Hdf5Error.
 class StageTable {
   public:
     // Appends after so many rows.
@@ -44,7 +46,7 @@ class StageTable {
   private:
     Hdf5Handle group_;  // none of a deck that has neither stages nor shapes
     std::optional<AppendDataset<std::int64_t>> column_, branches_;
-    std::optional<AppendDataset<double>> load_factors_;
+    std::optional<AppendDataset<double>> load_factors_, limit_load_factors_;
 };
 
 }  // namespace gxrod

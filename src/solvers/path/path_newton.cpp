@@ -35,7 +35,7 @@ class PathNewton {
 
     EquilibriumReport solve() {
         start();
-        const Eigen::Index count = static_cast<Eigen::Index>(problem_.disturbances.size());
+        const auto count = static_cast<Eigen::Index>(problem_.amplitude_count());
         if (!apply(problem_.prediction, Eigen::VectorXd::Zero(count))) return report_;
         compute_residual();
         while (!is_done()) {
@@ -54,7 +54,7 @@ class PathNewton {
     void start() {
         const PhaseTimer timer(workspace_.seconds.update);
         solution_.load_factor = state_.time;
-        solution_.amplitudes.setZero(static_cast<Eigen::Index>(problem_.disturbances.size()));
+        solution_.amplitudes.setZero(static_cast<Eigen::Index>(problem_.amplitude_count()));
         integrator_.begin_stage(state_, stage(), system_.team());
         state_.resultants.clear();
         if (settings_.tangent == TangentKind::mixed) system_.start_resultants(state_);
@@ -96,8 +96,12 @@ class PathNewton {
             Eigen::MatrixXd(count, size), Eigen::MatrixXd(count, size), Eigen::MatrixXd::Zero(size, size)};
         borders.columns.col(0) =
             compute_load_gradient(system_, solution_.load_factor, workspace_.residual, state_);
+        for (std::size_t i = 0; i < problem_.disturbances.size(); ++i)
+            borders.columns.col(static_cast<Eigen::Index>(i) + 1) = problem_.disturbances[i];
+        if (problem_.other_factor != nullptr)
+            borders.columns.col(size - 1) = compute_other_gradient(
+                system_, *problem_.other_factor, solution_.load_factor, workspace_.residual, state_);
         for (Eigen::Index i = 0; i < size; ++i) {
-            if (i > 0) borders.columns.col(i) = problem_.disturbances[static_cast<std::size_t>(i - 1)];
             borders.rows.col(i) = problem_.rows[static_cast<std::size_t>(i)].u;
             borders.corner(i, 0) = problem_.rows[static_cast<std::size_t>(i)].load;
         }
@@ -126,6 +130,10 @@ class PathNewton {
         const PhaseTimer timer(workspace_.seconds.update);
         solution_.load_factor += increment.load;
         solution_.amplitudes += amplitudes;
+        if (problem_.other_factor != nullptr) {
+            *problem_.other_factor += amplitudes[amplitudes.size() - 1];
+            system_.forget_loads();
+        }
         std::vector<Vec6>& deltas = workspace_.increments;
         deltas.resize(state_.trial.size());
         for (std::size_t node = 0; node < deltas.size(); ++node)
@@ -182,19 +190,62 @@ class PathNewton {
 
 }  // namespace
 
+namespace {
+
+constexpr double gradient_difference = 1e-5;
+
+// ∂R/∂t of supports that move, from where they are at a load factor that is further by the difference. Stiff
+// elements answer nonlinearly even to that; so by a part of it, to both sides.
+Eigen::VectorXd compute_support_gradient(const System& system,
+                                         double time_of_move,
+                                         double time_of_loads,
+                                         const Residual& residual,
+                                         const State& state) {
+    constexpr double part = 0.1;
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(system.equations().count());
+    for (const double side : {part, -part})
+        sum += compute_support_motion_force(system, time_of_move, time_of_loads, side, residual, state);
+    return 0.5 / gradient_difference * sum;
+}
+
+Eigen::VectorXd gather_gradient(const System& system,
+                                std::vector<Vec6> forces,
+                                const std::vector<Vec6>& further) {
+    for (std::size_t i = 0; i < forces.size(); ++i)
+        forces[i] = (forces[i] - further[i]) / gradient_difference;
+    return gather(forces, system.equations(), system.team());
+}
+
+}  // namespace
+
 Eigen::VectorXd compute_load_gradient(const System& system,
                                       double load_factor,
                                       const Residual& residual,
                                       const State& state) {
-    constexpr double difference = 1e-5;  // of what grows with the load factor, it is exact
-    std::vector<Vec6> gradient = system.compute_load_forces(state, load_factor);
-    const std::vector<Vec6> further = system.compute_load_forces(state, load_factor + difference);
-    for (std::size_t i = 0; i < gradient.size(); ++i) gradient[i] = (gradient[i] - further[i]) / difference;
-    Eigen::VectorXd result = gather(gradient, system.equations(), system.team());
+    // Of what grows with the load factor, it is exact.
+    const double further = load_factor + gradient_difference;
+    const Eigen::VectorXd result = gather_gradient(
+        system, system.compute_load_forces(state, load_factor), system.compute_load_forces(state, further));
     if (!system.supports().move()) return result;
-    return result +
-           compute_support_motion_force(system, load_factor + difference, load_factor, 1.0, residual, state) /
-               difference;
+    return result + compute_support_gradient(system, further, load_factor, residual, state);
+}
+
+Eigen::VectorXd compute_other_gradient(const System& system,
+                                       double& other_factor,
+                                       double load_factor,
+                                       const Residual& residual,
+                                       const State& state) {
+    const std::vector<Vec6> forces = system.compute_load_forces(state, load_factor);
+    const double here = other_factor;
+    other_factor = here + gradient_difference;
+    system.forget_loads();
+    Eigen::VectorXd result = gather_gradient(system, forces, system.compute_load_forces(state, load_factor));
+    // The loads' own change cancels in it.
+    if (system.supports().move())
+        result += compute_support_gradient(system, load_factor, load_factor, residual, state);
+    other_factor = here;
+    system.forget_loads();
+    return result;
 }
 
 EquilibriumReport solve_path_equilibrium(const System& system,
@@ -204,9 +255,11 @@ EquilibriumReport solve_path_equilibrium(const System& system,
                                          SolverWorkspace& workspace,
                                          State& state,
                                          PathSolution& solution) {
+    const double other_factor = problem.other_factor != nullptr ? *problem.other_factor : 0.0;
     const EquilibriumReport first =
         PathNewton(system, integrator, settings, problem, workspace, state, solution).solve();
     if (first.converged() || settings.tangent != TangentKind::mixed) return first;
+    if (problem.other_factor != nullptr) *problem.other_factor = other_factor;
     NewtonSettings other = settings;
     other.tangent = TangentKind::consistent;
     EquilibriumReport report =

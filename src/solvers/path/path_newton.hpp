@@ -10,16 +10,21 @@ namespace gxrod {
 struct PathProblem {
     PathVector prediction;  // the first increment
     // All further increments are orthogonal to these rows: as many as there are further unknowns, the load
-    // factor and one amplitude of each column of `disturbances`.
+    // factor, one amplitude of each column of `disturbances`, and the other load factor.
     std::vector<PathVector> rows;
     // Forces on the unknowns that are added to the residual, times their amplitudes. Empty but for reduced
     // equations.
     std::vector<Eigen::VectorXd> disturbances;
+    // Another load factor, on which loads and moves of the system rest: a further unknown, the last one. It
+    // starts from the value it has and holds that of the solution.
+    double* other_factor = nullptr;
+
+    std::size_t amplitude_count() const { return disturbances.size() + (other_factor != nullptr ? 1 : 0); }
 };
 
 struct PathSolution {
     double load_factor = 0.0;
-    Eigen::VectorXd amplitudes;  // of the disturbances
+    Eigen::VectorXd amplitudes;  // of the disturbances; last, the change of the other load factor
     // How the unknowns follow the load factor, and by one of the rows alone: K⁻¹ (−∂R/∂λ) of the last
     // iteration's tangent. Not scaled.
     PathVector direction;
@@ -35,6 +40,13 @@ EquilibriumReport solve_path_equilibrium(const System& system,
                                          SolverWorkspace& workspace,
                                          State& state,
                                          PathSolution& solution);
+
+// By another load factor, as PathProblem has it.
+Eigen::VectorXd compute_other_gradient(const System& system,
+                                       double& other_factor,
+                                       double load_factor,
+                                       const Residual& residual,
+                                       const State& state);
 
 // ∂R/∂λ of the trial motions, supports that move included; the workspace has their residual.
 Eigen::VectorXd compute_load_gradient(const System& system,

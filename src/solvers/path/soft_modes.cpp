@@ -103,4 +103,25 @@ SoftModes find_soft_modes(LinearSolver& solver,
     return modes;
 }
 
+LoneSoftness estimate_lone_softness(LinearSolver& solver, const Eigen::VectorXd& weights) {
+    if (weights.size() < 2) return {};
+    const auto norm = [&](const Eigen::VectorXd& x) { return std::sqrt(x.dot(weights.cwiseProduct(x))); };
+    Eigen::MatrixXd x = make_start(weights.size(), 2);
+    orthonormalize(weights, x);
+    double softness = 0.0, next = 0.0;  // 1/|μ|
+    for (int iteration = 0; iteration < 3; ++iteration) {
+        x = iterate(solver, weights, x);
+        if (!x.allFinite()) return {};
+        softness = norm(x.col(0));
+        x.col(0) /= softness;
+        // Twice, for the second vector is all but parallel to the first one.
+        for (int pass = 0; pass < 2; ++pass)
+            x.col(1) -= x.col(0).dot(weights.cwiseProduct(x.col(1))) * x.col(0);
+        next = norm(x.col(1));
+        x.col(1) /= next;
+    }
+    if (!std::isfinite(next / softness)) return {};
+    return {next / softness, x.col(0)};
+}
+
 }  // namespace gxrod

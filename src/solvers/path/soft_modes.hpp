@@ -22,4 +22,12 @@ SoftModes find_soft_modes(LinearSolver& solver,
                           bool is_symmetric,
                           const Eigen::MatrixXd& start = {});
 
+// How close K is to singular in one direction alone: of eigenvalues μ as above the one closest to zero, over
+// the next one, both estimated by a few solutions; and its vector, with xᵀ W x = 1. Of 1, if that is unknown.
+struct LoneSoftness {
+    double ratio = 1.0;
+    Eigen::VectorXd vector;
+};
+LoneSoftness estimate_lone_softness(LinearSolver& solver, const Eigen::VectorXd& weights);
+
 }  // namespace gxrod
