@@ -1,7 +1,7 @@
 #include "analyses/static.hpp"
 
 #include "analyses/dynamic.hpp"
-#include "analyses/path.hpp"
+#include "analyses/path/path.hpp"
 #include "analyses/steady.hpp"
 #include "integrators/load_stepping.hpp"
 #include "model/newton_choice.hpp"

@@ -38,8 +38,8 @@ struct StagePlan {
 
 // A model with the stages of its deck.
 struct StagedModel {
-    Model model;                  // with what acts in the first stage
-    AnalysisSettings analysis;    // of the first stage
+    Model model;                // with what acts in the first stage
+    AnalysisSettings analysis;  // of the first stage
     std::vector<StagePlan> stages;
 };
 

@@ -3,7 +3,7 @@
 #include <deque>
 #include <memory>
 
-#include "analyses/path.hpp"
+#include "analyses/path/path.hpp"
 
 namespace gxrod {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analyses/buckling.hpp"
-#include "analyses/eigenvalues.hpp"
-#include "analyses/modes.hpp"
-#include "analyses/response.hpp"
+#include "analyses/shapes/buckling.hpp"
+#include "analyses/shapes/eigenvalues.hpp"
+#include "analyses/shapes/modes.hpp"
+#include "analyses/shapes/response.hpp"
 #include "model/analysis_traits.hpp"
 #include "run/swept_equilibria.hpp"
 

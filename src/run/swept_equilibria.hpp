@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "analyses/shapes/sweep.hpp"
 #include "analyses/stepped_analysis.hpp"
-#include "analyses/sweep.hpp"
 #include "model/stage.hpp"
 
 namespace gxrod {

@@ -31,7 +31,7 @@ struct BenchmarkValue {
     double scale = 1.0;             // errors are divided by it
     double uncertainty = 0.0;       // of the reference; 0: exact
     bool is_of_shapes = false;      // then the reference has a number for each of them; errors are relative
-    std::optional<double> at = {};          // the value of a sweep
+    std::optional<double> at = {};  // the value of a sweep
     std::optional<PlaceOnPath> where = {};  // instead of the time; of several equilibria the nearest counts
 };
 

@@ -151,8 +151,9 @@ class ReferenceReader {
     }
 
     BenchmarkValue read_value(const DeckNode& table) {
-        allow(table,
-              {"history", "ledger", "stage", "quantity", "time", "where", "at", "is", "scale", "uncertainty"});
+        allow(
+            table,
+            {"history", "ledger", "stage", "quantity", "time", "where", "at", "is", "scale", "uncertainty"});
         BenchmarkValue value;
         value.is_of_shapes = table.find("stage") != nullptr;
         value.source = table.find("ledger") != nullptr

@@ -1,5 +1,5 @@
 // Linear buckling of continuous rods: closed forms, and spectral elements and shooting where there are none.
-#include "analyses/buckling.hpp"
+#include "analyses/shapes/buckling.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <numbers>

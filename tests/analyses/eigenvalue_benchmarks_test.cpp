@@ -3,7 +3,7 @@
 #include <complex>
 #include <numbers>
 
-#include "analyses/eigenvalues.hpp"
+#include "analyses/shapes/eigenvalues.hpp"
 #include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/static_run.hpp"

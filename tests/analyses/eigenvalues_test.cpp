@@ -1,11 +1,11 @@
 // Eigenvalues as such; compared with references in eigenvalue_benchmarks_test.cpp.
-#include "analyses/eigenvalues.hpp"
+#include "analyses/shapes/eigenvalues.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <complex>
 
-#include "analyses/modes.hpp"
+#include "analyses/shapes/modes.hpp"
 #include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/static_run.hpp"

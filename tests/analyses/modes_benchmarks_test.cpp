@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "analyses/modes.hpp"
+#include "analyses/shapes/modes.hpp"
 #include "rotation/rotation_map.hpp"
 #include "tools/catch.hpp"
 #include "tools/rod_models.hpp"

@@ -1,5 +1,5 @@
 // Modes as such; compared with references in modes_benchmarks_test.cpp.
-#include "analyses/modes.hpp"
+#include "analyses/shapes/modes.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <numbers>

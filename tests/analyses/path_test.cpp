@@ -1,6 +1,6 @@
 // Paths whose load turns back, against the elastica and against shooting by a Runge-Kutta code and spectral
 // elements, which agree to the digits given.
-#include "analyses/path.hpp"
+#include "analyses/path/path.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "analyses/path_words.hpp"
+#include "analyses/path/path_words.hpp"
 
 #include "tools/catch.hpp"
 

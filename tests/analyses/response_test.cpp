@@ -1,4 +1,4 @@
-#include "analyses/response.hpp"
+#include "analyses/shapes/response.hpp"
 
 #include <complex>
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analyses/eigenvalues.hpp"
+#include "analyses/shapes/eigenvalues.hpp"
 #include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/steady_run.hpp"

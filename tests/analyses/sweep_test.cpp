@@ -1,9 +1,9 @@
-#include "analyses/sweep.hpp"
+#include "analyses/shapes/sweep.hpp"
 
 #include <memory>
 
-#include "analyses/mode_tracking.hpp"
-#include "analyses/onset.hpp"
+#include "analyses/shapes/mode_tracking.hpp"
+#include "analyses/shapes/onset.hpp"
 #include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/steady_run.hpp"

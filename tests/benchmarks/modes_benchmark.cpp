@@ -1,7 +1,7 @@
 // Twelve modes of a cantilever of order 1, completeness counted.
 #include <benchmark/benchmark.h>
 
-#include "analyses/modes.hpp"
+#include "analyses/shapes/modes.hpp"
 #include "benchmarks/problems.hpp"
 
 namespace gxrod::speed {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyses/path.hpp"
+#include "analyses/path/path.hpp"
 #include "tools/catch.hpp"
 
 namespace gxrod::tools {

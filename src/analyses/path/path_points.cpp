@@ -1,7 +1,7 @@
 // What a path does about the critical points that its steps pass.
-#include "analyses/branch_search.hpp"
-#include "analyses/path.hpp"
-#include "analyses/path_words.hpp"
+#include "analyses/path/branch_search.hpp"
+#include "analyses/path/path.hpp"
+#include "analyses/path/path_words.hpp"
 #include "check/direction_words.hpp"
 #include "solvers/path/soft_modes.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "analyses/path_search.hpp"
+#include "analyses/path/path_search.hpp"
 
 namespace gxrod {
 

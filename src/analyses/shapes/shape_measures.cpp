@@ -1,9 +1,9 @@
-#include "analyses/shape_measures.hpp"
+#include "analyses/shapes/shape_measures.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "analyses/shape_words.hpp"
+#include "analyses/shapes/shape_words.hpp"
 #include "assembly/scatter.hpp"
 
 namespace gxrod {

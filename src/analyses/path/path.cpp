@@ -1,4 +1,4 @@
-#include "analyses/path.hpp"
+#include "analyses/path/path.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,10 +1,10 @@
-#include "analyses/modes.hpp"
+#include "analyses/shapes/modes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "analyses/shape_measures.hpp"
+#include "analyses/shapes/shape_measures.hpp"
 #include "assembly/state_matrices.hpp"
 #include "check/stability.hpp"
 #include "linear/eigen/lowest_pairs.hpp"

@@ -1,4 +1,4 @@
-#include "analyses/onset.hpp"
+#include "analyses/shapes/onset.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
-#include "analyses/buckling.hpp"
+#include "analyses/shapes/buckling.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "analyses/shape_measures.hpp"
+#include "analyses/shapes/shape_measures.hpp"
 #include "assembly/scatter.hpp"
 #include "check/stability.hpp"
 #include "linear/eigen/smallest_factors.hpp"

@@ -1,4 +1,4 @@
-#include "analyses/critical_points.hpp"
+#include "analyses/path/critical_points.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "analyses/branch_switch.hpp"
-#include "analyses/critical_points.hpp"
+#include "analyses/path/branch_switch.hpp"
+#include "analyses/path/critical_points.hpp"
 
 namespace gxrod {
 

@@ -1,4 +1,4 @@
-#include "analyses/mode_tracking.hpp"
+#include "analyses/shapes/mode_tracking.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "analyses/branch_switch.hpp"
+#include "analyses/path/branch_switch.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,12 +1,12 @@
-#include "analyses/sweep.hpp"
+#include "analyses/shapes/sweep.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <optional>
 
-#include "analyses/eigenvalues.hpp"
-#include "analyses/mode_tracking.hpp"
-#include "analyses/onset.hpp"
+#include "analyses/shapes/eigenvalues.hpp"
+#include "analyses/shapes/mode_tracking.hpp"
+#include "analyses/shapes/onset.hpp"
 
 namespace gxrod {
 

@@ -1,6 +1,6 @@
-#include "analyses/path_search.hpp"
+#include "analyses/path/path_search.hpp"
 
-#include "analyses/limit_search.hpp"
+#include "analyses/path/limit_search.hpp"
 #include "solvers/newton_steps.hpp"
 #include "state/increment.hpp"
 

@@ -1,12 +1,12 @@
-#include "analyses/eigenvalues.hpp"
+#include "analyses/shapes/eigenvalues.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
-#include "analyses/shape_measures.hpp"
-#include "analyses/shape_words.hpp"
+#include "analyses/shapes/shape_measures.hpp"
+#include "analyses/shapes/shape_words.hpp"
 #include "linear/eigen/pencil.hpp"
 #include "linear/eigen/quadratic_pairs.hpp"
 

@@ -1,4 +1,4 @@
-#include "analyses/path_targets.hpp"
+#include "analyses/path/path_targets.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,4 +1,4 @@
-#include "analyses/branch_search.hpp"
+#include "analyses/path/branch_search.hpp"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "analyses/branch_switch.hpp"
-#include "analyses/critical_points.hpp"
-#include "analyses/path_targets.hpp"
+#include "analyses/path/branch_switch.hpp"
+#include "analyses/path/critical_points.hpp"
+#include "analyses/path/path_targets.hpp"
 #include "analyses/stepped_analysis.hpp"
 #include "check/stability.hpp"
 #include "model/settings.hpp"

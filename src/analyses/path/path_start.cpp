@@ -3,8 +3,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "analyses/limit_search.hpp"
-#include "analyses/path.hpp"
+#include "analyses/path/limit_search.hpp"
+#include "analyses/path/path.hpp"
 #include "solvers/newton_steps.hpp"
 
 namespace gxrod {

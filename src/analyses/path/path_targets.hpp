@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "analyses/path_search.hpp"
+#include "analyses/path/path_search.hpp"
 
 namespace gxrod {
 

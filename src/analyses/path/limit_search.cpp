@@ -1,4 +1,4 @@
-#include "analyses/limit_search.hpp"
+#include "analyses/path/limit_search.hpp"
 
 #include <cmath>
 #include <limits>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analyses/branch_switch.hpp"
+#include "analyses/path/branch_switch.hpp"
 #include "state/path_record.hpp"
 
 namespace gxrod {

@@ -1,4 +1,4 @@
-#include "analyses/shape_words.hpp"
+#include "analyses/shapes/shape_words.hpp"
 
 #include <fmt/format.h>
 
