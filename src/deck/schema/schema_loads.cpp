@@ -65,6 +65,7 @@ std::vector<KeySpec> load_keys() {
                      "named keeps the last value, and before the first one there is no load."},
         {.name = "relative_to",
          .type = ValueType::choice,
+         .default_text = "nothing",
          .sentence = "limit: for a stage with `follow`, where it begins to act: the load is its value times "
                      "the load factor of the limit point, and without t times t.",
          .choices = {"limit"}},

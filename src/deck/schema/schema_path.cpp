@@ -72,10 +72,12 @@ const TableSpec& control_table() {
                   .sentence = "The point that moves."},
                  {.name = "displacement",
                   .type = ValueType::choice,
+                  .default_text = "`rotation`",
                   .sentence = "Its component that each step prescribes, in global axes.",
                   .choices = words_of(direction_choices)},
                  {.name = "rotation",
                   .type = ValueType::choice,
+                  .default_text = "`displacement`",
                   .sentence = "Instead, the component of the rotation in the step.",
                   .choices = words_of(direction_choices)},
                  {.name = "to",
@@ -153,6 +155,7 @@ std::vector<KeySpec> path_keys() {
          .only_for = {path_only}},
         {.name = "follow",
          .type = ValueType::choice,
+         .default_text = "no limit points",
          .sentence =
              "limit: the stage before, a path, ended on a limit point, whose load factor is free in this "
              "stage: the limit point is followed while t, the parameter, grows from 0.",

@@ -68,4 +68,40 @@ TEST_CASE("A path has equilibria at displacements of points that are free, or at
           "an empty array");
 }
 
+TEST_CASE("What controls a path is free", "[deck]") {
+    const auto with = [](const std::string& control) {
+        return faults_with("until = { t = 1 }\ncontrol = { of = " + control +
+                           " }\n[[support]]\nat = \"r.start\"\nfix = \"all\"\n");
+    };
+    CHECK(with("\"r.end\", displacement = \"x\", to = 1").empty());
+    CHECK(with("\"r.end\", rotation = \"x\"").empty());
+    CHECK(with("\"r.start\", displacement = \"x\"") ==
+          "x.toml:12:44: analysis.control.displacement: a support holds it");
+    CHECK(with("\"r.start\", rotation = \"y\"") ==
+          "x.toml:12:40: analysis.control.rotation: a support holds it");
+    CHECK(with("\"r.end\"").find("displacement") != std::string::npos);
+}
+
+TEST_CASE("Limit points are followed after a path", "[deck]") {
+    const auto with = [](const std::string& first, const std::string& more, const std::string& load = "") {
+        return faults_of(replaced(static_rod_deck, "[analysis]\nkind = \"static\"\n", "") + load +
+                         "[[stage]]\nname = \"a\"\n" + first +
+                         "[[stage]]\nname = \"b\"\nkind = \"path\"\nuntil = { t = 1 }\n" + more);
+    };
+    const std::string path = "kind = \"path\"\nuntil = { points = 1 }\n";
+    const std::string relative = "[[load]]\nat = \"r.end\"\nforce = [1, 0, 0]\nrelative_to = \"limit\"\n";
+    CHECK(with(path, "follow = \"limit\"\n", relative).empty());
+    CHECK(with("kind = \"static\"\n", "follow = \"limit\"\n")
+              .find("stage[1].follow: the stage before must be a path, which ends on the limit point to "
+                    "follow") != std::string::npos);
+    CHECK(with(path, "follow = \"limit\"\nbranches = 1\n")
+              .find("stage[1].branches: a stage that follows limit points has no branches") !=
+          std::string::npos);
+    CHECK(with(path, "follow = \"limit\"\ncontrol = { of = \"r.end\", displacement = \"x\" }\n")
+              .find("stage[1].control: a stage that follows limit points goes by its arc length") !=
+          std::string::npos);
+    CHECK(with(path, "", relative).find("load[0].relative_to: no stage follows a limit point") !=
+          std::string::npos);
+}
+
 }  // namespace gxrod::test
