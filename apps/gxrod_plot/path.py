@@ -115,13 +115,21 @@ def draw_paths(figure, stages, curves):
 def draw_path(axes, stage, label, values, dimension):
     for number, path in enumerate(stage.paths):
         for rows, is_stable in split_by_stability(path):
-            axes.plot(values[rows], stage.load_factors[rows], color=colour_of(number),
+            axes.plot(*break_turns(values[rows], stage.load_factors[rows], dimension), color=colour_of(number),
                       linestyle="-" if is_stable else (0, (4, 2)))
     for kind, row in stage.points:
         axes.plot(values[row], stage.load_factors[row], MARKERS[kind][0], color=BLACK, markersize=5, zorder=3)
     axes.set_title(label)
     axes.set_xlabel(dimension if dimension != "1" else "")
     axes.set_ylabel("load factor")
+
+
+def break_turns(values, loads, dimension):
+    """With gaps where a rotation vector passes half a turn, and comes back with the opposite sign."""
+    if dimension != "angle":
+        return values, loads
+    jumps = np.flatnonzero(np.abs(np.diff(values)) > np.pi) + 1
+    return np.insert(values, jumps, np.nan), np.insert(loads, jumps, np.nan)
 
 
 def split_by_stability(path):
