@@ -151,13 +151,14 @@ TEST_CASE("Sweeps that cannot be are refused", "[deck][sweep]") {
 }
 
 TEST_CASE("A value without an equilibrium is reported, and the others are found", "[analyses][sweep]") {
-    // At a turn beyond half a revolution in one step without shorter ones there is none.
     SweepRecord record;
     record.key = "parameters.P";
     record.words = {"bending about z of column"};
-    record.points.push_back({.value = 1.0, .lambda = {{0.0, 2.0}}, .corruption = {0.0}});
-    record.points.push_back({.value = 2.0, .failure = "Newton's method failed"});
-    record.points.push_back({.value = 3.0, .lambda = {{std::nan(""), std::nan("")}}, .corruption = {1.0}});
+    record.points.resize(3);
+    for (std::size_t i = 0; i < 3; ++i) record.points[i].value = static_cast<double>(i) + 1.0;
+    record.points[0].lambda = {{0.0, 2.0}};
+    record.points[1].failure = "Newton's method failed";
+    record.points[2].lambda = {{std::nan(""), std::nan("")}};
     const std::vector<std::string> warnings = warn_of_shapes(record);
     REQUIRE(warnings.size() == 2);
     CHECK(warnings[0] == "nothing was found at 1 of 3 values of parameters.P; at 2: Newton's method failed");
