@@ -133,7 +133,7 @@ TEST_CASE("Results and tables hold a sweep", "[analyses][sweep]") {
               .starts_with("begins,kind,omega,value\n1,flutter,10.9688"));
 }
 
-TEST_CASE("Sweeps that cannot be are refused", "[deck][sweep]") {
+TEST_CASE("Sweeps that cannot be are refused", "[analyses][sweep]") {
     const auto faults = [](const std::string& sweep) { return faults_of(column + press + sweep_of(sweep)); };
     CHECK(faults("key = \"parameters.Q\", values = [1]") ==
           "x.toml:28:17: stage[1].sweep.key: the deck has no parameter \"Q\"; it has P, stretch");

@@ -605,7 +605,19 @@ std::vector<RoundTrip> path_trips() {
                targets[0].values == values;
     };
     const std::string at = "at = [{ of = \"r.end\", displacement = \"y\", values = [\"1/2\", 3] }]";
+    const auto is_control = [](int node, int component, std::optional<double> to) {
+        return [=](const Problem& p) {
+            const std::optional<PathControl> control = path_of(p).control;
+            return control && control->node == node && control->component == component && control->to == to;
+        };
+    };
+    const std::string control = "control = { of = \"r.end\", displacement = \"y\", to = -3 }";
+    const std::string turned = "control = { of = \"r.end\", rotation = \"z\" }";
     return {
+        {"analysis.control.of", with("t = 1", control), is_control(10, 1, -3.0)},
+        {"analysis.control.displacement", with("t = 1", control), is_control(10, 1, -3.0)},
+        {"analysis.control.to", with("t = 1", control), is_control(10, 1, -3.0)},
+        {"analysis.control.rotation", with("t = 1", turned), is_control(10, 5, std::nullopt)},
         {"analysis.until.t",
          with("t = [-1, 2]"),
          [](const Problem& p) { return path_of(p).least_load == -1.0 && path_of(p).greatest_load == 2.0; }},
@@ -670,6 +682,19 @@ std::vector<RoundTrip> stage_trips() {
     return trips;
 }
 
+// A limit point that is followed takes a path before.
+std::vector<RoundTrip> follow_trips() {
+    const std::string path = "kind = \"path\"\nuntil = { t = 1, points = 1 }\n";
+    const std::string deck = replaced(static_rod_deck, "[analysis]\nkind = \"static\"\n", "") +
+                             "[[stage]]\nname = \"one\"\n" + path + "[[stage]]\nname = \"two\"\n" + path +
+                             "follow = \"limit\"\n[[load]]\nat = \"r.end\"\nforce = [1, 0, 0]\n"
+                             "relative_to = \"limit\"\n";
+    const auto follows = [](const Problem& p) { return p.stages.size() == 2 && follows_limits(p.stages); };
+    return {{"analysis.follow", deck, follows},
+            {"stage.follow", deck, follows},
+            {"load.relative_to", deck, follows}};
+}
+
 std::vector<RoundTrip> all_trips() {
     std::vector<RoundTrip> all;
     for (const auto& trips : {top_level_trips(),
@@ -688,6 +713,7 @@ std::vector<RoundTrip> all_trips() {
                               connection_and_initial_trips(),
                               analysis_trips(),
                               path_trips(),
+                              follow_trips(),
                               stage_trips()}) {
         all.insert(all.end(), trips.begin(), trips.end());
     }
