@@ -4,10 +4,11 @@
 #include "deck/decks.hpp"
 #include "results/file/hdf5_reader.hpp"
 #include "results/sample.hpp"
-#include "run/run.hpp"
 #include "tools/catch.hpp"
+#include "tools/problem_run.hpp"
 
 using namespace gxrod;
+using namespace gxrod::tools;
 using test::read;
 using test::replaced;
 
@@ -45,13 +46,6 @@ at = "beam@0.2"
 quantities = ["displacement"]
 )deck";
 
-RunSummary run(const Problem& problem, const std::filesystem::path& file) {
-    RunRequest request{
-        problem.model, problem.analysis, problem.output, problem.record, ResultsFileOptions{file}};
-    request.stages = problem.stages;
-    return run_analysis(request);
-}
-
 std::string path(const std::string& control) {
     return "[analysis]\nkind = \"path\"\nuntil = { t = 6, steps = 200 }\nnewton = { tolerance = 1e-11 }\n"
            "control = { of = \"beam@0.2\", " +
@@ -63,7 +57,7 @@ std::string path(const std::string& control) {
 TEST_CASE("A path under displacement control goes over limit loads to its end", "[analyses][path]") {
     const sample::ScratchFolder folder;
     const Problem problem = read(frame + path("displacement = \"y\", to = -60"));
-    const RunSummary summary = run(problem, folder / "lee.vtkhdf");
+    const RunSummary summary = run_problem(problem, folder / "lee.vtkhdf");
     INFO(summary.reason);
     REQUIRE(summary.status == RunStatus::complete);
     const Hdf5Reader file(folder / "lee.vtkhdf");
@@ -76,13 +70,13 @@ TEST_CASE("A path under displacement control goes over limit loads to its end", 
     for (std::size_t i = 1; i < load.size(); ++i) CHECK(moved[3 * i + 1] < moved[3 * i - 2]);
     // Upwards the load falls.
     const Problem upwards = read(frame + path("displacement = \"y\", to = 3"));
-    REQUIRE(run(upwards, folder / "up.vtkhdf").status == RunStatus::complete);
+    REQUIRE(run_problem(upwards, folder / "up.vtkhdf").status == RunStatus::complete);
     CHECK(Hdf5Reader(folder / "up.vtkhdf").numbers("/histories/load_factor").back() < -0.1);
 }
 
 TEST_CASE("Displacement control fails where the displacement turns back, and says so", "[analyses][path]") {
     const sample::ScratchFolder folder;
-    const RunSummary summary = run(read(frame + path("displacement = \"y\"")), folder / "lee.vtkhdf");
+    const RunSummary summary = run_problem(read(frame + path("displacement = \"y\"")), folder / "lee.vtkhdf");
     CHECK(summary.status == RunStatus::failed);
     CHECK(summary.reason.find("the displacement or rotation that controls the path turns back here") !=
           std::string::npos);
@@ -95,7 +89,7 @@ TEST_CASE("A rotation can control a path", "[analyses][path]") {
     const sample::ScratchFolder folder;
     const std::string control =
         replaced(path("rotation = \"z\""), "until = { t = 6,", "until = { points = 1,");
-    REQUIRE(run(read(frame + control), folder / "lee.vtkhdf").status == RunStatus::complete);
+    REQUIRE(run_problem(read(frame + control), folder / "lee.vtkhdf").status == RunStatus::complete);
     CHECK(Hdf5Reader(folder / "lee.vtkhdf").numbers("/stages/path/critical_points/load_factor").at(0) ==
           Approx(1.854452709444).epsilon(1e-7));
 }
@@ -142,7 +136,7 @@ until = { t = 0.5 }
 
 TEST_CASE("A continuous symmetry is reported with what to hold", "[analyses][path]") {
     const sample::ScratchFolder folder;
-    const RunSummary summary = run(read(bow), folder / "bow.vtkhdf");
+    const RunSummary summary = run_problem(read(bow), folder / "bow.vtkhdf");
     INFO(summary.reason);
     CHECK(summary.status == RunStatus::failed);
     CHECK(summary.reason.find("the model has a continuous symmetry") != std::string::npos);
@@ -150,7 +144,7 @@ TEST_CASE("A continuous symmetry is reported with what to hold", "[analyses][pat
           std::string::npos);
 
     const Problem held = read(bow + "[[support]]\nat = \"bow@0.5\"\nfix = [\"z\"]\n");
-    const RunSummary other = run(held, folder / "held.vtkhdf");
+    const RunSummary other = run_problem(held, folder / "held.vtkhdf");
     REQUIRE(other.status == RunStatus::complete);
     CHECK(other.findings.empty());
 }

@@ -5,10 +5,11 @@
 #include "deck/decks.hpp"
 #include "results/file/hdf5_reader.hpp"
 #include "results/sample.hpp"
-#include "run/run.hpp"
 #include "tools/catch.hpp"
+#include "tools/problem_run.hpp"
 
 using namespace gxrod;
+using namespace gxrod::tools;
 using test::read;
 using test::replaced;
 
@@ -56,22 +57,6 @@ at = [{ t = [0.01] }]
 newton = { tolerance = 1e-11 }
 )";
 
-RunSummary run(const Problem& problem, const std::filesystem::path& file, int most_steps = -1) {
-    RunRequest request{
-        problem.model, problem.analysis, problem.output, problem.record, ResultsFileOptions{file}};
-    request.stages = problem.stages;
-    int steps = 0;
-    request.is_interrupted = [&] { return steps++ == most_steps; };
-    return run_analysis(request);
-}
-
-RunSummary resume(const Problem& problem, const std::filesystem::path& path) {
-    ResumableFile file(path);
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}, &file};
-    request.stages = problem.stages;
-    return run_analysis(request);
-}
-
 // Rows of stage 1 where t is this.
 double limit_load_at(const Hdf5Reader& file, double t) {
     const std::vector<double> stage = file.numbers("/histories/stage");
@@ -88,7 +73,7 @@ double limit_load_at(const Hdf5Reader& file, double t) {
 TEST_CASE("A limit load is followed while an imperfection grows", "[analyses][path]") {
     const sample::ScratchFolder folder;
     const Problem problem = read(arch + aside + stages);
-    const RunSummary summary = run(problem, folder / "arch.vtkhdf");
+    const RunSummary summary = run_problem(problem, folder / "arch.vtkhdf");
     INFO(summary.reason);
     REQUIRE(summary.status == RunStatus::complete);
     const Hdf5Reader file(folder / "arch.vtkhdf");
@@ -104,9 +89,10 @@ TEST_CASE("A limit load is followed while an imperfection grows", "[analyses][pa
 
     // What follows a limit is itself resumed to the last bit.
     const auto stop = static_cast<int>(first) + 1;
-    REQUIRE(run(read(arch + aside + stages), folder / "part.vtkhdf", stop).status == RunStatus::interrupted);
+    REQUIRE(run_problem(read(arch + aside + stages), folder / "part.vtkhdf", stop).status ==
+            RunStatus::interrupted);
     const Problem anew = read(arch + aside + stages);
-    REQUIRE(resume(anew, folder / "part.vtkhdf").status == RunStatus::complete);
+    REQUIRE(resume_problem(anew, folder / "part.vtkhdf").status == RunStatus::complete);
     CHECK(Hdf5Reader(folder / "part.vtkhdf").numbers("/histories/limit_load_factor") == limit);
 }
 
@@ -119,7 +105,7 @@ TEST_CASE("Limit points in another parameter are those of paths with that parame
         "frame = \"follower\"\nstages = [\"limits\"]\n";
     const sample::ScratchFolder folder;
     const std::string to_one = replaced(replaced(stages, "t = 0.05", "t = 1"), "at = [{ t = [0.01] }]\n", "");
-    REQUIRE(run(read(arch + fixed + to_one), folder / "arch.vtkhdf").status == RunStatus::complete);
+    REQUIRE(run_problem(read(arch + fixed + to_one), folder / "arch.vtkhdf").status == RunStatus::complete);
     const double followed = limit_load_at(Hdf5Reader(folder / "arch.vtkhdf"), 1.0);
 
     const std::string there =
@@ -128,7 +114,7 @@ TEST_CASE("Limit points in another parameter are those of paths with that parame
         "frame = \"follower\"\nfactor = \"1\"\n";
     const std::string path =
         "[analysis]\nkind = \"path\"\nuntil = { points = 1 }\nnewton = { tolerance = 1e-11 }\n";
-    REQUIRE(run(read(arch + there + path), folder / "path.vtkhdf").status == RunStatus::complete);
+    REQUIRE(run_problem(read(arch + there + path), folder / "path.vtkhdf").status == RunStatus::complete);
     const Hdf5Reader file(folder / "path.vtkhdf");
     CHECK(file.texts("/stages/path/critical_points/kind")[0] == "limit");
     CHECK(followed == Approx(file.numbers("/stages/path/critical_points/load_factor")[0]).epsilon(1e-9));
@@ -137,7 +123,7 @@ TEST_CASE("Limit points in another parameter are those of paths with that parame
 TEST_CASE("Only limit points are followed", "[analyses][path]") {
     const sample::ScratchFolder folder;
     const std::string early = replaced(stages, "until = { points = 1 }", "until = { t = 300 }");
-    const RunSummary summary = run(read(arch + aside + early), folder / "arch.vtkhdf");
+    const RunSummary summary = run_problem(read(arch + aside + early), folder / "arch.vtkhdf");
     CHECK(summary.status == RunStatus::failed);
     CHECK(summary.reason.find("does not end at a limit point") != std::string::npos);
 }

@@ -4,10 +4,11 @@
 #include "deck/decks.hpp"
 #include "results/file/hdf5_reader.hpp"
 #include "results/sample.hpp"
-#include "run/run.hpp"
 #include "tools/catch.hpp"
+#include "tools/problem_run.hpp"
 
 using namespace gxrod;
+using namespace gxrod::tools;
 using test::read;
 using test::replaced;
 
@@ -49,22 +50,6 @@ branches = 1
 newton = { tolerance = 1e-11 }
 )";
 
-RunSummary run(const Problem& problem, const std::filesystem::path& file, int most_steps = -1) {
-    RunRequest request{
-        problem.model, problem.analysis, problem.output, problem.record, ResultsFileOptions{file}};
-    request.stages = problem.stages;
-    int steps = 0;
-    request.is_interrupted = [&] { return steps++ == most_steps; };
-    return run_analysis(request);
-}
-
-RunSummary resume(const Problem& problem, const std::filesystem::path& path) {
-    ResumableFile file(path);
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}, &file};
-    request.stages = problem.stages;
-    return run_analysis(request);
-}
-
 // What both files hold, to the last bit, but for the state to resume from.
 void check_equal(const Hdf5Reader& whole, const Hdf5Reader& part) {
     for (const std::string& name : whole.datasets()) {
@@ -86,7 +71,7 @@ TEST_CASE("A path follows the branches that leave it, as rows of the same stage"
         replaced(sway,
                  "branches",
                  "at = [{ of = \"arch@0.5\", displacement = \"y\", values = [-20, -40, -80] }]\nbranches"));
-    const RunSummary summary = run(problem, folder / "arch.vtkhdf");
+    const RunSummary summary = run_problem(problem, folder / "arch.vtkhdf");
     REQUIRE(summary.status == RunStatus::complete);
     const Hdf5Reader file(folder / "arch.vtkhdf");
     const std::vector<double> load = file.numbers("/histories/load_factor");
@@ -142,7 +127,7 @@ TEST_CASE("A path follows the branches that leave it, as rows of the same stage"
 TEST_CASE("A path that was stopped on it, or on a branch, goes on to the last bit", "[analyses][path]") {
     const sample::ScratchFolder folder;
     const Problem problem = read(arch + "[analysis]\n" + sway);
-    REQUIRE(run(problem, folder / "whole.vtkhdf").status == RunStatus::complete);
+    REQUIRE(run_problem(problem, folder / "whole.vtkhdf").status == RunStatus::complete);
     const Hdf5Reader whole(folder / "whole.vtkhdf");
     const std::vector<double> first_rows = whole.numbers("/stages/path/branches/first_row");
     const auto bifurcation = static_cast<int>(whole.numbers("/stages/path/critical_points/row")[0]);
@@ -154,8 +139,8 @@ TEST_CASE("A path that was stopped on it, or on a branch, goes on to the last bi
                                  static_cast<int>(first_rows[2]) + 2};
     for (const int stop : stops) {
         INFO(stop);
-        REQUIRE(run(problem, folder / "part.vtkhdf", stop).status == RunStatus::interrupted);
-        REQUIRE(resume(problem, folder / "part.vtkhdf").status == RunStatus::complete);
+        REQUIRE(run_problem(problem, folder / "part.vtkhdf", stop).status == RunStatus::interrupted);
+        REQUIRE(resume_problem(problem, folder / "part.vtkhdf").status == RunStatus::complete);
         check_equal(whole, Hdf5Reader(folder / "part.vtkhdf"));
         std::filesystem::remove(folder / "part.vtkhdf");
         std::filesystem::remove(folder / "part.path.vtkhdf");
@@ -168,7 +153,7 @@ TEST_CASE("Loads stay as they were where a path ended, also when the next stage 
     const std::string stages = "[[stage]]\nname = \"sway\"\n" + replaced(sway, "points = 2", "points = 1") +
                                "[[stage]]\nname = \"rest\"\nkind = \"static\"\nsteps = 4\n";
     const Problem problem = read(arch + stages);
-    REQUIRE(run(problem, folder / "whole.vtkhdf").status == RunStatus::complete);
+    REQUIRE(run_problem(problem, folder / "whole.vtkhdf").status == RunStatus::complete);
     const Hdf5Reader whole(folder / "whole.vtkhdf");
     const std::vector<double> load = whole.numbers("/histories/load_factor");
     const std::vector<double> stage = whole.numbers("/histories/stage");
@@ -182,10 +167,11 @@ TEST_CASE("Loads stay as they were where a path ended, also when the next stage 
     CHECK(*problem.stages[0].end == load[end]);
 
     const auto rows = static_cast<int>(load.size());
-    REQUIRE(run(read(arch + stages), folder / "part.vtkhdf", rows - 3).status == RunStatus::interrupted);
+    REQUIRE(run_problem(read(arch + stages), folder / "part.vtkhdf", rows - 3).status ==
+            RunStatus::interrupted);
     const Problem anew = read(arch + stages);
     REQUIRE(*anew.stages[0].end != load[end]);
-    REQUIRE(resume(anew, folder / "part.vtkhdf").status == RunStatus::complete);
+    REQUIRE(resume_problem(anew, folder / "part.vtkhdf").status == RunStatus::complete);
     check_equal(whole, Hdf5Reader(folder / "part.vtkhdf"));
 }
 
@@ -206,7 +192,7 @@ TEST_CASE("A branch that leads from one bifurcation to another is followed once"
                                          "fix = \"all\"\n[[load]]");
     const Problem problem = read(clamped + "[analysis]\nkind = \"path\"\nuntil = { points = 4, arc = 2 }\n" +
                                  "branches = 2\nmax_step = 0.001\n");
-    const RunSummary summary = run(problem, folder / "arch.vtkhdf");
+    const RunSummary summary = run_problem(problem, folder / "arch.vtkhdf");
     REQUIRE(summary.status == RunStatus::complete);
     const Hdf5Reader file(folder / "arch.vtkhdf");
     const std::vector<double> at = file.numbers("/stages/path/critical_points/load_factor");

@@ -4,10 +4,11 @@
 #include "deck/decks.hpp"
 #include "results/file/hdf5_reader.hpp"
 #include "results/sample.hpp"
-#include "run/run.hpp"
 #include "tools/catch.hpp"
+#include "tools/problem_run.hpp"
 
 using namespace gxrod;
+using namespace gxrod::tools;
 using test::read;
 using test::replaced;
 
@@ -84,22 +85,6 @@ Traced trace(const Problem& problem) {
     return traced;
 }
 
-RunSummary run(const Problem& problem, const std::filesystem::path& file, int most_steps = -1) {
-    RunRequest request{
-        problem.model, problem.analysis, problem.output, problem.record, ResultsFileOptions{file}};
-    request.stages = problem.stages;
-    int steps = 0;
-    request.is_interrupted = [&] { return steps++ == most_steps; };
-    return run_analysis(request);
-}
-
-RunSummary resume(const Problem& problem, const std::filesystem::path& path) {
-    ResumableFile file(path);
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}, &file};
-    request.stages = problem.stages;
-    return run_analysis(request);
-}
-
 }  // namespace
 
 TEST_CASE("A held cantilever that is let go moves as an independent program says", "[analyses][stages]") {
@@ -174,11 +159,11 @@ steps = 2
 TEST_CASE("A run of stages that was stopped in any of them goes on to the last bit", "[analyses][stages]") {
     const sample::ScratchFolder folder;
     const Problem problem = read(cantilever, {"stage[1].steps=20", "stage[1].end_time=0.1"});
-    REQUIRE(run(problem, folder / "whole.vtkhdf").status == RunStatus::complete);
+    REQUIRE(run_problem(problem, folder / "whole.vtkhdf").status == RunStatus::complete);
     const int stop = GENERATE(0, 2, 3, 4, 12);
     INFO(stop);
-    REQUIRE(run(problem, folder / "part.vtkhdf", stop).status == RunStatus::interrupted);
-    REQUIRE(resume(problem, folder / "part.vtkhdf").status == RunStatus::complete);
+    REQUIRE(run_problem(problem, folder / "part.vtkhdf", stop).status == RunStatus::interrupted);
+    REQUIRE(resume_problem(problem, folder / "part.vtkhdf").status == RunStatus::complete);
     const Hdf5Reader whole(folder / "whole.vtkhdf");
     const Hdf5Reader part(folder / "part.vtkhdf");
     for (const std::string& name : whole.datasets()) {

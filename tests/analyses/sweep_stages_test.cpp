@@ -6,11 +6,12 @@
 #include "results/export/csv_export.hpp"
 #include "results/file/hdf5_reader.hpp"
 #include "results/sample.hpp"
-#include "run/run.hpp"
 #include "tools/catch.hpp"
+#include "tools/problem_run.hpp"
 
 // Eigenvalues over a number of the deck.
 using namespace gxrod;
+using namespace gxrod::tools;
 using test::faults_of;
 using test::read;
 using test::replaced;
@@ -45,13 +46,6 @@ std::string sweep_of(const std::string& sweep) {
     return "[[stage]]\nname = \"sweep\"\nkind = \"eigenvalues\"\ncount = 2\nsweep = { " + sweep + " }\n";
 }
 
-RunSummary run(const Problem& problem, std::optional<std::filesystem::path> file = std::nullopt) {
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
-    if (file) request.results = ResultsFileOptions{*file};
-    request.stages = problem.stages;
-    return run_analysis(request);
-}
-
 const SweepRecord& sweep_in(const RunSummary& summary) {
     return std::get<SweepRecord>(summary.shapes.at(0).record);
 }
@@ -60,7 +54,7 @@ const SweepRecord& sweep_in(const RunSummary& summary) {
 
 TEST_CASE("A sweep follows modes over a load and locates flutter", "[analyses][sweep]") {
     const RunSummary summary =
-        run(read(column + press + sweep_of("key = \"parameters.P\", from = 0, to = 25, count = 6")));
+        run_problem(read(column + press + sweep_of("key = \"parameters.P\", from = 0, to = 25, count = 6")));
     REQUIRE(summary.status == RunStatus::complete);
     const SweepRecord& sweep = sweep_in(summary);
     CHECK(sweep.key == "parameters.P");
@@ -88,8 +82,8 @@ TEST_CASE("A sweep follows modes over a load and locates flutter", "[analyses][s
 
 TEST_CASE("A sweep may change the reference shape, and go downwards", "[analyses][sweep]") {
     const RunSummary summary =
-        run(read(replaced(column, "\"-P\"", "0") + press +
-                 sweep_of("key = \"parameters.stretch\", values = [2.0, 1.0], onset = \"off\"")));
+        run_problem(read(replaced(column, "\"-P\"", "0") + press +
+                         sweep_of("key = \"parameters.stretch\", values = [2.0, 1.0], onset = \"off\"")));
     REQUIRE(summary.status == RunStatus::complete);
     const SweepRecord& sweep = sweep_in(summary);
     CHECK(sweep.onsets.empty());
@@ -100,8 +94,8 @@ TEST_CASE("A sweep may change the reference shape, and go downwards", "[analyses
 
 TEST_CASE("A sweep without stages before is about the reference shape", "[analyses][sweep]") {
     const RunSummary summary =
-        run(read(column + "[analysis]\nkind = \"eigenvalues\"\ncount = 1\n"
-                          "sweep = { key = \"section.s.stiffness.EIz\", values = [1, 4] }\n"));
+        run_problem(read(column + "[analysis]\nkind = \"eigenvalues\"\ncount = 1\n"
+                                  "sweep = { key = \"section.s.stiffness.EIz\", values = [1, 4] }\n"));
     REQUIRE(summary.status == RunStatus::complete);
     const SweepRecord& sweep = sweep_in(summary);
     CHECK(sweep.points[0].lambda[0].imag() == Approx(3.5131597338).epsilon(1e-8));
@@ -111,7 +105,8 @@ TEST_CASE("A sweep without stages before is about the reference shape", "[analys
 TEST_CASE("Results and tables hold a sweep", "[analyses][sweep]") {
     const sample::ScratchFolder folder;
     const auto file = folder / "column.vtkhdf";
-    REQUIRE(run(read(column + press + sweep_of("key = \"parameters.P\", from = 0, to = 25, count = 6")), file)
+    REQUIRE(run_problem(
+                read(column + press + sweep_of("key = \"parameters.P\", from = 0, to = 25, count = 6")), file)
                 .status == RunStatus::complete);
     {
         const Hdf5Reader results(file);

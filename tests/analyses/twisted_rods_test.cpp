@@ -6,10 +6,11 @@
 #include "deck/decks.hpp"
 #include "results/file/hdf5_reader.hpp"
 #include "results/sample.hpp"
-#include "run/run.hpp"
 #include "tools/catch.hpp"
+#include "tools/problem_run.hpp"
 
 using namespace gxrod;
+using namespace gxrod::tools;
 using test::read;
 using test::replaced;
 
@@ -43,13 +44,6 @@ at = "rod@0.5"
 quantities = ["displacement"]
 )deck";
 
-RunSummary run(const Problem& problem, const std::filesystem::path& file) {
-    RunRequest request{
-        problem.model, problem.analysis, problem.output, problem.record, ResultsFileOptions{file}};
-    request.stages = problem.stages;
-    return run_analysis(request);
-}
-
 // The difference of two angles, but for whole turns.
 double turn_between(double a, double b) { return std::remainder(a - b, 2.0 * std::numbers::pi); }
 
@@ -74,7 +68,7 @@ newton = { tolerance = 1e-11 }
     const sample::ScratchFolder folder;
     const std::string all =
         replaced(rod + twist + histories, ", \"reaction_force\", \"reaction_moment\"", "");
-    REQUIRE(run(read(all), folder / "rod.vtkhdf").status == RunStatus::complete);
+    REQUIRE(run_problem(read(all), folder / "rod.vtkhdf").status == RunStatus::complete);
     const Hdf5Reader file(folder / "rod.vtkhdf");
     CHECK(file.numbers("/stages/path/critical_points/load_factor")[0] ==
           Approx(8.977850088768).epsilon(1e-8));
@@ -132,7 +126,7 @@ steps = 20
 newton = { tolerance = 1e-11 }
 )deck";
     const sample::ScratchFolder folder;
-    REQUIRE(run(read(rod + stages + histories), folder / "rod.vtkhdf").status == RunStatus::complete);
+    REQUIRE(run_problem(read(rod + stages + histories), folder / "rod.vtkhdf").status == RunStatus::complete);
     const Hdf5Reader file(folder / "rod.vtkhdf");
     const std::vector<double> stage = file.numbers("/histories/stage");
     const std::vector<double> force = file.numbers("/histories/end/reaction_force");
@@ -193,7 +187,7 @@ until = { t = 2 }
 at = [{ t = [0.25, 0.5, 1, 1.25, 1.5, 1.75] }]
 )";
     const sample::ScratchFolder folder;
-    const RunSummary summary = run(read(ring), folder / "ring.vtkhdf");
+    const RunSummary summary = run_problem(read(ring), folder / "ring.vtkhdf");
     REQUIRE(summary.status == RunStatus::complete);
     CHECK(summary.totals.steps < 200);
     CHECK(summary.findings.empty());  // stable as long as the turn is held
