@@ -14,26 +14,11 @@ DynamicAnalysis::DynamicAnalysis(const Model& model, const DynamicSettings& sett
                       make_step_sequence(settings)) {}
 
 EquilibriumReport DynamicAnalysis::start() {
-    if (!system_.model().has_inertia) {
-        start_at_rest();
-        return {};
-    }
+    if (!system_.model().has_inertia) return start_at_rest();  // what creeps at once has no rate yet
     const TimeSpan first_step{0.0, steps_->time_step()};
     const EquilibriumReport report = solve_accelerations(system_, 0.0, first_step, workspace_, state_);
     if (report.converged()) accept_start();
     return report;
-}
-
-// What creeps at once has no rate yet.
-void DynamicAnalysis::start_at_rest() {
-    for (NodeMotion& motion : state_.trial) {
-        motion.v.setZero();
-        motion.omega.setZero();
-        motion.a.setZero();
-        motion.alpha.setZero();
-    }
-    system_.compute_residual(state_, 0.0, workspace_.residual);
-    accept_start();
 }
 
 }  // namespace gxrod

@@ -13,9 +13,6 @@ class DynamicAnalysis : public SteppedAnalysis {
 
     // Solves for the initial accelerations.
     EquilibriumReport start() override;
-
-  private:
-    void start_at_rest();
 };
 
 }  // namespace gxrod

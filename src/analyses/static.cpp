@@ -35,17 +35,7 @@ StaticAnalysis::StaticAnalysis(const Model& model, const StaticSettings& setting
       trial_(has_contrast_ ? -1 : 0),
       accepted_(trial_) {}
 
-EquilibriumReport StaticAnalysis::start() {
-    for (NodeMotion& motion : state_.trial) {
-        motion.v.setZero();
-        motion.omega.setZero();
-        motion.a.setZero();
-        motion.alpha.setZero();
-    }
-    system_.compute_residual(state_, 0.0, workspace_.residual);
-    accept_start();
-    return {};
-}
+EquilibriumReport StaticAnalysis::start() { return start_at_rest(); }
 
 Stage StaticAnalysis::current_stage() const {
     return {0, steps_->time(), steps_->time_step(), steps_->next_time()};

@@ -77,6 +77,18 @@ void SteppedAnalysis::accept_start(double time, bool is_loaded) {
     if (frame() != nullptr) ledger_->add_drive();
 }
 
+EquilibriumReport SteppedAnalysis::start_at_rest() {
+    for (NodeMotion& motion : state_.trial) {
+        motion.v.setZero();
+        motion.omega.setZero();
+        motion.a.setZero();
+        motion.alpha.setZero();
+    }
+    system_.compute_residual(state_, 0.0, workspace_.residual);
+    accept_start();
+    return {};
+}
+
 EquilibriumReport SteppedAnalysis::start_after(const SteppedAnalysis& before) {
     state_.trial = before.state_.previous;
     state_.sections = before.state_.sections;

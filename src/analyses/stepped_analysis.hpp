@@ -90,6 +90,8 @@ class SteppedAnalysis {
     // Takes the trial motions for the state at the start, at t = 0 or this time of the loads; the workspace
     // has their residual. Loads that act there already have done no work yet.
     void accept_start(double time = 0.0, bool is_loaded = false);
+    // The same at t = 0, without velocities and accelerations.
+    EquilibriumReport start_at_rest();
     // Finds the trial motions at the end of the next step.
     virtual EquilibriumReport solve_trial();
     // Of the loads that act on them. On a path it is not the end of the step.
