@@ -31,7 +31,7 @@ std::optional<double> find_largest(const SparsePattern& pattern,
                                    const std::vector<double>& M) {
     EigenvalueCount factors(pattern);
     if (factors.factorize(M, 0.0, M) != 0) return std::nullopt;
-    const Pencil pencil(pattern, K, M, factors.solver(), Pencil::InnerProduct::of_B);
+    const Pencil pencil(pattern, K, M, factors.solver(), Pencil::InnerProduct::of_b);
     const EigenPairs pairs = gxrod::find_largest(pencil, {.wanted = 1, .tolerance = 1e-7});
     if (pairs.values.size() == 0) return std::nullopt;
     return pairs.values[0];

@@ -63,7 +63,7 @@ class LowestSearch {
     }
 
     Pencil pencil() {
-        return {pattern_, M_, shifted_.values(), shifted_.solver(), Pencil::InnerProduct::of_A};
+        return {pattern_, M_, shifted_.values(), shifted_.solver(), Pencil::InnerProduct::of_a};
     }
     Eigen::Index found() const { return pairs_.values.size(); }
     double eigenvalue(Eigen::Index i) const { return result_.shift + 1.0 / pairs_.values[i]; }

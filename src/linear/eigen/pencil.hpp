@@ -29,7 +29,7 @@ double find_typical_ratio(const SparsePattern& pattern,
 // the inner product of B, and of A where that has no negative eigenvalue.
 class Pencil {
   public:
-    enum class InnerProduct { of_A, of_B };
+    enum class InnerProduct { of_a, of_b };
 
     // All must outlive it; the solver has B's factors.
     Pencil(const SparsePattern& pattern,
@@ -37,29 +37,29 @@ class Pencil {
            const std::vector<double>& B,
            LinearSolver& inverse_of_B,
            InnerProduct inner)
-        : pattern_(&pattern), A_(&A), B_(&B), inverse_(&inverse_of_B), inner_(inner) {}
+        : pattern_(&pattern), a_(&A), b_(&B), inverse_(&inverse_of_B), inner_(inner) {}
 
     std::int64_t size() const { return pattern_->size(); }
     // The vector whose scalar product with x is the inner product with v.
     void compute_image(const Eigen::Ref<const Eigen::VectorXd>& v, Eigen::VectorXd& image) const {
-        multiply(*pattern_, inner_ == InnerProduct::of_A ? *A_ : *B_, v, image);
+        multiply(*pattern_, inner_ == InnerProduct::of_a ? *a_ : *b_, v, image);
     }
     // w = B⁻¹A v, from v and its image.
     void apply(const Eigen::Ref<const Eigen::VectorXd>& v,
                const Eigen::Ref<const Eigen::VectorXd>& image,
                Eigen::VectorXd& w) const {
-        if (inner_ == InnerProduct::of_A) {
+        if (inner_ == InnerProduct::of_a) {
             w = image;
         } else {
-            multiply(*pattern_, *A_, v, w);
+            multiply(*pattern_, *a_, v, w);
         }
         inverse_->solve(w);
     }
 
   private:
     const SparsePattern* pattern_;
-    const std::vector<double>* A_;
-    const std::vector<double>* B_;
+    const std::vector<double>* a_;
+    const std::vector<double>* b_;
     LinearSolver* inverse_;
     InnerProduct inner_;
 };

@@ -58,7 +58,7 @@ class FactorSearch {
     int count_positive(Eigen::Index among) const {
         return static_cast<int>((pairs_.values.head(among).array() > 0.0).count());
     }
-    Pencil pencil() { return {pattern_, negative_S_, K_, stiffness_.solver(), Pencil::InnerProduct::of_B}; }
+    Pencil pencil() { return {pattern_, negative_S_, K_, stiffness_.solver(), Pencil::InnerProduct::of_b}; }
 
     // False if there are no more.
     bool search_more(int wanted) {

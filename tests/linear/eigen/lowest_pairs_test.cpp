@@ -64,7 +64,7 @@ TEST_CASE("one start vector misses copies; pivots count them", "[linear]") {
     EigenvalueCount count(pencil.pattern);
     REQUIRE(count.factorize(pencil.K, 0.0, pencil.M) == 0);
     const Pencil inverse(
-        pencil.pattern, pencil.M, count.values(), count.solver(), Pencil::InnerProduct::of_A);
+        pencil.pattern, pencil.M, count.values(), count.solver(), Pencil::InnerProduct::of_a);
     LanczosSettings settings;
     settings.wanted = 3;
     settings.block = 1;
