@@ -1,5 +1,7 @@
 #include "results/export/item_csv.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -12,7 +14,7 @@ void write_item_csv(const Hdf5Reader& file, const std::string& group, const std:
     std::vector<CsvCells> columns;
     for (const std::string& name : file.members(group)) {
         const bool is_text = std::find(texts.begin(), texts.end(), name) != texts.end();
-        const std::string dataset = group + "/" + name;
+        const std::string dataset = fmt::format("{}/{}", group, name);
         columns.push_back(is_text ? make_cells(name, file.texts(dataset))
                                   : make_cells(std::vector{name}, file.numbers(dataset)));
     }

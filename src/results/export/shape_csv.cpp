@@ -16,7 +16,7 @@ std::vector<CsvCells> read_columns(const Hdf5Reader& file, const std::string& gr
     std::vector<CsvCells> columns;
     for (const std::string& name : file.members(group)) {
         if (name == shape_words_name) continue;
-        const std::string path = group + "/" + name;
+        const std::string path = fmt::format("{}/{}", group, name);
         const std::vector<hsize_t> size = file.size(path);
         if (size.empty() || size.size() > 2 || size[0] != shapes || name == "total_mass") continue;
         std::vector<std::string> headings{name};
@@ -58,15 +58,15 @@ void write_response_csv(const Hdf5Reader& file, const std::string& group, const 
         columns.push_back(make_cells(std::vector<std::string>{name}, file.numbers(group + "/" + name)));
     const std::string histories = group + "/histories";
     for (const std::string& point : file.members(histories)) {
-        for (const std::string& quantity : file.members(histories + "/" + point)) {
-            const std::string name = point + "_" + quantity;
+        for (const std::string& quantity : file.members(fmt::format("{}/{}", histories, point))) {
+            const std::string name = fmt::format("{}_{}", point, quantity);
             std::vector<std::string> headings;
             for (const char letter : {'x', 'y', 'z'}) {
                 headings.push_back(fmt::format("{}_{}_real", name, letter));
                 headings.push_back(fmt::format("{}_{}_imaginary", name, letter));
             }
-            columns.push_back(
-                make_cells(std::move(headings), file.numbers(histories + "/" + point + "/" + quantity)));
+            columns.push_back(make_cells(std::move(headings),
+                                         file.numbers(fmt::format("{}/{}/{}", histories, point, quantity))));
         }
     }
     write_csv(path, columns);
