@@ -91,18 +91,10 @@ const TableSpec& control_table() {
     return table;
 }
 
-}  // namespace
-
-std::vector<KeySpec> path_keys() {
-    const Condition path_only{"kind", {"path"}};
+// Arc lengths.
+std::vector<KeySpec> step_keys(const Condition& path_only) {
     const PathSettings defaults;
     return {
-        {.name = "until",
-         .type = ValueType::table,
-         .presence = Presence::required,
-         .sentence = "Where the path ends, and each of its branches: whichever comes first.",
-         .only_for = {path_only},
-         .table = &until_table()},
         {.name = "step",
          .type = ValueType::number,
          .dimension = "1",
@@ -125,7 +117,21 @@ std::vector<KeySpec> path_keys() {
          .range = positive,
          .default_value = defaults.min_step,
          .sentence = "A path that needs a shorter step fails.",
-         .only_for = {path_only}},
+         .only_for = {path_only}}};
+}
+
+}  // namespace
+
+std::vector<KeySpec> path_keys() {
+    const Condition path_only{"kind", {"path"}};
+    const PathSettings defaults;
+    std::vector<KeySpec> keys{
+        {.name = "until",
+         .type = ValueType::table,
+         .presence = Presence::required,
+         .sentence = "Where the path ends, and each of its branches: whichever comes first.",
+         .only_for = {path_only},
+         .table = &until_table()},
         {.name = "at",
          .type = ValueType::table_list,
          .sentence = "Displacements and load factors at which the path has an equilibrium, exactly, with a "
@@ -161,6 +167,9 @@ std::vector<KeySpec> path_keys() {
              "stage: the limit point is followed while t, the parameter, grows from 0.",
          .choices = {"limit"},
          .only_for = {path_only}}};
+    const std::vector<KeySpec> steps = step_keys(path_only);
+    keys.insert(keys.begin() + 1, steps.begin(), steps.end());
+    return keys;
 }
 
 }  // namespace gxrod

@@ -21,6 +21,8 @@ const TableSpec& history_table();
 
 // Keys of [analysis] and [[stage]] for paths.
 std::vector<KeySpec> path_keys();
+// For modes, buckling and eigenvalues.
+std::vector<KeySpec> shape_keys();
 // For the response to forces that swing.
 std::vector<KeySpec> response_keys();
 
