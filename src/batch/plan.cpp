@@ -47,6 +47,12 @@ std::optional<Collection> read_collection(const CheckedTable& table, FaultList& 
             table.place, table.path, "every table has a column of this name already; take another one");
     }
     const bool is_of_stage = table.gives("stage");
+    for (const char* key : {"component", "take", "at"}) {
+        if (!is_of_stage || !table.gives(key)) continue;
+        faults.add(table.place_of(key),
+                   table.path_of(key),
+                   "is for histories and the ledger, not for what a stage finds");
+    }
     bool is_right = is_of_stage ? table.gives("found")
                                 : table.gives("history") != table.gives("ledger") &&
                                       table.gives("take") != table.gives("at");

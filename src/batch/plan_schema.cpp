@@ -99,69 +99,82 @@ const TableSpec& vary_table() {
     return table;
 }
 
+// Of what a stage finds.
+std::vector<KeySpec> found_keys() {
+    return {{.name = "stage",
+             .type = ValueType::text,
+             .sentence = "Name of a `[[stage]]` of the deck that finds shapes or goes along a path; its "
+                         "kind, if the deck has [analysis]."},
+            {.name = "found",
+             .type = ValueType::choice,
+             .presence = Presence::required,
+             .sentence = "What it finds: `frequency`, `omega`, `growth` of modes and eigenvalues, "
+                         "`damping_ratio` of eigenvalues, `unstable`, how many of these grow, `factor` of "
+                         "buckling, `load_factor` of critical points, `onset` and `onset_omega` of a sweep.",
+             .choices = found_words(),
+             .only_with = "stage"},
+            {.name = "number",
+             .type = ValueType::integer,
+             .range = {.lower = 1, .upper = 1e6},
+             .default_value = 1L,
+             .sentence = "Which of them, in their order.",
+             .only_with = "stage"}};
+}
+
 const TableSpec& collect_table() {
-    static const TableSpec table{
-        .path = "collect.NAME",
-        .heading = "[collect.NAME]",
-        .sentence =
-            "One number of each case, a column NAME of the table; `NAME = { … }` below `[collect]` is the "
-            "same. Of a case that fails it is that of the steps it did.",
-        .keys =
-            {{.name = "history", .type = ValueType::text, .sentence = "Name of a `[[history]]` of the deck."},
-             {.name = "quantity",
-              .type = ValueType::choice,
-              .presence = Presence::required,
-              .sentence = "One of the quantities that the history records.",
-              .choices = words_of(quantity_choices),
-              .only_with = "history"},
-             {.name = "ledger",
-              .type = ValueType::choice,
-              .sentence = "Of the whole model.",
-              .choices = ledger_words()},
-             {.name = "stage",
-              .type = ValueType::text,
-              .sentence = "Name of a `[[stage]]` of the deck that finds shapes or goes along a path; its "
-                          "kind, if the deck has [analysis]."},
-             {.name = "found",
-              .type = ValueType::choice,
-              .presence = Presence::required,
-              .sentence = "What it finds: `frequency`, `omega`, `growth` of modes and eigenvalues, "
-                          "`damping_ratio` of eigenvalues, `unstable`, how many of these grow, `factor` of "
-                          "buckling, `load_factor` of critical points, `onset` and `onset_omega` of a sweep.",
-              .choices = found_words(),
-              .only_with = "stage"},
-             {.name = "number",
-              .type = ValueType::integer,
-              .range = {.lower = 1, .upper = 1e6},
-              .default_value = 1L,
-              .sentence = "Which of them, in their order.",
-              .only_with = "stage"},
-             {.name = "component",
-              .type = ValueType::choice,
-              .sentence = "Of a vector or quaternion, which need one; `magnitude` of vectors only.",
-              .choices = words_of(component_choices)},
-             {.name = "take",
-              .type = ValueType::choice,
-              .sentence =
-                  "Over all accepted steps. `mean` and `rms` are those over the time, the value running "
-                  "straight from step to step; `max_abs` is the largest absolute value.",
-              .choices = words_of(take_choices)},
-             {.name = "at",
-              .type = ValueType::number,
-              .dimension = "time",
-              .range = {.lower = 0.0},
-              .sentence = "The value at this time (load factor, in statics), linear between steps."},
-             {.name = "reference",
-              .type = ValueType::number,
-              .sentence = "If given, the column is the distance from it: the error, if it is exact."}},
-        .groups = {{GroupRule::exactly_one, {"history", "ledger", "stage"}},
-                   {GroupRule::exactly_one, {"take", "at"}, {}, "history"},
-                   {GroupRule::exactly_one, {"take", "at"}, {}, "ledger"}},
-        .example =
-            "[collect]\n"
-            "tip_peak = { history = \"tip\", quantity = \"position\", component = \"z\", take = \"max\" }\n"
-            "energy = { ledger = \"energy_error\", take = \"max_abs\" }\n"
-            "first = { stage = \"tones\", found = \"frequency\", number = 1 }\n"};
+    static const TableSpec table = [] {
+        TableSpec collect{
+            .path = "collect.NAME",
+            .heading = "[collect.NAME]",
+            .sentence =
+                "One number of each case, a column NAME of the table; `NAME = { … }` below `[collect]` is "
+                "the "
+                "same. Of a case that fails it is that of the steps it did.",
+            .keys =
+                {{.name = "history",
+                  .type = ValueType::text,
+                  .sentence = "Name of a `[[history]]` of the deck."},
+                 {.name = "quantity",
+                  .type = ValueType::choice,
+                  .presence = Presence::required,
+                  .sentence = "One of the quantities that the history records.",
+                  .choices = words_of(quantity_choices),
+                  .only_with = "history"},
+                 {.name = "ledger",
+                  .type = ValueType::choice,
+                  .sentence = "Of the whole model.",
+                  .choices = ledger_words()},
+                 {.name = "component",
+                  .type = ValueType::choice,
+                  .sentence = "Of a vector or quaternion, which need one; `magnitude` of vectors only.",
+                  .choices = words_of(component_choices)},
+                 {.name = "take",
+                  .type = ValueType::choice,
+                  .sentence =
+                      "Over all accepted steps. `mean` and `rms` are those over the time, the value running "
+                      "straight from step to step; `max_abs` is the largest absolute value.",
+                  .choices = words_of(take_choices)},
+                 {.name = "at",
+                  .type = ValueType::number,
+                  .dimension = "time",
+                  .range = {.lower = 0.0},
+                  .sentence = "The value at this time (load factor, in statics), linear between steps."},
+                 {.name = "reference",
+                  .type = ValueType::number,
+                  .sentence = "If given, the column is the distance from it: the error, if it is exact."}},
+            .groups = {{GroupRule::exactly_one, {"history", "ledger", "stage"}},
+                       {GroupRule::exactly_one, {"take", "at"}, {}, "history"},
+                       {GroupRule::exactly_one, {"take", "at"}, {}, "ledger"}},
+            .example =
+                "[collect]\n"
+                "tip_peak = { history = \"tip\", quantity = \"position\", component = \"z\", take = \"max\" "
+                "}\n"
+                "energy = { ledger = \"energy_error\", take = \"max_abs\" }\n"
+                "first = { stage = \"tones\", found = \"frequency\", number = 1 }\n"};
+        std::vector<KeySpec> found = found_keys();
+        collect.keys.insert(collect.keys.begin() + 3, found.begin(), found.end());
+        return collect;
+    }();
     return table;
 }
 

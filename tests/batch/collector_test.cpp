@@ -5,6 +5,7 @@
 
 #include "batch/batch.hpp"
 #include "batch/plans.hpp"
+#include "deck/decks.hpp"
 #include "run/run.hpp"
 #include "tools/catch.hpp"
 
@@ -24,23 +25,9 @@ double take_of_sine(Take take, std::optional<double> at = {}) {
 }
 
 // A pinned-free column (P16) that is pressed, its tones, its factors and its path.
-constexpr const char* column_deck = R"([parameters]
-load = 1.0
-[section.s]
-stiffness = { EA = 1e3, GAy = 4e2, GAz = 4e2, GJ = 1, EIy = 1, EIz = 2 }
-inertia = { rhoA = 1, rhoJ = 3e-4, rhoIy = 1e-4, rhoIz = 2e-4 }
-[rod.column]
-section = "s"
-line = { from = [0, 0, 0], to = [1, 0, 0] }
-elements = 8
-order = 3
-[[support]]
-at = "column.start"
-fix = "all"
-[[load]]
-at = "column.end"
-force = ["-load", 0, 0]
-[[stage]]
+const std::string column_deck = "[parameters]\nload = 1.0\n" +
+                                replaced(pressed_column_deck, "[-1, 0, 0]", "[\"-load\", 0, 0]") +
+                                R"([[stage]]
 name = "tones"
 kind = "modes"
 count = 2
@@ -53,11 +40,11 @@ kind = "path"
 until = { t = 3 }
 )";
 
-std::vector<double> collect(const std::string& collect, const char* deck = nullptr) {
+std::vector<double> collect(const std::string& collect, const std::string& deck = cantilever_deck) {
     const PlanFiles files(
         "deck = \"deck.toml\"\n[vary]\n\"parameters.load\" = [2.0]\n[keep]\nresults = \"none\"\n[collect]\n" +
-        collect);
-    if (deck != nullptr) files.write("deck.toml", deck);
+            collect,
+        deck);
     const Plan plan = files.read();
     const CaseList cases(plan);
     std::deque<DeckTemplate> decks;
@@ -120,9 +107,9 @@ limit = { stage = "press", found = "load_factor" }
 
 TEST_CASE("What a stage cannot find is refused", "[batch][stages]") {
     const auto faults = [](const std::string& entry) {
-        const PlanFiles files("deck = \"deck.toml\"\n[vary]\n\"parameters.load\" = [2.0]\n[collect]\n" +
-                              entry + "\n");
-        files.write("deck.toml", column_deck);
+        const PlanFiles files(
+            "deck = \"deck.toml\"\n[vary]\n\"parameters.load\" = [2.0]\n[collect]\n" + entry + "\n",
+            column_deck);
         const Plan plan = files.read();
         FaultList list("plan.toml", {});
         check_collections(plan.collections, read_problem(plan.decks[0]), list);
@@ -135,6 +122,9 @@ TEST_CASE("What a stage cannot find is refused", "[batch][stages]") {
     CHECK(faults("a = { stage = \"bend\", found = \"omega\" }") ==
           "collect.a.found: stage \"bend\" of the deck, of kind buckling, finds no omega");
     CHECK(faults("a = { stage = \"press\", found = \"load_factor\" }").empty());
+    CHECK_THROWS_WITH(
+        faults("a = { stage = \"bend\", found = \"factor\", take = \"max\" }"),
+        Catch::Contains("collect.a.take: is for histories and the ledger, not for what a stage finds"));
 }
 
 TEST_CASE("A run of no step, or one, collects what there is", "[batch]") {

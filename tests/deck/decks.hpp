@@ -47,6 +47,23 @@ element = "simo"
 kind = "static"
 )";
 
+// Lines 1 to 14. The clamped column of P16 is twice as stiff about z.
+inline const std::string pressed_column_deck = R"([section.s]
+stiffness = { EA = 1e3, GAy = 4e2, GAz = 4e2, GJ = 1, EIy = 1, EIz = 2 }
+inertia = { rhoA = 1, rhoJ = 3e-4, rhoIy = 1e-4, rhoIz = 2e-4 }
+[rod.column]
+section = "s"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 16
+order = 3
+[[support]]
+at = "column.start"
+fix = "all"
+[[load]]
+at = "column.end"
+force = [-1, 0, 0]
+)";
+
 // The deck with one piece of text, which it must have, replaced by another.
 std::string replaced(std::string deck, const std::string& old_text, const std::string& new_text);
 
