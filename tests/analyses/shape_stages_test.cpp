@@ -6,31 +6,17 @@
 #include "deck/decks.hpp"
 #include "results/file/hdf5_reader.hpp"
 #include "results/sample.hpp"
-#include "run/run.hpp"
 #include "tools/catch.hpp"
+#include "tools/problem_run.hpp"
 
 // Stages that find shapes: about which state, what the results hold of them, and what is reported.
 using namespace gxrod;
+using namespace gxrod::tools;
 using test::read;
 
 namespace {
 
-// Lines 1 to 14. The pinned-free column of P16 is twice as stiff about z.
-const std::string column = R"([section.s]
-stiffness = { EA = 1e3, GAy = 4e2, GAz = 4e2, GJ = 1, EIy = 1, EIz = 2 }
-inertia = { rhoA = 1, rhoJ = 3e-4, rhoIy = 1e-4, rhoIz = 2e-4 }
-[rod.column]
-section = "s"
-line = { from = [0, 0, 0], to = [1, 0, 0] }
-elements = 16
-order = 3
-[[support]]
-at = "column.start"
-fix = "all"
-[[load]]
-at = "column.end"
-force = [-1, 0, 0]
-)";
+const std::string& column = test::pressed_column_deck;
 
 const std::string three_stages = column + R"([[stage]]
 name = "bare"
@@ -50,17 +36,6 @@ kind = "buckling"
 count = 2
 )";
 
-RunSummary run(const Problem& problem,
-               std::optional<std::filesystem::path> file = std::nullopt,
-               int most_steps = -1) {
-    RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}};
-    if (file) request.results = ResultsFileOptions{*file};
-    request.stages = problem.stages;
-    int steps = 0;
-    request.is_interrupted = [&] { return steps++ == most_steps; };
-    return run_analysis(request);
-}
-
 const ModesRecord& modes_of(const RunSummary& summary, std::size_t i) {
     return std::get<ModesRecord>(summary.shapes.at(i).record);
 }
@@ -71,7 +46,7 @@ const BucklingRecord& buckling_of(const RunSummary& summary, std::size_t i) {
 }  // namespace
 
 TEST_CASE("An analysis of buckling multiplies the whole load on the reference shape", "[analyses][stages]") {
-    const RunSummary summary = run(read(column + "[analysis]\nkind = \"buckling\"\ncount = 2\n"));
+    const RunSummary summary = run_problem(read(column + "[analysis]\nkind = \"buckling\"\ncount = 2\n"));
     REQUIRE(summary.status == RunStatus::complete);
     CHECK(summary.notes.empty());
     CHECK(summary.shapes[0].stage == "buckling");
@@ -84,7 +59,7 @@ TEST_CASE("An analysis of buckling multiplies the whole load on the reference sh
 }
 
 TEST_CASE("Stages of shapes are about the state of the stage before", "[analyses][stages]") {
-    const RunSummary summary = run(read(three_stages));
+    const RunSummary summary = run_problem(read(three_stages));
     REQUIRE(summary.status == RunStatus::complete);
     REQUIRE(summary.shapes.size() == 3);
     CHECK(summary.notes ==
@@ -109,7 +84,7 @@ TEST_CASE("Stages of shapes are about the state of the stage before", "[analyses
 TEST_CASE("Results hold the shapes of each stage, and a file of them beside", "[analyses][stages]") {
     const sample::ScratchFolder folder;
     const Problem problem = read(three_stages);
-    const RunSummary summary = run(problem, folder / "c.vtkhdf");
+    const RunSummary summary = run_problem(problem, folder / "c.vtkhdf");
     REQUIRE(summary.status == RunStatus::complete);
     const Hdf5Reader file(folder / "c.vtkhdf");
     CHECK(file.text_attribute("/", "status") == "complete");
@@ -143,10 +118,10 @@ TEST_CASE("Results hold the shapes of each stage, and a file of them beside", "[
 TEST_CASE("A run that was stopped finds its shapes when it goes on", "[analyses][stages]") {
     const sample::ScratchFolder folder;
     const Problem problem = read(three_stages + "[[stage]]\nname = \"back\"\nkind = \"static\"\nsteps = 3\n");
-    REQUIRE(run(problem, folder / "whole.vtkhdf").status == RunStatus::complete);
+    REQUIRE(run_problem(problem, folder / "whole.vtkhdf").status == RunStatus::complete);
     const int stop = GENERATE(0, 2, 3, 5);
     INFO(stop);
-    REQUIRE(run(problem, folder / "part.vtkhdf", stop).status == RunStatus::interrupted);
+    REQUIRE(run_problem(problem, folder / "part.vtkhdf", stop).status == RunStatus::interrupted);
     {
         ResumableFile resumed(folder / "part.vtkhdf");
         RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}, &resumed};
@@ -165,10 +140,11 @@ TEST_CASE("What cannot be found ends the run with a reason", "[analyses][stages]
     const std::string beyond = test::replaced(column, "force = [-1, 0, 0]", "force = [-3, 0, 0]");
     const std::string press = "[[stage]]\nname = \"press\"\nkind = \"static\"\n";
     const RunSummary buckling =
-        run(read(beyond + press + "[[stage]]\nname = \"more\"\nkind = \"buckling\"\n"));
+        run_problem(read(beyond + press + "[[stage]]\nname = \"more\"\nkind = \"buckling\"\n"));
     CHECK(buckling.status == RunStatus::failed);
     CHECK(buckling.reason == "stage more: the state is unstable as it is: its tangent has negative pivots");
-    const RunSummary modes = run(read(beyond + press + "[[stage]]\nname = \"tones\"\nkind = \"modes\"\n"));
+    const RunSummary modes =
+        run_problem(read(beyond + press + "[[stage]]\nname = \"tones\"\nkind = \"modes\"\n"));
     CHECK(modes.status == RunStatus::complete);
     CHECK(modes_of(modes, 0).unstable == 1);
     CHECK(modes_of(modes, 0).modes[0].growth > 0.0);
@@ -177,7 +153,7 @@ TEST_CASE("What cannot be found ends the run with a reason", "[analyses][stages]
 }
 
 TEST_CASE("Shapes in sentences", "[analyses][stages]") {
-    const RunSummary summary = run(read(three_stages));
+    const RunSummary summary = run_problem(read(three_stages));
     const std::vector<std::string> bare = list_shapes(summary.shapes[0].record, 2);
     REQUIRE(bare.size() == 5);
     CHECK(bare[0].starts_with("4 modes below "));
@@ -187,13 +163,13 @@ TEST_CASE("Shapes in sentences", "[analyses][stages]") {
     CHECK(bare[4].starts_with("effective mass together: "));
     CHECK(list_shapes(summary.shapes[2].record, 5)[0] ==
           "2 buckling factors on the loads at t = 1, by linear theory, and none below (counted)");
-    const RunSummary pulled =
-        run(read(test::replaced(column, "[-1, 0, 0]", "[1, 0, 0]") + "[analysis]\nkind = \"buckling\"\n"));
+    const RunSummary pulled = run_problem(
+        read(test::replaced(column, "[-1, 0, 0]", "[1, 0, 0]") + "[analysis]\nkind = \"buckling\"\n"));
     CHECK(list_shapes(pulled.shapes[0].record, 5).back().starts_with("the loads turned round: 2.45"));
-    const RunSummary followed =
-        run(read(test::replaced(column, "force = [-1, 0, 0]", "force = [-1, 0, 0]\nframe = \"follower\"") +
-                 "[[stage]]\nname = \"press\"\nkind = \"static\"\n" +
-                 "[[stage]]\nname = \"tones\"\nkind = \"modes\"\n"));
+    const RunSummary followed = run_problem(
+        read(test::replaced(column, "force = [-1, 0, 0]", "force = [-1, 0, 0]\nframe = \"follower\"") +
+             "[[stage]]\nname = \"press\"\nkind = \"static\"\n" +
+             "[[stage]]\nname = \"tones\"\nkind = \"modes\"\n"));
     CHECK(followed.warnings.back().find("load[0] follows its point, so the stiffness is not symmetric") !=
           std::string::npos);
 }
@@ -223,7 +199,7 @@ name = "flutter"
 kind = "eigenvalues"
 count = 2
 )";
-    const RunSummary below = run(read(beck));
+    const RunSummary below = run_problem(read(beck));
     const auto& found = std::get<EigenvaluesRecord>(below.shapes.at(0).record);
     // P9a, two independent programs.
     CHECK(found.modes.at(0).omega == Approx(8.9726419193).epsilon(1e-9));
@@ -235,7 +211,7 @@ count = 2
 
     const sample::ScratchFolder folder;
     const Problem beyond = read(test::replaced(beck, "-19*t", "-19.9366107373*t"));
-    const RunSummary flutter = run(beyond, folder / "beck.vtkhdf");
+    const RunSummary flutter = run_problem(beyond, folder / "beck.vtkhdf");
     const auto& modes = std::get<EigenvaluesRecord>(flutter.shapes.at(0).record).modes;
     CHECK(modes.at(0).growth == Approx(.30638645).epsilon(1e-7));
     CHECK(modes.at(1).growth == Approx(-.30638645).epsilon(1e-7));
@@ -284,7 +260,7 @@ count = 6
 }  // namespace
 
 TEST_CASE("A blade turns steadily, and vibrates about that", "[analyses][stages]") {
-    const RunSummary summary = run(read(blade));
+    const RunSummary summary = run_problem(read(blade));
     REQUIRE(summary.status == RunStatus::complete);
     CHECK(summary.warnings.empty());
     const auto& modes = std::get<EigenvaluesRecord>(summary.shapes.at(0).record).modes;
@@ -301,8 +277,8 @@ TEST_CASE("A blade turns steadily, and vibrates about that", "[analyses][stages]
 TEST_CASE("A blade that was turning goes on from there", "[analyses][stages]") {
     const sample::ScratchFolder folder;
     const Problem problem = read(test::replaced(blade, "steps = 2", "steps = 4"));
-    REQUIRE(run(problem, folder / "whole.vtkhdf").status == RunStatus::complete);
-    REQUIRE(run(problem, folder / "part.vtkhdf", 2).status == RunStatus::interrupted);
+    REQUIRE(run_problem(problem, folder / "whole.vtkhdf").status == RunStatus::complete);
+    REQUIRE(run_problem(problem, folder / "part.vtkhdf", 2).status == RunStatus::interrupted);
     {
         ResumableFile resumed(folder / "part.vtkhdf");
         RunRequest request{problem.model, problem.analysis, problem.output, problem.record, {}, &resumed};
@@ -343,7 +319,7 @@ at = "beam.start"
 quantities = "reaction_moment"
 )";
     const sample::ScratchFolder folder;
-    const RunSummary summary = run(read(deck), folder / "shake.vtkhdf");
+    const RunSummary summary = run_problem(read(deck), folder / "shake.vtkhdf");
     REQUIRE(summary.status == RunStatus::complete);
     CHECK(list_shapes(summary.shapes.at(0).record, 5) ==
           std::vector<std::string>{"the answer at 5 frequencies, ω from 1 to 60",
@@ -365,4 +341,35 @@ quantities = "reaction_moment"
     const std::vector<double> root = file.numbers("/stages/response/histories/root/reaction_moment");
     CHECK(std::hypot(root[10], root[11]) == Approx(std::hypot(2.047754625, 17.59198733)).epsilon(1e-8));
     CHECK_FALSE(std::filesystem::exists(folder / "shake.response.vtkhdf"));
+}
+
+TEST_CASE("Modes after slow motion are those about the same static state", "[analyses][stages]") {
+    const std::string tones = "[[stage]]\nname = \"tones\"\nkind = \"modes\"\ncount = 3\n";
+    const auto of = [&](const std::string& stage) {
+        const std::string press =
+            "[[stage]]\nname = \"press\"\n" + stage + "newton = { tolerance = 1e-12 }\n";
+        return run_problem(
+            read(test::replaced(column, "[-1, 0, 0]", "[\"-min(t, 1)\", 0, 0]") + press + tones));
+    };
+    // Undamped, it stands still once the load does.
+    const RunSummary slow = of("kind = \"quasi-static\"\nend_time = 2\nsteps = 8\n");
+    const RunSummary at_once = of("kind = \"static\"\nsteps = 2\n");
+    REQUIRE(slow.status == RunStatus::complete);
+    CHECK(slow.warnings.empty());
+    for (std::size_t i = 0; i < 3; ++i)
+        CHECK(modes_of(slow, 0).modes[i].omega == Approx(modes_of(at_once, 0).modes[i].omega).epsilon(1e-9));
+}
+
+TEST_CASE("Slow motion is resumed to the last bit", "[analyses][stages]") {
+    const sample::ScratchFolder folder;
+    const Problem problem =
+        read(test::replaced(column, "rhoIz = 2e-4 }", "rhoIz = 2e-4 }\ndamping = { kelvin_voigt = 0.5 }") +
+             "[analysis]\nkind = \"quasi-static\"\nend_time = 2\nsteps = 9\n"
+             "[[history]]\nname = \"tip\"\nat = \"column.end\"\nquantities = [\"position\"]\n");
+    REQUIRE(run_problem(problem, folder / "whole.vtkhdf").status == RunStatus::complete);
+    REQUIRE(run_problem(problem, folder / "part.vtkhdf", 4).status == RunStatus::interrupted);
+    REQUIRE(resume_problem(problem, folder / "part.vtkhdf").status == RunStatus::complete);
+    const Hdf5Reader whole(folder / "whole.vtkhdf"), part(folder / "part.vtkhdf");
+    for (const char* name : {"/histories/tip/position", "/ledger/dissipated_energy", "/ledger/external_work"})
+        CHECK(whole.numbers(name) == part.numbers(name));
 }

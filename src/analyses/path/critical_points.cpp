@@ -38,12 +38,14 @@ using Samples = std::array<Sample, sample_count>;
 template <int Count, class ValueOf>
 auto interpolate(const Samples& samples, int first, double place, const ValueOf& value_of) {
     NodeValues<Count> places;
-    for (int i = 0; i < Count; ++i) places[i] = samples[static_cast<std::size_t>(first + i)].place;
+    for (int i = 0; i < Count; ++i)
+        places[i] = samples[static_cast<std::size_t>(first) + static_cast<std::size_t>(i)].place;
     const NodeValues<Count> weights = compute_lagrange<Count>(places, place);
     using Value = std::remove_cvref_t<decltype(value_of(samples[0]))>;
     Value value = weights[0] * value_of(samples[static_cast<std::size_t>(first)]);
     for (int i = 1; i < Count; ++i)
-        value = value + weights[i] * value_of(samples[static_cast<std::size_t>(first + i)]);
+        value = value +
+                weights[i] * value_of(samples[static_cast<std::size_t>(first) + static_cast<std::size_t>(i)]);
     return value;
 }
 

@@ -14,8 +14,8 @@ EquilibriumReport solve_limit_step(PathContext& work,
                                    PathTrial& trial);
 
 // How the unknowns follow the parameter along limit points, at the last accepted one; the workspace has its
-// residual. nullopt if it is none: what is soft is no limit point, for the loads of the load factor do no
-// work on it.
+// residual. nullopt if that is not a limit point: where the loads of the load factor do no work on the soft
+// shape.
 std::optional<Eigen::VectorXd> find_limit_rate(PathContext& work);
 
 }  // namespace gxrod

@@ -32,7 +32,7 @@ std::string name_rods(const Model& model, const Shape& shape, int strain, double
 std::string describe_shape(const System& system, const State& state, const Shape& shape) {
     std::vector<Vec6> direction = shape.nodes;
     for (Vec6& motion : direction) motion.head<3>() /= system.length_scale();
-    const std::string rigid = describe_rigid_direction(system, state, direction);
+    std::string rigid = describe_rigid_direction(system, state, direction);
     if (!rigid.empty()) return rigid;
     Vec6 sums = Vec6::Zero();
     for (const Vec6& shares : shape.energy_shares) sums += shares;

@@ -104,14 +104,14 @@ void check_name(const Place& place,
 }  // namespace
 
 TimeFunction Acting::apply(const TimeFunction& value) const {
-    const TimeFunction own = apply_own(value);
+    TimeFunction own = apply_own(value);
     if (!limit_load_factor || own.is_zero()) return own;
     return TimeFunction([own, limit = limit_load_factor](double t) { return *limit * own(t); },
                         own.switches());
 }
 
 LineFunction Acting::apply(const LineExpression& value) const {
-    const LineFunction own = apply_own(value);
+    LineFunction own = apply_own(value);
     if (!limit_load_factor || own.is_zero()) return own;
     return LineFunction([own, limit = limit_load_factor](double t, double s) { return *limit * own(t, s); },
                         own.switches(),
