@@ -25,9 +25,9 @@ double take_of_sine(Take take, std::optional<double> at = {}) {
 }
 
 // A pinned-free column (P16) that is pressed, its tones, its factors and its path.
-const std::string column_deck = "[parameters]\nload = 1.0\n" +
-                                replaced(pressed_column_deck, "[-1, 0, 0]", "[\"-load\", 0, 0]") +
-                                R"([[stage]]
+std::string column_deck() {
+    return "[parameters]\nload = 1.0\n" + replaced(pressed_column_deck, "[-1, 0, 0]", "[\"-load\", 0, 0]") +
+           R"([[stage]]
 name = "tones"
 kind = "modes"
 count = 2
@@ -39,6 +39,7 @@ name = "press"
 kind = "path"
 until = { t = 3 }
 )";
+}
 
 std::vector<double> collect(const std::string& collect, const std::string& deck = cantilever_deck) {
     const PlanFiles files(
@@ -94,7 +95,7 @@ none = { stage = "tones", found = "omega", number = 3 }
 factor = { stage = "bend", found = "factor", reference = 1.2 }
 limit = { stage = "press", found = "load_factor" }
 )",
-                                              column_deck);
+                                              column_deck());
     REQUIRE(found.size() == 5);
     // A cantilever: 3.516 √(EI/ρA) less some for shear and rotary inertia.
     CHECK(found[0] == Approx(3.516015).epsilon(2e-2));
@@ -109,7 +110,7 @@ TEST_CASE("What a stage cannot find is refused", "[batch][stages]") {
     const auto faults = [](const std::string& entry) {
         const PlanFiles files(
             "deck = \"deck.toml\"\n[vary]\n\"parameters.load\" = [2.0]\n[collect]\n" + entry + "\n",
-            column_deck);
+            column_deck());
         const Plan plan = files.read();
         FaultList list("plan.toml", {});
         check_collections(plan.collections, read_problem(plan.decks[0]), list);
