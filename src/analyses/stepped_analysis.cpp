@@ -40,12 +40,13 @@ NewtonSettings with_patience(NewtonSettings newton, bool has_contrast) {
 // steps may have to be tiny, need fewer.
 constexpr int most_rejections = 60;
 
-// A spring whose points have come together in a step that failed; "" without one.
+// A spring that is short compared with its free length, which a step that failed may have taken to nothing;
+// "" without one.
 std::string find_shrunk_spring(const System& system, const State& state) {
-    constexpr double nothing = 1e-12;
+    constexpr double short_of_length = 1e-2;
     for (const Spring& spring : system.model().springs) {
-        const SpringLine line = compute_spring_line(spring, state.trial);
-        if (spring.length > 0.0 && line.length <= nothing * system.length_scale()) return spring.name;
+        const SpringLine line = compute_spring_line(spring, state.previous);
+        if (line.length < short_of_length * spring.length) return spring.name;
     }
     return "";
 }

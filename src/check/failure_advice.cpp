@@ -89,7 +89,8 @@ std::string describe_outcome(const Failure& failure) {
             return "a force or increment is not a finite number" + at +
                    (failure.shrunk_spring.empty()
                         ? ""
-                        : ": spring " + failure.shrunk_spring + " has no length left, and no direction");
+                        : ": spring " + failure.shrunk_spring +
+                              " has almost no length left, and at none no direction");
         case Outcome::rotation_too_large:
             return "the rotation within one step reaches half a turn" + at;
         case Outcome::element_too_turned:

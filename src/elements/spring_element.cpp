@@ -115,9 +115,9 @@ void SpringElement<Nodes>::add_internal_tangent(const Motions<Nodes>& motions,
 }
 
 template <int Nodes>
-void SpringElement<Nodes>::add_spring_.dampingforce(const Motions<Nodes>& motions,
-                                                    Histories,
-                                                    NodalVector<Nodes>& force) const {
+void SpringElement<Nodes>::add_damping_force(const Motions<Nodes>& motions,
+                                             Histories,
+                                             NodalVector<Nodes>& force) const {
     const SpringLine line = compute_line(motions);
     if (spring_.damping == 0.0 || line.length == 0.0) return;
     add_force(motions, spring_.damping * line.length_rate * line.direction, force);
@@ -125,10 +125,10 @@ void SpringElement<Nodes>::add_spring_.dampingforce(const Motions<Nodes>& motion
 
 // F = c ℓ̇ e, ℓ̇ = e · ḋ: δF = c (e (e · δḋ) + (e ḋᵀ + ℓ̇ 1) δe), δe = (1 − e eᵀ) δd / ℓ.
 template <int Nodes>
-void SpringElement<Nodes>::add_spring_.dampingtangent(const Motions<Nodes>& motions,
-                                                      Histories,
-                                                      const Linearizations<Nodes>& linear,
-                                                      NodalMatrix<Nodes>& tangent) const {
+void SpringElement<Nodes>::add_damping_tangent(const Motions<Nodes>& motions,
+                                               Histories,
+                                               const Linearizations<Nodes>& linear,
+                                               NodalMatrix<Nodes>& tangent) const {
     const SpringLine line = compute_line(motions);
     if (spring_.damping == 0.0 || line.length == 0.0) return;
     const Vec3& e = line.direction;

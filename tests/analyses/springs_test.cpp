@@ -13,6 +13,7 @@ using namespace gxrod::tools;
 namespace {
 
 constexpr double mass = 2.0, stiffness = 50.0, free_length = 1.5;
+constexpr double start_energy = 0.5 * stiffness * 0.4 * 0.4;  // of make_oscillator
 
 int add_body(Model& model, const Vec3& place, double of_mass = mass) {
     const int node = static_cast<int>(model.nodes.size());
@@ -88,7 +89,7 @@ TEST_CASE("a mass on a spring swings as a cosine, and decays with a damper", "[a
                                                    {Scheme::newmark_ibrahimbegovic, 2.0, 100L},
                                                    {Scheme::generalized_alpha, 2.0, 200L},
                                                    {Scheme::sdirk_4, 4.0, 50L},
-                                                   {Scheme::runge_kutta_4, 4.0, 50L}}) {
+                                                   {Scheme::runge_kutta_4, 4.0, 100L}}) {
             const Errors coarse = measure(damping, scheme, steps);
             const Errors fine = measure(damping, scheme, 2 * steps);
             INFO("damping " << damping << ", scheme " << static_cast<int>(scheme) << ", errors "
@@ -96,7 +97,7 @@ TEST_CASE("a mass on a spring swings as a cosine, and decays with a damper", "[a
                             << fine.energy);
             CHECK(std::log2(coarse.motion / fine.motion) == Approx(order).margin(0.2));
             if (scheme == Scheme::newmark_simplified || scheme == Scheme::newmark_ibrahimbegovic) {
-                CHECK(fine.energy < 1e-12);  // of a linear motion its means are exact
+                CHECK(fine.energy < 1e-12 * start_energy);  // of a linear motion its means are exact
             } else {
                 CHECK(std::log2(coarse.energy / fine.energy) > order - 0.4);
             }
@@ -248,5 +249,5 @@ TEST_CASE("a step that takes away a spring's length fails with a word", "[analys
     CHECK(report.outcome == Outcome::not_finite);
     CHECK(analysis.state().time < 1.0);
     CHECK_THAT(describe_failure(analysis.explain(report)),
-               Catch::Contains("spring spring has no length left, and no direction"));
+               Catch::Contains("spring spring has almost no length left"));
 }

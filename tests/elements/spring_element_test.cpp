@@ -45,21 +45,21 @@ struct Grounded {
     }
 };
 
-template <int Nodes>
-NodalMatrix<Nodes> compute_tangent(const SpringElement<Nodes>& spring, const Motions<Nodes>& motions) {
+template <class E>
+NodalMatrix<E::node_count> compute_tangent(const E& spring, const Motions<E::node_count>& motions) {
     RandomValues random(3);
     const NodeLinearization linearization{1.0, 1.7, 2.3, random.matrix<3>(), random.matrix<3>()};
-    Linearizations<Nodes> linearizations;
+    Linearizations<E::node_count> linearizations;
     linearizations.fill(&linearization);
-    NodalMatrix<Nodes> tangent = NodalMatrix<Nodes>::Zero();
+    NodalMatrix<E::node_count> tangent = NodalMatrix<E::node_count>::Zero();
     spring.add_internal_tangent(motions, {}, linearizations, tangent);
     spring.add_damping_tangent(motions, {}, linearizations, tangent);
     return tangent;
 }
 
-template <int Nodes>
-NodalVector<Nodes> compute_force(const SpringElement<Nodes>& spring, const Motions<Nodes>& motions) {
-    NodalVector<Nodes> force = NodalVector<Nodes>::Zero();
+template <class E>
+NodalVector<E::node_count> compute_force(const E& spring, const Motions<E::node_count>& motions) {
+    NodalVector<E::node_count> force = NodalVector<E::node_count>::Zero();
     spring.add_internal_force(motions, {}, force);
     spring.add_damping_force(motions, {}, force);
     return force;
@@ -81,7 +81,8 @@ TEST_CASE("a spring pulls its points together along their line", "[elements]") {
 
 TEST_CASE("the forces of a spring balance", "[elements]") {
     for (unsigned seed = 1; seed <= sample_seeds; ++seed) {
-        const auto& sample = std::get<ElementSample<SpringElement<2>>>(make_samples(seed));
+        const ElementSamples samples = make_samples(seed);
+        const auto& sample = std::get<ElementSample<SpringElement<2>>>(samples);
         const auto force = compute_force(sample.element, sample.point_at(sample.motions));
         Vec6 sum = Vec6::Zero();
         for (int i = 0; i < 2; ++i) {
@@ -90,7 +91,7 @@ TEST_CASE("the forces of a spring balance", "[elements]") {
             sum.tail<3>() += sample.motions[i].r.cross(f) + force.segment<3>(6 * i + 3);
         }
         CHECK(sum.norm() < 1e-14);
-        CHECK(force.norm() > 0.1);
+        CHECK(force.norm() > 0.01);
     }
 }
 
@@ -114,7 +115,7 @@ TEST_CASE("a spring without a length of its own pulls in every direction alike",
     NodeMotion a, b;
     const Motions<2> motions{&a, &b};
     CHECK(compute_force(spring, motions).isZero(0.0));
-    const auto tangent = compute_tangent(spring, motions);
+    const NodalMatrix<2> tangent = compute_tangent(spring, motions);
     CHECK(tangent.topLeftCorner<3, 3>() == Mat3(3.0 * Mat3::Identity()));
     b.r = Vec3(0.0, 0.0, 1e-200);
     CHECK(compute_force(spring, motions)[8] == Approx(3e-200));

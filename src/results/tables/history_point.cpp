@@ -112,7 +112,10 @@ void HistoryPoint::go_on_from(Quantity quantity, std::span<const double> row) {
 }
 
 double HistoryPoint::spring_value(Quantity quantity, const Snapshot& snapshot) const {
-    const SpringLine line = compute_spring_line(*spring_, snapshot.nodes);
+    const auto find = [&](const SpringEnd& end) {
+        return end.is_ground() ? nullptr : &snapshot.nodes[static_cast<std::size_t>(end.node)];
+    };
+    const SpringLine line = compute_spring_line(*spring_, find(spring_->ends[0]), find(spring_->ends[1]));
     return quantity == Quantity::elongation ? line.length - spring_->length
                                             : compute_axial_force(*spring_, line);
 }
