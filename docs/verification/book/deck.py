@@ -67,17 +67,6 @@ class Deck:
         radius = start - centre
         return centre + np.cos(angles) * radius + np.sin(angles) * np.cross(axis, radius)
 
-    def springs(self):
-        """Both ends of each, at the start."""
-        for spring in self.tree.get("spring", {}).values():
-            yield [self.vector(spring[key]) if key in spring else self.place(at)[0]
-                   for at, key in zip(spring["between"], ("at_a", "at_b"))]
-
-    def grounds(self):
-        """Where springs are fixed to the ground."""
-        for spring in self.tree.get("spring", {}).values():
-            yield from (self.vector(spring[key]) for at, key in zip(spring["between"], ("at_a", "at_b")) if at == "ground")
-
     def place(self, at):
         """Position and tangent of `rod.start`, `rod.end`, `rod@0.5` or a body."""
         if at in self.tree.get("body", {}):
