@@ -1,7 +1,7 @@
 // Springs in models, against motions and equilibria that are known exactly.
 
-#include "analyses/eigenvalues.hpp"
-#include "analyses/modes.hpp"
+#include "analyses/shapes/eigenvalues.hpp"
+#include "analyses/shapes/modes.hpp"
 #include "tools/catch.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/run.hpp"
