@@ -37,6 +37,8 @@ def draw_series(axes, times, history, series):
     letters = "wxyz" if values.shape[1] == 4 else "xyz"
     colours = {"w": BLACK, **AXIS_COLOURS}
     curves = {letter: (column, colours[letter]) for letter, column in zip(letters, values.T)}
+    if values.shape[1] == 1:
+        curves = {words(series.name): (values[:, 0], BLACK)}
     frame = describe_frame(series)
     label = series.dimension if series.dimension != "1" else ""
     draw_curves(axes, times, curves, f"{history.name}: {words(series.name)}{frame}", label)

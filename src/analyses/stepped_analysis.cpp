@@ -9,6 +9,7 @@
 #include "check/stiffness_contrast.hpp"
 #include "solvers/worst_nodes.hpp"
 #include "state/energy_jump.hpp"
+#include "state/spring_line.hpp"
 
 namespace gxrod {
 
@@ -38,6 +39,17 @@ NewtonSettings with_patience(NewtonSettings newton, bool has_contrast) {
 // With a contrast, of one load step: shorter ones do not make round-off smaller. Slack cables, whose first
 // steps may have to be tiny, need fewer.
 constexpr int most_rejections = 60;
+
+// A spring that is short compared with its free length, which a step that failed may have taken to nothing;
+// "" without one.
+std::string find_shrunk_spring(const System& system, const State& state) {
+    constexpr double short_of_length = 1e-2;
+    for (const Spring& spring : system.model().springs) {
+        const SpringLine line = compute_spring_line(spring, state.previous);
+        if (line.length < short_of_length * spring.length) return spring.name;
+    }
+    return "";
+}
 
 // Of the model's length, or in rad: how near a support's move is to where its node was left.
 constexpr double same_place = 1e-6;
@@ -321,6 +333,7 @@ Failure SteppedAnalysis::explain(const EquilibriumReport& report) {
     failure.iterations = report.iterations;
     failure.residual = report.residual;
     failure.step_error = report.step_error;
+    if (report.outcome == Outcome::not_finite) failure.shrunk_spring = find_shrunk_spring(system_, state_);
     for (const WorstNode& place : find_places(system_, report, workspace_.residual)) {
         failure.places.push_back(name_place(system_.model(), place.node, place.component));
         failure.nodes.push_back(place.node);

@@ -117,6 +117,18 @@ void System::build_blocks() {
         bodies.elements.emplace_back(model_->bodies[body], model_->has_inertia);
         bodies.groups.push_back(scale_groups_.of_body(body));
     }
+    for (int index = 0; index < static_cast<int>(model_->springs.size()); ++index) {
+        const Spring& spring = model_->springs[index];
+        const auto add = [&](auto& block) {
+            block.elements.emplace_back(spring);
+            block.groups.push_back(scale_groups_.of_spring(index));
+        };
+        if (spring.has_ground()) {
+            add(std::get<ElementBlock<SpringElement<1>>>(blocks_));
+        } else {
+            add(std::get<ElementBlock<SpringElement<2>>>(blocks_));
+        }
+    }
     for (int index = 0; index < static_cast<int>(model_->rods.size()); ++index) {
         const Rod& rod = model_->rods[index];
         const int group = scale_groups_.of_rod(index);
@@ -200,6 +212,9 @@ void System::build_batches() {
 void System::measure() {
     Eigen::AlignedBox3d box;
     for (const Node& node : model_->nodes) box.extend(node.position);
+    for (const Spring& spring : model_->springs) {
+        for (const SpringEnd& end : spring.ends) box.extend(find_place(*model_, end));
+    }
     double length = box.isEmpty() ? 0.0 : box.diagonal().norm();
     for (const Body& body : model_->bodies) {
         length = std::max(length, body.centre_of_mass.norm());

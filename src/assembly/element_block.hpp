@@ -8,6 +8,7 @@
 #include "elements/element.hpp"
 #include "elements/rigid_body.hpp"
 #include "elements/rod/rod_element.hpp"
+#include "elements/spring_element.hpp"
 #include "parallel/work_phases.hpp"
 
 namespace gxrod {
@@ -70,7 +71,9 @@ using ElementBlocks = std::tuple<ElementBlock<RigidBody>,
                                  ElementBlock<SimoElement<2>>,
                                  ElementBlock<SimoElement<3>>,
                                  ElementBlock<SimoElement<4>>,
-                                 ElementBlock<SimoElement<5>>>;
+                                 ElementBlock<SimoElement<5>>,
+                                 ElementBlock<SpringElement<1>>,
+                                 ElementBlock<SpringElement<2>>>;
 
 // Calls visit(block) for each kind.
 template <class Blocks, class Visitor>

@@ -18,6 +18,9 @@ constexpr double usual_tolerance = 1e-8;
 double measure_length(const Model& model, const ModelPart& part) {
     Eigen::AlignedBox3d box;
     for (const int node : part.nodes) box.extend(model.nodes[node].position);
+    for (const int index : part.springs) {
+        for (const SpringEnd& end : model.springs[index].ends) box.extend(find_place(model, end));
+    }
     double length = box.isEmpty() ? 0.0 : box.diagonal().norm();
     for (const int index : part.bodies) {
         const Body& body = model.bodies[index];
@@ -43,7 +46,9 @@ ResidualScales relate_scales(const ForceScales& scales, double length) {
             std::max(scales.moment_scale, least * scales.force_scale * length)};
 }
 
-ScaleGroups::ScaleGroups(const Model& model) : rod_count_(static_cast<int>(model.rods.size())) {
+ScaleGroups::ScaleGroups(const Model& model)
+    : rod_count_(static_cast<int>(model.rods.size())),
+      first_spring_(rod_count_ + static_cast<int>(model.bodies.size())) {
     find_nodes(model);
     find_parts_of_groups(model);
     find_round_off(model);
@@ -52,7 +57,7 @@ ScaleGroups::ScaleGroups(const Model& model) : rod_count_(static_cast<int>(model
 void ScaleGroups::find_nodes(const Model& model) {
     constexpr int none = -1;
     group_of_node_.assign(model.nodes.size(), none);
-    neighbours_.resize(model.rods.size() + model.bodies.size());
+    neighbours_.resize(model.rods.size() + model.bodies.size() + model.springs.size());
     const auto add = [&](int node, int group) {
         int& of_node = group_of_node_[node];
         if (of_node == none || of_node == group) {
@@ -70,6 +75,11 @@ void ScaleGroups::find_nodes(const Model& model) {
     }
     for (int body = 0; body < static_cast<int>(model.bodies.size()); ++body)
         add(model.bodies[body].node, of_body(body));
+    for (int spring = 0; spring < static_cast<int>(model.springs.size()); ++spring) {
+        for (const SpringEnd& end : model.springs[spring].ends) {
+            if (!end.is_ground()) add(end.node, of_spring(spring));
+        }
+    }
     for (int& group : group_of_node_) {
         if (group != none) continue;
         group = static_cast<int>(neighbours_.size());  // a node of nothing
@@ -86,6 +96,7 @@ void ScaleGroups::find_parts_of_groups(const Model& model) {
         for (const int node : parts[part].nodes) part_of_group_[group_of_node_[node]] = index;
         for (const int rod : parts[part].rods) part_of_group_[of_rod(rod)] = index;
         for (const int body : parts[part].bodies) part_of_group_[of_body(body)] = index;
+        for (const int spring : parts[part].springs) part_of_group_[of_spring(spring)] = index;
     }
 }
 
@@ -105,6 +116,17 @@ void ScaleGroups::find_round_off(const Model& model) {
         const double element = rod.length / std::max(rod.element_count(), 1);
         round_off_[of_rod(index)] = {units * stretching * size / element,
                                      units * (stretching * size + bending / element)};
+    }
+    for (int index = 0; index < static_cast<int>(model.springs.size()); ++index) {
+        const Spring& spring = model.springs[index];
+        double size = 0.0;
+        double arm = 0.0;
+        for (const SpringEnd& end : spring.ends) {
+            size = std::max(size, find_place(model, end).lpNorm<Eigen::Infinity>());
+            if (!end.is_ground()) arm = std::max(arm, end.arm.norm());
+        }
+        const double force = units * spring.stiffness * size;
+        round_off_[of_spring(index)] = {force, force * arm};
     }
     for (std::size_t group = 0; group < count(); ++group) {
         for (const int other : neighbours_[group])

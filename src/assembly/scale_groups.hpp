@@ -32,10 +32,11 @@ class NodeScales {
     const std::vector<int>* group_of_node_ = nullptr;
 };
 
-// Which forces a node's residual is compared with. A group is a rod, a body, or a node that several of them
-// share; each belongs to one part of the model, whose nodes elements tie to each other. A residual is small
-// if it is so against the largest force in its part and, against a thousand times that, in its own group: a
-// weakly loaded rod next to a strong one is solved too. Neither falls below the round-off of forces there.
+// Which forces a node's residual is compared with. A group is a rod, a body, a spring, or a node that several
+// of them share; each belongs to one part of the model, whose nodes elements tie to each other. A residual is
+// small if it is so against the largest force in its part and, against a thousand times that, in its own
+// group: a weakly loaded rod next to a strong one is solved too. Neither falls below the round-off of forces
+// there.
 class ScaleGroups {
   public:
     explicit ScaleGroups(const Model& model);
@@ -44,6 +45,7 @@ class ScaleGroups {
     std::size_t part_count() const { return lengths_.size(); }
     int of_rod(int rod) const { return rod; }
     int of_body(int body) const { return rod_count_ + body; }
+    int of_spring(int spring) const { return first_spring_ + spring; }
     int of_node(int node) const { return group_of_node_[node]; }
     // The length for scaling of the node's part: the largest of its extent and its bodies' own sizes; 1 if
     // both are zero.
@@ -60,6 +62,7 @@ class ScaleGroups {
     void find_round_off(const Model& model);
 
     int rod_count_;
+    int first_spring_;
     std::vector<int> group_of_node_;
     std::vector<int> part_of_group_;
     std::vector<double> lengths_;  // of each part

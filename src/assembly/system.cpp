@@ -56,7 +56,7 @@ NodalVector<E::node_count> compute_acceleration_force(const E& element,
 }  // namespace
 
 std::size_t System::element_count() const {
-    return static_cast<std::size_t>(rod_element_count_) + model_->bodies.size();
+    return static_cast<std::size_t>(rod_element_count_) + model_->bodies.size() + model_->springs.size();
 }
 
 void System::hold_rates(int node, NodeMotion& motion) const {

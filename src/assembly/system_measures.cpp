@@ -23,6 +23,10 @@ NodalVector<E::node_count> compute_gravity_force(const E& element,
     return -force;
 }
 
+// Whether the element's internal forces act on the model from outside.
+template <class E>
+inline constexpr bool is_grounded = std::is_same_v<E, SpringElement<1>>;
+
 // Adds to `total` what add(e, sum) adds for each element of a block, in an order that no number of threads
 // changes.
 template <class Sum, class Block, class Add>
@@ -177,7 +181,9 @@ Resultant System::compute_outer_resultant(const State& state,
             for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
                 const auto& element = block.elements[e];
                 const auto motions = block.motions(state.trial, e);
-                const NodalVector<node_count> force = -compute_gravity_force(element, motions, gravity);
+                NodalVector<node_count> force = -compute_gravity_force(element, motions, gravity);
+                if constexpr (is_grounded<std::remove_cvref_t<decltype(element)>>)
+                    element.add_internal_force(motions, block.histories(state, e), force);
                 add_to_nodes<node_count>(force, element.nodes, asked);
             }
         });

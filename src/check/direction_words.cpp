@@ -53,7 +53,7 @@ std::string describe_rigid(const Describer& describer,
 std::string describe_rigid_direction(const System& system,
                                      const State& state,
                                      const std::vector<Vec6>& direction) {
-    const Describer describer{system, state, find_parts(system.model())};
+    const Describer describer{system, state, find_parts(system.model(), Ties::rods)};
     return describe_rigid(describer, direction, find_moving_part(describer.parts, direction));
 }
 
@@ -63,7 +63,7 @@ std::optional<Weakness> describe_weakness(const System& system,
     const ScaledTangent tangent(system, values);
     const std::optional<WeakestDirection> weakest = find_weakest_direction(tangent);
     if (!weakest) return std::nullopt;
-    Describer describer{system, state, find_parts(system.model())};
+    Describer describer{system, state, find_parts(system.model(), Ties::rods)};
     std::vector<Vec6> direction(state.trial.size());
     for (std::size_t i = 0; i < direction.size(); ++i) {
         direction[i] = system.equations().increment_of(static_cast<int>(i), weakest->scaled);

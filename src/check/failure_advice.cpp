@@ -86,7 +86,11 @@ std::string describe_outcome(const Failure& failure) {
         case Outcome::singular:
             return "the system of equations is singular" + at;
         case Outcome::not_finite:
-            return "a force or increment is not a finite number" + at;
+            return "a force or increment is not a finite number" + at +
+                   (failure.shrunk_spring.empty()
+                        ? ""
+                        : ": spring " + failure.shrunk_spring +
+                              " has almost no length left, and at none no direction");
         case Outcome::rotation_too_large:
             return "the rotation within one step reaches half a turn" + at;
         case Outcome::element_too_turned:
@@ -118,6 +122,10 @@ std::vector<std::string> advise(const Failure& failure) {
             break;
         case Outcome::not_finite:
             add_stability(failure, advice);
+            if (!failure.shrunk_spring.empty()) {
+                advice.push_back("a spring with length = 0, which pulls its points together");
+                break;
+            }
             advice.push_back("a look at the values of the loads and functions at this time");
             break;
         case Outcome::rotation_too_large:

@@ -21,6 +21,7 @@ struct Failure {
     double step_error = 0.0;          // the estimate, of error_too_large
     std::vector<std::string> places;  // "flyer.end (ry)", the worst first
     std::vector<std::int64_t> nodes;  // of those places
+    std::string shrunk_spring;        // one almost without a length, if forces are not finite; or ""
     std::string weakness;             // in words; "" unless the tangent is singular or nearly so
     // That round-off of a stiff rod's forces hides what bends a soft one, and what to do about it: a likelier
     // reason than a weakness, for which it would be taken. "" both if it does not.

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "assembly/state_matrices.hpp"
-#include "check/unsupported_motions.hpp"
+#include "check/free_parts.hpp"
 #include "linear/eigen/eigenvalue_count.hpp"
 #include "linear/eigen/lowest_pairs.hpp"
 
@@ -46,14 +46,6 @@ std::optional<double> find_smallest(const SparsePattern& pattern,
     const std::optional<LowestPairs> found = find_lowest_pairs(pattern, K, M, rigid + 1);
     if (!found || found->values.size() <= rigid) return std::nullopt;
     return found->values[rigid];
-}
-
-int count_rigid_motions(const Model& model) {
-    std::size_t count = 0;
-    for (const ModelPart& part : find_parts(model)) {
-        count += find_unsupported_motions(model, part).size();
-    }
-    return static_cast<int>(count);
 }
 
 // Without loads, and at rest.
@@ -104,7 +96,7 @@ std::optional<MeshFrequencies> find_mesh_frequencies(const Model& model) {
     const StateMatrices matrices = compute_state_matrices(system, system.initial_state(), 0.0);
     const std::optional<double> largest = find_largest(system.pattern(), matrices.stiffness, matrices.mass);
     if (!largest || !(*largest > 0.0)) return std::nullopt;
-    const int rigid = count_rigid_motions(bare);
+    const int rigid = static_cast<int>(count_free_motions(bare));
     const std::optional<double> smallest =
         find_smallest(system.pattern(), matrices.stiffness, matrices.mass, rigid);
     if (!smallest || !(*smallest > 0.0)) return std::nullopt;

@@ -5,13 +5,13 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
+#include "check/free_parts.hpp"
 #include "check/function_examination.hpp"
 #include "check/plane_findings.hpp"
 #include "check/stability.hpp"
 #include "check/stiffness_contrast.hpp"
 #include "check/turning_loads.hpp"
 #include "check/unconnected_points.hpp"
-#include "check/unsupported_motions.hpp"
 #include "model/analysis_traits.hpp"
 #include "model/body_moments.hpp"
 #include "model/newton_choice.hpp"
@@ -36,16 +36,14 @@ std::string list_motions(const Model& model,
 }
 
 // Equilibrium does not say where a part is that can move without being strained.
-void find_drifting_parts(const Model& model,
-                         const std::vector<ModelPart>& parts,
-                         std::vector<Finding>& findings) {
-    for (const ModelPart& part : parts) {
-        const std::vector<UnsupportedMotion> motions = find_unsupported_motions(model, part);
-        if (motions.empty()) continue;
+void find_drifting_parts(const Model& model, std::vector<Finding>& findings) {
+    const char* holds = model.springs.empty() ? "supports" : "supports or springs";
+    for (const auto& [part, motions] : find_free_parts(model)) {
         findings.push_back({Severity::error,
-                            fmt::format("{} can {}; a static analysis needs supports that prevent it",
+                            fmt::format("{} can {}; a static analysis needs {} that prevent it",
                                         name_part(part, model),
-                                        list_motions(model, part, motions))});
+                                        list_motions(model, part, motions),
+                                        holds)});
     }
 }
 
@@ -130,10 +128,21 @@ double compute_mass(const Model& model) {
     return mass;
 }
 
+// Whether it pulls or pushes at t = 0.
+bool is_strained(const Model& model, const Spring& spring) {
+    constexpr double round_off = 1e-12;
+    const Vec3 a = find_place(model, spring.ends[0]);
+    const Vec3 b = find_place(model, spring.ends[1]);
+    const double size = std::max({a.norm(), b.norm(), spring.length});
+    return spring.stiffness > 0.0 && std::abs((b - a).norm() - spring.length) > round_off * size;
+}
+
 bool any_load(const Model& model) {
+    const auto strains = [&](const Spring& spring) { return is_strained(model, spring); };
     const auto pushes = [](const auto& load) { return !is_zero(load.force) || !is_zero(load.moment); };
     const auto moves = [](const Support& support) { return support.moved != std::array<bool, 6>{}; };
     return model.rotation || !model.gravity.is_zero() ||
+           std::any_of(model.springs.begin(), model.springs.end(), strains) ||
            std::any_of(model.loads.begin(), model.loads.end(), pushes) ||
            std::any_of(model.distributed_loads.begin(), model.distributed_loads.end(), pushes) ||
            std::any_of(model.supports.begin(), model.supports.end(), moves);
@@ -187,7 +196,7 @@ std::vector<Finding> examine_model(const Model& model,
     const std::vector<ModelPart> parts = find_parts(model);
     std::vector<Finding> findings;
     if (has_steps(analysis) && !needs_inertia(analysis)) {
-        find_drifting_parts(model, parts, findings);
+        find_drifting_parts(model, findings);
         note_lack_of_potential(model, findings);
     }
     if (std::holds_alternative<SteadySettings>(analysis) && model.rotation) {

@@ -31,6 +31,35 @@ std::string describe_body(const Model& model, const Body& body) {
         describe(body.attitude * body.centre_of_mass));
 }
 
+std::string describe_end(const Model& model, const SpringEnd& end) {
+    if (end.is_ground()) return fmt::format("the ground at {}", describe(end.arm));
+    const std::string& node = model.nodes[end.node].name;
+    if (end.arm.isZero(0.0)) return node;
+    return fmt::format(
+        "{} by an arm of {:.6g} to {}", node, end.arm.norm(), describe(find_place(model, end)));
+}
+
+std::string describe_spring(const Model& model, const Spring& spring) {
+    const Vec3 d = find_place(model, spring.ends[1]) - find_place(model, spring.ends[0]);
+    const double force = spring.stiffness * (d.norm() - spring.length);
+    constexpr double round_off = 1e-12;
+    const bool is_free = std::abs(d.norm() - spring.length) <= round_off * d.norm();
+    std::string text =
+        fmt::format("spring {}: between {} and {}, stiffness {:.6g}, damping {:.6g}, length {:.6g}",
+                    spring.name,
+                    describe_end(model, spring.ends[0]),
+                    describe_end(model, spring.ends[1]),
+                    spring.stiffness,
+                    spring.damping,
+                    spring.length);
+    if (!is_free)
+        text += fmt::format("; at t = 0 {:.6g} long, {} by {:.6g}",
+                            d.norm(),
+                            force < 0.0 ? "it pushes" : "it pulls",
+                            std::abs(force));
+    return text + "\n";
+}
+
 }  // namespace
 
 const char* name_of(Scheme scheme) {
@@ -80,7 +109,9 @@ std::vector<ItemList> list_model(const Model& model) {
     for (const Section& section : model.sections) sections.items.push_back(describe_section(section));
     ItemList bodies{"bodies", {}};
     for (const Body& body : model.bodies) bodies.items.push_back(describe_body(model, body));
-    std::vector<ItemList> lists{sections, list_rods(model), bodies};
+    ItemList springs{"springs", {}};
+    for (const Spring& spring : model.springs) springs.items.push_back(describe_spring(model, spring));
+    std::vector<ItemList> lists{sections, list_rods(model), bodies, springs};
     for (ItemList& list : list_conditions(model)) lists.push_back(std::move(list));
     return lists;
 }

@@ -8,12 +8,11 @@
 
 #include "assembly/scatter.hpp"
 #include "assembly/system.hpp"
-#include "check/unsupported_motions.hpp"
+#include "check/free_parts.hpp"
 #include "integrators/load_stepping.hpp"
 #include "linear/linear_solver.hpp"
 #include "model/analysis_traits.hpp"
 #include "model/evaluation_error.hpp"
-#include "model/parts.hpp"
 
 namespace gxrod {
 namespace {
@@ -25,13 +24,6 @@ constexpr int most_times = 50;
 // above.
 constexpr double largest_strain = 2.0;
 constexpr double largest_displacement = 100.0;
-
-bool is_held(const Model& model) {
-    const std::vector<ModelPart> parts = find_parts(model);
-    return std::all_of(parts.begin(), parts.end(), [&](const ModelPart& part) {
-        return find_unsupported_motions(model, part).empty();
-    });
-}
 
 // At rest: what is out of balance are gravity and loads.
 Model make_resting(Model model) {
@@ -106,7 +98,7 @@ void find_largest(const Model& model, const std::vector<Vec6>& moved, StaticScal
 
 std::optional<StaticScale> find_static_scale(const Model& model, const AnalysisSettings& analysis) {
     if (model.rods.empty() || 6 * static_cast<std::int64_t>(model.nodes.size()) > most_unknowns ||
-        !is_held(model)) {
+        !find_free_parts(model).empty()) {
         return std::nullopt;
     }
     const Model resting = make_resting(model);

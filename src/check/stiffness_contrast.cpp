@@ -67,7 +67,7 @@ bool has_any(const ModelPart& part, std::span<const std::int64_t> nodes) {
            });
 }
 
-double measure(const Model& model, const ModelPart& part) {
+double find_size(const Model& model, const ModelPart& part) {
     double size = 0.0;
     for (const int node : part.nodes) {
         size = std::max(size, model.nodes[static_cast<std::size_t>(node)].position.lpNorm<Eigen::Infinity>());
@@ -96,7 +96,7 @@ std::vector<StiffnessContrast> find_stiffness_contrasts(const Model& model,
                                                         const std::vector<ModelPart>& parts) {
     std::vector<StiffnessContrast> contrasts;
     for (const ModelPart& part : parts) {
-        const double size = measure(model, part);
+        const double size = find_size(model, part);
         StiffnessContrast of_forces;
         StiffnessContrast of_moments{.is_of_moments = true};
         for (const int index : part.rods) {

@@ -69,6 +69,17 @@ std::string find_unsteady_load(const Model& model, const TurningFrame& frame) {
         const double length = model.rods[static_cast<std::size_t>(load.rod)].length;
         if (!is_steady(load, length, frame.axis)) return describe(load.key);
     }
+    for (const Spring& spring : model.springs) {
+        for (const SpringEnd& end : spring.ends) {
+            if (!end.is_ground() || is_along(end.arm - frame.through, frame.axis)) continue;
+            return fmt::format(
+                "spring.{} is tied to the ground off the axis of rotation, and the ground does not turn: in "
+                "a "
+                "frame that turns it is not steady. Tie it to a supported point, which turns, or make the "
+                "motion a dynamic analysis",
+                spring.name);
+        }
+    }
     return "";
 }
 

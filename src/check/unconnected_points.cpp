@@ -184,7 +184,11 @@ std::vector<std::string> find_unconnected_points(const Model& model) {
     for (const auto& [first, nodes] : places) {
         const bool all_held =
             std::all_of(nodes.begin(), nodes.end(), [&](int node) { return is_wholly_held(model, node); });
-        if (!all_held) sentences.push_back(describe(model, nodes, size));
+        const bool has_spring =
+            std::any_of(model.springs.begin(), model.springs.end(), [&](const Spring& spring) {
+                return nodes.contains(spring.ends[0].node) && nodes.contains(spring.ends[1].node);
+            });
+        if (!all_held && !has_spring) sentences.push_back(describe(model, nodes, size));
     }
     return sentences;
 }

@@ -16,12 +16,11 @@ constexpr double on_axis = 1e-9;
 
 using Vectors = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 
-struct Extent {
-    Vec3 centre;
-    double size;  // the largest distance from the centre; 1 for a point
-};
+using Extent = PartExtent;
 
-Extent measure(const Model& model, const ModelPart& part) {
+}  // namespace
+
+PartExtent measure(const Model& model, const ModelPart& part) {
     Extent extent{Vec3::Zero(), 0.0};
     for (const int node : part.nodes) extent.centre += model.nodes[node].position;
     extent.centre /= static_cast<double>(part.nodes.size());
@@ -31,6 +30,8 @@ Extent measure(const Model& model, const ModelPart& part) {
     if (extent.size == 0.0) extent.size = 1.0;
     return extent;
 }
+
+namespace {
 
 std::vector<const Support*> find_supports(const Model& model, const ModelPart& part) {
     std::vector<bool> is_inside(model.nodes.size(), false);
@@ -42,10 +43,11 @@ std::vector<const Support*> find_supports(const Model& model, const ModelPart& p
     return supports;
 }
 
-// A row for each component that is held, times (v, size · ω) of a rigid motion about the centre: zero.
-Eigen::MatrixXd build_constraints(const Model& model,
-                                  const std::vector<const Support*>& supports,
-                                  const Extent& extent) {
+}  // namespace
+
+Eigen::MatrixXd build_support_rows(const Model& model, const ModelPart& part) {
+    const Extent extent = measure(model, part);
+    const std::vector<const Support*> supports = find_supports(model, part);
     Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(6 + 6 * static_cast<Eigen::Index>(supports.size()), 6);
     Eigen::Index row = 0;
     for (int i = 0; i < 6; ++i) {
@@ -66,6 +68,8 @@ Eigen::MatrixXd build_constraints(const Model& model,
     }
     return rows.topRows(row);
 }
+
+namespace {
 
 // Columns of length 1 whose product with the rows is zero.
 Eigen::MatrixXd find_null_space(const Eigen::MatrixXd& rows) {
@@ -153,10 +157,11 @@ bool is_twist(const Model& model, const ModelPart& part, const UnsupportedMotion
 
 }  // namespace
 
-std::vector<UnsupportedMotion> find_unsupported_motions(const Model& model, const ModelPart& part) {
+std::vector<UnsupportedMotion> find_unsupported_motions(const Model& model,
+                                                        const ModelPart& part,
+                                                        const Eigen::MatrixXd& constraints) {
     const Extent extent = measure(model, part);
     const std::vector<const Support*> supports = find_supports(model, part);
-    const Eigen::MatrixXd constraints = build_constraints(model, supports, extent);
     const Vectors translations = align(find_null_space(constraints.leftCols<3>()));
     std::vector<UnsupportedMotion> motions;
     for (Eigen::Index i = 0; i < translations.cols(); ++i) {
@@ -177,6 +182,10 @@ std::vector<UnsupportedMotion> find_unsupported_motions(const Model& model, cons
         motions.push_back(make_turn(aligned.col(i), translations, extent, near));
     }
     return motions;
+}
+
+std::vector<UnsupportedMotion> find_unsupported_motions(const Model& model, const ModelPart& part) {
+    return find_unsupported_motions(model, part, build_support_rows(model, part));
 }
 
 std::string describe_unsupported_motion(const Model& model,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,22 @@ struct UnsupportedMotion {
     bool has_place = false;        // whether the axis of a turn cannot be anywhere else, parallel to itself
 };
 
+struct PartExtent {
+    Vec3 centre;
+    double size;  // the largest distance of a node from the centre; 1 for a point
+};
+PartExtent measure(const Model& model, const ModelPart& part);
+
+// A row for each component that supports hold, times (v, size · ω) of a rigid motion about the centre: zero.
+Eigen::MatrixXd build_support_rows(const Model& model, const ModelPart& part);
+
 // The rigid motions of a part that its supports leave free at t = 0: translations along directions of length
 // 1, then turns; along the global axes where that is possible. Moved components are not free.
 std::vector<UnsupportedMotion> find_unsupported_motions(const Model& model, const ModelPart& part);
+// Those that rows as of build_support_rows leave free.
+std::vector<UnsupportedMotion> find_unsupported_motions(const Model& model,
+                                                        const ModelPart& part,
+                                                        const Eigen::MatrixXd& rows);
 
 // "move along x", "turn about an axis along (0, 0.6, 0.8) through (1, 2, 3)", "twist about its axis".
 std::string describe_unsupported_motion(const Model& model,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 
 #include "deck/build/acting.hpp"
@@ -15,6 +16,7 @@
 #include "deck/build/build_path.hpp"
 #include "deck/build/build_response.hpp"
 #include "deck/build/build_rods.hpp"
+#include "deck/build/build_springs.hpp"
 #include "deck/build/build_supports.hpp"
 #include "deck/build/plane.hpp"
 #include "deck/build/read_rod_nets.hpp"
@@ -35,14 +37,19 @@
 namespace gxrod {
 namespace {
 
+// Points and springs go by their names.
 void check_names(const CheckedTable& deck, FaultList& faults) {
-    for (const CheckedTable& body : deck.tables("body")) {
-        for (const CheckedTable& rod : deck.tables("rod")) {
-            if (rod.name != body.name) continue;
-            const CheckedTable& later = rod.place < body.place ? body : rod;
-            const CheckedTable& earlier = rod.place < body.place ? rod : body;
-            faults.add(later.place, later.path, earlier.path + " has this name too, and points go by it");
-        }
+    std::vector<const CheckedTable*> tables;
+    for (const char* kind : {"rod", "body", "spring"}) {
+        for (const CheckedTable& table : deck.tables(kind)) tables.push_back(&table);
+    }
+    std::ranges::sort(tables, {}, &CheckedTable::place);
+    std::map<std::string, const CheckedTable*> earlier;
+    for (const CheckedTable* table : tables) {
+        const auto [first, is_new] = earlier.emplace(table->name, table);
+        if (is_new) continue;
+        faults.add(
+            table->place, table->path, first->second->path + " has this name too, and points go by it");
     }
 }
 
@@ -102,6 +109,7 @@ Problem build_problem(const CheckedTable& deck, const MeshFiles& files, FaultLis
     build_rods(points, nets, context);
     build_connections(context);
     build_bodies(context);
+    build_springs(context);
     build_plane(context);
     build_initial(context);
     build_actions(context);

@@ -23,9 +23,10 @@ bool moves_supports(const Model& model) {
 }
 
 // The work of reactions that are round-off, in a motion of about the length of an element or a radian.
-double compute_reaction_work(const Mat6& stiffness, double size) {
+// `stiffness`: force per strain of a rod, force per length of a spring.
+double compute_reaction_work(double stiffness, double size) {
     constexpr double of_a_reaction = 4.0 * std::numeric_limits<double>::epsilon();
-    return of_a_reaction * stiffness.diagonal().head<3>().maxCoeff() * size;
+    return of_a_reaction * stiffness * size;
 }
 
 }  // namespace
@@ -40,12 +41,18 @@ double compute_energy_round_off(const Model& model) {
     const bool has_moves = moves_supports(model);
     for (const Rod& rod : model.rods) {
         const Mat6& stiffness = model.sections[static_cast<std::size_t>(rod.section)].stiffness;
-        if (has_moves) work = std::max(work, compute_reaction_work(stiffness, size));
+        if (has_moves)
+            work = std::max(work, compute_reaction_work(stiffness.diagonal().head<3>().maxCoeff(), size));
         const auto per_element = static_cast<std::size_t>(rod.order) + 1;
         for (std::size_t first = 0; first < rod.arc_length.size(); first += per_element) {
             const double length = rod.arc_length[first + per_element - 1] - rod.arc_length[first];
             energy += compute_element_energy(stiffness, size, length);
         }
+    }
+    for (const Spring& spring : model.springs) {
+        const double displacement = round_off * std::max(size, spring.length);
+        energy += 0.5 * spring.stiffness * displacement * displacement;
+        if (has_moves) work = std::max(work, compute_reaction_work(spring.stiffness * size, size));
     }
     return energy + work;
 }

@@ -79,6 +79,27 @@ struct Body {
     Quat attitude = Quat::Identity();    // body axes at t = 0: columns are x, y, z
 };
 
+// Where a spring acts: at a point that a node carries, or at one that is fixed.
+struct SpringEnd {
+    int node = -1;  // -1: the ground
+    Vec3 arm =
+        Vec3::Zero();  // from the node to the point, global axes at t = 0; of the ground the point itself
+
+    bool is_ground() const { return node < 0; }
+};
+
+// A spring and a damper along the line between two points, the first of them A, the second B: at most one is
+// fixed. Their force is stiffness (ℓ − length) + damping ℓ̇, tension positive.
+struct Spring {
+    std::string name;
+    std::array<SpringEnd, 2> ends;
+    double stiffness = 0.0;
+    double damping = 0.0;
+    double length = 0.0;  // at which it pulls and pushes nothing
+
+    bool has_ground() const { return ends[0].is_ground() || ends[1].is_ground(); }
+};
+
 // How the components of a load follow the rotation of its node.
 enum class Frame {
     spatial,   // fixed in space: a dead load
@@ -141,9 +162,13 @@ struct Model {
     std::vector<Section> sections;
     std::vector<Rod> rods;
     std::vector<Body> bodies;
+    std::vector<Spring> springs;
     std::vector<NodalLoad> loads;
     std::vector<DistributedLoad> distributed_loads;
     std::vector<Support> supports;
 };
+
+// Where an end of a spring is at t = 0.
+Vec3 find_place(const Model& model, const SpringEnd& end);
 
 }  // namespace gxrod

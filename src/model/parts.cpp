@@ -50,9 +50,13 @@ std::string list_names(const char* one, const char* several, const std::vector<s
 
 }  // namespace
 
-std::vector<ModelPart> find_parts(const Model& model) {
+std::vector<ModelPart> find_parts(const Model& model, Ties ties) {
     NodeSets sets(model.nodes.size());
     for (const Rod& rod : model.rods) join_rod(rod, sets);
+    for (const Spring& spring : model.springs) {
+        if (ties == Ties::rods_and_springs && !spring.has_ground())
+            sets.join(spring.ends[0].node, spring.ends[1].node);
+    }
     std::vector<ModelPart> parts;
     std::vector<int> part_of(model.nodes.size(), -1);
     for (int node = 0; node < static_cast<int>(model.nodes.size()); ++node) {
@@ -70,6 +74,11 @@ std::vector<ModelPart> find_parts(const Model& model) {
     }
     for (int body = 0; body < static_cast<int>(model.bodies.size()); ++body) {
         parts[part_of[model.bodies[body].node]].bodies.push_back(body);
+    }
+    for (int spring = 0; spring < static_cast<int>(model.springs.size()); ++spring) {
+        for (const SpringEnd& end : model.springs[spring].ends) {
+            if (!end.is_ground()) add_once(parts[part_of[end.node]].springs, spring);
+        }
     }
     return parts;
 }

@@ -159,15 +159,18 @@ enum class Quantity {
     strain,
     curvature,
     reaction_force,
-    reaction_moment
+    reaction_moment,
+    elongation,
+    axial_force
 };
 
 // Names a point and what to record there at every accepted step.
 struct HistoryRequest {
     std::string name;
-    std::string at;  // as the deck has it
-    int node = 0;    // -1: between nodes
-    int body = -1;   // index in Model::bodies if the point is a body's
+    std::string at;   // as the deck has it
+    int node = 0;     // -1: between nodes, or a spring
+    int body = -1;    // index in Model::bodies if the point is a body's
+    int spring = -1;  // index in Model::springs if it is of a spring, which has no node
     // If the point is a rod's; where elements meet, in the first of them.
     std::optional<RodPlace> place = {};
     std::vector<Quantity> quantities = {};

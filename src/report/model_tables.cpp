@@ -85,6 +85,25 @@ Json describe_body_table(const Model& model) {
             {"note", tell_rest(model.bodies)}};
 }
 
+Json describe_spring_table(const Model& model) {
+    const auto name = [&](const SpringEnd& end) {
+        return end.is_ground() ? std::string("ground") : model.nodes[end.node].name;
+    };
+    Json rows = Json::array();
+    for (const Spring& spring : first_of(model.springs)) {
+        rows.push_back({spring.name,
+                        name(spring.ends[0]),
+                        name(spring.ends[1]),
+                        spring.stiffness,
+                        spring.damping,
+                        spring.length});
+    }
+    return {{"title", "Springs"},
+            {"columns", {"", "from", "to", "stiffness", "damping", "free length"}},
+            {"rows", rows},
+            {"note", tell_rest(model.springs)}};
+}
+
 std::string describe_components(const std::array<bool, 6>& components) {
     std::string text;
     for (std::size_t i = 0; i < components.size(); ++i) {
@@ -142,6 +161,7 @@ Json describe_tables(const Problem& problem) {
     if (!model.sections.empty()) tables.push_back(describe_sections(model));
     if (!model.rods.empty()) tables.push_back(describe_rods(model));
     if (!model.bodies.empty()) tables.push_back(describe_body_table(model));
+    if (!model.springs.empty()) tables.push_back(describe_spring_table(model));
     if (!model.supports.empty()) tables.push_back(describe_support_table(model));
     return tables;
 }

@@ -25,7 +25,7 @@ double count_step_numbers(const OutputSettings& output, bool is_static) {
     for (const HistoryRequest& history : output.histories) {
         for (const Quantity quantity : history.quantities) {
             const bool is_quaternion = quantity == Quantity::quaternion || quantity == Quantity::orientation;
-            numbers += is_quaternion ? 4.0 : 3.0;
+            numbers += history.spring >= 0 ? 1.0 : is_quaternion ? 4.0 : 3.0;
         }
     }
     return numbers;

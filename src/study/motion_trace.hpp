@@ -23,7 +23,7 @@ struct Series {
     bool is_rotation() const { return quantity == Quantity::quaternion || quantity == Quantity::orientation; }
     bool is_length() const {
         return quantity == Quantity::position || quantity == Quantity::displacement ||
-               quantity == Quantity::centre_of_mass;
+               quantity == Quantity::centre_of_mass || quantity == Quantity::elongation;
     }
     std::string title() const { return point + " " + name; }
 };

@@ -27,7 +27,8 @@ HistoryPoint::Row combine(const HistoryPoint::Row& one, double factor, const His
 }
 
 double find_scale(const Series& series, const std::vector<HistoryPoint::Row>& rows) {
-    const bool is_place = series.is_length() && series.quantity != Quantity::displacement;
+    const bool is_place = series.is_length() && series.quantity != Quantity::displacement &&
+                          series.quantity != Quantity::elongation;
     const bool counts_from_start = is_place || series.is_rotation();
     double scale = 0.0;
     for (const HistoryPoint::Row& row : rows) {
@@ -71,6 +72,7 @@ double NaturalScales::of(Quantity quantity) const {
         case Quantity::position:
         case Quantity::displacement:
         case Quantity::centre_of_mass:
+        case Quantity::elongation:
             return length;
         case Quantity::velocity:
             return speed;
@@ -82,6 +84,7 @@ double NaturalScales::of(Quantity quantity) const {
         case Quantity::force:
         case Quantity::force_spatial:
         case Quantity::reaction_force:
+        case Quantity::axial_force:
             return by_length(energy);
         case Quantity::moment:
         case Quantity::moment_spatial:

@@ -88,6 +88,9 @@ void turn_model(const Quat& rotation, Model& model) {
         for (Quat& triad : rod.triads) triad = rotation * triad;
     }
     for (Body& body : model.bodies) body.attitude = rotation * body.attitude;
+    for (Spring& spring : model.springs) {
+        for (SpringEnd& end : spring.ends) end.arm = rotation * end.arm;
+    }
     for (Support& support : model.supports) support.axes = rotation * support.axes;
     for (NodalLoad& load : model.loads) {
         load.axes = rotation * load.axes;
@@ -117,6 +120,8 @@ Turning turning_of(Quantity quantity, const HistoryRequest& request) {
         case Quantity::moment:
         case Quantity::strain:
         case Quantity::curvature:
+        case Quantity::elongation:
+        case Quantity::axial_force:
             return Turning::none;
         case Quantity::orientation:
             return Turning::attitude;

@@ -82,4 +82,36 @@ TEST_CASE("loads that do not turn with the frame are refused", "[analyses]") {
     wind.force[0] = LineFunction([](double, double s) { return s > 0.6 ? 1.0 : 0.0; });
     model.distributed_loads.push_back(wind);
     CHECK_THROWS_WITH(make(model), Contains("load[1] is fixed in space"));
+    model.distributed_loads.clear();
+    Spring spring;
+    spring.name = "s";
+    spring.ends = {SpringEnd{-1, Vec3(0.0, 0.0, 3.0)}, SpringEnd{last_node(model)}};
+    spring.length = 1.0;
+    model.springs.push_back(spring);
+    CHECK_NOTHROW(make(model));
+    model.springs[0].ends[0].arm.x() = 0.1;
+    CHECK_THROWS_WITH(make(model), Contains("spring.s is tied to the ground off the axis of rotation"));
+}
+
+TEST_CASE("a mass on a spring to the axis goes to where the spring holds it", "[analyses][springs]") {
+    constexpr double mass = 0.5, stiffness = 40.0, omega = 4.0;
+    Model model;
+    model.nodes.push_back({"bob", Vec3(1.0, 0.0, 0.0)});
+    Body body;
+    body.mass = mass;
+    body.inertia = Mat3::Identity();
+    model.bodies.push_back(body);
+    Support support;
+    support.fixed = {false, true, true, true, true, true};
+    model.supports.push_back(support);
+    Spring spring;
+    spring.ends = {SpringEnd{}, SpringEnd{0}};
+    spring.stiffness = stiffness;
+    spring.damping = 3.0;  // the length stays
+    spring.length = 1.0;
+    model.springs.push_back(spring);
+    const SteadyRun run(model, ramped_frame(Vec3::UnitZ(), omega), make_static_settings(4));
+    // k (r − ℓ₀) = m Ω² r.
+    const double r = stiffness / (stiffness - mass * omega * omega);
+    CHECK(run.analysis().state().trial[0].r.x() == Approx(r).epsilon(1e-11));
 }

@@ -42,6 +42,32 @@ std::string with_history(const std::string& line) {
 
 const std::string force = "[[load]]\nat = \"r.end\"\nforce = [\"2*t\", 0, 3]\n";
 
+std::vector<RoundTrip> spring_trips() {
+    const auto with = [](const std::string& lines) {
+        return body_deck + "[spring.s]\nat_a = [1, 2, 3]\n" + lines;
+    };
+    const auto spring = [](const Problem& p) { return p.model.springs[0]; };
+    const std::string between = "between = [\"ground\", \"top\"]\n";
+    return {{"spring.NAME.between",
+             with(between + "stiffness = 1\n"),
+             [=](const Problem& p) { return spring(p).ends[0].is_ground() && spring(p).ends[1].node == 0; }},
+            {"spring.NAME.at_a",
+             with(between + "stiffness = 1\n"),
+             [=](const Problem& p) { return spring(p).ends[0].arm == Vec3(1, 2, 3); }},
+            {"spring.NAME.at_b",
+             with(between + "at_b = [4, 5, 6]\nstiffness = 1\n"),
+             [=](const Problem& p) { return spring(p).ends[1].arm == Vec3(4, 5, 6); }},
+            {"spring.NAME.stiffness",
+             with(between + "stiffness = 7\n"),
+             [=](const Problem& p) { return spring(p).stiffness == 7.0; }},
+            {"spring.NAME.damping",
+             with(between + "damping = 7\n"),
+             [=](const Problem& p) { return spring(p).damping == 7.0; }},
+            {"spring.NAME.length", with(between + "stiffness = 1\nlength = 7\n"), [=](const Problem& p) {
+                 return spring(p).length == 7.0;
+             }}};
+}
+
 std::vector<RoundTrip> top_level_trips() {
     return {
         {"title",
@@ -704,6 +730,7 @@ std::vector<RoundTrip> all_trips() {
                               geometry_trips(),
                               rod_trips(),
                               body_trips(),
+                              spring_trips(),
                               load_trips(),
                               action_trips(),
                               rotation_trips(),
@@ -753,8 +780,8 @@ TEST_CASE("The values that round trips see are not there by default", "[deck]") 
         if (single.contains(trip.key)) continue;
         const bool has_loads = trip.key.starts_with("load") || trip.key.starts_with("function");
         const bool has_others = trip.key.starts_with("support") || trip.key.starts_with("history") ||
-                                trip.key.starts_with("connect") || trip.key.starts_with("initial") ||
-                                trip.key.starts_with("rotation");
+                                trip.key.starts_with("connect") || trip.key.starts_with("spring") ||
+                                trip.key.starts_with("initial") || trip.key.starts_with("rotation");
         if (has_loads || has_others) continue;  // not there at all without their table
         const bool of_rod = trip.key.starts_with("rod") || trip.key.starts_with("section");
         INFO(trip.key);

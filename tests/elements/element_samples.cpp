@@ -38,6 +38,11 @@ Body carry(const Isometry& isometry, Body body) {
     return body;
 }
 
+Spring carry(const Isometry& isometry, Spring spring) {
+    for (SpringEnd& end : spring.ends) end.arm = isometry.polar(end.arm);
+    return spring;
+}
+
 template <int Nodes>
 RodPiece<Nodes> carry(const Isometry& isometry, RodPiece<Nodes> piece) {
     piece.section.stiffness = isometry.tensor(piece.section.stiffness);
@@ -112,6 +117,16 @@ Body make_body(RandomValues& random, const Vec3& centre_of_mass) {
     return body;
 }
 
+Spring make_spring(RandomValues& random, const std::array<Vec3, 2>& positions) {
+    Spring spring;
+    spring.name = "spring";
+    for (int i = 0; i < 2; ++i) spring.ends[i] = {i, random.vector(0.4)};
+    spring.stiffness = random.number(0.5, 2.0);
+    spring.damping = random.number(0.5, 2.0);
+    spring.length = (positions[1] + spring.ends[1].arm - positions[0] - spring.ends[0].arm).norm();
+    return spring;
+}
+
 namespace {
 
 template <template <int> class RodKind, int Nodes>
@@ -135,6 +150,10 @@ ElementSamples make_samples(unsigned seed, const Isometry& isometry) {
     const Vec3 place_of_body = random.vector();
     const RigidBody central(carry(isometry, make_body(random, Vec3::Zero())));
     const RigidBody offset(carry(isometry, make_body(random, random.vector())));
+    RandomValues random_of_spring(seed + 100);
+    const Vec3 place_of_end = random_of_spring.vector();
+    const std::array<Vec3, 2> ends{place_of_end, place_of_end + random_of_spring.direction()};
+    const SpringElement<2> spring(carry(isometry, make_spring(random_of_spring, ends)));
     // In braces, evaluated in this order.
     return ElementSamples{make_sample(random, "rigid body", central, {place_of_body}, isometry),
                           make_sample(random, "rigid body with offset", offset, {place_of_body}, isometry),
@@ -145,7 +164,8 @@ ElementSamples make_samples(unsigned seed, const Isometry& isometry) {
                           make_rod_sample<ObjectiveElement, 2>(random, "objective", isometry),
                           make_rod_sample<ObjectiveElement, 3>(random, "objective", isometry),
                           make_rod_sample<ObjectiveElement, 4>(random, "objective", isometry),
-                          make_rod_sample<ObjectiveElement, 5>(random, "objective", isometry)};
+                          make_rod_sample<ObjectiveElement, 5>(random, "objective", isometry),
+                          make_sample(random_of_spring, "spring", spring, ends, isometry)};
 }
 
 NodeMotion move(const NodeMotion& previous, const NodeMotion& motion, const Vec6& direction, double amount) {

@@ -6,6 +6,7 @@
 
 #include "elements/rigid_body.hpp"
 #include "elements/rod/rod_element.hpp"
+#include "elements/spring_element.hpp"
 #include "tools/isometry.hpp"
 #include "tools/random_values.hpp"
 
@@ -77,6 +78,10 @@ RodPiece<Nodes> make_rod_piece(RandomValues& random);
 // A body with a full inertia tensor.
 Body make_body(RandomValues& random, const Vec3& centre_of_mass);
 
+// A damped spring between points at some distance from nodes 0 and 1, as long at these places as if nothing
+// acted.
+Spring make_spring(RandomValues& random, const std::array<Vec3, 2>& positions);
+
 using ElementSamples = std::tuple<ElementSample<RigidBody>,
                                   ElementSample<RigidBody>,
                                   ElementSample<SimoElement<2>>,
@@ -86,7 +91,8 @@ using ElementSamples = std::tuple<ElementSample<RigidBody>,
                                   ElementSample<ObjectiveElement<2>>,
                                   ElementSample<ObjectiveElement<3>>,
                                   ElementSample<ObjectiveElement<4>>,
-                                  ElementSample<ObjectiveElement<5>>>;
+                                  ElementSample<ObjectiveElement<5>>,
+                                  ElementSample<SpringElement<2>>>;
 // The isometry carries the elements, their material axes, motions and histories to another place or into a
 // mirror.
 ElementSamples make_samples(unsigned seed, const Isometry& isometry = {});

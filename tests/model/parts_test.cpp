@@ -66,3 +66,22 @@ TEST_CASE("a chain numbered backwards is one part", "[model]") {
     model.rods.push_back(make_rod("r", 1, nodes));
     CHECK(find_parts(model).size() == 1);
 }
+
+TEST_CASE("springs tie parts, if asked", "[model]") {
+    Model model = make_model();
+    Spring spring;
+    spring.ends = {SpringEnd{4}, SpringEnd{6}};
+    model.springs = {spring, spring};
+    model.springs[1].ends[1] = SpringEnd{};  // the ground ties nothing
+    const std::vector<ModelPart> parts = find_parts(model);
+    REQUIRE(parts.size() == 3);
+    CHECK(parts[1].nodes == std::vector{4, 5, 6});
+    CHECK(parts[1].bodies == std::vector{0});
+    CHECK(parts[1].springs == std::vector{0, 1});
+    CHECK(parts[0].springs.empty());
+    const std::vector<ModelPart> by_rods = find_parts(model, Ties::rods);
+    REQUIRE(by_rods.size() == 4);
+    CHECK(by_rods[1].nodes == std::vector{4});
+    CHECK(by_rods[1].springs == std::vector{0, 1});
+    CHECK(by_rods[2].springs == std::vector{0});
+}

@@ -74,10 +74,16 @@ Model make_model() {
 
 OutputSettings make_output() {
     using enum Quantity;
-    HistoryRequest tip{
-        "tip", "spring.end", elements, -1, RodPlace{0, elements - 1, 1.0}, {displacement, velocity, moment}};
-    HistoryRequest top{
-        "top", "top", elements + 1, 0, std::nullopt, {centre_of_mass, angular_velocity_material, quaternion}};
+    HistoryRequest tip{.name = "tip",
+                       .at = "spring.end",
+                       .node = elements,
+                       .place = RodPlace{0, elements - 1, 1.0},
+                       .quantities = {displacement, velocity, moment}};
+    HistoryRequest top{.name = "top",
+                       .at = "top",
+                       .node = elements + 1,
+                       .body = 0,
+                       .quantities = {centre_of_mass, angular_velocity_material, quaternion}};
     OutputSettings output;
     output.histories = {tip, top};
     return output;

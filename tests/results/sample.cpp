@@ -63,10 +63,12 @@ OutputSettings make_output() {
     std::vector<Quantity> of_body = of_node;
     of_body.push_back(centre_of_mass);
 
-    HistoryRequest middle{"middle", "beam@0.5", 1, -1, RodPlace{0, 0, 1.0}, of_rod};
-    HistoryRequest root{"root", "beam.start", 0, -1, RodPlace{0, 0, -1.0}, of_rod};
-    HistoryRequest tip{"tip", "tip", 2, 0, std::nullopt, of_body};
-    HistoryRequest gyro{"gyro", "gyro", 3, 1, std::nullopt, of_body};
+    HistoryRequest middle{
+        .name = "middle", .at = "beam@0.5", .node = 1, .place = RodPlace{0, 0, 1.0}, .quantities = of_rod};
+    HistoryRequest root{
+        .name = "root", .at = "beam.start", .node = 0, .place = RodPlace{0, 0, -1.0}, .quantities = of_rod};
+    HistoryRequest tip{.name = "tip", .at = "tip", .node = 2, .body = 0, .quantities = of_body};
+    HistoryRequest gyro{.name = "gyro", .at = "gyro", .node = 3, .body = 1, .quantities = of_body};
     OutputSettings output;
     output.histories = {middle, root, tip, gyro};
     return output;

@@ -8,6 +8,7 @@
 #include <set>
 #include <span>
 
+#include "deck/build/part.hpp"
 #include "deck/schema/choices.hpp"
 #include "mesh/rod_mesh.hpp"
 #include "model/frame_interval.hpp"
@@ -55,11 +56,16 @@ bool is_reaction(Quantity quantity) {
     return quantity == Quantity::reaction_force || quantity == Quantity::reaction_moment;
 }
 
+bool is_of_springs(Quantity quantity) {
+    return quantity == Quantity::elongation || quantity == Quantity::axial_force;
+}
+
 // Where a history looks.
 struct HistoryPlace {
-    int node;  // -1: between nodes
-    int body;  // -1: of a rod
+    int node;  // -1: between nodes, or a spring
+    int body;  // -1: of a rod or a spring
     std::optional<RodPlace> place;
+    int spring = -1;
 };
 
 // A node's place in the rod; where elements meet, in the first of them.
@@ -111,6 +117,12 @@ RodPlace place_between_nodes(const RodPoint& point, const Rod& rod) {
 }
 
 std::optional<HistoryPlace> find_place(const std::string& text, const BuildContext& context) {
+    if (find_index(context.deck.tables("spring"), text)) {
+        const std::vector<Spring>& springs = context.model.springs;
+        const auto found = std::ranges::find(springs, text, &Spring::name);
+        if (found == springs.end()) return std::nullopt;
+        return HistoryPlace{-1, -1, std::nullopt, static_cast<int>(found - springs.begin())};
+    }
     const std::optional<PlacedPoint> placed = context.place(text);
     if (!placed) return std::nullopt;
     if (placed->body >= 0) return HistoryPlace{placed->node, placed->body, std::nullopt};
@@ -121,6 +133,8 @@ std::optional<HistoryPlace> find_place(const std::string& text, const BuildConte
 
 // Why the point has no such quantity, or "".
 std::string explain_missing(Quantity quantity, const HistoryPlace& point, const Model& model) {
+    if (point.spring >= 0) return is_of_springs(quantity) ? "" : "only points have it; this is a spring";
+    if (is_of_springs(quantity)) return "only springs have it; this is a point";
     if (is_of_rods(quantity) && !point.place) return "only points of rods have it; this one is a body";
     if (quantity == Quantity::centre_of_mass && point.body < 0) {
         return "only bodies have it; this is a point of a rod";
@@ -166,6 +180,7 @@ HistoryRequest build_history(const CheckedTable& table,
                            .at = table.get<std::string>("at"),
                            .node = point.node,
                            .body = point.body,
+                           .spring = point.spring,
                            .place = point.place};
     set_reference(table, request, context);
     for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("quantities")) {

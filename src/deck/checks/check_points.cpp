@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "deck/build/build_springs.hpp"
+#include "deck/build/part.hpp"
+#include "deck/schema/suggestion.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -23,6 +27,17 @@ class PointCheck {
 
     void check_key(const CheckedTable& table, const char* key) {
         if (table.gives(key)) check(table.get<std::string>(key), table.place_of(key), table.path_of(key));
+    }
+
+    // An end of a spring that is not the ground.
+    void check_end(const CheckedWord& word) {
+        const std::string ground = did_you_mean(word.word, {ground_word});
+        const auto found = context_.names.find(word.word);
+        if (ground.empty() || std::holds_alternative<Point>(found)) {
+            check(word.word, word.place, word.path);
+        } else {
+            context_.faults.add(word.place, word.path, fmt::format("no point \"{}\"{}", word.word, ground));
+        }
     }
 
     // A point that needs no node.
@@ -65,11 +80,17 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
             points.check_of_rod(word.word, word.place, word.path, "; a body's `at` puts it on one");
         }
     }
+    for (const CheckedTable& table : context.deck.tables("spring")) {
+        for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("between")) {
+            if (word.word != ground_word) points.check_end(word);
+        }
+    }
     for (const char* key : {"load", "support"}) {
         for (const CheckedTable& table : context.deck.tables(key)) points.check_key(table, "at");
     }
     for (const CheckedTable& table : context.deck.tables("history")) {
-        points.check_place(table, "at");
+        if (!find_index(context.deck.tables("spring"), table.get<std::string>("at")))
+            points.check_place(table, "at");
         points.check_key(table, "relative_to");
     }
     for (const char* key : {"analysis", "stage"}) {

@@ -85,9 +85,16 @@ bool have_same_mesh(const Model& before, const Model& now) {
                a.element_nodes == b.element_nodes;
     };
     const auto same_body = [](const Body& a, const Body& b) { return a.name == b.name && a.node == b.node; };
+    const auto same_end = [](const SpringEnd& a, const SpringEnd& b) {
+        return a.node == b.node && a.arm == b.arm;
+    };
+    const auto same_spring = [&](const Spring& a, const Spring& b) {
+        return a.name == b.name && std::ranges::equal(a.ends, b.ends, same_end);
+    };
     return std::ranges::equal(before.nodes, now.nodes, same_node) &&
            std::ranges::equal(before.rods, now.rods, same_rod) &&
-           std::ranges::equal(before.bodies, now.bodies, same_body);
+           std::ranges::equal(before.bodies, now.bodies, same_body) &&
+           std::ranges::equal(before.springs, now.springs, same_spring);
 }
 
 }  // namespace gxrod

@@ -310,6 +310,7 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
         case ValueType::vector:
             return wrap(reader.vector(node, path));
         case ValueType::points:
+        case ValueType::ends:
             return wrap(read_points(node, path, key, context));
         case ValueType::matrix:
             return wrap(reader.square_matrix(node, path));

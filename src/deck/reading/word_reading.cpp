@@ -103,12 +103,13 @@ std::optional<std::vector<CheckedWord>> read_points(const DeckNode& node,
                                                     const std::string& path,
                                                     const KeySpec& key,
                                                     const ReadingContext& context) {
-    if (node.array() == nullptr || node.array()->size() < 2) {
+    const std::size_t count = node.array() == nullptr ? 0 : node.array()->size();
+    if (count < 2 || (key.type == ValueType::ends && count > 2)) {
         expect(node, path, key, context);
         return std::nullopt;
     }
     std::vector<CheckedWord> points;
-    for (std::size_t i = 0; i < node.array()->size(); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         const DeckNode& element = (*node.array())[i];
         const std::string element_path = fmt::format("{}[{}]", path, i);
         if (element.text() != nullptr) {
@@ -119,7 +120,7 @@ std::optional<std::vector<CheckedWord>> read_points(const DeckNode& node,
                                "expected a point, such as \"rod.end\", found " + describe_found(element));
         }
     }
-    return points.size() == node.array()->size() ? std::optional(std::move(points)) : std::nullopt;
+    return points.size() == count ? std::optional(std::move(points)) : std::nullopt;
 }
 
 decltype(CheckedValue::value) read_mesh_group(const DeckNode& node,

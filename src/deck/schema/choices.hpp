@@ -62,7 +62,7 @@ inline constexpr std::array<Choice<int>, 3> direction_choices{{{"x", 0}, {"y", 1
 inline constexpr std::array<Choice<Compression>, 2> compression_choices{
     {{"none", Compression::none}, {"deflate", Compression::deflate}}};
 
-inline constexpr std::array<Choice<Quantity>, 18> quantity_choices{
+inline constexpr std::array<Choice<Quantity>, 20> quantity_choices{
     {{"position", Quantity::position},
      {"displacement", Quantity::displacement},
      {"rotation_vector", Quantity::rotation_vector},
@@ -80,7 +80,9 @@ inline constexpr std::array<Choice<Quantity>, 18> quantity_choices{
      {"strain", Quantity::strain},
      {"curvature", Quantity::curvature},
      {"reaction_force", Quantity::reaction_force},
-     {"reaction_moment", Quantity::reaction_moment}}};
+     {"reaction_moment", Quantity::reaction_moment},
+     {"elongation", Quantity::elongation},
+     {"axial_force", Quantity::axial_force}}};
 
 template <class Value, std::size_t count>
 std::vector<std::string> words_of(const std::array<Choice<Value>, count>& choices) {

@@ -55,6 +55,7 @@ TableSpec make_root() {
         {.name = "section", .type = ValueType::named_tables, .table = &section_table()},
         {.name = "rod", .type = ValueType::named_tables, .table = &rod_table()},
         {.name = "body", .type = ValueType::named_tables, .table = &body_table()},
+        {.name = "spring", .type = ValueType::named_tables, .table = &spring_table()},
         {.name = "connect", .type = ValueType::table_list, .table = &connect_table()},
         {.name = "load", .type = ValueType::table_list, .table = &load_table()},
         {.name = "support", .type = ValueType::table_list, .table = &support_table()},
@@ -157,6 +158,8 @@ std::string describe_expected(const KeySpec& key) {
             return "a point, such as \"rod.end\", \"rod@0.25\" or \"body\"";
         case ValueType::points:
             return "an array of points, two at least, such as [\"leg.end\", \"beam.start\"]";
+        case ValueType::ends:
+            return "an array of 2 points, such as [\"arm.end\", \"body\"], or of one and \"ground\"";
         case ValueType::choice:
             return (key.choices.size() > 1 ? "one of " : "") + quoted_list(key.choices);
         case ValueType::choices:

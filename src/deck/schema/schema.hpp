@@ -19,6 +19,7 @@ enum class ValueType {
     reference,  // the name of a table elsewhere in the deck
     point,      // a named point: flyer.start, flyer.end, flyer@0.25, gyroscope
     points,     // a list of named points, two at least
+    ends,       // 2 named points, or one and "ground"
     choice,     // one of the key's words
     choices,    // one of the key's words, or a list of them that is not empty
     names,      // the name of a table elsewhere in the deck, or a list of them that is not empty

@@ -303,7 +303,7 @@ const TableSpec& history_table() {
     static const TableSpec table{
         .path = "history",
         .heading = "[[history]]",
-        .sentence = "Quantities of a point, recorded at every step.",
+        .sentence = "Quantities of a point or a spring, recorded at every step.",
         .keys =
             {{.name = "name",
               .type = ValueType::text,
@@ -312,7 +312,7 @@ const TableSpec& history_table() {
              {.name = "at",
               .type = ValueType::point,
               .presence = Presence::required,
-              .sentence = "A point of a rod, between nodes too, or a body."},
+              .sentence = "A point of a rod, between nodes too, a body or a spring."},
              {.name = "relative_to",
               .type = ValueType::point,
               .default_text = "the global axes and the origin",
@@ -326,7 +326,9 @@ const TableSpec& history_table() {
                   "rotation_vector and quaternion are the rotation since t = 0 of a rod's point, the "
                   "attitude of a body; orientation is that of section or body axes for both. force, "
                   "moment (section axes), force_spatial, moment_spatial, strain and curvature are a rod's, "
-                  "centre_of_mass is a body's, reactions are a support's.",
+                  "centre_of_mass is a body's, reactions are a support's. elongation (length less that of "
+                  "the "
+                  "free spring) and axial_force (tension positive, with damping) are a spring's.",
               .choices = words_of(quantity_choices)}},
         .example =
             "[[history]]\n"

@@ -64,6 +64,8 @@ std::string describe_type(const KeySpec& key) {
             return "point";
         case ValueType::points:
             return "points";
+        case ValueType::ends:
+            return "2 points, or a point and `\"ground\"`";
         case ValueType::choice:
             return code_list(key.choices);
         case ValueType::choices:

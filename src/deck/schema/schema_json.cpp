@@ -60,6 +60,8 @@ Json make_type(const KeySpec& key) {
             return {{"type", "string"}};
         case ValueType::points:
             return {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}};
+        case ValueType::ends:
+            return {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}, {"maxItems", 2}};
         case ValueType::choice:
             return {{"enum", key.choices}};
         case ValueType::choices:

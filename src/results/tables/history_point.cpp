@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "rotation/rotation_map.hpp"
+#include "state/spring_line.hpp"
 
 namespace gxrod {
 namespace {
@@ -38,6 +39,7 @@ HistoryPoint::HistoryPoint(const Model& model, const std::vector<HistoryRequest>
       relative_axes_(requests[index].relative_axes) {
     const HistoryRequest& request = requests[index];
     for (std::size_t i = 0; i < index; ++i) point_ += requests[i].place ? 1 : 0;
+    if (request.spring >= 0) spring_ = &model.springs[static_cast<std::size_t>(request.spring)];
     if (request.body >= 0) {
         body_ = &model.bodies[static_cast<std::size_t>(request.body)];
         start_axes_ = body_->attitude;
@@ -109,7 +111,17 @@ void HistoryPoint::go_on_from(Quantity quantity, std::span<const double> row) {
     if (quantity == Quantity::orientation) last_orientation_ = Quat(row[0], row[1], row[2], row[3]);
 }
 
+double HistoryPoint::spring_value(Quantity quantity, const Snapshot& snapshot) const {
+    const auto find = [&](const SpringEnd& end) {
+        return end.is_ground() ? nullptr : &snapshot.nodes[static_cast<std::size_t>(end.node)];
+    };
+    const SpringLine line = compute_spring_line(*spring_, find(spring_->ends[0]), find(spring_->ends[1]));
+    return quantity == Quantity::elongation ? line.length - spring_->length
+                                            : compute_axial_force(*spring_, line);
+}
+
 HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snapshot) {
+    if (spring_) return {spring_value(quantity, snapshot)};
     const Seen seen = see_from_reference(snapshot);
     const NodeMotion& node = seen.motion;
     const Quat axes = node.Lambda * seen.start_axes;
@@ -147,6 +159,9 @@ HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snaps
             return row(snapshot.reactions[static_cast<std::size_t>(node_)].head<3>());
         case Quantity::reaction_moment:
             return row(snapshot.reactions[static_cast<std::size_t>(node_)].tail<3>());
+        case Quantity::elongation:
+        case Quantity::axial_force:
+            break;  // of springs only
     }
     assert(false);
     return {};

@@ -16,13 +16,13 @@ std::vector<RodPlace> list_rod_places(const std::vector<HistoryRequest>& request
 // The values of one named point at a step, for the quantities of the deck's [[history]].
 class HistoryPoint {
   public:
-    // A row's numbers; vectors use the first three.
+    // A row's numbers; vectors use the first three, single numbers the first.
     using Row = std::array<double, 4>;
 
     // For requests[index]. `model` must outlive the point; snapshots must have the points of all requests.
     HistoryPoint(const Model& model, const std::vector<HistoryRequest>& requests, std::size_t index);
 
-    PointKind kind() const { return body_ ? PointKind::body : PointKind::rod; }
+    PointKind kind() const { return spring_ ? PointKind::spring : body_ ? PointKind::body : PointKind::rod; }
     // Chooses the sign of each quaternion that is nearest to the one of the call before.
     Row compute(Quantity quantity, const Snapshot& snapshot);
     // Sets the row that signs of quaternions follow.
@@ -39,16 +39,18 @@ class HistoryPoint {
     // As seen from the point that the request is relative to: places from there, components in its axes,
     // Lambda · start_axes the section or body axes from those.
     Seen see_from_reference(const Snapshot& snapshot) const;
+    double spring_value(Quantity quantity, const Snapshot& snapshot) const;
     Vec3 section_value(Quantity quantity, const Snapshot& snapshot, const Quat& axes) const;
     Row continuous_quaternion(const Quat& rotation, Quat& last);
 
     Vec3 start_ = Vec3::Zero();  // of a node
     Quat start_axes_ = Quat::Identity();
-    int node_;                    // or -1
-    std::size_t point_ = 0;       // of a rod's: in Snapshot::points
-    const Body* body_ = nullptr;  // the point is a body's
-    int relative_node_;           // what the point is relative to, or -1
-    Quat relative_axes_;          // there, at t = 0
+    int node_;                        // or -1
+    std::size_t point_ = 0;           // of a rod's: in Snapshot::points
+    const Body* body_ = nullptr;      // the point is a body's
+    const Spring* spring_ = nullptr;  // or a spring
+    int relative_node_;               // what the point is relative to, or -1
+    Quat relative_axes_;              // there, at t = 0
     Vec3 relative_start_ = Vec3::Zero();
     Quat last_quaternion_ = Quat::Identity();
     Quat last_orientation_ = Quat::Identity();

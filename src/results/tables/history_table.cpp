@@ -21,8 +21,8 @@ RowShape shape_of(const Hdf5Handle& group, const std::string& name) {
     const Hdf5Handle dataset(H5Dopen2(group.id(), name.c_str(), H5P_DEFAULT), H5Dclose, "opening a dataset");
     const Hdf5Handle space(H5Dget_space(dataset.id()), H5Sclose, "dataspace");
     std::array<hsize_t, 2> size{0, 1};
-    H5Sget_simple_extent_dims(space.id(), size.data(), nullptr);
-    return {static_cast<int>(size[1]), true};
+    const bool is_vector = H5Sget_simple_extent_dims(space.id(), size.data(), nullptr) > 1;
+    return {static_cast<int>(size[1]), is_vector};
 }
 
 // Writes which point a history is of; throws if it already belongs to another.

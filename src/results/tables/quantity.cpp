@@ -81,6 +81,10 @@ QuantityForm quantity_form(Quantity quantity, PointKind kind) {
         case Quantity::reaction_moment:
             return {{"reaction_moment", "moment that the support exerts", "spatial", "force·length"},
                     vector_row};
+        case Quantity::elongation:
+            return {{"elongation", "length less that at which the spring is free", "none", "length"}, scalar_row};
+        case Quantity::axial_force:
+            return {{"axial_force", "tension of spring and damper", "none", "force"}, scalar_row};
     }
     assert(false);
     return {};

@@ -280,3 +280,28 @@ TEST_CASE("An end of a rod that comes back to its node has its own axes", "[resu
         (matrix_of(HistoryPoint(model, requests, root), Quantity::orientation, motion) - start_axes).norm() <
         1e-14);
 }
+
+TEST_CASE("A spring's history is its elongation and its tension", "[results]") {
+    // From the origin to an arm of node 3, which moves and turns.
+    Model model = sample::make_model();
+    const Motion motion(0.7);
+    Spring spring;
+    spring.ends = {SpringEnd{}, SpringEnd{3, Vec3(0.3, 0.2, -0.1)}};
+    spring.stiffness = 7.0;
+    spring.damping = 2.0;
+    spring.length = 1.5;
+    model.springs.push_back(spring);
+    HistoryRequest request;
+    request.node = -1;
+    request.spring = 0;
+    HistoryPoint point(model, {request}, 0);
+    CHECK(point.kind() == PointKind::spring);
+    const NodeMotion& node = motion.nodes[3];
+    const Vec3 u = node.Lambda * spring.ends[1].arm;
+    const Vec3 d = node.r + u;
+    const double rate = d.normalized().dot(node.v + node.omega.cross(u));
+    const Snapshot snapshot = motion.snapshot();
+    CHECK(point.compute(Quantity::elongation, snapshot)[0] == Approx(d.norm() - 1.5).epsilon(1e-14));
+    CHECK(point.compute(Quantity::axial_force, snapshot)[0] ==
+          Approx(7.0 * (d.norm() - 1.5) + 2.0 * rate).epsilon(1e-14));
+}

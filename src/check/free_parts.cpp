@@ -1,0 +1,167 @@
+#include "check/free_parts.hpp"
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <algorithm>
+
+#include "elements/spring_element.hpp"
+#include "rotation/rotation_map.hpp"
+
+namespace gxrod {
+namespace {
+
+// Of rows with entries up to 1, and of what a motion of length 1 moves a part: zero.
+constexpr double round_off = 1e-9;
+// So many parts that springs tie to each other are not examined: it would take longer than a user waits.
+constexpr std::size_t most_parts = 200;
+
+// Parts that springs tie to each other. A motion of theirs is (v, size · ω) about the centre of each, one
+// after the other.
+class SprungParts {
+  public:
+    SprungParts(const Model& model, std::vector<ModelPart> parts) : model_(model), parts_(std::move(parts)) {
+        for (const ModelPart& part : parts_) extents_.push_back(measure(model, part));
+    }
+
+    const std::vector<ModelPart>& parts() const { return parts_; }
+
+    // Columns: the free motions.
+    Eigen::MatrixXd find_free_motions(const std::vector<int>& springs) const {
+        std::vector<Eigen::MatrixXd> blocks;
+        Eigen::Index count = 0;
+        const auto add = [&](Eigen::MatrixXd rows) {
+            count += rows.rows();
+            blocks.push_back(std::move(rows));
+        };
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            const Eigen::MatrixXd own = build_support_rows(model_, parts_[i]);
+            Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(own.rows(), unknowns());
+            rows.middleCols(6 * static_cast<Eigen::Index>(i), 6) = own;
+            add(std::move(rows));
+        }
+        for (const int index : springs) {
+            const Spring& spring = model_.springs[index];
+            if (spring.stiffness == 0.0) continue;
+            add(spring.has_ground() ? build_rows<1>(spring) : build_rows<2>(spring));
+        }
+        Eigen::MatrixXd all(count, unknowns());
+        Eigen::Index row = 0;
+        for (const Eigen::MatrixXd& rows : blocks) {
+            all.middleRows(row, rows.rows()) = rows;
+            row += rows.rows();
+        }
+        // What is left of the space of the rows.
+        const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> space(all.transpose());
+        Eigen::Index rank = 0;
+        const auto pivots = space.matrixQR().diagonal().cwiseAbs();
+        while (rank < pivots.size() && pivots[rank] > round_off) ++rank;
+        const Eigen::MatrixXd Q = space.householderQ();
+        return Q.rightCols(unknowns() - rank);
+    }
+
+  private:
+    Eigen::Index unknowns() const { return 6 * static_cast<Eigen::Index>(parts_.size()); }
+
+    std::size_t part_of(int node) const {
+        std::size_t part = 0;
+        while (!std::ranges::binary_search(parts_[part].nodes, node)) ++part;
+        return part;
+    }
+
+    // (δr, δφ) of a node by the motion of its part.
+    Mat6 carry(std::size_t part, int node) const {
+        const double size = extents_[part].size;
+        Mat6 moved = Mat6::Identity();
+        moved.topRightCorner<3, 3>() = -spin(model_.nodes[node].position - extents_[part].centre) / size;
+        moved.bottomRightCorner<3, 3>() /= size;
+        return moved;
+    }
+
+    // The spring's tangent at t = 0, of these motions, with entries up to 1.
+    template <int Nodes>
+    Eigen::MatrixXd build_rows(const Spring& spring) const {
+        const SpringElement<Nodes> element(spring);
+        std::array<NodeMotion, Nodes> at_start;
+        Motions<Nodes> motions;
+        Eigen::MatrixXd carried = Eigen::MatrixXd::Zero(6 * Nodes, unknowns());
+        for (int i = 0; i < Nodes; ++i) {
+            const int node = element.nodes[i];
+            at_start[i].r = model_.nodes[node].position;
+            motions[i] = &at_start[i];
+            const std::size_t part = part_of(node);
+            carried.block<6, 6>(6 * i, 6 * static_cast<Eigen::Index>(part)) = carry(part, node);
+        }
+        const NodeLinearization placement{.placement = 1.0};
+        Linearizations<Nodes> linearizations;
+        linearizations.fill(&placement);
+        NodalMatrix<Nodes> tangent = NodalMatrix<Nodes>::Zero();
+        element.add_internal_tangent(motions, {}, linearizations, tangent);
+        const Eigen::MatrixXd rows = carried.transpose() * tangent * carried;
+        const double largest = rows.cwiseAbs().maxCoeff();
+        return largest > 0.0 ? Eigen::MatrixXd(rows / largest) : rows;
+    }
+
+    const Model& model_;
+    std::vector<ModelPart> parts_;
+    std::vector<PartExtent> extents_;
+};
+
+// Rows whose product with the columns is zero: what the motions that the columns span leave held.
+Eigen::MatrixXd find_held_rows(const Eigen::MatrixXd& columns) {
+    if (columns.cols() == 0) return Eigen::MatrixXd::Identity(6, 6);
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(columns, Eigen::ComputeFullU);
+    const Eigen::Index rank = (svd.singularValues().array() > round_off).count();
+    return svd.matrixU().rightCols(6 - rank).transpose();
+}
+
+// Calls visit(parts tied by rods, springs) for each part of the model.
+template <class Visit>
+void for_each_whole(const Model& model, Visit&& visit) {
+    const std::vector<ModelPart> tied_by_rods = find_parts(model, Ties::rods);
+    std::vector<std::size_t> part_of(model.nodes.size());
+    for (std::size_t part = 0; part < tied_by_rods.size(); ++part) {
+        for (const int node : tied_by_rods[part].nodes) part_of[node] = part;
+    }
+    for (const ModelPart& whole : find_parts(model)) {
+        std::vector<ModelPart> parts;
+        for (const int node : whole.nodes) {
+            const ModelPart& part = tied_by_rods[part_of[node]];
+            if (part.nodes.front() == node) parts.push_back(part);
+        }
+        visit(parts, whole.springs);
+    }
+}
+
+}  // namespace
+
+std::vector<FreePart> find_free_parts(const Model& model) {
+    std::vector<FreePart> free;
+    const auto add = [&](const ModelPart& part, std::vector<UnsupportedMotion> motions) {
+        if (!motions.empty()) free.push_back({part, std::move(motions)});
+    };
+    for_each_whole(model, [&](const std::vector<ModelPart>& parts, const std::vector<int>& springs) {
+        if (springs.empty()) return add(parts.front(), find_unsupported_motions(model, parts.front()));
+        if (parts.size() > most_parts) return;
+        const Eigen::MatrixXd motions = SprungParts(model, parts).find_free_motions(springs);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const Eigen::MatrixXd held =
+                find_held_rows(motions.middleRows(6 * static_cast<Eigen::Index>(i), 6));
+            add(parts[i], find_unsupported_motions(model, parts[i], held));
+        }
+    });
+    return free;
+}
+
+std::size_t count_free_motions(const Model& model) {
+    std::size_t count = 0;
+    for_each_whole(model, [&](const std::vector<ModelPart>& parts, const std::vector<int>& springs) {
+        if (springs.empty()) {
+            count += find_unsupported_motions(model, parts.front()).size();
+        } else if (parts.size() <= most_parts) {
+            count += static_cast<std::size_t>(SprungParts(model, parts).find_free_motions(springs).cols());
+        }
+    });
+    return count;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "check/unsupported_motions.hpp"
+
+namespace gxrod {
+
+// A part whose nodes rods tie to each other, and its rigid motions that nothing holds at t = 0.
+struct FreePart {
+    ModelPart part;
+    std::vector<UnsupportedMotion> motions;  // at least one
+};
+
+// What supports and springs leave free. A spring holds what its tangent resists: a motion along its line and,
+// where it pulls or pushes at t = 0, across it. A part that moves together with others by springs is listed
+// with all of its share in such motions.
+std::vector<FreePart> find_free_parts(const Model& model);
+
+// How many motions of the whole model are free.
+std::size_t count_free_motions(const Model& model);
+
+}  // namespace gxrod

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "elements/element.hpp"
+#include "state/spring_line.hpp"
+
+namespace gxrod {
+
+// A spring and damper along the line between two points, each carried by a node or fixed: of one node between
+// the ground and its node. No inertia.
+template <int Nodes>
+class SpringElement {
+    static_assert(Nodes == 1 || Nodes == 2);
+
+  public:
+    static constexpr int node_count = Nodes;
+    static constexpr int history_count = 0;
+    static constexpr int point_count = 0;
+    static constexpr bool has_section = false;
+    std::array<int, Nodes> nodes;
+
+    // One of the spring's ends is the ground if this has one node.
+    explicit SpringElement(const Spring& spring);
+
+    void add_internal_force(const Motions<Nodes>& motions, Histories, NodalVector<Nodes>& force) const;
+    void add_internal_tangent(const Motions<Nodes>& motions,
+                              Histories,
+                              const Linearizations<Nodes>& linearizations,
+                              NodalMatrix<Nodes>& tangent) const;
+    // It has no force points: the internal tangent.
+    void add_mixed_tangent(const Motions<Nodes>& motions,
+                           Histories histories,
+                           Resultants,
+                           const Linearizations<Nodes>& linearizations,
+                           NodalMatrix<Nodes>& tangent) const {
+        add_internal_tangent(motions, histories, linearizations, tangent);
+    }
+    void advance_resultants(const Motions<Nodes>&,
+                            Histories,
+                            const NodalVector<Nodes>&,
+                            std::span<Vec6>) const {}
+    void add_inertial_force(const Motions<Nodes>&, const Vec3&, NodalVector<Nodes>&) const {}
+    void add_inertial_tangent(const Motions<Nodes>&,
+                              const Vec3&,
+                              const Linearizations<Nodes>&,
+                              NodalMatrix<Nodes>&) const {}
+    bool is_damped() const { return spring_.damping > 0.0; }
+    void add_damping_force(const Motions<Nodes>& motions, Histories, NodalVector<Nodes>& force) const;
+    void add_damping_tangent(const Motions<Nodes>& motions,
+                             Histories,
+                             const Linearizations<Nodes>& linearizations,
+                             NodalMatrix<Nodes>& tangent) const;
+    double damping_action(const Motions<Nodes>& before, const Motions<Nodes>& after, Histories) const;
+    void start(std::span<SectionHistory>) const {}
+    void commit(const Motions<Nodes>&, std::span<SectionHistory>) const {}
+    double largest_relative_rotation(const Motions<Nodes>&) const { return 0.0; }
+    double strain_energy(const Motions<Nodes>& motions, Histories) const;
+    double kinetic_energy(const Motions<Nodes>&) const { return 0.0; }
+    double gravity_potential(const Motions<Nodes>&, const Vec3&) const { return 0.0; }
+    Momentum momentum(const Motions<Nodes>&) const { return {}; }
+
+  private:
+    using Columns = Eigen::Matrix<double, 3, 6 * Nodes>;  // of a vector, by (δr, δφ) of the nodes
+
+    // +1: node i carries B, −1: A.
+    double sign(int i) const { return ends_[i] == 0 ? -1.0 : 1.0; }
+    Vec3 arm(const Motions<Nodes>& motions, int i) const {
+        return motions[i]->Lambda * spring_.ends[ends_[i]].arm;
+    }
+    SpringLine compute_line(const Motions<Nodes>& motions) const;
+    // Of the force on point B, by the line and its rate.
+    Vec3 compute_elastic_force(const SpringLine& line) const;
+    Mat3 compute_stiffness(const SpringLine& line) const;
+    void add_force(const Motions<Nodes>& motions, const Vec3& at_B, NodalVector<Nodes>& force) const;
+    // δd and δ(rate of d).
+    Columns differentiate_line(const Motions<Nodes>& motions, const Linearizations<Nodes>& linear) const;
+    Columns differentiate_rate(const Motions<Nodes>& motions, const Linearizations<Nodes>& linear) const;
+    // Of a force on point B whose derivative is known.
+    void add_tangent(const Motions<Nodes>& motions,
+                     const Linearizations<Nodes>& linear,
+                     const Vec3& at_B,
+                     const Columns& derivative,
+                     NodalMatrix<Nodes>& tangent) const;
+
+    Spring spring_;
+    std::array<std::size_t, Nodes> ends_;  // of the spring: which of them each node carries
+};
+
+extern template class SpringElement<1>;
+extern template class SpringElement<2>;
+
+static_assert(Element<SpringElement<1>>);
+static_assert(Element<SpringElement<2>>);
+
+}  // namespace gxrod
