@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "model/anchor.hpp"
+#include "model/time_function.hpp"
+#include "rotation/types.hpp"
+
+namespace gxrod {
+
+// What a joint leaves free: of B against A.
+enum class JointKind {
+    ball,       // all turns
+    hinge,      // a turn about the axis
+    cylinder,   // a turn about the axis and a slide along it
+    slider,     // a slide along the axis
+    universal,  // turns about the axis, which A carries, and about another one at right angles to it, which B
+                // carries
+    screw,      // a turn about the axis and with it a slide along it
+    plane,      // slides across the axis and the turn about it
+    weld,       // nothing
+    distance    // all but the distance of two points
+};
+
+// A joint's side: its point, and axes at t = 0, global; columns are the joint's axis and two across it. Both
+// sides have the same axes, except B of a universal joint, whose first column is the axis that B carries and
+// whose second is the axis that A carries.
+struct JointSide {
+    Anchor anchor;
+    Mat3 axes = Mat3::Identity();
+};
+
+// A friction of a free coordinate: within ± `force` (a moment of a turn, a force of a slide) it sticks,
+// elastically up to `stick` (rad or length).
+struct Friction {
+    double force = 0.0;
+    double stick = 0.0;
+};
+
+// Bounds of a free coordinate, beyond which a spring and a damper act.
+struct CoordinateLimits {
+    std::optional<double> lower, upper;
+    double stiffness = 0.0;
+    double damping = 0.0;
+};
+
+// What acts on a coordinate that a joint leaves free. A turn is the right-hand one of B against A about the
+// axis, in rad, of any number of turns; a slide is of B against A along the axis. Both are 0 at t = 0. A
+// universal joint's turn is the one about A's axis.
+struct JointCoordinate {
+    std::optional<TimeFunction> motion;  // a motor: the coordinate as a function of time
+    TimeFunction drive;                  // moment or force that A exerts on B in addition to all else
+    double stiffness = 0.0;
+    double damping = 0.0;
+    TimeFunction rest;  // value at which the spring exerts nothing
+    Friction friction;
+    CoordinateLimits limits;
+};
+
+// Two points of rods, bodies or the ground, A and B, and what they can still do against each other.
+struct Joint {
+    std::string name;
+    JointKind kind = JointKind::ball;
+    JointSide a, b;  // at most one on the ground
+    JointCoordinate turn, slide;
+    double lead = 0.0;    // of a screw: slide of one turn
+    double length = 0.0;  // of a distance joint
+
+    bool has_ground() const { return a.anchor.is_ground() || b.anchor.is_ground(); }
+    // Whether the kind leaves a turn about one axis, or a slide along one, free.
+    bool has_turn() const;
+    bool has_slide() const;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <array>
+
+namespace gxrod {
+
+// What evolves of a joint.
+struct JointState {
+    std::array<double, 6>
+        multipliers{};  // one for each of its equations: forces and moments that A exerts on B
+    double turn = 0.0;  // of B against A about the axis, whole turns included
+    double turn_slip = 0.0, slide_slip = 0.0;  // where the friction of turn and slide exerts nothing
+};
+
+}  // namespace gxrod

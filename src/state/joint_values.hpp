@@ -1,0 +1,24 @@
+#pragma once
+
+#include "rotation/types.hpp"
+
+namespace gxrod {
+
+// What a history tells of a joint at a step. Forces and moments are those that A exerts on B, moments about
+// the joint's point.
+struct JointValues {
+    double turn = 0.0;  // of B against A, any number of turns; 0 of a joint without one
+    double turn_rate = 0.0;
+    double slide = 0.0;  // likewise
+    double slide_rate = 0.0;
+    Vec3 force = Vec3::Zero();  // global
+    Vec3 moment = Vec3::Zero();
+    Vec3 force_in_joint = Vec3::Zero();  // in the axes of A's side, the joint's own first
+    Vec3 moment_in_joint = Vec3::Zero();
+    double motor_turn = 0.0;   // moment of the turn's motor
+    double motor_slide = 0.0;  // force of the slide's motor
+    double friction = 0.0;     // moment or force of it
+    double gap = 0.0;          // how far the joint's equations are from being satisfied, a length
+};
+
+}  // namespace gxrod
