@@ -168,10 +168,4 @@ ElementSamples make_samples(unsigned seed, const Isometry& isometry) {
                           make_sample(random_of_spring, "spring", spring, ends, isometry)};
 }
 
-NodeMotion move(const NodeMotion& previous, const NodeMotion& motion, const Vec6& direction, double amount) {
-    NodeMotion moved = motion;
-    apply_spin(previous, amount * direction.head<3>(), amount * direction.tail<3>(), moved);
-    return moved;
-}
-
 }  // namespace gxrod::tools

@@ -108,7 +108,4 @@ void for_each_sample(Check&& check) {
     }
 }
 
-// A node moved along the direction (δr, δφ) by the factor `amount`, in place only.
-NodeMotion move(const NodeMotion& previous, const NodeMotion& motion, const Vec6& direction, double amount);
-
 }  // namespace gxrod::tools

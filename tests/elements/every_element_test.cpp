@@ -2,9 +2,9 @@
 // are derivatives of forces, momenta and energies balance.
 
 #include "elements/element_samples.hpp"
-#include "rotation/rates.hpp"
 #include "tools/catch.hpp"
 #include "tools/difference.hpp"
+#include "tools/node_paths.hpp"
 
 using namespace gxrod;
 using namespace gxrod::tools;
@@ -18,23 +18,6 @@ template <int Nodes, class Visit>
 void for_each_unknown(Visit&& visit) {
     for (int unknown = 0; unknown < 6 * Nodes; ++unknown)
         visit(unknown, unknown / 6, Vec6::Unit(unknown % 6));
-}
-
-// All nodes at the given amount along a linearized motion: placement, rates and accelerations follow (δr,
-// δφ).
-NodeMotion follow(const NodeMotion& previous,
-                  const NodeMotion& motion,
-                  const NodeLinearization& linearization,
-                  const Vec6& direction,
-                  double amount) {
-    NodeMotion moved = move(previous, motion, direction, linearization.placement * amount);
-    const Vec3 delta_r = amount * direction.head<3>();
-    const Vec3 delta_phi = amount * direction.tail<3>();
-    moved.v += linearization.rate * delta_r;
-    moved.a += linearization.acceleration * delta_r;
-    moved.omega += linearization.d_omega * delta_phi;
-    moved.alpha += linearization.d_alpha * delta_phi;
-    return moved;
 }
 
 // Force of an element whose node `node` is moved by `amount`, as the linearization says.
@@ -59,42 +42,6 @@ Linearizations<E::node_count> at_every_node(const ElementSample<E>&, const NodeL
     pointers.fill(&linearization);
     return pointers;
 }
-
-// Each member of a linearization alone, and all together.
-std::vector<std::pair<std::string, NodeLinearization>> make_linearizations() {
-    RandomValues random(11);
-    NodeLinearization placement, rate, acceleration, d_omega, d_alpha;
-    placement.placement = 1.0;
-    rate.rate = 1.7;
-    acceleration.acceleration = 2.3;
-    d_omega.d_omega = random.matrix<3>();
-    d_alpha.d_alpha = random.matrix<3>();
-    return {{"placement", placement},
-            {"rate", rate},
-            {"acceleration", acceleration},
-            {"d_omega", d_omega},
-            {"d_alpha", d_alpha},
-            {"all", {1.0, 1.7, 2.3, random.matrix<3>(), random.matrix<3>()}}};
-}
-
-// A node's smooth motion through sample.motions at t = 0: r and the rotation vector are cubic in t.
-struct SmoothMotion {
-    NodeMotion start;
-    Vec3 r_jerk, theta_dot, theta_ddot, theta_jerk;
-
-    NodeMotion at(double t) const {
-        NodeMotion motion = start;
-        motion.r = start.r + t * start.v + 0.5 * t * t * start.a + t * t * t / 6.0 * r_jerk;
-        motion.v = start.v + t * start.a + 0.5 * t * t * r_jerk;
-        motion.a = start.a + t * r_jerk;
-        const Vec3 phi = t * theta_dot + 0.5 * t * t * theta_ddot + t * t * t / 6.0 * theta_jerk;
-        const Vec3 phi_dot = theta_dot + t * theta_ddot + 0.5 * t * t * theta_jerk;
-        motion.Lambda = exp_quaternion(phi) * start.Lambda;
-        motion.omega = angular_velocity(phi, phi_dot);
-        motion.alpha = angular_acceleration(phi, phi_dot, theta_ddot + t * theta_jerk);
-        return motion;
-    }
-};
 
 template <Element E>
 class SmoothElementMotion {

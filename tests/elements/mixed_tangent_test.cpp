@@ -4,6 +4,7 @@
 #include "state/increment.hpp"
 #include "tools/catch.hpp"
 #include "tools/difference.hpp"
+#include "tools/node_paths.hpp"
 
 using namespace gxrod;
 using namespace gxrod::tools;

@@ -5,6 +5,7 @@
 #include "elements/rod/rod_run.hpp"
 #include "tools/catch.hpp"
 #include "tools/difference.hpp"
+#include "tools/node_paths.hpp"
 
 using namespace gxrod;
 using namespace gxrod::tools;

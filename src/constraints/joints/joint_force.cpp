@@ -1,0 +1,200 @@
+#include "constraints/joints/joint_force.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gxrod {
+
+namespace {
+
+// How far a coordinate is beyond a limit, at which rate, and what pushes it back; nothing pulls.
+struct LimitPush {
+    double depth = 0.0;
+    double rate = 0.0;
+    double force = 0.0;      // ≥ 0, towards the inside
+    double direction = 0.0;  // of the force, along the coordinate
+};
+
+LimitPush compute_push(const CoordinateLimits& limits, const ScalarJet& coordinate) {
+    LimitPush push;
+    if (limits.upper && coordinate.value > *limits.upper)
+        push = {coordinate.value - *limits.upper, coordinate.rate, 0.0, -1.0};
+    else if (limits.lower && coordinate.value < *limits.lower)
+        push = {*limits.lower - coordinate.value, -coordinate.rate, 0.0, 1.0};
+    push.force = std::max(limits.stiffness * push.depth + limits.damping * push.rate, 0.0);
+    return push;
+}
+
+void add_limits(const CoordinateLimits& limits, const ScalarJet& coordinate, CoordinateForce& force) {
+    const LimitPush push = compute_push(limits, coordinate);
+    if (push.force == 0.0) return;
+    force.value += push.direction * push.force;
+    force.by_coordinate -= limits.stiffness;
+    force.by_rate -= limits.damping;
+}
+
+void add_friction(const Friction& friction, double coordinate, double slip, CoordinateForce& force) {
+    if (friction.force == 0.0) return;
+    const double stretch = coordinate - slip;
+    const double stiffness = friction.force / friction.stick;
+    force.value -= stiffness * std::clamp(stretch, -friction.stick, friction.stick);
+    if (std::abs(stretch) < friction.stick) force.by_coordinate -= stiffness;
+}
+
+// Whether forces other than a motor's act.
+bool is_acted_on(const JointCoordinate& laws) {
+    const bool has_limits = laws.limits.lower || laws.limits.upper;
+    return laws.stiffness != 0.0 || laws.damping != 0.0 || !laws.drive.is_zero() ||
+           laws.friction.force != 0.0 || has_limits;
+}
+
+// What a force on a coordinate adds to a joint's tangent. Coordinate: JointTurn or LinkProduct.
+template <class Coordinate>
+void add_coordinate_tangent(const Coordinate& coordinate,
+                            const CoordinateForce& force,
+                            const JointMotions& motions,
+                            const JointLinearizations& linearizations,
+                            PairMatrix& tangent) {
+    const PairRow gradient = coordinate.compute_gradient(motions);
+    const Jet<PairRow> change = coordinate.differentiate(motions, linearizations);
+    const PairMatrix turned = force.value * coordinate.compute_second_derivative(motions);
+    tangent.leftCols<6>() += linearizations.a.placement * turned.leftCols<6>();
+    tangent.rightCols<6>() += linearizations.b.placement * turned.rightCols<6>();
+    tangent += gradient.transpose() * (force.by_coordinate * change.value + force.by_rate * change.rate);
+}
+
+}  // namespace
+
+CoordinateForce compute_coordinate_force(const JointCoordinate& laws,
+                                         const ScalarJet& coordinate,
+                                         const CoordinateInputs& inputs,
+                                         double slip) {
+    CoordinateForce force;
+    force.value =
+        inputs.drive - laws.stiffness * (coordinate.value - inputs.rest) - laws.damping * coordinate.rate;
+    force.by_coordinate = -laws.stiffness;
+    force.by_rate = -laws.damping;
+    add_friction(laws.friction, coordinate.value, slip, force);
+    add_limits(laws.limits, coordinate, force);
+    return force;
+}
+
+double compute_coordinate_energy(const JointCoordinate& laws,
+                                 double coordinate,
+                                 const CoordinateInputs& inputs,
+                                 double slip) {
+    const double stretch = coordinate - inputs.rest;
+    const double depth = compute_push(laws.limits, {coordinate, 0.0, 0.0}).depth;
+    double energy = 0.5 * (laws.stiffness * stretch * stretch + laws.limits.stiffness * depth * depth);
+    if (laws.friction.force != 0.0) {
+        const double elastic = std::min(std::abs(coordinate - slip), laws.friction.stick);
+        energy += 0.5 * laws.friction.force / laws.friction.stick * elastic * elastic;
+    }
+    return energy;
+}
+
+double compute_coordinate_damping_power(const JointCoordinate& laws, const ScalarJet& coordinate) {
+    const LimitPush push = compute_push(laws.limits, coordinate);
+    return laws.damping * coordinate.rate * coordinate.rate +
+           (push.force - laws.limits.stiffness * push.depth) * push.rate;
+}
+
+double compute_slip(const Friction& friction, double coordinate, double slip) {
+    return std::clamp(slip, coordinate - friction.stick, coordinate + friction.stick);
+}
+
+double compute_first_slip(const Friction& friction, const ScalarJet& coordinate) {
+    if (coordinate.rate == 0.0) return coordinate.value;
+    return coordinate.value - std::copysign(friction.stick, coordinate.rate);
+}
+
+double compute_slip_dissipation(const Friction& friction, double slip_before, double slip) {
+    return friction.force * std::abs(slip - slip_before);
+}
+
+JointForces::JointForces(const Joint& joint) : turn_laws_(joint.turn), slide_laws_(joint.slide) {
+    const JointCoordinates coordinates(joint);
+    if (is_acted_on(turn_laws_)) turn_ = coordinates.turn;
+    if (is_acted_on(slide_laws_)) slide_ = coordinates.slide;
+}
+
+template <class Visit>
+void JointForces::visit(const JointMotions& motions, double turn_before, Visit&& visit_one) const {
+    if (turn_) {
+        const ScalarJet jet = turn_->compute_jet(motions, turn_before);
+        visit_one(Acting<JointTurn>{*turn_, turn_laws_, jet, &JointInputs::turn, &JointSlips::turn});
+    }
+    if (slide_) {
+        const ScalarJet jet = slide_->compute_jet(motions);
+        visit_one(Acting<LinkProduct>{*slide_, slide_laws_, jet, &JointInputs::slide, &JointSlips::slide});
+    }
+}
+
+PairRow JointForces::compute_force(const JointMotions& motions,
+                                   double turn_before,
+                                   const JointInputs& inputs,
+                                   const JointSlips& slips) const {
+    PairRow force = PairRow::Zero();
+    visit(motions, turn_before, [&](const auto& it) {
+        force += compute_coordinate_force(it.laws, it.jet, inputs.*it.inputs, slips.*it.slip).value *
+                 it.coordinate.compute_gradient(motions);
+    });
+    return force;
+}
+
+PairMatrix JointForces::compute_tangent(const JointMotions& motions,
+                                        const JointLinearizations& linearizations,
+                                        double turn_before,
+                                        const JointInputs& inputs,
+                                        const JointSlips& slips) const {
+    PairMatrix tangent = PairMatrix::Zero();
+    visit(motions, turn_before, [&](const auto& it) {
+        const auto force = compute_coordinate_force(it.laws, it.jet, inputs.*it.inputs, slips.*it.slip);
+        add_coordinate_tangent(it.coordinate, force, motions, linearizations, tangent);
+    });
+    return tangent;
+}
+
+double JointForces::compute_strain_energy(const JointMotions& motions,
+                                          double turn_before,
+                                          const JointInputs& inputs,
+                                          const JointSlips& slips) const {
+    double energy = 0.0;
+    visit(motions, turn_before, [&](const auto& it) {
+        energy += compute_coordinate_energy(it.laws, it.jet.value, inputs.*it.inputs, slips.*it.slip);
+    });
+    return energy;
+}
+
+double JointForces::compute_damping_power(const JointMotions& motions, double turn_before) const {
+    double power = 0.0;
+    visit(motions, turn_before, [&](const auto& it) {
+        power += compute_coordinate_damping_power(it.laws, it.jet);
+    });
+    return power;
+}
+
+JointSlips JointForces::compute_slips(const JointMotions& motions,
+                                      double turn_before,
+                                      const JointSlips& before) const {
+    JointSlips slips = before;
+    visit(motions, turn_before, [&](const auto& it) {
+        slips.*it.slip = compute_slip(it.laws.friction, it.jet.value, before.*it.slip);
+    });
+    return slips;
+}
+
+JointSlips JointForces::compute_first_slips(const JointMotions& motions, double turn_before) const {
+    JointSlips slips;
+    visit(motions, turn_before, [&](const auto& it) {
+        slips.*it.slip = compute_first_slip(it.laws.friction, it.jet);
+    });
+    return slips;
+}
+
+double JointForces::compute_dissipation(const JointSlips& before, const JointSlips& slips) const {
+    return compute_slip_dissipation(turn_laws_.friction, before.turn, slips.turn) +
+           compute_slip_dissipation(slide_laws_.friction, before.slide, slips.slide);
+}
+
+}  // namespace gxrod

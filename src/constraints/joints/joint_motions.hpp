@@ -1,0 +1,24 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "state/motion.hpp"
+
+namespace gxrod {
+
+// By the unknowns (δr, δφ) of A, then of B.
+using PairRow = Eigen::Matrix<double, 1, 12>;
+using PairMatrix = Eigen::Matrix<double, 12, 12>;
+using PairJacobian = Eigen::Matrix<double, 3, 12>;
+
+// The motions of the nodes of A and B, and how they follow the unknowns; the ground rests at the origin.
+struct JointMotions {
+    const NodeMotion& a;
+    const NodeMotion& b;
+};
+struct JointLinearizations {
+    const NodeLinearization& a;
+    const NodeLinearization& b;
+};
+
+}  // namespace gxrod

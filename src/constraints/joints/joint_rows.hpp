@@ -1,0 +1,102 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "constraints/joints/joint_coordinate.hpp"
+#include "model/joint.hpp"
+#include "state/constraint_level.hpp"
+
+namespace gxrod {
+
+// The most equations that a joint has.
+constexpr int most_joint_rows = 6;
+
+using JointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_joint_rows, 1>;
+// By (δr, δφ) of A, then of B.
+using JointMatrix = Eigen::Matrix<double, Eigen::Dynamic, 12, 0, most_joint_rows, 12>;
+
+// A coordinate that a motor prescribes, and its derivatives by time.
+struct PrescribedCoordinate {
+    double value = 0.0;
+    double rate = 0.0;
+    double acceleration = 0.0;
+};
+
+// What motors prescribe at the time of an equilibrium.
+struct JointMotors {
+    PrescribedCoordinate turn, slide;
+};
+
+// How far a joint is from closed: the largest |Φ| of its lengths, and of its turns and products of unit
+// vectors.
+struct JointGap {
+    double length = 0.0;
+    double angle = 0.0;
+};
+
+// The equations Φ = 0 of one joint, docs/theory/joints.md (J6) to (J11), each with a multiplier λ: the joint
+// exerts Gᵀλ on the nodes of A and B, G = ∂Φ/∂(δr, δφ); of a point's equations λ is the force of A on B.
+// Lengths come in the deck's unit, turns and products of unit vectors as they are.
+// Turns of any number: `turn_before` is the turn at the last accepted step.
+class JointRows {
+  public:
+    explicit JointRows(const Joint& joint);
+
+    int count() const { return count_; }
+    // Whether a row is a length, so that its multiplier is a force; otherwise a turn, with a moment.
+    bool is_length(int row) const { return rows_[row].is_length; }
+    // Whether Φ = 0 says no more than that nodes have the same positions and rotations as each other or the
+    // ground, so that rates keep what positions do.
+    bool is_linear() const { return is_linear_; }
+    // The rows of motors; −1 where there are none.
+    int turn_motor_row() const { return find_motor_row(Motor::turn); }
+    int slide_motor_row() const { return find_motor_row(Motor::slide); }
+    // The coordinates that the joint leaves free, prescribed or not.
+    const JointCoordinates& coordinates() const { return coordinates_; }
+
+    // Φ, Φ̇ or Φ̈.
+    JointVector compute_values(const JointMotions& motions,
+                               double turn_before,
+                               const JointMotors& motors,
+                               ConstraintLevel level) const;
+    JointGap compute_gap(const JointMotions& motions, double turn_before, const JointMotors& motors) const;
+    // G.
+    JointMatrix compute_gradient(const JointMotions& motions) const;
+    // ∂Φ̈/∂(Newton's unknowns), by placement, rate and acceleration.
+    JointMatrix compute_acceleration_derivative(const JointMotions& motions,
+                                                const JointLinearizations& linearizations) const;
+    // ∂(Gᵀλ)/∂(δr, δφ).
+    PairMatrix compute_force_derivative(const JointMotions& motions, const JointVector& multipliers) const;
+
+  private:
+    enum class Motor { none, turn, slide };
+
+    // Φ = factor u · w + turn_factor ψ + constant − what a motor prescribes.
+    struct Row {
+        bool is_length = false;
+        double factor = 1.0;
+        LinkProduct product = {};
+        double turn_factor = 0.0;
+        double constant = 0.0;
+        Motor motor = Motor::none;
+    };
+
+    int find_motor_row(Motor motor) const;
+    void add(const Row& row) { rows_[count_++] = row; }
+    void add_kind(const Joint& joint);
+    void add_points(const LinkVector& separation);
+    void add_aligned_axes(const Joint& joint);
+    void add_equal_axes(const Joint& joint);
+    void add_across(const Joint& joint, const LinkVector& separation);
+    void add_distance(double length, const LinkVector& separation);
+    void add_motors(const Joint& joint);
+    double compute_prescribed(const Row& row, const JointMotors& motors, ConstraintLevel level) const;
+
+    JointCoordinates coordinates_;
+    std::array<Row, most_joint_rows> rows_;
+    int count_ = 0;
+    bool is_linear_ = false;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,178 @@
+#include "constraints/joints/joint_samples.hpp"
+
+#include <numbers>
+
+#include "state/increment.hpp"
+
+namespace gxrod::tools {
+
+namespace {
+
+constexpr std::pair<JointKind, const char*> kinds[] = {{JointKind::ball, "ball"},
+                                                       {JointKind::hinge, "hinge"},
+                                                       {JointKind::cylinder, "cylinder"},
+                                                       {JointKind::slider, "slider"},
+                                                       {JointKind::universal, "universal"},
+                                                       {JointKind::screw, "screw"},
+                                                       {JointKind::plane, "plane"},
+                                                       {JointKind::weld, "weld"},
+                                                       {JointKind::distance, "distance"}};
+
+// Rates and accelerations of order one, a step's rotation below a right angle.
+NodeMotion move_at_random(RandomValues& random, const NodeMotion& previous) {
+    NodeMotion motion;
+    place(previous, random.vector(), random.vector(0.8), motion);
+    motion.v = random.vector();
+    motion.a = random.vector();
+    motion.omega = random.vector();
+    motion.alpha = random.vector();
+    return motion;
+}
+
+// B is not turned against A by so much that the coordinates of joints are undefined.
+JointSample make_sample(const std::string& name, const Joint& joint, RandomValues& random) {
+    JointSample sample;
+    sample.name = name;
+    sample.joint = joint;
+    const Quat common = random.rotation();
+    if (!joint.a.anchor.is_ground()) {
+        sample.previous_a.Lambda = common;
+        sample.a = move_at_random(random, sample.previous_a);
+    }
+    if (!joint.b.anchor.is_ground()) {
+        sample.previous_b.Lambda = exp_quaternion(random.vector(0.5)) * sample.a.Lambda;
+        sample.b = move_at_random(random, sample.previous_b);
+    }
+    sample.turn_before = random.number(-40.0, 40.0);
+    sample.motors.turn = {random.number(-1.0, 1.0), random.number(-1.0, 1.0), random.number(-1.0, 1.0)};
+    sample.motors.slide = {random.number(-1.0, 1.0), random.number(-1.0, 1.0), random.number(-1.0, 1.0)};
+    return sample;
+}
+
+// As it is, with each motor that it can have, and with both.
+std::vector<std::pair<std::string, Joint>> add_motors(const std::string& name, const Joint& joint) {
+    std::vector<std::pair<std::string, Joint>> joints{{name, joint}};
+    if (joint.has_turn()) {
+        joints.emplace_back(name + ", turned", joint);
+        joints.back().second.turn.motion = TimeFunction(1.0);
+    }
+    if (joint.has_slide()) {
+        joints.emplace_back(name + ", pushed", joint);
+        joints.back().second.slide.motion = TimeFunction(1.0);
+    }
+    if (joint.kind == JointKind::cylinder) {
+        joints.push_back(joints[1]);
+        joints.back().first = name + ", turned and pushed";
+        joints.back().second.slide.motion = TimeFunction(1.0);
+    }
+    return joints;
+}
+
+std::vector<JointSample> make_samples() {
+    RandomValues random(601);
+    std::vector<JointSample> samples;
+    for (const auto& [kind, kind_name] : kinds) {
+        for (auto [name, joint] : add_motors(kind_name, make_joint(kind, random))) {
+            samples.push_back(make_sample(name, joint, random));
+            Joint grounded = joint;
+            grounded.a.anchor.node = -1;
+            samples.push_back(make_sample(name + ", A the ground", grounded, random));
+            grounded = joint;
+            grounded.b.anchor.node = -1;
+            samples.push_back(make_sample(name + ", B the ground", grounded, random));
+        }
+    }
+    return samples;
+}
+
+}  // namespace
+
+const std::vector<JointSample>& joint_samples() {
+    static const std::vector<JointSample> samples = make_samples();
+    return samples;
+}
+
+Joint make_joint(JointKind kind, RandomValues& random) {
+    Joint joint;
+    joint.kind = kind;
+    joint.a.axes = random.rotation().toRotationMatrix();
+    joint.b.axes = joint.a.axes;
+    if (kind == JointKind::universal) {
+        const Vec3 axis = joint.a.axes.col(0);
+        const Vec3 other = exp_quaternion(random.number(0.5, 2.0) * axis) * joint.a.axes.col(1);
+        joint.b.axes << other, axis, other.cross(axis);
+    }
+    joint.a.anchor = {0, random.vector()};
+    joint.b.anchor = {1, random.vector()};
+    joint.lead = 0.7;
+    joint.length = 1.3;
+    return joint;
+}
+
+FreeCoordinates make_free_coordinates(RandomValues& random) {
+    return {random.number(-2.0, 2.0),
+            random.number(-2.0, 2.0),
+            random.number(-1.0, 1.0),
+            Vec3(0.0, random.number(-1.0, 1.0), random.number(-1.0, 1.0)),
+            random.rotation(),
+            random.direction()};
+}
+
+namespace {
+
+// B's rotation against A, in the global axes of t = 0.
+Quat turn_free(const Joint& joint, const FreeCoordinates& free) {
+    const Vec3 axis = joint.a.axes.col(0);
+    switch (joint.kind) {
+        case JointKind::ball:
+        case JointKind::distance:
+            return free.ball;
+        case JointKind::universal:
+            return exp_quaternion(free.turn * axis) *
+                   exp_quaternion(free.second_turn * Vec3(joint.b.axes.col(0)));
+        case JointKind::slider:
+        case JointKind::weld:
+            return Quat::Identity();
+        default:
+            return exp_quaternion(free.turn * axis);
+    }
+}
+
+// From A's point to B's, in the axes of A.
+Vec3 slide_free(const Joint& joint, const FreeCoordinates& free) {
+    switch (joint.kind) {
+        case JointKind::cylinder:
+        case JointKind::slider:
+            return {free.slide, 0.0, 0.0};
+        case JointKind::screw:
+            return {joint.lead * free.turn / (2.0 * std::numbers::pi), 0.0, 0.0};
+        case JointKind::plane:
+            return free.across;
+        case JointKind::distance:
+            return joint.length * free.direction;
+        default:
+            return Vec3::Zero();
+    }
+}
+
+}  // namespace
+
+NodeMotion close(const Joint& joint, const NodeMotion& a, const FreeCoordinates& free) {
+    NodeMotion b;
+    b.Lambda = a.Lambda * turn_free(joint, free);
+    b.r = a.r + a.Lambda * (joint.a.anchor.arm + joint.a.axes * slide_free(joint, free)) -
+          b.Lambda * joint.b.anchor.arm;
+    return b;
+}
+
+NodeMotion move_rigidly(const NodeMotion& motion, const Quat& R, const Vec3& d) {
+    NodeMotion moved = motion;
+    moved.r = R * motion.r + d;
+    moved.Lambda = R * motion.Lambda;
+    for (Vec3 NodeMotion::*vector :
+         {&NodeMotion::theta, &NodeMotion::v, &NodeMotion::a, &NodeMotion::omega, &NodeMotion::alpha})
+        moved.*vector = R * motion.*vector;
+    return moved;
+}
+
+}  // namespace gxrod::tools
