@@ -70,6 +70,12 @@ std::string describe_start(const Failure& failure) {
         "the step from t = {:.10g} failed, even with Δt = {:.3g}: ", failure.time, failure.time_step);
 }
 
+std::string describe_gap(const Failure& failure) {
+    if (failure.open_joint.empty()) return "";
+    return fmt::format(
+        "; joint {} stays open by {:.2e} of the model's length", failure.open_joint, failure.joint_gap);
+}
+
 std::string describe_outcome(const Failure& failure) {
     const std::string at = failure.places.empty() ? "" : " at " + join(failure.places, ", ");
     switch (failure.outcome) {
@@ -77,12 +83,14 @@ std::string describe_outcome(const Failure& failure) {
             break;
         case Outcome::out_of_iterations:
             return fmt::format(
-                "Newton's method did not converge in {} iterations; the residual, {:.2e} of the largest "
-                "force or "
-                "moment, is largest{}",
-                failure.iterations,
-                failure.residual,
-                at);
+                       "Newton's method did not converge in {} iterations; the residual, {:.2e} of the "
+                       "largest "
+                       "force or "
+                       "moment, is largest{}",
+                       failure.iterations,
+                       failure.residual,
+                       at) +
+                   describe_gap(failure);
         case Outcome::singular:
             return "the system of equations is singular" + at;
         case Outcome::not_finite:
@@ -98,6 +106,11 @@ std::string describe_outcome(const Failure& failure) {
         case Outcome::error_too_large:
             return fmt::format(
                 "the estimated error of the step, {:.2e}, is above the tolerance{}", failure.step_error, at);
+        case Outcome::joints_open:
+            return fmt::format(
+                "no velocities near those of the step fit joint {}, which are off by {:.2e} of the largest",
+                failure.open_joint,
+                failure.joint_gap);
         case Outcome::control_turned:
             return "the displacement or rotation that controls the path turns back here";
         case Outcome::lost_stability:
@@ -116,6 +129,12 @@ std::vector<std::string> advise(const Failure& failure) {
             break;
         case Outcome::out_of_iterations:
             advise_on_iterations(failure, advice);
+            if (!failure.open_joint.empty()) {
+                advice.push_back(
+                    "a look at the mechanism near this position: at the end of its stroke, or where it can "
+                    "fold "
+                    "up in two ways, a motor cannot move it further");
+            }
             break;
         case Outcome::singular:
             advise_on_singularity(failure, advice);
@@ -140,6 +159,11 @@ std::vector<std::string> advise(const Failure& failure) {
         case Outcome::error_too_large:
             advice.push_back("a smaller adaptive.min_step");
             advice.push_back("a larger adaptive.tolerance");
+            break;
+        case Outcome::joints_open:
+            advice.push_back(shorter_steps(failure));
+            advice.push_back(
+                "a look at the mechanism there: near a position where it locks, velocities have no limit");
             break;
         case Outcome::control_turned:
             advice.push_back("a path without control: its arc length goes on where displacements turn back");

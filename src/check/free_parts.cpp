@@ -4,6 +4,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
+#include "check/mechanism/joint_gradient.hpp"
 #include "elements/spring_element.hpp"
 #include "rotation/rotation_map.hpp"
 
@@ -12,21 +13,22 @@ namespace {
 
 // Of rows with entries up to 1, and of what a motion of length 1 moves a part: zero.
 constexpr double round_off = 1e-9;
-// So many parts that springs tie to each other are not examined: it would take longer than a user waits.
+// So many parts that springs and joints tie to each other are not examined: it would take longer than a user
+// waits.
 constexpr std::size_t most_parts = 200;
 
-// Parts that springs tie to each other. A motion of theirs is (v, size · ω) about the centre of each, one
-// after the other.
-class SprungParts {
+// Parts that springs and joints tie to each other. A motion of theirs is (v, size · ω) about the centre of
+// each, one after the other.
+class TiedParts {
   public:
-    SprungParts(const Model& model, std::vector<ModelPart> parts) : model_(model), parts_(std::move(parts)) {
+    TiedParts(const Model& model, std::vector<ModelPart> parts) : model_(model), parts_(std::move(parts)) {
         for (const ModelPart& part : parts_) extents_.push_back(measure(model, part));
     }
 
     const std::vector<ModelPart>& parts() const { return parts_; }
 
     // Columns: the free motions.
-    Eigen::MatrixXd find_free_motions(const std::vector<int>& springs) const {
+    Eigen::MatrixXd find_free_motions(const ModelPart& whole) const {
         std::vector<Eigen::MatrixXd> blocks;
         Eigen::Index count = 0;
         const auto add = [&](Eigen::MatrixXd rows) {
@@ -39,10 +41,15 @@ class SprungParts {
             rows.middleCols(6 * static_cast<Eigen::Index>(i), 6) = own;
             add(std::move(rows));
         }
-        for (const int index : springs) {
+        for (const int index : whole.springs) {
             const Spring& spring = model_.springs[index];
             if (spring.stiffness == 0.0) continue;
             add(spring.has_ground() ? build_rows<1>(spring) : build_rows<2>(spring));
+        }
+        for (const int index : whole.joints) {
+            const Joint& joint = model_.joints[index];
+            add(carry(joint, compute_start_gradient(model_, joint)));
+            add(carry(joint, find_sprung_gradients(joint)));
         }
         Eigen::MatrixXd all(count, unknowns());
         Eigen::Index row = 0;
@@ -57,6 +64,20 @@ class SprungParts {
         while (rank < pivots.size() && pivots[rank] > round_off) ++rank;
         const Eigen::MatrixXd Q = space.householderQ();
         return Q.rightCols(unknowns() - rank);
+    }
+
+    // Whether a motion moves the sides of a joint against each other.
+    bool moves(const Joint& joint, const Eigen::VectorXd& motion) const {
+        Eigen::Matrix<double, Eigen::Dynamic, 12> relative = Eigen::Matrix<double, 6, 12>::Zero();
+        const auto fill = [&](const Anchor& anchor, double sign, Eigen::Index column) {
+            const Vec3 arm = anchor.is_ground() ? Vec3::Zero() : anchor.arm;
+            relative.block<3, 3>(0, column) = sign * Mat3::Identity();
+            relative.block<3, 3>(0, column + 3) = -sign * spin(arm);
+            relative.block<3, 3>(3, column + 3) = sign * Mat3::Identity();
+        };
+        fill(joint.a.anchor, -1.0, 0);
+        fill(joint.b.anchor, 1.0, 6);
+        return (carry(joint, relative) * motion).norm() > round_off;
     }
 
   private:
@@ -75,6 +96,33 @@ class SprungParts {
         moved.topRightCorner<3, 3>() = -spin(model_.nodes[node].position - extents_[part].centre) / size;
         moved.bottomRightCorner<3, 3>() /= size;
         return moved;
+    }
+
+    // Rows by (δr, δφ) of a joint's A and B, as rows by the motions of the parts, with entries up to 1.
+    Eigen::MatrixXd carry(const Joint& joint, const Eigen::Matrix<double, Eigen::Dynamic, 12>& rows) const {
+        Eigen::MatrixXd carried = Eigen::MatrixXd::Zero(rows.rows(), unknowns());
+        const auto add = [&](const Anchor& anchor, Eigen::Index column) {
+            if (anchor.is_ground()) return;
+            const std::size_t part = part_of(anchor.node);
+            carried.middleCols<6>(6 * static_cast<Eigen::Index>(part)) +=
+                rows.middleCols<6>(column) * carry(part, anchor.node);
+        };
+        add(joint.a.anchor, 0);
+        add(joint.b.anchor, 6);
+        for (Eigen::Index row = 0; row < carried.rows(); ++row) {
+            const double largest = carried.row(row).cwiseAbs().maxCoeff();
+            if (largest > 0.0) carried.row(row) /= largest;
+        }
+        return carried;
+    }
+
+    // Of the coordinates that springs of the joint hold.
+    Eigen::Matrix<double, Eigen::Dynamic, 12> find_sprung_gradients(const Joint& joint) const {
+        Eigen::Matrix<double, Eigen::Dynamic, 12> rows = compute_coordinate_gradients(model_, joint);
+        const Eigen::Index turns = joint.has_turn() ? 1 : 0;
+        if (joint.turn.stiffness == 0.0) rows.topRows(turns).setZero();
+        if (joint.slide.stiffness == 0.0) rows.bottomRows(rows.rows() - turns).setZero();
+        return rows;
     }
 
     // The spring's tangent at t = 0, of these motions, with entries up to 1.
@@ -114,7 +162,7 @@ Eigen::MatrixXd find_held_rows(const Eigen::MatrixXd& columns) {
     return svd.matrixU().rightCols(6 - rank).transpose();
 }
 
-// Calls visit(parts tied by rods, springs) for each part of the model.
+// Calls visit(parts tied by rods, whole) for each part of the model.
 template <class Visit>
 void for_each_whole(const Model& model, Visit&& visit) {
     const std::vector<ModelPart> tied_by_rods = find_parts(model, Ties::rods);
@@ -128,7 +176,7 @@ void for_each_whole(const Model& model, Visit&& visit) {
             const ModelPart& part = tied_by_rods[part_of[node]];
             if (part.nodes.front() == node) parts.push_back(part);
         }
-        visit(parts, whole.springs);
+        visit(parts, whole);
     }
 }
 
@@ -139,10 +187,11 @@ std::vector<FreePart> find_free_parts(const Model& model) {
     const auto add = [&](const ModelPart& part, std::vector<UnsupportedMotion> motions) {
         if (!motions.empty()) free.push_back({part, std::move(motions)});
     };
-    for_each_whole(model, [&](const std::vector<ModelPart>& parts, const std::vector<int>& springs) {
-        if (springs.empty()) return add(parts.front(), find_unsupported_motions(model, parts.front()));
+    for_each_whole(model, [&](const std::vector<ModelPart>& parts, const ModelPart& whole) {
+        if (!whole.joints.empty()) return;
+        if (whole.springs.empty()) return add(parts.front(), find_unsupported_motions(model, parts.front()));
         if (parts.size() > most_parts) return;
-        const Eigen::MatrixXd motions = SprungParts(model, parts).find_free_motions(springs);
+        const Eigen::MatrixXd motions = TiedParts(model, parts).find_free_motions(whole);
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const Eigen::MatrixXd held =
                 find_held_rows(motions.middleRows(6 * static_cast<Eigen::Index>(i), 6));
@@ -152,13 +201,32 @@ std::vector<FreePart> find_free_parts(const Model& model) {
     return free;
 }
 
+std::vector<FreeMechanism> find_free_mechanisms(const Model& model) {
+    std::vector<FreeMechanism> free;
+    for_each_whole(model, [&](const std::vector<ModelPart>& parts, const ModelPart& whole) {
+        if (whole.joints.empty() || parts.size() > most_parts) return;
+        const TiedParts tied(model, parts);
+        const Eigen::MatrixXd motions = tied.find_free_motions(whole);
+        if (motions.cols() == 0) return;
+        FreeMechanism found{whole, static_cast<std::size_t>(motions.cols()), {}};
+        for (const int joint : whole.joints) {
+            bool is_moved = false;
+            for (Eigen::Index i = 0; i < motions.cols(); ++i)
+                is_moved = is_moved || tied.moves(model.joints[joint], motions.col(i));
+            if (is_moved) found.joints.push_back(joint);
+        }
+        free.push_back(std::move(found));
+    });
+    return free;
+}
+
 std::size_t count_free_motions(const Model& model) {
     std::size_t count = 0;
-    for_each_whole(model, [&](const std::vector<ModelPart>& parts, const std::vector<int>& springs) {
-        if (springs.empty()) {
+    for_each_whole(model, [&](const std::vector<ModelPart>& parts, const ModelPart& whole) {
+        if (whole.springs.empty() && whole.joints.empty()) {
             count += find_unsupported_motions(model, parts.front()).size();
         } else if (parts.size() <= most_parts) {
-            count += static_cast<std::size_t>(SprungParts(model, parts).find_free_motions(springs).cols());
+            count += static_cast<std::size_t>(TiedParts(model, parts).find_free_motions(whole).cols());
         }
     });
     return count;

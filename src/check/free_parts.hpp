@@ -12,10 +12,20 @@ struct FreePart {
     std::vector<UnsupportedMotion> motions;  // at least one
 };
 
-// What supports and springs leave free. A spring holds what its tangent resists: a motion along its line and,
-// where it pulls or pushes at t = 0, across it. A part that moves together with others by springs is listed
-// with all of its share in such motions.
+// Parts that joints tie to each other, and what joints, motors, supports and springs leave them at t = 0.
+struct FreeMechanism {
+    ModelPart whole;
+    std::size_t motions = 0;  // at least 1
+    std::vector<int> joints;  // indices in Model::joints: those that move then
+};
+
+// What supports and springs leave free, of parts without joints. A spring holds what its tangent resists: a
+// motion along its line and, where it pulls or pushes at t = 0, across it. A part that moves together with
+// others by springs is listed with all of its share in such motions.
 std::vector<FreePart> find_free_parts(const Model& model);
+
+// Those that have free motions.
+std::vector<FreeMechanism> find_free_mechanisms(const Model& model);
 
 // How many motions of the whole model are free.
 std::size_t count_free_motions(const Model& model);

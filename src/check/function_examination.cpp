@@ -52,6 +52,10 @@ class FunctionExamination {
             }
         }
         for (const Support& support : model_.supports) examine_moves(support);
+        for (const Joint& joint : model_.joints) {
+            examine_coordinate(joint, "turn", joint.turn);
+            examine_coordinate(joint, "slide", joint.slide);
+        }
         return std::move(findings_);
     }
 
@@ -106,17 +110,33 @@ class FunctionExamination {
     void examine_moves(const Support& support) {
         for (std::size_t i = 0; i < support.motion.size(); ++i) {
             if (!support.moved[i]) continue;
-            try {
-                const std::string& node = model_.nodes[support.node].name;
-                examine_move(node, i, support.motion[i]);
-                examine_start(node, i, support.motion[i]);
-            } catch (const EvaluationError&) {
-                continue;
-            }
+            examine_move(
+                fmt::format(
+                    "the [[support]] at {} moves {}", model_.nodes[support.node].name, component_names[i]),
+                support.motion[i]);
         }
     }
 
-    void examine_move(const std::string& node, std::size_t component, const TimeFunction& motion) {
+    void examine_coordinate(const Joint& joint, const char* name, const JointCoordinate& coordinate) {
+        if (coordinate.motion)
+            examine_move(fmt::format("the motor of joint {} moves its {}", joint.name, name),
+                         *coordinate.motion);
+        examine_load(fmt::format("joint.{}.drive ({})", joint.name, name), coordinate.drive);
+        if (coordinate.stiffness > 0.0)
+            examine_load(fmt::format("joint.{}.spring.rest ({})", joint.name, name), coordinate.rest);
+    }
+
+    // `what`: "the [[support]] at hub moves rx".
+    void examine_move(const std::string& what, const TimeFunction& motion) {
+        try {
+            examine_kinks(what, motion);
+            examine_start(what, motion);
+        } catch (const EvaluationError&) {
+            return;
+        }
+    }
+
+    void examine_kinks(const std::string& what, const TimeFunction& motion) {
         std::vector<Transition> kinks =
             find_transitions(motion, {0.0, settings_.end_time}, sample_count(settings_));
         std::erase_if(kinks, [](const Transition& one) { return !one.is_kink; });
@@ -127,11 +147,10 @@ class FunctionExamination {
         findings_.push_back(
             {Severity::warning,
              fmt::format(
-                 "the [[support]] at {} moves {} with a velocity that jumps from {:.4g} to {:.4g} at t = "
+                 "{} with a velocity that jumps from {:.4g} to {:.4g} at t = "
                  "{:.6g}{}: each jump is a blow, whose reaction grows as steps become shorter; expected a "
                  "smooth motion, such as a [function] with interpolation = \"cubic\"",
-                 node,
-                 component_names[component],
+                 what,
                  first.slope_before,
                  first.slope_after,
                  first.time,
@@ -139,7 +158,7 @@ class FunctionExamination {
     }
 
     // Rods at rest, one end of which moves at once.
-    void examine_start(const std::string& node, std::size_t component, const TimeFunction& motion) {
+    void examine_start(const std::string& what, const TimeFunction& motion) {
         const auto is_at_rest = [](const Node& one) {
             return one.velocity.isZero(0.0) && one.angular_velocity.isZero(0.0);
         };
@@ -154,12 +173,11 @@ class FunctionExamination {
         findings_.push_back(
             {Severity::note,
              fmt::format(
-                 "the [[support]] at {} moves {} at a velocity of {:.4g} from t = 0 on, while the model is "
+                 "{} at a velocity of {:.4g} from t = 0 on, while the model is "
                  "at "
                  "rest: the start is a blow; a motion that begins smoothly, or velocities by [[initial]], "
                  "would be none",
-                 node,
-                 component_names[component],
+                 what,
                  rate)});
     }
 

@@ -4,9 +4,11 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 
 #include "check/free_parts.hpp"
 #include "check/function_examination.hpp"
+#include "check/mechanism/mechanism.hpp"
 #include "check/plane_findings.hpp"
 #include "check/stability.hpp"
 #include "check/stiffness_contrast.hpp"
@@ -44,6 +46,33 @@ void find_drifting_parts(const Model& model, std::vector<Finding>& findings) {
                                         name_part(part, model),
                                         list_motions(model, part, motions),
                                         holds)});
+    }
+}
+
+// "turns or slides at knee and elbow", or that the whole moves.
+std::string describe_moving(const FreeMechanism& mechanism, const Model& model) {
+    constexpr std::size_t most = 6;
+    if (mechanism.joints.empty()) return "it can move as a whole";
+    std::string text;
+    for (std::size_t i = 0; i < std::min(mechanism.joints.size(), most); ++i)
+        text += (i == 0 ? "" : ", ") + model.joints[static_cast<std::size_t>(mechanism.joints[i])].name;
+    const bool is_one = mechanism.joints.size() == 1;
+    if (mechanism.joints.size() > most) text += fmt::format(" and {} more", mechanism.joints.size() - most);
+    return fmt::format("joint{} {} can move", is_one ? "" : "s", text);
+}
+
+// Loads can hold them where they are in equilibrium, as gravity holds a pendulum that hangs.
+void find_free_joints(const Model& model, std::vector<Finding>& findings) {
+    for (const FreeMechanism& free : find_free_mechanisms(model)) {
+        findings.push_back(
+            {Severity::warning,
+             fmt::format(
+                 "{} has {} at t = 0: {}; a static analysis needs supports, springs or motors that prevent "
+                 "{}, or loads that hold it",
+                 name_part(free.whole, model),
+                 free.motions == 1 ? "1 free motion" : fmt::format("{} free motions", free.motions),
+                 describe_moving(free, model),
+                 free.motions == 1 ? "it" : "them")});
     }
 }
 
@@ -137,12 +166,20 @@ bool is_strained(const Model& model, const Spring& spring) {
     return spring.stiffness > 0.0 && std::abs((b - a).norm() - spring.length) > round_off * size;
 }
 
+// Whether something acts on a coordinate of the joint from its start.
+bool is_driven(const Joint& joint) {
+    return std::ranges::any_of(std::array{&joint.turn, &joint.slide}, [](const JointCoordinate* one) {
+        return one->motion || !one->drive.is_zero() || (one->stiffness > 0.0 && !one->rest.is_zero());
+    });
+}
+
 bool any_load(const Model& model) {
     const auto strains = [&](const Spring& spring) { return is_strained(model, spring); };
     const auto pushes = [](const auto& load) { return !is_zero(load.force) || !is_zero(load.moment); };
     const auto moves = [](const Support& support) { return support.moved != std::array<bool, 6>{}; };
     return model.rotation || !model.gravity.is_zero() ||
            std::any_of(model.springs.begin(), model.springs.end(), strains) ||
+           std::ranges::any_of(model.joints, is_driven) ||
            std::any_of(model.loads.begin(), model.loads.end(), pushes) ||
            std::any_of(model.distributed_loads.begin(), model.distributed_loads.end(), pushes) ||
            std::any_of(model.supports.begin(), model.supports.end(), moves);
@@ -197,6 +234,7 @@ std::vector<Finding> examine_model(const Model& model,
     std::vector<Finding> findings;
     if (has_steps(analysis) && !needs_inertia(analysis)) {
         find_drifting_parts(model, findings);
+        find_free_joints(model, findings);
         note_lack_of_potential(model, findings);
     }
     if (std::holds_alternative<SteadySettings>(analysis) && model.rotation) {
@@ -209,6 +247,9 @@ std::vector<Finding> examine_model(const Model& model,
         warn_of_newton_tolerance(analysis, findings);
     }
     for (const std::string& sentence : find_unconnected_points(model)) {
+        findings.push_back({Severity::warning, sentence});
+    }
+    for (const std::string& sentence : find_motor_conflicts(model)) {
         findings.push_back({Severity::warning, sentence});
     }
     find_odd_bodies(model, findings);

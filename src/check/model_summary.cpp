@@ -9,6 +9,8 @@
 
 #include "assembly/system.hpp"
 #include "check/condition_summary.hpp"
+#include "check/joint_summary.hpp"
+#include "check/mechanism/mechanism.hpp"
 #include "check/rod_summary.hpp"
 #include "model/analysis_traits.hpp"
 #include "model/frame_interval.hpp"
@@ -31,14 +33,6 @@ std::string describe_body(const Model& model, const Body& body) {
         describe(body.attitude * body.centre_of_mass));
 }
 
-std::string describe_end(const Model& model, const SpringEnd& end) {
-    if (end.is_ground()) return fmt::format("the ground at {}", describe(end.arm));
-    const std::string& node = model.nodes[end.node].name;
-    if (end.arm.isZero(0.0)) return node;
-    return fmt::format(
-        "{} by an arm of {:.6g} to {}", node, end.arm.norm(), describe(find_place(model, end)));
-}
-
 std::string describe_spring(const Model& model, const Spring& spring) {
     const Vec3 d = find_place(model, spring.ends[1]) - find_place(model, spring.ends[0]);
     const double force = spring.stiffness * (d.norm() - spring.length);
@@ -47,8 +41,8 @@ std::string describe_spring(const Model& model, const Spring& spring) {
     std::string text =
         fmt::format("spring {}: between {} and {}, stiffness {:.6g}, damping {:.6g}, length {:.6g}",
                     spring.name,
-                    describe_end(model, spring.ends[0]),
-                    describe_end(model, spring.ends[1]),
+                    describe_anchor(model, spring.ends[0]),
+                    describe_anchor(model, spring.ends[1]),
                     spring.stiffness,
                     spring.damping,
                     spring.length);
@@ -111,7 +105,8 @@ std::vector<ItemList> list_model(const Model& model) {
     for (const Body& body : model.bodies) bodies.items.push_back(describe_body(model, body));
     ItemList springs{"springs", {}};
     for (const Spring& spring : model.springs) springs.items.push_back(describe_spring(model, spring));
-    std::vector<ItemList> lists{sections, list_rods(model), bodies, springs};
+    std::vector<ItemList> lists{
+        sections, list_rods(model), bodies, springs, list_joints(model), list_mechanisms(model)};
     for (ItemList& list : list_conditions(model)) lists.push_back(std::move(list));
     return lists;
 }

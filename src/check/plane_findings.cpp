@@ -75,6 +75,7 @@ bool lies_in_plane(const Model& model, int normal) {
             if (std::abs(find_place(model, end)[normal] - height) > in_plane * size) return false;
         }
     }
+    if (!model.joints.empty()) return false;
     return std::all_of(model.supports.begin(), model.supports.end(), [&](const Support& support) {
         const int across = find_normal(support.axes, normal);
         if (across < 0) return false;

@@ -8,7 +8,11 @@ namespace gxrod {
 ScaledTangent::ScaledTangent(const System& system, const std::vector<double>& values)
     : pattern_(&system.pattern()), values_(values) {
     const auto scale = [&system](std::int64_t equation) {
-        return system.equations().unknown(equation).component < 3 ? system.length_scale() : 1.0;
+        const EquationNumbers::Unknown unknown = system.equations().unknown(equation);
+        const bool is_length = unknown.attached >= 0
+                                   ? system.joints().is_length(unknown.attached, unknown.place)
+                                   : unknown.component < 3;
+        return is_length ? system.length_scale() : 1.0;
     };
     double longest = 0.0;
     for (std::int64_t j = 0; j < pattern_->size(); ++j) {

@@ -102,7 +102,9 @@ std::int64_t PivotCounter::count(const Integrator& integrator,
     const bool counts = workspace.linear_solver->kind() == LinearSolverKind::chains;
     if (!counts && !chains_) chains_ = make_linear_solver(LinearSolverKind::chains, pattern, system_->team());
     LinearSolver& solver = counts ? *workspace.linear_solver : *chains_;
-    return solver.factorize(workspace.values).negative_pivots;
+    // Each multiplier of a joint adds one.
+    const std::int64_t count = solver.factorize(workspace.values).negative_pivots;
+    return count < 0 ? count : count - system_->equations().attached_count();
 }
 
 std::string PivotCounter::describe_shape(const Integrator& integrator,

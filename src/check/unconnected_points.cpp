@@ -162,7 +162,33 @@ std::string describe(const Model& model, const std::set<int>& nodes, double size
 
 }  // namespace
 
+namespace {
+
+// Pairs of nodes, the lower one first.
+using TiedNodes = std::set<std::pair<int, int>>;
+
+// Between which there are springs or joints.
+TiedNodes find_ties(const Model& model) {
+    TiedNodes ties;
+    const auto add = [&](const Anchor& a, const Anchor& b) { ties.insert(std::minmax(a.node, b.node)); };
+    for (const Spring& spring : model.springs) add(spring.ends[0], spring.ends[1]);
+    for (const Joint& joint : model.joints) add(joint.a.anchor, joint.b.anchor);
+    return ties;
+}
+
+bool has_tie(const std::set<int>& nodes, const TiedNodes& ties) {
+    for (auto one = nodes.begin(); one != nodes.end(); ++one) {
+        for (auto other = std::next(one); other != nodes.end(); ++other) {
+            if (ties.contains({*one, *other})) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
 std::vector<std::string> find_unconnected_points(const Model& model) {
+    const TiedNodes ties = find_ties(model);
     Eigen::AlignedBox3d box;
     for (const Node& node : model.nodes) box.extend(node.position);
     const double size = box.isEmpty() ? 0.0 : box.diagonal().norm();
@@ -184,11 +210,7 @@ std::vector<std::string> find_unconnected_points(const Model& model) {
     for (const auto& [first, nodes] : places) {
         const bool all_held =
             std::all_of(nodes.begin(), nodes.end(), [&](int node) { return is_wholly_held(model, node); });
-        const bool has_spring =
-            std::any_of(model.springs.begin(), model.springs.end(), [&](const Spring& spring) {
-                return nodes.contains(spring.ends[0].node) && nodes.contains(spring.ends[1].node);
-            });
-        if (!all_held && !has_spring) sentences.push_back(describe(model, nodes, size));
+        if (!all_held && !has_tie(nodes, ties)) sentences.push_back(describe(model, nodes, size));
     }
     return sentences;
 }

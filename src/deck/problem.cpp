@@ -25,6 +25,7 @@
 #include "deck/checks/check_points.hpp"
 #include "deck/checks/check_velocities.hpp"
 #include "deck/expressions/function_files.hpp"
+#include "deck/joints/build_joints.hpp"
 #include "deck/reading/overrides.hpp"
 #include "deck/reading/resumption.hpp"
 #include "deck/reading/text_file.hpp"
@@ -37,10 +38,10 @@
 namespace gxrod {
 namespace {
 
-// Points and springs go by their names.
+// Points, springs and joints go by their names.
 void check_names(const CheckedTable& deck, FaultList& faults) {
     std::vector<const CheckedTable*> tables;
-    for (const char* kind : {"rod", "body", "spring"}) {
+    for (const char* kind : {"rod", "body", "spring", "joint"}) {
         for (const CheckedTable& table : deck.tables(kind)) tables.push_back(&table);
     }
     std::ranges::sort(tables, {}, &CheckedTable::place);
@@ -64,6 +65,7 @@ void build_actions(BuildContext& context) {
         context.model.has_inertia = timed == nullptr || timed->has_inertia;
         build_supports(context);
         check_velocities(context);
+        build_joint_actions(context);
         build_loads(context);
         check_functions(context);
         if (i == 0) continue;
@@ -110,6 +112,7 @@ Problem build_problem(const CheckedTable& deck, const MeshFiles& files, FaultLis
     build_connections(context);
     build_bodies(context);
     build_springs(context);
+    build_joints(context);
     build_plane(context);
     build_initial(context);
     build_actions(context);

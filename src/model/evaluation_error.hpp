@@ -4,7 +4,8 @@
 
 namespace gxrod {
 
-// A function of time that has no finite value at some time of a run. what() names the key and the time.
+// What a deck asks for and a run cannot do: a function of time that has no finite value at some time, initial
+// velocities that joints do not allow. what() names it.
 class EvaluationError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;

@@ -26,8 +26,8 @@ void set_line_elements(Rod& rod,
     }
 }
 
-Vec3 find_place(const Model& model, const SpringEnd& end) {
-    return end.is_ground() ? end.arm : Vec3(model.nodes[end.node].position + end.arm);
+Vec3 find_place(const Model& model, const Anchor& anchor) {
+    return anchor.is_ground() ? anchor.arm : Vec3(model.nodes[anchor.node].position + anchor.arm);
 }
 
 }  // namespace gxrod

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "model/anchor.hpp"
+#include "model/joint.hpp"
 #include "model/time_function.hpp"
 #include "model/turning_frame.hpp"
 #include "rotation/types.hpp"
@@ -79,14 +81,7 @@ struct Body {
     Quat attitude = Quat::Identity();    // body axes at t = 0: columns are x, y, z
 };
 
-// Where a spring acts: at a point that a node carries, or at one that is fixed.
-struct SpringEnd {
-    int node = -1;  // -1: the ground
-    Vec3 arm =
-        Vec3::Zero();  // from the node to the point, global axes at t = 0; of the ground the point itself
-
-    bool is_ground() const { return node < 0; }
-};
+using SpringEnd = Anchor;
 
 // A spring and a damper along the line between two points, the first of them A, the second B: at most one is
 // fixed. Their force is stiffness (ℓ − length) + damping ℓ̇, tension positive.
@@ -163,12 +158,13 @@ struct Model {
     std::vector<Rod> rods;
     std::vector<Body> bodies;
     std::vector<Spring> springs;
+    std::vector<Joint> joints;
     std::vector<NodalLoad> loads;
     std::vector<DistributedLoad> distributed_loads;
     std::vector<Support> supports;
 };
 
-// Where an end of a spring is at t = 0.
-Vec3 find_place(const Model& model, const SpringEnd& end);
+// Where a point of a spring or joint is at t = 0.
+Vec3 find_place(const Model& model, const Anchor& anchor);
 
 }  // namespace gxrod

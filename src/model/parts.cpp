@@ -50,13 +50,34 @@ std::string list_names(const char* one, const char* several, const std::vector<s
 
 }  // namespace
 
-std::vector<ModelPart> find_parts(const Model& model, Ties ties) {
+namespace {
+
+NodeSets tie_nodes(const Model& model, Ties ties) {
     NodeSets sets(model.nodes.size());
     for (const Rod& rod : model.rods) join_rod(rod, sets);
+    if (ties == Ties::rods) return sets;
     for (const Spring& spring : model.springs) {
-        if (ties == Ties::rods_and_springs && !spring.has_ground())
-            sets.join(spring.ends[0].node, spring.ends[1].node);
+        if (!spring.has_ground()) sets.join(spring.ends[0].node, spring.ends[1].node);
     }
+    for (const Joint& joint : model.joints) {
+        if (!joint.has_ground()) sets.join(joint.a.anchor.node, joint.b.anchor.node);
+    }
+    return sets;
+}
+
+// Those that have the anchor's node.
+void add_tie(const Anchor& anchor,
+             int index,
+             const std::vector<int>& part_of,
+             std::vector<int> ModelPart::*list,
+             std::vector<ModelPart>& parts) {
+    if (!anchor.is_ground()) add_once(parts[part_of[anchor.node]].*list, index);
+}
+
+}  // namespace
+
+std::vector<ModelPart> find_parts(const Model& model, Ties ties) {
+    NodeSets sets = tie_nodes(model, ties);
     std::vector<ModelPart> parts;
     std::vector<int> part_of(model.nodes.size(), -1);
     for (int node = 0; node < static_cast<int>(model.nodes.size()); ++node) {
@@ -76,9 +97,12 @@ std::vector<ModelPart> find_parts(const Model& model, Ties ties) {
         parts[part_of[model.bodies[body].node]].bodies.push_back(body);
     }
     for (int spring = 0; spring < static_cast<int>(model.springs.size()); ++spring) {
-        for (const SpringEnd& end : model.springs[spring].ends) {
-            if (!end.is_ground()) add_once(parts[part_of[end.node]].springs, spring);
-        }
+        for (const Anchor& end : model.springs[spring].ends)
+            add_tie(end, spring, part_of, &ModelPart::springs, parts);
+    }
+    for (int joint = 0; joint < static_cast<int>(model.joints.size()); ++joint) {
+        for (const JointSide* side : {&model.joints[joint].a, &model.joints[joint].b})
+            add_tie(side->anchor, joint, part_of, &ModelPart::joints, parts);
     }
     return parts;
 }

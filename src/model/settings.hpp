@@ -60,6 +60,8 @@ struct DynamicSettings {
     double gamma = 0.5;
     double spectral_radius = 0.9;              // at infinite frequency, of generalized_alpha
     std::optional<AdaptiveSettings> adaptive;  // then time_step() is the first step
+    // Takes the velocities nearest to the initial ones that joints allow.
+    bool projects_start = false;
     // Without, the motion is so slow that nothing resists acceleration (kind quasi-static).
     bool has_inertia = true;
     NewtonSettings newton;
@@ -161,14 +163,23 @@ enum class Quantity {
     reaction_force,
     reaction_moment,
     elongation,
-    axial_force
+    axial_force,
+    angle,
+    angle_rate,
+    slide,
+    slide_rate,
+    force_a,
+    moment_a,
+    drive,
+    friction,
+    gap
 };
 
 // Names a point and what to record there at every accepted step.
 struct HistoryRequest {
     std::string name;
     std::string at;   // as the deck has it
-    int node = 0;     // -1: between nodes, or a spring
+    int node = 0;     // -1: between nodes, a spring or a joint
     int body = -1;    // index in Model::bodies if the point is a body's
     int spring = -1;  // index in Model::springs if it is of a spring, which has no node
     // If the point is a rod's; where elements meet, in the first of them.
@@ -178,6 +189,7 @@ struct HistoryRequest {
     std::string relative_to = {};  // as the deck has it
     int relative_node = -1;
     Quat relative_axes = Quat::Identity();  // of section or body there at t = 0
+    int joint = -1;  // index in Model::joints if it is of a joint, which has no node
 };
 
 // Of frames, in the file; lossless.

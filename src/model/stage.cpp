@@ -14,7 +14,8 @@ Actions take_actions(Model& model) {
             std::exchange(model.distributed_loads, {}),
             std::exchange(model.supports, {}),
             std::exchange(model.rotation, {}),
-            std::exchange(model.has_inertia, true)};
+            std::exchange(model.has_inertia, true),
+            model.joints};
 }
 
 void set_actions(Actions actions, Model& model) {
@@ -24,6 +25,7 @@ void set_actions(Actions actions, Model& model) {
     model.supports = std::move(actions.supports);
     model.rotation = std::move(actions.rotation);
     model.has_inertia = actions.has_inertia;
+    model.joints = std::move(actions.joints);
 }
 
 bool follows_limits(std::span<const StagePlan> stages) {

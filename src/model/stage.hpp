@@ -20,6 +20,7 @@ struct Actions {
     std::vector<Support> supports;
     std::optional<TurningFrame> rotation = {};
     bool has_inertia = true;
+    std::vector<Joint> joints = {};  // those of the model, with what acts on their coordinates
 };
 
 struct StagedModel;
@@ -46,7 +47,7 @@ struct StagedModel {
 // Whether one of them follows limit points.
 bool follows_limits(std::span<const StagePlan> stages);
 
-// The model's own, which it has no longer.
+// The model's own, which it has no longer, joints excepted.
 Actions take_actions(Model& model);
 void set_actions(Actions actions, Model& model);
 

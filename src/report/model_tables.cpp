@@ -104,6 +104,26 @@ Json describe_spring_table(const Model& model) {
             {"note", tell_rest(model.springs)}};
 }
 
+Json describe_joint_table(const Model& model) {
+    const auto name = [&](const Anchor& anchor) {
+        return anchor.is_ground() ? std::string("ground") : model.nodes[anchor.node].name;
+    };
+    Json rows = Json::array();
+    for (const Joint& joint : first_of(model.joints)) {
+        const bool has_axis = joint.has_turn() || joint.has_slide();
+        rows.push_back({joint.name,
+                        word_of(joint_kind_choices, joint.kind),
+                        name(joint.a.anchor),
+                        name(joint.b.anchor),
+                        vector(find_place(model, joint.a.anchor)),
+                        has_axis ? vector(joint.a.axes.col(0)) : std::string()});
+    }
+    return {{"title", "Joints"},
+            {"columns", {"", "type", "from", "to", "at", "axis"}},
+            {"rows", rows},
+            {"note", tell_rest(model.joints)}};
+}
+
 std::string describe_components(const std::array<bool, 6>& components) {
     std::string text;
     for (std::size_t i = 0; i < components.size(); ++i) {
@@ -162,6 +182,7 @@ Json describe_tables(const Problem& problem) {
     if (!model.rods.empty()) tables.push_back(describe_rods(model));
     if (!model.bodies.empty()) tables.push_back(describe_body_table(model));
     if (!model.springs.empty()) tables.push_back(describe_spring_table(model));
+    if (!model.joints.empty()) tables.push_back(describe_joint_table(model));
     if (!model.supports.empty()) tables.push_back(describe_support_table(model));
     return tables;
 }

@@ -4,6 +4,7 @@
 
 #include "model/analysis_traits.hpp"
 #include "model/frame_interval.hpp"
+#include "results/tables/quantity.hpp"
 #include "results/tables/step_columns.hpp"
 
 namespace gxrod {
@@ -24,8 +25,7 @@ double count_step_numbers(const OutputSettings& output, bool is_static) {
         1.0 + count_numbers(ledger_columns, is_static) + count_numbers(solver_columns, is_static);
     for (const HistoryRequest& history : output.histories) {
         for (const Quantity quantity : history.quantities) {
-            const bool is_quaternion = quantity == Quantity::quaternion || quantity == Quantity::orientation;
-            numbers += history.spring >= 0 ? 1.0 : is_quaternion ? 4.0 : 3.0;
+            numbers += quantity_form(quantity, PointKind::rod).shape.columns;
         }
     }
     return numbers;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "state/joint_state.hpp"
 #include "state/motion.hpp"
 
 namespace gxrod {
@@ -30,10 +31,11 @@ struct AlgorithmicAcceleration {
 // What evolves. Copying it is all that is needed to come back to it; a step that is not to be committed needs
 // less, see undo_trial.
 struct State {
-    double time = 0.0;                     // of `previous`
-    std::vector<NodeMotion> previous;      // per node, at the last accepted step
-    std::vector<NodeMotion> trial;         // per node, where equilibrium is asked
-    std::vector<SectionHistory> sections;  // per force point, in element order
+    double time = 0.0;                                      // of `previous`
+    std::vector<NodeMotion> previous;                       // per node, at the last accepted step
+    std::vector<NodeMotion> trial;                          // per node, where equilibrium is asked
+    std::vector<SectionHistory> sections;                   // per force point, in element order
+    std::vector<JointState> joints_previous, joints_trial;  // per joint
     // Resultants (N, M) per force point, material, that the mixed tangent is made of; empty with any other.
     std::vector<Vec6> resultants;
     std::vector<AlgorithmicAcceleration> algorithmic_previous,
@@ -45,6 +47,7 @@ struct State {
 // stages, which every step finds again.
 inline void undo_trial(State& state) {
     state.trial = state.previous;
+    state.joints_trial = state.joints_previous;
     state.algorithmic_trial = state.algorithmic_previous;
     state.resultants.clear();
 }

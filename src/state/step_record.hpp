@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "state/joint_values.hpp"
 #include "state/point_values.hpp"
 #include "state/section_values.hpp"
 #include "state/state.hpp"
@@ -46,6 +47,7 @@ struct Snapshot {
     int branch = 0;            // of a path: 0 of the main one
     // Of a stage that follows limit points, of the limit point; of others, t, too.
     double limit_load_factor = 0.0;
+    std::span<const JointValues> joints = {};  // in the order of Model::joints
 };
 
 }  // namespace gxrod

@@ -73,10 +73,14 @@ double NaturalScales::of(Quantity quantity) const {
         case Quantity::displacement:
         case Quantity::centre_of_mass:
         case Quantity::elongation:
+        case Quantity::slide:
+        case Quantity::gap:
             return length;
         case Quantity::velocity:
+        case Quantity::slide_rate:
             return speed;
         case Quantity::angular_velocity:
+        case Quantity::angle_rate:
         case Quantity::angular_velocity_material:
             return by_length(speed);
         case Quantity::acceleration:
@@ -85,14 +89,17 @@ double NaturalScales::of(Quantity quantity) const {
         case Quantity::force_spatial:
         case Quantity::reaction_force:
         case Quantity::axial_force:
+        case Quantity::force_a:
             return by_length(energy);
         case Quantity::moment:
         case Quantity::moment_spatial:
         case Quantity::reaction_moment:
+        case Quantity::moment_a:
             return energy;
         case Quantity::curvature:
             return by_length(1.0);
         case Quantity::strain:
+        case Quantity::angle:
             return 1.0;
         default:
             return 0.0;

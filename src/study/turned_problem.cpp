@@ -91,6 +91,12 @@ void turn_model(const Quat& rotation, Model& model) {
     for (Spring& spring : model.springs) {
         for (SpringEnd& end : spring.ends) end.arm = rotation * end.arm;
     }
+    for (Joint& joint : model.joints) {
+        for (JointSide* side : {&joint.a, &joint.b}) {
+            side->anchor.arm = rotation * side->anchor.arm;
+            side->axes = rotation * side->axes;
+        }
+    }
     for (Support& support : model.supports) support.axes = rotation * support.axes;
     for (NodalLoad& load : model.loads) {
         load.axes = rotation * load.axes;
@@ -116,8 +122,19 @@ Turning turning_of(Quantity quantity, const HistoryRequest& request) {
     if (request.relative_node >= 0) return Turning::none;
     switch (quantity) {
         case Quantity::angular_velocity_material:
+            return Turning::none;
         case Quantity::force:
         case Quantity::moment:
+            return request.joint >= 0 ? Turning::vector : Turning::none;
+        case Quantity::angle:
+        case Quantity::angle_rate:
+        case Quantity::slide:
+        case Quantity::slide_rate:
+        case Quantity::force_a:
+        case Quantity::moment_a:
+        case Quantity::drive:
+        case Quantity::friction:
+        case Quantity::gap:
         case Quantity::strain:
         case Quantity::curvature:
         case Quantity::elongation:

@@ -48,7 +48,7 @@ kind = "static"
 )";
 
 // Lines 1 to 14. The clamped column of P16 is twice as stiff about z.
-inline constexpr const char* pressed_column_deck = R"([section.s]
+inline const std::string pressed_column_deck = R"([section.s]
 stiffness = { EA = 1e3, GAy = 4e2, GAz = 4e2, GJ = 1, EIy = 1, EIz = 2 }
 inertia = { rhoA = 1, rhoJ = 3e-4, rhoIy = 1e-4, rhoIz = 2e-4 }
 [rod.column]

@@ -7,19 +7,27 @@
 namespace gxrod::test {
 namespace {
 
-// The decks of a page of the guide, one after the other.
-std::string toml_of(const std::string& page) {
+// The decks of a page of the guide.
+std::vector<std::string> decks_of(const std::string& page) {
     std::ifstream file(GXROD_SOURCE_DIR "/docs/guide/" + page);
-    std::string deck;
+    std::vector<std::string> decks;
     bool is_toml = false;
     for (std::string line; std::getline(file, line);) {
         if (line.starts_with("```")) {
             is_toml = line == "```toml";
+            if (is_toml) decks.emplace_back();
         } else if (is_toml) {
-            deck += line + "\n";
+            decks.back() += line + "\n";
         }
     }
-    return deck;
+    return decks;
+}
+
+// One after the other.
+std::string toml_of(const std::string& page) {
+    std::string all;
+    for (const std::string& deck : decks_of(page)) all += deck;
+    return all;
 }
 
 const std::string analysis = "[analysis]\nkind = \"dynamic\"\nend_time = 1.0\nsteps = 10\n";
@@ -34,6 +42,20 @@ TEST_CASE("The sections and rods of the guide are a deck", "[deck]") {
     CHECK(problem.model.rods[3].order == 3);
     CHECK(problem.model.rods.back().element_count() == 12);
     CHECK(problem.model.supports.size() == 1);
+}
+
+TEST_CASE("The mechanisms of the guide are decks", "[deck][joint]") {
+    const std::vector<std::string> decks = decks_of("mechanisms.md");
+    REQUIRE(decks.size() == 4);
+    const Model crank = read(decks[0]).model;
+    REQUIRE(crank.joints.size() == 4);
+    CHECK(crank.joints[1].a.anchor.arm == Vec3(0.15, 0, 0));
+    CHECK(crank.joints[0].turn.motion);
+    CHECK(read(decks[2]).model.joints.size() == 4);
+    const std::string hinge =
+        "[joint.j]\ntype = \"hinge\"\nbetween = [\"ground\", \"top\"]\naxis = [0, 0, 1]\n";
+    const std::string actions = replaced(decks[1], "drive    =", "# drive =");
+    CHECK(read(body_deck + hinge + actions).model.joints[0].turn.friction.force == 0.3);
 }
 
 }  // namespace gxrod::test

@@ -85,3 +85,21 @@ TEST_CASE("springs tie parts, if asked", "[model]") {
     CHECK(by_rods[1].springs == std::vector{0, 1});
     CHECK(by_rods[2].springs == std::vector{0});
 }
+
+TEST_CASE("joints tie parts, if asked", "[model][joint]") {
+    Model model = make_model();
+    Joint joint;
+    joint.a.anchor.node = 4;
+    joint.b.anchor.node = 6;
+    model.joints = {joint, joint};
+    model.joints[1].b.anchor.node = -1;  // the ground ties nothing
+    const std::vector<ModelPart> parts = find_parts(model);
+    REQUIRE(parts.size() == 3);
+    CHECK(parts[1].nodes == std::vector{4, 5, 6});
+    CHECK(parts[1].joints == std::vector{0, 1});
+    CHECK(parts[0].joints.empty());
+    const std::vector<ModelPart> by_rods = find_parts(model, Ties::rods);
+    REQUIRE(by_rods.size() == 4);
+    CHECK(by_rods[1].joints == std::vector{0, 1});
+    CHECK(by_rods[2].joints == std::vector{0});
+}

@@ -152,8 +152,16 @@ TEST_CASE("A history that is relative to a point says so", "[results]") {
     const Model model = sample::make_model();
     using enum Quantity;
     OutputSettings output;
-    output.histories = {{"seen", "gyro", 3, 1, std::nullopt, {position, orientation, quaternion}},
-                        {"seen_middle", "beam@0.5", 1, -1, RodPlace{0, 0, 1.0}, {quaternion}}};
+    output.histories = {{.name = "seen",
+                         .at = "gyro",
+                         .node = 3,
+                         .body = 1,
+                         .quantities = {position, orientation, quaternion}},
+                        {.name = "seen_middle",
+                         .at = "beam@0.5",
+                         .node = 1,
+                         .place = RodPlace{0, 0, 1.0},
+                         .quantities = {quaternion}}};
     for (HistoryRequest& history : output.histories) {
         history.relative_to = "beam.start";
         history.relative_node = 0;

@@ -11,7 +11,7 @@
 namespace gxrod {
 namespace {
 
-using StageFunctions = std::vector<CheckedStageFunction>;
+using StageFunctions = std::vector<CheckedNamedFunction>;
 
 std::optional<std::size_t> find_stage(const std::string& name, const BuildContext& context) {
     for (std::size_t i = 0; i < context.stages.size(); ++i) {
@@ -63,8 +63,8 @@ LineFunction hold(const LineExpression& value, const Acting& acting) {
 }
 
 const CheckedTimeFunction* find_factor(const StageFunctions& functions, const std::string& stage) {
-    const auto found = std::find_if(functions.begin(), functions.end(), [&](const CheckedStageFunction& one) {
-        return one.stage.empty() || one.stage == stage;
+    const auto found = std::find_if(functions.begin(), functions.end(), [&](const CheckedNamedFunction& one) {
+        return one.name.empty() || one.name == stage;
     });
     return found == functions.end() ? nullptr : &found->value;
 }
@@ -210,8 +210,8 @@ void check_stage_names(const BuildContext& context) {
                     check_name(word.place, word.path, word.word, context);
             }
             if (!table.gives("factor")) continue;
-            for (const CheckedStageFunction& one : table.get<StageFunctions>("factor")) {
-                if (!one.stage.empty()) check_name(one.value.place, one.value.path, one.stage, context);
+            for (const CheckedNamedFunction& one : table.get<StageFunctions>("factor")) {
+                if (!one.name.empty()) check_name(one.value.place, one.value.path, one.name, context);
             }
         }
     }

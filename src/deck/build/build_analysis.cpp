@@ -134,6 +134,7 @@ DynamicSettings build_dynamic(const CheckedTable& table, const BuildContext& con
     settings.beta = table.get<double>("beta");
     settings.gamma = table.get<double>("gamma");
     settings.spectral_radius = table.get<double>("spectral_radius");
+    settings.projects_start = table.get<std::string>("start") == "project";
     settings.adaptive = build_adaptive(table, context);
     if (settings.adaptive) note_first_step(settings, table, context);
     const bool is_papers_scheme = settings.scheme == Scheme::newmark_simplified;

@@ -56,16 +56,36 @@ bool is_reaction(Quantity quantity) {
     return quantity == Quantity::reaction_force || quantity == Quantity::reaction_moment;
 }
 
+bool is_of_joints(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::angle:
+        case Quantity::angle_rate:
+        case Quantity::slide:
+        case Quantity::slide_rate:
+        case Quantity::force:
+        case Quantity::moment:
+        case Quantity::force_a:
+        case Quantity::moment_a:
+        case Quantity::drive:
+        case Quantity::friction:
+        case Quantity::gap:
+            return true;
+        default:
+            return false;
+    }
+}
+
 bool is_of_springs(Quantity quantity) {
     return quantity == Quantity::elongation || quantity == Quantity::axial_force;
 }
 
 // Where a history looks.
 struct HistoryPlace {
-    int node;  // -1: between nodes, or a spring
-    int body;  // -1: of a rod or a spring
+    int node;  // -1: between nodes, a spring or a joint
+    int body;  // -1: of a rod, a spring or a joint
     std::optional<RodPlace> place;
     int spring = -1;
+    int joint = -1;
 };
 
 // A node's place in the rod; where elements meet, in the first of them.
@@ -116,12 +136,23 @@ RodPlace place_between_nodes(const RodPoint& point, const Rod& rod) {
     return {point.rod, element, low + high - 1.0};
 }
 
+// The index of the spring or joint of this name; −1 if it could not be built.
+template <class Tie>
+int find_tie(const std::string& name, const std::vector<Tie>& ties) {
+    const auto found = std::ranges::find(ties, name, &Tie::name);
+    return found == ties.end() ? -1 : static_cast<int>(found - ties.begin());
+}
+
 std::optional<HistoryPlace> find_place(const std::string& text, const BuildContext& context) {
     if (find_index(context.deck.tables("spring"), text)) {
-        const std::vector<Spring>& springs = context.model.springs;
-        const auto found = std::ranges::find(springs, text, &Spring::name);
-        if (found == springs.end()) return std::nullopt;
-        return HistoryPlace{-1, -1, std::nullopt, static_cast<int>(found - springs.begin())};
+        const int spring = find_tie(text, context.model.springs);
+        if (spring < 0) return std::nullopt;
+        return HistoryPlace{-1, -1, std::nullopt, spring};
+    }
+    if (find_index(context.deck.tables("joint"), text)) {
+        const int joint = find_tie(text, context.model.joints);
+        if (joint < 0) return std::nullopt;
+        return HistoryPlace{-1, -1, std::nullopt, -1, joint};
     }
     const std::optional<PlacedPoint> placed = context.place(text);
     if (!placed) return std::nullopt;
@@ -131,10 +162,39 @@ std::optional<HistoryPlace> find_place(const std::string& text, const BuildConte
     return HistoryPlace{-1, -1, place_between_nodes(*placed->between, rod)};
 }
 
+// Why the joint has no such quantity, or "".
+std::string explain_missing(Quantity quantity, const Joint& joint) {
+    const auto count = [&](const auto& has) { return int(has(joint.turn)) + int(has(joint.slide)); };
+    const int motors = count([](const JointCoordinate& one) { return one.motion.has_value(); });
+    const int frictions = count([](const JointCoordinate& one) { return one.friction.force > 0.0; });
+    switch (quantity) {
+        case Quantity::angle:
+        case Quantity::angle_rate:
+            return joint.has_turn() ? "" : "this joint has no turn about one axis";
+        case Quantity::slide:
+        case Quantity::slide_rate:
+            return joint.has_slide() ? "" : "this joint has no slide";
+        case Quantity::drive:
+            if (motors > 1)
+                return "this joint has two motors; force_a and moment_a show both, along the axis";
+            return motors == 1 ? "" : "only a joint with a motor has it; this one has no `move`";
+        case Quantity::friction:
+            if (frictions > 1) return "this joint has two frictions; expected one";
+            return frictions == 1 ? "" : "this joint has no friction";
+        default:
+            if (is_of_joints(quantity)) return "";
+            return is_of_springs(quantity) ? "only springs have it; this is a joint"
+                                           : "only points have it; this is a joint";
+    }
+}
+
 // Why the point has no such quantity, or "".
 std::string explain_missing(Quantity quantity, const HistoryPlace& point, const Model& model) {
+    if (point.joint >= 0)
+        return explain_missing(quantity, model.joints[static_cast<std::size_t>(point.joint)]);
     if (point.spring >= 0) return is_of_springs(quantity) ? "" : "only points have it; this is a spring";
     if (is_of_springs(quantity)) return "only springs have it; this is a point";
+    if (is_of_joints(quantity) && !is_of_rods(quantity)) return "only joints have it; this is a point";
     if (is_of_rods(quantity) && !point.place) return "only points of rods have it; this one is a body";
     if (quantity == Quantity::centre_of_mass && point.body < 0) {
         return "only bodies have it; this is a point of a rod";
@@ -181,7 +241,8 @@ HistoryRequest build_history(const CheckedTable& table,
                            .node = point.node,
                            .body = point.body,
                            .spring = point.spring,
-                           .place = point.place};
+                           .place = point.place,
+                           .joint = point.joint};
     set_reference(table, request, context);
     for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("quantities")) {
         const Quantity quantity = value_of(quantity_choices, word.word);

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
-#include <array>
+#include "deck/joints/ends.hpp"
 
 namespace gxrod {
 namespace {
@@ -11,28 +10,9 @@ namespace {
 // Points nearer than this, relative to the model's size, are at one place.
 constexpr double same_place = 1e-9;
 
-constexpr std::array<const char*, 2> place_keys{"at_a", "at_b"};
-
-std::optional<SpringEnd> find_end(const CheckedTable& table, std::size_t index, const BuildContext& context) {
-    const CheckedWord& word = table.get<std::vector<CheckedWord>>("between")[index];
-    const char* key = place_keys[index];
-    if (word.word == ground_word) {
-        if (table.gives(key)) return SpringEnd{.arm = table.get<Vec3>(key)};
-        context.faults.add(word.place,
-                           word.path,
-                           fmt::format("the ground has no place of its own; expected {} = [x, y, z]", key));
-        return std::nullopt;
-    }
-    const std::optional<PlacedPoint> point = context.place(word.word);
-    if (!point) return std::nullopt;
-    SpringEnd end{.node = point->node};
-    if (table.gives(key)) end.arm = table.get<Vec3>(key) - context.model.nodes[point->node].position;
-    return end;
-}
-
 // Whether the ends are on two things that can move against each other; a fault if not.
 bool are_apart(const CheckedTable& table, const Spring& spring, const BuildContext& context) {
-    const auto& words = table.get<std::vector<CheckedWord>>("between");
+    const auto& words = ends_of(table);
     if (spring.ends[0].node != spring.ends[1].node) return true;
     const std::string both = fmt::format("\"{}\" and \"{}\"", words[0].word, words[1].word);
     context.add_fault(table,
@@ -41,13 +21,6 @@ bool are_apart(const CheckedTable& table, const Spring& spring, const BuildConte
                           ? "both ends are on the ground; expected a point that moves, too"
                           : both + " are one node, whose points keep their distance");
     return false;
-}
-
-double measure(const Model& model, const Spring& spring) {
-    Eigen::AlignedBox3d box;
-    for (const Node& node : model.nodes) box.extend(node.position);
-    for (const SpringEnd& end : spring.ends) box.extend(find_place(model, end));
-    return box.diagonal().norm();
 }
 
 // A spring between coincident points has a direction only if it always pulls and does not damp.
@@ -75,8 +48,8 @@ void check_direction(const CheckedTable& table, double length, const BuildContex
 }
 
 void build_spring(const CheckedTable& table, BuildContext& context) {
-    const std::optional<SpringEnd> a = find_end(table, 0, context);
-    const std::optional<SpringEnd> b = find_end(table, 1, context);
+    const std::optional<Anchor> a = find_anchor(table, 0, "at_a", context);
+    const std::optional<Anchor> b = find_anchor(table, 1, "at_b", context);
     if (!a || !b) return;
     Spring spring{.name = table.name,
                   .ends = {*a, *b},
@@ -85,7 +58,7 @@ void build_spring(const CheckedTable& table, BuildContext& context) {
     if (!are_apart(table, spring, context)) return;
     const double distance = (find_place(context.model, *b) - find_place(context.model, *a)).norm();
     spring.length = table.gives("length") ? table.get<double>("length") : distance;
-    if (distance <= same_place * measure(context.model, spring))
+    if (distance <= same_place * measure_size(context.model, spring.ends))
         check_direction(table, spring.length, context);
     context.model.springs.push_back(spring);
 }

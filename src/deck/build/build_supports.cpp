@@ -2,24 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "deck/build/acting.hpp"
 #include "deck/build/plane.hpp"
-#include "deck/build/sample_times.hpp"
 #include "deck/build/support_merge.hpp"
+#include "deck/checks/check_moves.hpp"
+#include "deck/joints/ends.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/suggestion.hpp"
-#include "model/transitions.hpp"
 
 namespace gxrod {
 namespace {
-
-// A move that is below this at t = 0, relative to its largest value or to what it moves, is 0 there.
-constexpr double round_off = 1e-12;
-constexpr long most_samples = 1000;
-constexpr long fewest_samples = 64;
 
 NodeSupport& find_support(int node, std::vector<NodeSupport>& supports, std::vector<int>& by_node) {
     if (by_node[node] < 0) {
@@ -72,56 +66,6 @@ void check_rotations(const NodeSupport& supported, const BuildContext& context) 
     }
 }
 
-double measure(const Model& model) {
-    Eigen::AlignedBox3d box;
-    for (const Node& node : model.nodes) box.extend(node.position);
-    return box.isEmpty() ? 0.0 : box.diagonal().norm();
-}
-
-// The deck's shape is that at t = 0, so that a motion begins with 0. `size` is that of what moves: the model,
-// or 1 rad.
-void check_start(const CheckedTimeFunction& move, double size, const BuildContext& context) {
-    double start = 0.0;
-    try {
-        start = move.function(0.0);
-        for (const double time : sample_times(context.analysis(), most_samples)) {
-            size = std::max(size, std::abs(move.function(time)));
-        }
-    } catch (const EvaluationError&) {
-        return;  // check_functions reports it
-    }
-    if (std::abs(start) <= round_off * size) return;
-    context.faults.add(
-        move.place,
-        move.path,
-        fmt::format("is {:.6g} at t = 0; expected 0 there, since the deck says where things are "
-                    "at t = 0",
-                    start));
-}
-
-// No force moves a support at once: the rods would be torn to where it is, differently at every step size.
-void check_jumps(const CheckedTimeFunction& move, const BuildContext& context) {
-    const auto& analysis = std::get<DynamicSettings>(context.analysis());
-    std::vector<Transition> jumps;
-    try {
-        const int samples = static_cast<int>(std::clamp(analysis.steps, fewest_samples, most_samples));
-        jumps = find_transitions(move.function, {0.0, analysis.end_time}, samples);
-    } catch (const EvaluationError&) {
-        return;  // check_functions reports it
-    }
-    const auto first =
-        std::find_if(jumps.begin(), jumps.end(), [](const Transition& one) { return one.is_jump; });
-    if (first == jumps.end()) return;
-    context.faults.add(
-        move.place,
-        move.path,
-        fmt::format("jumps from {:.6g} to {:.6g} at t = {:.6g}; expected a motion without jumps, such as a "
-                    "[function] whose table has interpolation = \"cubic\"",
-                    first->value_before,
-                    first->value_after,
-                    first->time));
-}
-
 // A model without an unknown is a mistake, unless its supports move it.
 void check_freedom(const std::vector<NodeSupport>& supports, const BuildContext& context) {
     const auto is_clamped = [](const NodeSupport& supported) {
@@ -139,17 +83,14 @@ void check_freedom(const std::vector<NodeSupport>& supports, const BuildContext&
 void build_supports(BuildContext& context) {
     std::vector<NodeSupport> supports;
     std::vector<int> by_node(context.model.nodes.size(), -1);
-    const double model_size = measure(context.model);
+    const double model_size = measure_size(context.model, {});
     for (const CheckedTable& table : context.deck.tables("support")) {
         if (!acts_in_stage(table, context)) continue;
         const std::optional<PlacedPoint> point = context.place(table.get<std::string>("at"));
         if (point) merge_support(table, find_support(point->node, supports, by_node), context);
-        if (!is_timed(context.analysis())) continue;
         const auto moves = moves_of(table);
         for (std::size_t i = 0; i < moves.size(); ++i) {
-            if (moves[i] == nullptr) continue;
-            if (context.stage == 0) check_start(*moves[i], i < 3 ? model_size : 1.0, context);
-            check_jumps(*moves[i], context);
+            if (moves[i] != nullptr) check_move(*moves[i], i < 3 ? model_size : 1.0, context);
         }
     }
     for (NodeSupport& supported : supports) {

@@ -22,10 +22,18 @@ std::vector<std::string> names_of(const std::vector<CheckedTable>& tables) {
     return names;
 }
 
+using NameIndex = std::unordered_map<std::string, int>;
+
+NameIndex index(const std::vector<std::string>& names) {
+    NameIndex indices;
+    for (const std::string& name : names) indices.emplace(name, static_cast<int>(indices.size()));
+    return indices;
+}
+
 // The index of a name, or -1.
-int index_of(const std::vector<std::string>& names, std::string_view name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+int index_of(const NameIndex& indices, const std::string& name) {
+    const auto found = indices.find(name);
+    return found == indices.end() ? -1 : found->second;
 }
 
 // "a, b or c".
@@ -53,15 +61,19 @@ std::optional<double> read_fraction(std::string_view text) {
 }  // namespace
 
 PointNames::PointNames(const CheckedTable& deck, std::map<int, NetPoints> nets)
-    : rods_(names_of(deck.tables("rod"))), bodies_(names_of(deck.tables("body"))), nets_(std::move(nets)) {
+    : rods_(names_of(deck.tables("rod"))),
+      bodies_(names_of(deck.tables("body"))),
+      rod_index_(index(rods_)),
+      body_index_(index(bodies_)),
+      nets_(std::move(nets)) {
     for (const CheckedTable& rod : deck.tables("rod")) is_meshed_.push_back(rod.gives("mesh"));
 }
 
 std::variant<Point, std::string> PointNames::find(const std::string& text, PointNeeds needs) const {
     const std::size_t separator = text.find_first_of(".@");
     const std::string name = text.substr(0, separator);
-    const int body = index_of(bodies_, name);
-    const int rod = index_of(rods_, name);
+    const int body = index_of(body_index_, name);
+    const int rod = index_of(rod_index_, name);
     if (separator == std::string::npos) {
         if (body >= 0) return Point(BodyPoint{body});
         if (rod >= 0) {

@@ -3,6 +3,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <variant>
 #include <vector>
 
@@ -60,6 +61,8 @@ class PointNames {
 
     std::vector<std::string> rods_;
     std::vector<std::string> bodies_;
+    std::unordered_map<std::string, int> rod_index_;
+    std::unordered_map<std::string, int> body_index_;
     std::vector<bool> is_meshed_;  // by rod
     std::map<int, NetPoints> nets_;
 };

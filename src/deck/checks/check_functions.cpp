@@ -3,6 +3,7 @@
 #include "deck/build/acting.hpp"
 #include "deck/build/part.hpp"
 #include "deck/build/sample_times.hpp"
+#include "deck/joints/joint_coordinates.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "model/evaluation_error.hpp"
@@ -66,8 +67,8 @@ void check_functions(const BuildContext& context) {
     for (const CheckedTable& load : context.deck.tables("load")) {
         if (find_acting(load, context).is_absent) continue;
         if (load.gives("factor")) {
-            for (const CheckedStageFunction& factor : load.get<std::vector<CheckedStageFunction>>("factor")) {
-                if (factor.stage.empty() || factor.stage == context.stages[context.stage].name)
+            for (const CheckedNamedFunction& factor : load.get<std::vector<CheckedNamedFunction>>("factor")) {
+                if (factor.name.empty() || factor.name == context.stages[context.stage].name)
                     check(factor.value, times, context);
             }
         }
@@ -84,6 +85,9 @@ void check_functions(const BuildContext& context) {
         for (const CheckedValue& move : support.tables("move").front().values) {
             check(std::get<CheckedTimeFunction>(move.value), times, context);
         }
+    }
+    for (const CheckedTable& joint : context.deck.tables("joint")) {
+        for (const CheckedTimeFunction* function : functions_of(joint)) check(*function, times, context);
     }
 }
 

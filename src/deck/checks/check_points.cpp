@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "deck/build/build_springs.hpp"
 #include "deck/build/part.hpp"
+#include "deck/joints/ends.hpp"
 #include "deck/schema/suggestion.hpp"
 
 namespace gxrod {
@@ -29,7 +29,7 @@ class PointCheck {
         if (table.gives(key)) check(table.get<std::string>(key), table.place_of(key), table.path_of(key));
     }
 
-    // An end of a spring that is not the ground.
+    // An end of a spring or joint that is not the ground.
     void check_end(const CheckedWord& word) {
         const std::string ground = did_you_mean(word.word, {ground_word});
         const auto found = context_.names.find(word.word);
@@ -80,17 +80,21 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
             points.check_of_rod(word.word, word.place, word.path, "; a body's `at` puts it on one");
         }
     }
-    for (const CheckedTable& table : context.deck.tables("spring")) {
-        for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("between")) {
-            if (word.word != ground_word) points.check_end(word);
+    for (const char* key : {"spring", "joint"}) {
+        for (const CheckedTable& table : context.deck.tables(key)) {
+            for (const CheckedWord& word : ends_of(table)) {
+                if (word.word != ground_word) points.check_end(word);
+            }
         }
     }
     for (const char* key : {"load", "support"}) {
         for (const CheckedTable& table : context.deck.tables(key)) points.check_key(table, "at");
     }
     for (const CheckedTable& table : context.deck.tables("history")) {
-        if (!find_index(context.deck.tables("spring"), table.get<std::string>("at")))
-            points.check_place(table, "at");
+        const std::string& at = table.get<std::string>("at");
+        const bool is_tie =
+            find_index(context.deck.tables("spring"), at) || find_index(context.deck.tables("joint"), at);
+        if (!is_tie) points.check_place(table, "at");
         points.check_key(table, "relative_to");
     }
     for (const char* key : {"analysis", "stage"}) {

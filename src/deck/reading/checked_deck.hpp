@@ -31,9 +31,10 @@ struct CheckedTimeFunction {
     std::string path;
 };
 
-// A value f(t) of the stage of that name; "" of all stages.
-struct CheckedStageFunction {
-    std::string stage;
+// A value f(t) of the stage, or the coordinate of a joint, of that name; "" of all stages, or of the only
+// coordinate.
+struct CheckedNamedFunction {
+    std::string name;
     CheckedTimeFunction value;
 };
 
@@ -102,7 +103,7 @@ struct CheckedValue {
                  std::vector<double>,
                  TimeTable,
                  CheckedTimeFunction,
-                 std::vector<CheckedStageFunction>,
+                 std::vector<CheckedNamedFunction>,
                  CheckedTimeVector,
                  CheckedLineVector,
                  CheckedPlaceVector,

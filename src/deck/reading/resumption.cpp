@@ -91,10 +91,15 @@ bool have_same_mesh(const Model& before, const Model& now) {
     const auto same_spring = [&](const Spring& a, const Spring& b) {
         return a.name == b.name && std::ranges::equal(a.ends, b.ends, same_end);
     };
+    const auto same_joint = [&](const Joint& a, const Joint& b) {
+        return a.name == b.name && a.kind == b.kind && same_end(a.a.anchor, b.a.anchor) &&
+               same_end(a.b.anchor, b.b.anchor) && a.a.axes == b.a.axes && a.b.axes == b.b.axes;
+    };
     return std::ranges::equal(before.nodes, now.nodes, same_node) &&
            std::ranges::equal(before.rods, now.rods, same_rod) &&
            std::ranges::equal(before.bodies, now.bodies, same_body) &&
-           std::ranges::equal(before.springs, now.springs, same_spring);
+           std::ranges::equal(before.springs, now.springs, same_spring) &&
+           std::ranges::equal(before.joints, now.joints, same_joint);
 }
 
 }  // namespace gxrod

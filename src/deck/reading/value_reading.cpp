@@ -7,6 +7,7 @@
 
 #include "deck/reading/array_reading.hpp"
 #include "deck/reading/word_reading.hpp"
+#include "deck/schema/suggestion.hpp"
 #include "machine/printable.hpp"
 
 namespace gxrod {
@@ -99,14 +100,15 @@ class ValueReader {
         return CheckedTimeFunction{std::move(*function), node.place, path};
     }
 
-    std::optional<std::vector<CheckedStageFunction>> stage_functions(const DeckNode& node,
+    // f(t), or a table of them by name.
+    std::optional<std::vector<CheckedNamedFunction>> named_functions(const DeckNode& node,
                                                                      const std::string& path) const {
-        std::vector<CheckedStageFunction> functions;
+        std::vector<CheckedNamedFunction> functions;
         bool complete = true;
-        const auto read = [&](const std::string& stage, const DeckNode& value, const std::string& at) {
+        const auto read = [&](const std::string& name, const DeckNode& value, const std::string& at) {
             auto function = time_function(value, at);
             complete = complete && function;
-            if (function) functions.push_back({stage, std::move(*function)});
+            if (function) functions.push_back({name, std::move(*function)});
         };
         if (node.table() == nullptr) {
             read("", node, path);
@@ -117,6 +119,21 @@ class ValueReader {
             for (const DeckEntry& entry : *node.table()) read(entry.key, entry.node, path + "." + entry.key);
         }
         return complete ? std::optional(std::move(functions)) : std::nullopt;
+    }
+
+    std::optional<std::vector<CheckedNamedFunction>> coordinate_functions(const DeckNode& node,
+                                                                          const std::string& path) const {
+        if (node.table() == nullptr) return named_functions(node, path);
+        bool complete = true;
+        for (const DeckEntry& entry : *node.table()) {
+            if (entry.key == "turn" || entry.key == "slide") continue;
+            const std::string hint = did_you_mean(entry.key, {"turn", "slide"});
+            context_.faults.add(entry.place,
+                                path + "." + entry.key,
+                                "unknown key" + (hint.empty() ? "; known here: turn, slide" : hint));
+            complete = false;
+        }
+        return complete ? named_functions(node, path) : std::nullopt;
     }
 
     std::optional<CheckedLineFunction> line_function(const DeckNode& node, const std::string& path) const {
@@ -333,7 +350,9 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
         case ValueType::time_expression:
             return wrap(reader.time_function(node, path));
         case ValueType::stage_functions:
-            return wrap(reader.stage_functions(node, path));
+            return wrap(reader.named_functions(node, path));
+        case ValueType::coordinate_functions:
+            return wrap(reader.coordinate_functions(node, path));
         case ValueType::time_vector:
             return wrap(reader.functions(node, path, &ValueReader::time_function));
         case ValueType::line_vector:

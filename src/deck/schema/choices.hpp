@@ -22,6 +22,16 @@ struct Choice {
 inline constexpr std::array<Choice<ElementKind>, 2> element_kind_choices{
     {{"objective", ElementKind::objective}, {"simo", ElementKind::simo}}};
 
+inline constexpr std::array<Choice<JointKind>, 9> joint_kind_choices{{{"ball", JointKind::ball},
+                                                                      {"hinge", JointKind::hinge},
+                                                                      {"cylinder", JointKind::cylinder},
+                                                                      {"slider", JointKind::slider},
+                                                                      {"universal", JointKind::universal},
+                                                                      {"screw", JointKind::screw},
+                                                                      {"plane", JointKind::plane},
+                                                                      {"weld", JointKind::weld},
+                                                                      {"distance", JointKind::distance}}};
+
 inline constexpr std::array<Choice<Frame>, 3> frame_choices{
     {{"spatial", Frame::spatial}, {"follower", Frame::follower}, {"body", Frame::body}}};
 
@@ -62,7 +72,7 @@ inline constexpr std::array<Choice<int>, 3> direction_choices{{{"x", 0}, {"y", 1
 inline constexpr std::array<Choice<Compression>, 2> compression_choices{
     {{"none", Compression::none}, {"deflate", Compression::deflate}}};
 
-inline constexpr std::array<Choice<Quantity>, 20> quantity_choices{
+inline constexpr std::array<Choice<Quantity>, 29> quantity_choices{
     {{"position", Quantity::position},
      {"displacement", Quantity::displacement},
      {"rotation_vector", Quantity::rotation_vector},
@@ -82,7 +92,16 @@ inline constexpr std::array<Choice<Quantity>, 20> quantity_choices{
      {"reaction_force", Quantity::reaction_force},
      {"reaction_moment", Quantity::reaction_moment},
      {"elongation", Quantity::elongation},
-     {"axial_force", Quantity::axial_force}}};
+     {"axial_force", Quantity::axial_force},
+     {"angle", Quantity::angle},
+     {"angle_rate", Quantity::angle_rate},
+     {"slide", Quantity::slide},
+     {"slide_rate", Quantity::slide_rate},
+     {"force_a", Quantity::force_a},
+     {"moment_a", Quantity::moment_a},
+     {"drive", Quantity::drive},
+     {"friction", Quantity::friction},
+     {"gap", Quantity::gap}}};
 
 template <class Value, std::size_t count>
 std::vector<std::string> words_of(const std::array<Choice<Value>, count>& choices) {

@@ -56,6 +56,7 @@ TableSpec make_root() {
         {.name = "rod", .type = ValueType::named_tables, .table = &rod_table()},
         {.name = "body", .type = ValueType::named_tables, .table = &body_table()},
         {.name = "spring", .type = ValueType::named_tables, .table = &spring_table()},
+        {.name = "joint", .type = ValueType::named_tables, .table = &joint_table()},
         {.name = "connect", .type = ValueType::table_list, .table = &connect_table()},
         {.name = "load", .type = ValueType::table_list, .table = &load_table()},
         {.name = "support", .type = ValueType::table_list, .table = &support_table()},
@@ -193,6 +194,8 @@ std::string describe_expected(const KeySpec& key) {
         case ValueType::stage_functions:
             return "a number or an expression in t, or a table of one for each stage, such as "
                    "{ hang = \"t\", swing = 1 }";
+        case ValueType::coordinate_functions:
+            return "a number or an expression in t, or a table { turn = \"…\", slide = \"…\" } of them";
         case ValueType::time_vector:
         case ValueType::line_vector:
         case ValueType::place_vector:

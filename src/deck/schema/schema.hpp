@@ -25,27 +25,28 @@ enum class ValueType {
     names,      // the name of a table elsewhere in the deck, or a list of them that is not empty
     integer,    // or an expression whose value is one
     number,
-    vector,           // 3 numbers
-    matrix,           // 3 rows of 3 numbers
-    vectors,          // 2 vectors or more
-    numbers,          // a list of numbers that is not empty
-    bounds,           // a number, or 2 of them: the lower and the upper one
-    section_matrix,   // 6 rows of 6 numbers
-    inertia,          // 3 numbers, or 3 rows of 3 that make a symmetric matrix
-    placement,        // a vector or a point
-    mesh_group,       // the name or number of a physical group
-    time_expression,  // f(t)
-    stage_functions,  // f(t), or a table of one for each stage that it names
-    time_vector,      // 3 f(t)
-    line_vector,      // 3 f(t, s), s the arc length along a rod
-    place_vector,     // 3 f(x, y, z, s) of the reference position
-    time_table,       // rows of 2 numbers, the first of each increasing
-    columns,          // 2 names or numbers of columns
-    table,            // keys of its own
-    named_tables,     // [rod.NAME], any number
-    table_list,       // [[load]], any number
-    parameters,       // any names, a number each
-    variations        // any keys of a deck in quotes, a list of values or a table each
+    vector,                // 3 numbers
+    matrix,                // 3 rows of 3 numbers
+    vectors,               // 2 vectors or more
+    numbers,               // a list of numbers that is not empty
+    bounds,                // a number, or 2 of them: the lower and the upper one
+    section_matrix,        // 6 rows of 6 numbers
+    inertia,               // 3 numbers, or 3 rows of 3 that make a symmetric matrix
+    placement,             // a vector or a point
+    mesh_group,            // the name or number of a physical group
+    time_expression,       // f(t)
+    stage_functions,       // f(t), or a table of one for each stage that it names
+    coordinate_functions,  // f(t), or a table of one for the turn, one for the slide or both
+    time_vector,           // 3 f(t)
+    line_vector,           // 3 f(t, s), s the arc length along a rod
+    place_vector,          // 3 f(x, y, z, s) of the reference position
+    time_table,            // rows of 2 numbers, the first of each increasing
+    columns,               // 2 names or numbers of columns
+    table,                 // keys of its own
+    named_tables,          // [rod.NAME], any number
+    table_list,            // [[load]], any number
+    parameters,            // any names, a number each
+    variations             // any keys of a deck in quotes, a list of values or a table each
 };
 
 enum class Bound { closed, open };

@@ -124,6 +124,14 @@ std::vector<KeySpec> scheme_keys() {
          .sentence =
              "At infinite frequency: 1 keeps the amplitude of every frequency, 0 removes the highest.",
          .only_for = for_schemes({Scheme::generalized_alpha})},
+        {.name = "start",
+         .type = ValueType::choice,
+         .default_value = "given",
+         .sentence =
+             "Of the velocities at t = 0. given: they must fit the joints. project: those that fit and "
+             "are nearest to what is given, by kinetic energy.",
+         .choices = {"given", "project"},
+         .only_for = {dynamic_only}},
         {.name = "adaptive",
          .type = ValueType::table,
          .sentence =
@@ -303,7 +311,7 @@ const TableSpec& history_table() {
     static const TableSpec table{
         .path = "history",
         .heading = "[[history]]",
-        .sentence = "Quantities of a point or a spring, recorded at every step.",
+        .sentence = "Quantities of a point, a spring or a joint, recorded at every step.",
         .keys =
             {{.name = "name",
               .type = ValueType::text,
@@ -312,7 +320,7 @@ const TableSpec& history_table() {
              {.name = "at",
               .type = ValueType::point,
               .presence = Presence::required,
-              .sentence = "A point of a rod, between nodes too, a body or a spring."},
+              .sentence = "A point of a rod, between nodes too, a body, a spring or a joint."},
              {.name = "relative_to",
               .type = ValueType::point,
               .default_text = "the global axes and the origin",
@@ -327,8 +335,11 @@ const TableSpec& history_table() {
                   "attitude of a body; orientation is that of section or body axes for both. force, "
                   "moment (section axes), force_spatial, moment_spatial, strain and curvature are a rod's, "
                   "centre_of_mass is a body's, reactions are a support's. elongation (length less that of "
-                  "the "
-                  "free spring) and axial_force (tension positive, with damping) are a spring's.",
+                  "the free spring) and axial_force (tension positive, with damping) are a spring's. A joint "
+                  "has angle, slide and their rates since t = 0, force and moment (what A exerts on B, "
+                  "moment "
+                  "about the joint, global), force_a and moment_a (in the joint's axes on A, along its axis "
+                  "first), drive (moment or force of its motor), friction and gap.",
               .choices = words_of(quantity_choices)}},
         .example =
             "[[history]]\n"

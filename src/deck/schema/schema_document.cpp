@@ -98,6 +98,8 @@ std::string describe_type(const KeySpec& key) {
             return "f(t)";
         case ValueType::stage_functions:
             return "f(t), or { STAGE = f(t) }";
+        case ValueType::coordinate_functions:
+            return "f(t), or { turn = f(t), slide = f(t) }";
         case ValueType::time_vector:
             return "3 f(t)";
         case ValueType::line_vector:

@@ -99,6 +99,12 @@ Json make_type(const KeySpec& key) {
             return reference("number");
         case ValueType::stage_functions:
             return any_of({reference("number"), named_tables("^[A-Za-z0-9_-]+$", reference("number"))});
+        case ValueType::coordinate_functions:
+            return any_of({reference("number"),
+                           {{"type", "object"},
+                            {"properties", {{"turn", reference("number")}, {"slide", reference("number")}}},
+                            {"minProperties", 1},
+                            {"additionalProperties", false}}});
         case ValueType::time_table:
             return {{"type", "array"}, {"items", array_of(reference("number"), 2)}, {"minItems", 1}};
         case ValueType::columns:

@@ -10,6 +10,7 @@ const TableSpec& section_table();
 const TableSpec& rod_table();
 const TableSpec& body_table();
 const TableSpec& spring_table();
+const TableSpec& joint_table();
 const TableSpec& connect_table();
 const TableSpec& load_table();
 const TableSpec& support_table();

@@ -40,6 +40,7 @@ HistoryPoint::HistoryPoint(const Model& model, const std::vector<HistoryRequest>
     const HistoryRequest& request = requests[index];
     for (std::size_t i = 0; i < index; ++i) point_ += requests[i].place ? 1 : 0;
     if (request.spring >= 0) spring_ = &model.springs[static_cast<std::size_t>(request.spring)];
+    joint_ = request.joint;
     if (request.body >= 0) {
         body_ = &model.bodies[static_cast<std::size_t>(request.body)];
         start_axes_ = body_->attitude;
@@ -111,6 +112,40 @@ void HistoryPoint::go_on_from(Quantity quantity, std::span<const double> row) {
     if (quantity == Quantity::orientation) last_orientation_ = Quat(row[0], row[1], row[2], row[3]);
 }
 
+PointKind HistoryPoint::kind() const {
+    if (joint_ >= 0) return PointKind::joint;
+    if (spring_ != nullptr) return PointKind::spring;
+    return body_ != nullptr ? PointKind::body : PointKind::rod;
+}
+
+HistoryPoint::Row HistoryPoint::joint_value(Quantity quantity, const JointValues& joint) {
+    switch (quantity) {
+        case Quantity::angle:
+            return {joint.turn};
+        case Quantity::angle_rate:
+            return {joint.turn_rate};
+        case Quantity::slide:
+            return {joint.slide};
+        case Quantity::slide_rate:
+            return {joint.slide_rate};
+        case Quantity::force:
+            return row(joint.force);
+        case Quantity::moment:
+            return row(joint.moment);
+        case Quantity::force_a:
+            return row(joint.force_in_joint);
+        case Quantity::moment_a:
+            return row(joint.moment_in_joint);
+        case Quantity::drive:
+            return {joint.motor_turn + joint.motor_slide};  // a joint has this with one motor only
+        case Quantity::friction:
+            return {joint.friction};
+        default:
+            assert(quantity == Quantity::gap);
+            return {joint.gap};
+    }
+}
+
 double HistoryPoint::spring_value(Quantity quantity, const Snapshot& snapshot) const {
     const auto find = [&](const SpringEnd& end) {
         return end.is_ground() ? nullptr : &snapshot.nodes[static_cast<std::size_t>(end.node)];
@@ -122,6 +157,7 @@ double HistoryPoint::spring_value(Quantity quantity, const Snapshot& snapshot) c
 
 HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snapshot) {
     if (spring_) return {spring_value(quantity, snapshot)};
+    if (joint_ >= 0) return joint_value(quantity, snapshot.joints[static_cast<std::size_t>(joint_)]);
     const Seen seen = see_from_reference(snapshot);
     const NodeMotion& node = seen.motion;
     const Quat axes = node.Lambda * seen.start_axes;
@@ -161,7 +197,16 @@ HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snaps
             return row(snapshot.reactions[static_cast<std::size_t>(node_)].tail<3>());
         case Quantity::elongation:
         case Quantity::axial_force:
-            break;  // of springs only
+        case Quantity::angle:
+        case Quantity::angle_rate:
+        case Quantity::slide:
+        case Quantity::slide_rate:
+        case Quantity::force_a:
+        case Quantity::moment_a:
+        case Quantity::drive:
+        case Quantity::friction:
+        case Quantity::gap:
+            break;  // of springs and joints only
     }
     assert(false);
     return {};

@@ -22,7 +22,7 @@ class HistoryPoint {
     // For requests[index]. `model` must outlive the point; snapshots must have the points of all requests.
     HistoryPoint(const Model& model, const std::vector<HistoryRequest>& requests, std::size_t index);
 
-    PointKind kind() const { return spring_ ? PointKind::spring : body_ ? PointKind::body : PointKind::rod; }
+    PointKind kind() const;
     // Chooses the sign of each quaternion that is nearest to the one of the call before.
     Row compute(Quantity quantity, const Snapshot& snapshot);
     // Sets the row that signs of quaternions follow.
@@ -39,6 +39,7 @@ class HistoryPoint {
     // As seen from the point that the request is relative to: places from there, components in its axes,
     // Lambda · start_axes the section or body axes from those.
     Seen see_from_reference(const Snapshot& snapshot) const;
+    static Row joint_value(Quantity quantity, const JointValues& joint);
     double spring_value(Quantity quantity, const Snapshot& snapshot) const;
     Vec3 section_value(Quantity quantity, const Snapshot& snapshot, const Quat& axes) const;
     Row continuous_quaternion(const Quat& rotation, Quat& last);
@@ -49,6 +50,7 @@ class HistoryPoint {
     std::size_t point_ = 0;           // of a rod's: in Snapshot::points
     const Body* body_ = nullptr;      // the point is a body's
     const Spring* spring_ = nullptr;  // or a spring
+    int joint_ = -1;                  // or a joint, by index
     int relative_node_;               // what the point is relative to, or -1
     Quat relative_axes_;              // there, at t = 0
     Vec3 relative_start_ = Vec3::Zero();

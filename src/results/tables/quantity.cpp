@@ -37,7 +37,54 @@ bool is_rotation(Quantity quantity) {
 
 }  // namespace
 
+namespace {
+
+// Of a joint, whose forces are those that A exerts on B.
+QuantityForm joint_form(Quantity quantity) {
+    constexpr const char* a_axes = "joint axes of A";
+    switch (quantity) {
+        case Quantity::angle:
+            return {{"angle", "turn of B against A since t = 0, any number of turns", "none", "angle"},
+                    scalar_row};
+        case Quantity::angle_rate:
+            return {{"angle_rate", "rate of the angle", "none", "angle/time"}, scalar_row};
+        case Quantity::slide:
+            return {{"slide", "slide of B along the axis since t = 0", "none", "length"}, scalar_row};
+        case Quantity::slide_rate:
+            return {{"slide_rate", "rate of the slide", "none", "length/time"}, scalar_row};
+        case Quantity::force:
+            return {{"force", "force that A exerts on B", "spatial", "force"}, vector_row};
+        case Quantity::moment:
+            return {{"moment", "moment that A exerts on B, about the joint", "spatial", "force·length"},
+                    vector_row};
+        case Quantity::force_a:
+            return {{"force_a", "force that A exerts on B (along the axis, across it)", a_axes, "force"},
+                    vector_row};
+        case Quantity::moment_a:
+            return {
+                {"moment_a", "moment that A exerts on B (about the axis, across it)", a_axes, "force·length"},
+                vector_row};
+        case Quantity::drive:
+            return {
+                {"drive", "moment of the motor of a turn, force of that of a slide", "none", "force·length"},
+                scalar_row};
+        case Quantity::friction:
+            return {{"friction",
+                     "moment of the friction of a turn, force of that of a slide",
+                     "none",
+                     "force·length"},
+                    scalar_row};
+        default:
+            assert(quantity == Quantity::gap);
+            return {{"gap", "how far the joint's equations are from being satisfied", "none", "length"},
+                    scalar_row};
+    }
+}
+
+}  // namespace
+
 QuantityForm quantity_form(Quantity quantity, PointKind kind) {
+    if (kind == PointKind::joint) return joint_form(quantity);
     const std::string component_order = " (axial, shear y, shear z)";
     const std::string couple_order = " (about x, y, z)";
     switch (quantity) {
@@ -82,12 +129,13 @@ QuantityForm quantity_form(Quantity quantity, PointKind kind) {
             return {{"reaction_moment", "moment that the support exerts", "spatial", "force·length"},
                     vector_row};
         case Quantity::elongation:
-            return {{"elongation", "length less that at which the spring is free", "none", "length"}, scalar_row};
+            return {{"elongation", "length less that at which the spring is free", "none", "length"},
+                    scalar_row};
         case Quantity::axial_force:
             return {{"axial_force", "tension of spring and damper", "none", "force"}, scalar_row};
+        default:
+            return joint_form(quantity);
     }
-    assert(false);
-    return {};
 }
 
 QuantityForm relative_quantity_form(Quantity quantity, PointKind kind, const std::string& relative_to) {

@@ -14,7 +14,7 @@
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t form_version = 8;  // of /restart; raise it with every change
+inline constexpr std::int64_t form_version = 9;  // of /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 using Vec1 = Eigen::Matrix<double, 1, 1>;
@@ -36,6 +36,9 @@ void visit_vectors(Row& row, Visitor&& visit) {
     } else if constexpr (std::is_same_v<Kind, AlgorithmicAcceleration>) {
         visit(row.a);
         visit(row.alpha);
+    } else if constexpr (std::is_same_v<Kind, JointState>) {
+        visit(Eigen::Map<std::conditional_t<std::is_const_v<Row>, const Vec6, Vec6>>(row.multipliers.data()));
+        for (auto* number : {&row.turn, &row.turn_slip, &row.slide_slip}) visit_vectors(*number, visit);
     } else if constexpr (std::is_same_v<Kind, double>) {
         visit(Eigen::Map<std::conditional_t<std::is_const_v<Row>, const Vec1, Vec1>>(&row));
     } else {
@@ -142,6 +145,12 @@ inline const DatasetLabel sections_label{
     ""};
 inline const DatasetLabel algorithmic_label{
     "algorithmic", "of each node: algorithmic acceleration and angular acceleration", "spatial", ""};
+inline const DatasetLabel joints_label{
+    "joints",
+    "of each joint: up to six multipliers, turn, slip points of friction of turn "
+    "and slide",
+    "none",
+    ""};
 inline const DatasetLabel forces_label{
     "forces", "force and moment that does work on each node", "spatial", ""};
 inline const DatasetLabel force_change_label{
@@ -160,6 +169,7 @@ void visit_lists(Record& record, Visitor&& visit) {
     visit(nodes_label, record.nodes);
     visit(sections_label, record.sections);
     visit(algorithmic_label, record.algorithmic);
+    visit(joints_label, record.joints);
     visit(forces_label, record.ledger.forces);
     visit(force_change_label, record.ledger.force_change);
     visit(movement_label, record.ledger.movement);

@@ -13,9 +13,10 @@ TEST_CASE("Unknown keys are errors that name the nearest known one", "[deck]") {
 colour = 3)")) ==
           "x.toml:3:1: body.top.colour: unknown key; known here: mass, inertia, at, centre_of_mass, "
           "rotation_vector, velocity, angular_velocity, angular_velocity_material");
-    CHECK(faults_of(rod_deck + "[joint.a]") ==
-          "x.toml:13:2: joint: unknown key; known here: title, units, gravity, plane, parameters, function, "
-          "section, rod, body, connect, load, support, initial, rotation, analysis, stage, output, history");
+    CHECK(faults_of(rod_deck + "[zone.a]") ==
+          "x.toml:13:2: zone: unknown key; known here: title, units, gravity, plane, parameters, function, "
+          "section, rod, body, spring, joint, connect, load, support, initial, rotation, analysis, stage, "
+          "output, history");
     CHECK(faults_of(body_deck + "gravity = [0, 0, -9.81]") ==
           "x.toml:8:1: analysis.gravity: gravity is a key of the top level and must come before the first "
           "[table]; here it belongs to [analysis]");

@@ -305,3 +305,41 @@ TEST_CASE("A spring's history is its elongation and its tension", "[results]") {
     CHECK(point.compute(Quantity::axial_force, snapshot)[0] ==
           Approx(7.0 * (d.norm() - 1.5) + 2.0 * rate).epsilon(1e-14));
 }
+
+TEST_CASE("A joint's history is what the snapshot has of it", "[results][joint]") {
+    Model model = sample::make_model();
+    model.joints.resize(2);
+    HistoryRequest request;
+    request.node = -1;
+    request.joint = 1;
+    HistoryPoint point(model, {request}, 0);
+    CHECK(point.kind() == PointKind::joint);
+    const Motion motion(0.7);
+    const JointValues values{.turn = 1,
+                             .turn_rate = 2,
+                             .slide = 3,
+                             .slide_rate = 4,
+                             .force = {5, 6, 7},
+                             .moment = {8, 9, 10},
+                             .force_in_joint = {11, 12, 13},
+                             .moment_in_joint = {14, 15, 16},
+                             .motor_turn = 17,
+                             .motor_slide = 0,
+                             .friction = 18,
+                             .gap = 19};
+    const std::vector<JointValues> joints{JointValues{}, values};
+    Snapshot snapshot = motion.snapshot();
+    snapshot.joints = joints;
+    const auto row = [&](Quantity quantity) { return point.compute(quantity, snapshot); };
+    CHECK(row(Quantity::angle)[0] == 1);
+    CHECK(row(Quantity::angle_rate)[0] == 2);
+    CHECK(row(Quantity::slide)[0] == 3);
+    CHECK(row(Quantity::slide_rate)[0] == 4);
+    CHECK(row(Quantity::force) == HistoryPoint::Row{5, 6, 7, 0});
+    CHECK(row(Quantity::moment) == HistoryPoint::Row{8, 9, 10, 0});
+    CHECK(row(Quantity::force_a) == HistoryPoint::Row{11, 12, 13, 0});
+    CHECK(row(Quantity::moment_a) == HistoryPoint::Row{14, 15, 16, 0});
+    CHECK(row(Quantity::drive)[0] == 17);
+    CHECK(row(Quantity::friction)[0] == 18);
+    CHECK(row(Quantity::gap)[0] == 19);
+}

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "constraints/joints/joint_rows.hpp"
+#include "model/model.hpp"
+
+namespace gxrod {
+
+// The gradient of a joint's equations at t = 0, by (δr, δφ) of A, then of B.
+JointMatrix compute_start_gradient(const Model& model, const Joint& joint);
+
+// That of its turn and of its slide; no row for one that it has not.
+Eigen::Matrix<double, Eigen::Dynamic, 12> compute_coordinate_gradients(const Model& model,
+                                                                       const Joint& joint);
+
+}  // namespace gxrod

@@ -1,0 +1,307 @@
+#include "deck/joints/build_joints.hpp"
+
+#include <cmath>
+
+#include "deck/decks.hpp"
+#include "tools/catch.hpp"
+
+namespace gxrod::test {
+namespace {
+
+// A rod from x = 0 to 10, and bodies at (0, 0, 2) and (4, 0, 2); lines 1 to 20.
+const std::string parts = rod_deck +
+                          "[body.b]\nmass = 1\ninertia = [1, 1, 1]\nat = [0, 0, 2]\n"
+                          "[body.c]\nmass = 1\ninertia = [1, 1, 1]\nat = [4, 0, 2]\n";
+
+// Its keys begin in line 22.
+std::string joint(const std::string& lines) { return "[joint.j]\n" + lines; }
+
+Joint read_joint(const std::string& lines) { return read(parts + joint(lines)).model.joints.at(0); }
+std::string faults(const std::string& lines) { return faults_of(parts + joint(lines)); }
+
+// A joint's first two lines.
+std::string from_ground(const std::string& type) {
+    return "type = \"" + type + "\"\nbetween = [\"ground\", \"b\"]\n";
+}
+
+Vec3 place_of(const JointSide& side, const Model& model) { return find_place(model, side.anchor); }
+
+}  // namespace
+
+TEST_CASE("A joint is where the deck says, with arms from the nodes of its sides", "[deck][joint]") {
+    const Problem problem =
+        read(parts + joint("type = \"ball\"\nbetween = [\"r@0.25\", \"b\"]\nat = [1, 2, 3]\n"));
+    const Joint& built = problem.model.joints.at(0);
+    CHECK(built.name == "j");
+    CHECK(problem.model.nodes[built.a.anchor.node].position == Vec3(2.5, 0, 0));  // a node of its own
+    CHECK(built.a.anchor.arm == Vec3(-1.5, 2, 3));
+    CHECK(built.b.anchor.node == problem.model.bodies[0].node);
+    CHECK(built.b.anchor.arm == Vec3(1, 2, 1));
+    CHECK(built.a.axes == Mat3::Identity());
+}
+
+TEST_CASE("Without `at` a joint is where its sides are, or at the only rod", "[deck][joint]") {
+    const auto check = [](const std::string& between, const Vec3& place) {
+        INFO(between);
+        const Problem problem = read(parts + joint("type = \"ball\"\nbetween = [" + between + "]\n"));
+        const Joint& built = problem.model.joints.at(0);
+        CHECK(place_of(built.a, problem.model) == place);
+        CHECK(place_of(built.b, problem.model) == place);
+    };
+    check("\"ground\", \"b\"", {0, 0, 2});
+    check("\"r.end\", \"ground\"", {10, 0, 0});
+    check("\"b\", \"r.end\"", {10, 0, 0});
+    check("\"r.end\", \"b\"", {10, 0, 0});
+    CHECK(
+        faults("type = \"ball\"\nbetween = [\"b\", \"c\"]\n") ==
+        "x.toml:23:11: joint.j.between: the points are 4 apart; expected `at`: [0, 0, 2] is where \"b\" is, "
+        "[4, 0, 2] where \"c\" is");
+    CHECK(faults("type = \"ball\"\nbetween = [\"r.start\", \"r.end\"]\n") ==
+          "x.toml:23:11: joint.j.between: the points are 10 apart; expected `at`: [0, 0, 0] is where "
+          "\"r.start\" is, [10, 0, 0] where \"r.end\" is");
+}
+
+TEST_CASE("A joint's axes begin with its own, and are right-handed", "[deck][joint]") {
+    for (const char* axis : {"[0, 0, 5]", "[0, -2, 0]", "[1, 0, 0]", "[1, 2, -3]", "[1e-200, 2e-200, 0]"}) {
+        INFO(axis);
+        const Joint built = read_joint(from_ground("hinge") + "axis = " + axis + "\n");
+        const Mat3& axes = built.a.axes;
+        CHECK(axes == built.b.axes);
+        CHECK((axes.transpose() * axes).isApprox(Mat3::Identity(), 1e-15));
+        CHECK(std::abs(axes.determinant() - 1.0) < 1e-15);
+    }
+    const Joint built = read_joint(from_ground("slider") + "axis = [3, 0, 4]\n");
+    CHECK(built.a.axes.col(0).isApprox(Vec3(0.6, 0, 0.8), 1e-15));
+}
+
+TEST_CASE("The axes of a universal joint's sides begin with what each carries", "[deck][joint]") {
+    const Joint built = read_joint(from_ground("universal") + "axis = [0, 0, 2]\naxis_b = [3, 4, 0]\n");
+    Mat3 a, b;
+    a << 0, 0.6, -0.8, 0, 0.8, 0.6, 1, 0, 0;
+    b << 0.6, 0, 0.8, 0.8, 0, -0.6, 0, 1, 0;
+    CHECK(built.a.axes.isApprox(a, 1e-15));
+    CHECK(built.b.axes.isApprox(b, 1e-15));
+    CHECK(
+        faults(from_ground("universal") + "axis = [0, 0, 2]\naxis_b = [0, 3, 4]\n") ==
+        "x.toml:25:10: joint.j.axis_b: expected a direction at right angles to axis; the product of both, as "
+        "unit vectors, is 0.8");
+}
+
+TEST_CASE("Sides that cannot move against each other are errors", "[deck][joint]") {
+    const auto of = [](const std::string& between) {
+        return faults("type = \"ball\"\nbetween = [" + between + "]\n");
+    };
+    CHECK(
+        of("\"r.end\", \"r.end\"") ==
+        "x.toml:23:11: joint.j.between: both sides are \"r.end\"; expected two points that can move against "
+        "each other");
+    CHECK(
+        of("\"r.end\", \"r@1\"") ==
+        "x.toml:23:11: joint.j.between: \"r.end\" and \"r@1\" are one node, which a [[connect]] or the `at` "
+        "of a body makes rigid; expected two nodes");
+    CHECK(of("\"ground\", \"ground\"") ==
+          "x.toml:23:11: joint.j.between: both sides are the ground; expected a point that moves, too");
+    CHECK(of("\"ground\", \"bb\"") ==
+          "x.toml:23:22: joint.j.between[1]: no point \"bb\"; the deck has r.start, r.end, b, c");
+    CHECK(of("\"grond\", \"b\"") ==
+          "x.toml:23:12: joint.j.between[0]: no point \"grond\"; did you mean \"ground\"?");
+    const std::string connected = replaced(parts, "[body.c]", "[body.d]\nmass = 1\nat = \"r.end\"\n[body.c]");
+    CHECK(
+        faults_of(connected + joint("type = \"ball\"\nbetween = [\"r.end\", \"d\"]\n")) ==
+        "x.toml:26:11: joint.j.between: \"r.end\" and \"d\" are one node, which a [[connect]] or the `at` of "
+        "a body makes rigid; expected two nodes");
+    const std::string clamp = "[[support]]\nat = \"r.end\"\nfix = \"all\"\n";
+    CHECK(
+        faults_of(parts + clamp + joint("type = \"ball\"\nbetween = [\"ground\", \"r.end\"]\n")) ==
+        "x.toml:26:11: joint.j.between: a [[support]] holds all of the side that is not the ground; expected "
+        "a side that is free to move");
+    const std::string both = clamp + "[[support]]\nat = \"b\"\nfix = \"all\"\n";
+    CHECK(faults_of(parts + both + joint("type = \"ball\"\nbetween = [\"b\", \"r.end\"]\n")) ==
+          "x.toml:29:11: joint.j.between: supports hold all of both sides; expected a side that is free to "
+          "move");
+    CHECK(faults_of(parts + clamp + joint("type = \"ball\"\nbetween = [\"b\", \"r.end\"]\n")).empty());
+}
+
+TEST_CASE("A type has its own keys", "[deck][joint]") {
+    const std::string axis = "axis = [0, 0, 1]\n";
+    CHECK(
+        faults(from_ground("hinge")) ==
+        "x.toml:21:1: joint.j.axis: missing; expected an array of 3 numbers or expressions; the direction of "
+        "its axis at t = 0, global");
+    CHECK(faults(from_ground("hinge") + "axis = [0, 0, 0]\n") ==
+          "x.toml:24:8: joint.j.axis: has no length; expected a direction");
+    CHECK(
+        faults(from_ground("ball") + axis) ==
+        "x.toml:24:1: joint.j.axis: type \"ball\" does not use this key; it is for hinge, cylinder, slider, "
+        "universal, screw, plane");
+    CHECK(
+        faults(from_ground("ball") + "move = \"t\"\n") ==
+        "x.toml:24:1: joint.j.move: type \"ball\" does not use this key; it is for hinge, cylinder, slider, "
+        "universal, screw, plane");
+    CHECK(faults(from_ground("universal") + axis) ==
+          "x.toml:21:1: joint.j.axis_b: missing; expected an array of 3 numbers or expressions; the axis "
+          "that B "
+          "carries");
+    CHECK(faults(from_ground("hinge") + axis + "axis_b = [1, 0, 0]\n") ==
+          "x.toml:25:1: joint.j.axis_b: type \"hinge\" does not use this key; it is for universal");
+    CHECK(faults(from_ground("screw") + axis) ==
+          "x.toml:21:1: joint.j.lead: missing; expected a number or an expression; the slide in one turn");
+    CHECK(faults(from_ground("screw") + axis + "lead = 0\n") ==
+          "x.toml:25:8: joint.j.lead: a screw of lead 0 does not slide; expected a hinge, or another lead");
+    CHECK(faults(from_ground("hinge") + axis + "length = 2\n") ==
+          "x.toml:25:1: joint.j.length: type \"hinge\" does not use this key; it is for distance");
+    CHECK(faults(from_ground("hinge") + axis + "at_a = [0, 0, 0]\n") ==
+          "x.toml:25:1: joint.j.at_a: type \"hinge\" does not use this key; it is for distance");
+    CHECK(faults("between = [\"ground\", \"b\"]\n")
+              .starts_with("x.toml:21:1: joint.j.type: missing; expected"));
+    CHECK(faults(from_ground("revolute") + axis).find("did you mean \"hinge\"?") != std::string::npos);
+    CHECK(faults(from_ground("hinge") + axis + "torque = 1\n") ==
+          "x.toml:25:1: joint.j.torque: unknown key; did you mean \"drive\"?");
+}
+
+TEST_CASE("A distance is between two places", "[deck][joint]") {
+    const Problem problem =
+        read(parts + joint("type = \"distance\"\nbetween = [\"b\", \"c\"]\nat_b = [4, 3, 2]\n"));
+    const Joint& built = problem.model.joints.at(0);
+    CHECK(built.length == 5.0);
+    CHECK(built.b.anchor.arm == Vec3(0, 3, 0));
+    CHECK(faults(from_ground("distance")) ==
+          "x.toml:23:12: joint.j.between[0]: the ground has no place of its own; expected at_a = [x, y, z]");
+    CHECK(
+        faults(from_ground("distance") + "at_a = [0, 0, 2]\n") ==
+        "x.toml:23:11: joint.j.between: the points are at one place, where their distance has no direction; "
+        "expected points apart, or a ball");
+    CHECK(faults(from_ground("distance") + "at_a = [0, 0, 4]\nlength = 3\n") ==
+          "x.toml:25:10: joint.j.length: the points are 2 apart at t = 0; expected this length, or none");
+}
+
+TEST_CASE("What acts on a coordinate is that of a joint's own, or of the one that it names",
+          "[deck][joint]") {
+    const std::string axis = "axis = [0, 0, 1]\n";
+    const auto hinge = [&](const std::string& lines) { return from_ground("hinge") + axis + lines; };
+    const auto cylinder = [&](const std::string& lines) { return from_ground("cylinder") + axis + lines; };
+    const auto screw = [&](const std::string& lines) {
+        return from_ground("screw") + axis + "lead = 2\n" + lines;
+    };
+    CHECK(read_joint(hinge("move = { turn = \"t\" }\n")).turn.motion->operator()(3.0) == 3.0);
+    CHECK(read_joint(from_ground("slider") + axis + "move = \"t\"\n").slide.motion->operator()(3.0) == 3.0);
+    CHECK(faults(hinge("move = { slide = \"t\" }\n")) ==
+          "x.toml:25:18: joint.j.move.slide: a hinge has no slide");
+    CHECK(faults(hinge("move = { trun = \"t\" }\n")) ==
+          "x.toml:25:10: joint.j.move.trun: unknown key; did you mean \"turn\"?");
+    CHECK(faults(hinge("spring = { slide = { stiffness = 1 } }\n")) ==
+          "x.toml:25:20: joint.j.spring.slide: a hinge has no slide");
+    CHECK(faults(cylinder("drive = \"t\"\n")) ==
+          "x.toml:25:9: joint.j.drive: a cylinder has a turn and a slide; expected drive = { turn = … }, { "
+          "slide "
+          "= … } or both");
+    CHECK(faults(cylinder("spring = { stiffness = 1 }\n")) ==
+          "x.toml:25:10: joint.j.spring: a cylinder has a turn and a slide; expected spring = { turn = { … } "
+          "}, "
+          "{ slide = { … } } or both");
+    CHECK(faults(cylinder("spring = { stiffness = 1, turn = { stiffness = 1 } }\n")) ==
+          "x.toml:25:24: joint.j.spring.stiffness: belongs into turn or slide, where this table has these");
+    CHECK(faults(cylinder("move = { turn = \"t\" }\ndrive = { slide = 1 }\n")).empty());
+    CHECK(faults(hinge("move = \"t\"\ndrive = 1\n")) ==
+          "x.toml:26:9: joint.j.drive: `move` says what the turn is, whatever drives it; expected one of the "
+          "two");
+    const Joint moved = read_joint(screw("move = { slide = \"t\" }\n"));
+    CHECK(std::abs(moved.turn.motion->operator()(3.0) - 3.0 * M_PI) < 1e-14);
+    CHECK_FALSE(moved.slide.motion);
+    CHECK(
+        faults(screw("move = { turn = \"t\", slide = \"t\" }\n")) ==
+        "x.toml:26:30: joint.j.move.slide: the turn of a screw says what its slide is; expected one of them");
+}
+
+TEST_CASE("Frictions and limits that cannot be are errors", "[deck][joint]") {
+    const auto hinge = [&](const std::string& lines) {
+        return faults(from_ground("hinge") + "axis = [0, 0, 1]\n" + lines);
+    };
+    CHECK(hinge("friction = { moment = -1 }\n") ==
+          "x.toml:25:23: joint.j.friction.moment: expected a number at least 0, found -1");
+    CHECK(hinge("friction = { force = 1 }\n") ==
+          "x.toml:25:22: joint.j.friction.force: the friction of a turn is a moment");
+    CHECK(hinge("friction = { moment = 1, stick = 0 }\n") ==
+          "x.toml:25:34: joint.j.friction.stick: expected a number greater than 0, found 0");
+    CHECK(hinge("limits = { lower = 2, upper = 1, stiffness = 1 }\n") ==
+          "x.toml:25:20: joint.j.limits.lower: 2 is above upper, 1");
+    CHECK(
+        hinge("limits = { lower = 0 }\n") ==
+        "x.toml:25:10: joint.j.limits.stiffness: missing; expected a number greater than 0 or an expression");
+    CHECK(hinge("spring = { rest = 1 }\n")
+              .starts_with("x.toml:25:10: joint.j.spring: missing; expected stiffness or damping"));
+}
+
+TEST_CASE("Friction gives way by a small part of the model", "[deck][joint]") {
+    const auto stick = [](const std::string& type, const std::string& friction) {
+        return read_joint(from_ground(type) + "axis = [0, 0, 1]\nfriction = { " + friction + " = 2 }\n");
+    };
+    CHECK(stick("hinge", "moment").turn.friction.stick == 1e-4);
+    CHECK(stick("hinge", "moment").turn.friction.force == 2.0);
+    CHECK(stick("slider", "force").slide.friction.stick == 1e-5 * Vec3(10, 0, 2).norm());
+}
+
+TEST_CASE("A motor begins at 0, and does not jump", "[deck][joint]") {
+    const auto motor = [](const std::string& move) {
+        return faults(from_ground("hinge") + "axis = [0, 0, 1]\nmove = " + move + "\n");
+    };
+    CHECK(motor("\"sin(t)\"").empty());
+    CHECK(
+        motor("\"1 + t\"") ==
+        "x.toml:25:8: joint.j.move: is 1 at t = 0; expected 0 there, since the deck says where things are at "
+        "t = 0");
+    CHECK(motor("\"t < 0.25 ? 0 : 1\"")
+              .starts_with("x.toml:25:8: joint.j.move: jumps from 0 to 1 at t = 0.25; expected"));
+    CHECK(motor("\"1/(t - 0.5)\"").starts_with("x.toml:25:8: joint.j.move: "));
+    CHECK(
+        faults(from_ground("hinge") + "axis = [0, 0, 1]\nspring = { stiffness = 1, rest = \"1/(t-0.5)\" }\n")
+            .starts_with("x.toml:25:34: joint.j.spring.rest: "));
+}
+
+TEST_CASE("Each stage has its own t for what acts on joints", "[deck][joint]") {
+    const std::string staged = replaced(replaced(parts, "[analysis]", "[[stage]]\nname = \"one\""),
+                                        "kind = \"dynamic\"\nend_time = "
+                                        "1.0\nsteps = 10",
+                                        "kind = \"static\"") +
+                               "[[stage]]\nname = \"two\"\nkind = \"dynamic\"\nend_time = 1\nsteps = 10\n";
+    const Problem problem = read(staged + joint("type = \"hinge\"\nbetween = [\"ground\", \"b\"]\n"
+                                                "axis = [0, 0, 1]\ndrive = 3\n"));
+    CHECK(problem.model.joints.at(0).turn.drive(0.5) == 1.5);  // grows
+    *problem.stages[1].end = 0.0;
+    REQUIRE(problem.stages[1].actions.joints.size() == 1);
+    CHECK(problem.stages[1].actions.joints[0].turn.drive(0.5) == 3.0);  // stays
+}
+
+TEST_CASE("Histories of joints have their quantities", "[deck][joint]") {
+    const std::string deck = parts + joint(from_ground("hinge") + "axis = [0, 0, 1]\n");
+    const auto history = [](const std::string& at, const std::string& quantities) {
+        return "[[history]]\nname = \"h\"\nat = \"" + at + "\"\nquantities = " + quantities + "\n";
+    };
+    const Problem problem =
+        read(deck + history("j", "[\"angle\", \"angle_rate\", \"force\", \"moment_a\", \"gap\"]"));
+    CHECK(problem.output.histories[0].joint == 0);
+    CHECK(problem.output.histories[0].node == -1);
+    const auto message = [&](const std::string& at, const std::string& quantity) {
+        const std::string text = faults_of(deck + history(at, "\"" + quantity + "\""));
+        return text.substr(text.find("\": ") + 3);
+    };
+    CHECK(message("j", "position") == "only points have it; this is a joint");
+    CHECK(message("j", "elongation") == "only springs have it; this is a joint");
+    CHECK(message("b", "angle") == "only joints have it; this is a point");
+    CHECK(message("b", "force") == "only points of rods have it; this one is a body");
+    CHECK(message("j", "slide") == "this joint has no slide");
+    CHECK(message("j", "drive") == "only a joint with a motor has it; this one has no `move`");
+    CHECK(message("j", "friction") == "this joint has no friction");
+    CHECK(faults_of(deck + history("jj", "\"angle\"")).find("no point \"jj\"") != std::string::npos);
+    const std::string moved =
+        parts + joint(from_ground("cylinder") + "axis = [0, 0, 1]\nmove = { turn = \"t\", slide = \"t\" }\n");
+    const std::string text = faults_of(moved + history("j", "\"drive\""));
+    CHECK(text.find("this joint has two motors") != std::string::npos);
+}
+
+TEST_CASE("A joint's name is no point's", "[deck][joint]") {
+    CHECK(faults_of(parts + "[joint.b]\ntype = \"ball\"\nbetween = [\"b\", \"r.end\"]\n") ==
+          "x.toml:21:1: joint.b: body.b has this name too, and points go by it");
+}
+
+}  // namespace gxrod::test
