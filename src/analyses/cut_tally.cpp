@@ -25,6 +25,8 @@ const char* name_of(Outcome outcome) {
             return "one element's nodes turned against each other by half a turn";
         case Outcome::error_too_large:
             return "the estimated error of a step was above the tolerance";
+        case Outcome::joints_open:
+            return "velocities could not be made to fit the joints";
         case Outcome::control_turned:
             return "the displacement that controls the path was about to turn back";
         case Outcome::lost_stability:

@@ -12,7 +12,12 @@ class DynamicAnalysis : public SteppedAnalysis {
     DynamicAnalysis(const Model& model, const DynamicSettings& settings, int threads = 1);
 
     // Solves for the initial accelerations.
+    // Throws EvaluationError if the initial velocities do not fit the joints, unless they are to be
+    // projected.
     EquilibriumReport start() override;
+
+  private:
+    bool projects_start_;
 };
 
 }  // namespace gxrod

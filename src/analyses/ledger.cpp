@@ -10,16 +10,20 @@ namespace gxrod {
 
 namespace {
 
-// The mean of the forces at both ends of a step times what the nodes did in it.
+// What nodes, and then the coordinates of joints, did in a step.
+std::vector<Vec6> find_movement(const System& system, const State& state, double time) {
+    std::vector<Vec6> movement = compute_movement(state);
+    const std::vector<Vec6> of_joints = system.joints().compute_movement(state, time);
+    movement.insert(movement.end(), of_joints.begin(), of_joints.end());
+    return movement;
+}
+
+// The mean of the forces at both ends of a step times what nodes and joints did in it.
 double compute_mean_work(const std::vector<Vec6>& before,
                          const std::vector<Vec6>& after,
-                         const State& state) {
+                         const std::vector<Vec6>& movement) {
     double work = 0.0;
-    for (std::size_t i = 0; i < after.size(); ++i) {
-        const Vec6 mean = 0.5 * (before[i] + after[i]);
-        work += mean.head<3>().dot(state.trial[i].r - state.previous[i].r) +
-                mean.tail<3>().dot(state.trial[i].theta);
-    }
+    for (std::size_t i = 0; i < after.size(); ++i) work += 0.5 * (before[i] + after[i]).dot(movement[i]);
     return work;
 }
 
@@ -53,7 +57,7 @@ Ledger::Ledger(const System& system,
     } else if (integrator.is_static() && !is_loaded && before == nullptr) {
         // Stress-free, the model carries no load yet: one that has a value at t = 0 grows to it in the first
         // step, as all others do.
-        forces_.assign(state.trial.size(), Vec6::Zero());
+        forces_.assign(state.trial.size() + system.joints().count(), Vec6::Zero());
     } else {
         forces_ = compute_forces(state, state.time, residual);
     }
@@ -83,6 +87,8 @@ LedgerTotals Ledger::totals(const State& state) const {
 std::vector<Vec6> Ledger::compute_forces(const State& state, double time, const Residual& residual) const {
     std::vector<Vec6> forces = system_->compute_load_forces(state, time);
     system_->add_support_forces(residual, forces);
+    const std::vector<Vec6> of_joints = system_->joints().compute_driving_forces(state, time);
+    forces.insert(forces.end(), of_joints.begin(), of_joints.end());
     return forces;
 }
 
@@ -94,16 +100,17 @@ void Ledger::add_step(const State& state, const Step& step) {
         if (integrator_->is_static()) {
             add_load_step(state, step, forces);
         } else {
-            work_ += compute_mean_work(forces_, forces, state);
+            work_ += compute_mean_work(forces_, forces, find_movement(*system_, state, step.time));
             if (system_->is_damped()) dissipated_ += system_->compute_damping_action(state) / step.time_step;
         }
         forces_ = std::move(forces);
     }
+    dissipated_ += system_->joints().compute_slip_dissipation(state);
     dissipated_by_scheme_ += compute_scheme_dissipation(state, step.time_step);
 }
 
 void Ledger::add_load_step(const State& state, const Step& step, const std::vector<Vec6>& forces) {
-    LoadStep load_step{forces, compute_movement(state), step.time_step};
+    LoadStep load_step{forces, find_movement(*system_, state, step.time), step.time_step};
     for (std::size_t i = 0; i < forces.size(); ++i) load_step.force_change[i] -= forces_[i];
     step_work_ = compute_step_work(forces_, load_step, load_step_);
     work_before_ = work_;

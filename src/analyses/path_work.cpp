@@ -9,10 +9,15 @@ namespace gxrod {
 
 namespace {
 
-// What nodes do between two points.
+// What nodes and joints do between two points.
 LoadStep compute_load_step(const PathPoint& from, const PathPoint& to) {
     LoadStep step{to.forces, std::vector<Vec6>(to.forces.size()), to.load_factor - from.load_factor};
-    for (std::size_t i = 0; i < step.movement.size(); ++i) {
+    const std::size_t nodes = to.turned.size();
+    for (std::size_t i = 0; i < to.coordinates.size(); ++i) {
+        step.force_change[nodes + i] -= from.forces[nodes + i];
+        step.movement[nodes + i] = to.coordinates[i] - from.coordinates[i];
+    }
+    for (std::size_t i = 0; i < nodes; ++i) {
         const NodeMotion& a = from.state.trial[i];
         const NodeMotion& b = to.state.trial[i];
         step.force_change[i] -= from.forces[i];

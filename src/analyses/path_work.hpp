@@ -7,14 +7,16 @@
 
 namespace gxrod {
 
-// An equilibrium on the way from one accepted equilibrium to the next. Forces and moments per node are those
-// that do work; `turned` is how nodes are turned since the first of both, for turns of more than a half.
+// An equilibrium on the way from one accepted equilibrium to the next. Forces and moments per node, and then
+// those on the coordinates of joints, are those that do work; `turned` is how nodes are turned since the
+// first of both, for turns of more than a half.
 struct PathPoint {
     double load_factor = 0.0;
     double strain_energy = 0.0;
     std::vector<Vec6> forces;
     std::vector<Vec3> turned;
-    State state;  // its trial motions; to continue from: committed there
+    std::vector<Vec6> coordinates;  // of joints
+    State state;                    // its trial motions; to continue from: committed there
 };
 
 // Finds the equilibrium at a load factor from another one, if it can.

@@ -104,12 +104,14 @@ EquilibriumReport SteppedAnalysis::start_at_rest() {
 EquilibriumReport SteppedAnalysis::start_after(const SteppedAnalysis& before) {
     state_.trial = before.state_.previous;
     state_.sections = before.state_.sections;
+    state_.joints_trial = state_.joints_previous = before.state_.joints_previous;
     totals_before_ = before.ledger_->totals(before.state_);
     for (int i = 0; i < static_cast<int>(state_.trial.size()); ++i) system_.hold_rates(i, state_.trial[i]);
     state_.previous = state_.trial;
     if (before.accepted_pivots() >= 0) resume_pivots(before.accepted_pivots());
     if (!integrator_->is_static()) {
         check_moved_supports();
+        check_motors();
         if (system_.model().has_inertia) start_note_ = describe_imbalance();
     }
     return start();
@@ -118,6 +120,7 @@ EquilibriumReport SteppedAnalysis::start_after(const SteppedAnalysis& before) {
 EquilibriumReport SteppedAnalysis::settle_after(const SteppedAnalysis& before, double time) {
     state_.trial = state_.previous = before.state_.previous;
     state_.sections = before.state_.sections;
+    state_.joints_trial = state_.joints_previous = before.state_.joints_previous;
     const EquilibriumReport report =
         solve_step(system_, *integrator_, newton_, {0, time, 0.0, time}, workspace_, state_);
     if (report.converged()) accept_start(time, true);
@@ -144,6 +147,20 @@ void SteppedAnalysis::check_moved_supports() const {
     }
 }
 
+// Nor a motor.
+void SteppedAnalysis::check_motors() const {
+    std::vector<double> rows;
+    system_.joints().compute_rows(state_, 0.0, {}, rows);
+    const LargestGap gap = system_.joints().measure_gap(rows, state_);
+    if (gap.size <= same_place) return;
+    throw std::runtime_error(
+        fmt::format("joint {} begins with a jump of {:.4g} of the model's length, or rad: its move at t = 0 "
+                    "of this stage is "
+                    "not where the stage before leaves it",
+                    system_.model().joints[static_cast<std::size_t>(gap.joint)].name,
+                    gap.size));
+}
+
 // At the trial motions, without accelerations.
 std::string SteppedAnalysis::describe_imbalance() const {
     State resting = state_;
@@ -165,6 +182,7 @@ RestartRecord SteppedAnalysis::restart_record() const {
     RestartRecord record;
     record.nodes = state_.previous;
     record.sections = state_.sections;
+    record.joints = state_.joints_previous;
     record.algorithmic = state_.algorithmic_previous;
     record.ledger = ledger_->memory();
     record.steps = steps_->memory();
@@ -176,19 +194,21 @@ RestartRecord SteppedAnalysis::restart_record() const {
 bool SteppedAnalysis::resume(const RestartRecord& record) {
     const std::size_t nodes = state_.previous.size();
     const LedgerMemory& books = record.ledger;
-    const std::size_t of_load_step = integrator_->is_static() ? nodes : 0;
-    const bool has_forces = books.forces.size() == (integrator_->power_weights().empty() ? nodes : 0) &&
+    const std::size_t with_joints = nodes + state_.joints_previous.size();
+    const std::size_t of_load_step = integrator_->is_static() ? with_joints : 0;
+    const bool has_forces = books.forces.size() == (integrator_->power_weights().empty() ? with_joints : 0) &&
                             books.force_change.size() == of_load_step &&
                             books.movement.size() == of_load_step;
     const bool has_algorithmic =
         record.algorithmic.size() == (integrator_->has_algorithmic_accelerations() ? nodes : 0);
-    if (record.nodes.size() != nodes || record.sections.size() != state_.sections.size() || !has_forces ||
-        !has_algorithmic) {
+    if (record.nodes.size() != nodes || record.sections.size() != state_.sections.size() ||
+        record.joints.size() != state_.joints_previous.size() || !has_forces || !has_algorithmic) {
         throw std::invalid_argument("the state to resume from belongs to another model");
     }
     if (!steps_->resume(record.steps)) return false;
     state_.previous = state_.trial = record.nodes;
     state_.sections = record.sections;
+    state_.joints_previous = state_.joints_trial = record.joints;
     state_.algorithmic_previous = state_.algorithmic_trial = record.algorithmic;
     state_.time = steps_->time();
     resume_pivots(record.negative_pivots);
@@ -272,13 +292,16 @@ EquilibriumReport SteppedAnalysis::advance() {
 
 std::optional<PathPoint> SteppedAnalysis::find_equilibrium(const PathPoint& from, double load_factor) {
     const double length = load_factor - from.load_factor;
-    PathPoint point{load_factor, 0.0, {}, from.turned, from.state};
+    PathPoint point{load_factor, 0.0, {}, from.turned, {}, from.state};
     const Stage stage{0, from.load_factor, length, load_factor};
     if (!solve_step(system_, *integrator_, newton_, stage, workspace_, point.state).converged())
         return std::nullopt;
     for (std::size_t i = 0; i < point.turned.size(); ++i) point.turned[i] += point.state.trial[i].theta;
     point.forces = system_.compute_load_forces(point.state, load_factor);
     system_.add_support_forces(workspace_.residual, point.forces);
+    const std::vector<Vec6> driving = system_.joints().compute_driving_forces(point.state, load_factor);
+    point.forces.insert(point.forces.end(), driving.begin(), driving.end());
+    point.coordinates = system_.joints().compute_coordinates(point.state.trial, load_factor, point.state);
     point.strain_energy = system_.compute_balance(point.state, load_factor).strain_energy;
     system_.commit(point.state, load_factor);
     return point;
@@ -292,10 +315,13 @@ void SteppedAnalysis::look_into_load_step() {
     constexpr int halvings = 8;
     try {
         const Ledger::LoadStepEnds ends = ledger_->load_step_ends();
-        PathPoint from{state_.time, ends.energy_before, ends.forces_before, {}, state_};
+        PathPoint from{state_.time, ends.energy_before, ends.forces_before, {}, {}, state_};
         from.turned.assign(state_.trial.size(), Vec3::Zero());
         undo_trial(from.state);
-        PathPoint to{steps_->next_time(), ends.energy_after, ends.forces_after, from.turned, state_};
+        from.coordinates =
+            system_.joints().compute_coordinates(from.state.trial, from.load_factor, from.state);
+        PathPoint to{steps_->next_time(), ends.energy_after, ends.forces_after, from.turned, {}, state_};
+        to.coordinates = system_.joints().compute_coordinates(state_.trial, to.load_factor, state_);
         for (std::size_t i = 0; i < to.turned.size(); ++i) to.turned[i] = state_.trial[i].theta;
         const auto find = [&](const PathPoint& point, double load_factor) {
             return find_equilibrium(point, load_factor);
@@ -333,6 +359,11 @@ Failure SteppedAnalysis::explain(const EquilibriumReport& report) {
     failure.iterations = report.iterations;
     failure.residual = report.residual;
     failure.step_error = report.step_error;
+    constexpr double open = 1e-9;
+    if (report.joint_gap.joint >= 0 && report.joint_gap.size > open) {
+        failure.open_joint = system_.model().joints[static_cast<std::size_t>(report.joint_gap.joint)].name;
+        failure.joint_gap = report.joint_gap.size;
+    }
     if (report.outcome == Outcome::not_finite) failure.shrunk_spring = find_shrunk_spring(system_, state_);
     for (const WorstNode& place : find_places(system_, report, workspace_.residual)) {
         failure.places.push_back(name_place(system_.model(), place.node, place.component));
@@ -360,7 +391,10 @@ void SteppedAnalysis::find_reason(Failure& failure) {
 Snapshot SteppedAnalysis::snapshot(bool with_elements) {
     section_values_.clear();
     if (with_elements) section_values_ = system_.compute_section_values(state_);
-    return {axis_time(), state_.trial, section_values_, reactions_, point_values_};
+    joint_values_ = system_.joints().compute_joint_values(state_, state_.time);
+    Snapshot snapshot{axis_time(), state_.trial, section_values_, reactions_, point_values_};
+    snapshot.joints = joint_values_;
+    return snapshot;
 }
 
 }  // namespace gxrod

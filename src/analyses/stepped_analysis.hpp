@@ -137,6 +137,7 @@ class SteppedAnalysis {
     void check_error(EquilibriumReport& report);
 
     void check_moved_supports() const;
+    void check_motors() const;
     std::string describe_imbalance() const;
 
     std::unique_ptr<Ledger> ledger_;             // none before the start
@@ -149,6 +150,7 @@ class SteppedAnalysis {
     double largest_error_ = 0.0;
     std::vector<RodPlace> watched_;
     std::vector<PointValues> point_values_;
+    std::vector<JointValues> joint_values_;
     std::vector<SectionValues> section_values_;
     std::vector<Vec6> reactions_;
 };

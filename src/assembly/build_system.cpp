@@ -99,7 +99,8 @@ System::System(const Model& model, const Kernels& kernels, const ThreadTeam& tea
     : model_(&model),
       team_(&team),
       supports_(model),
-      equations_(supports_),
+      joints_(model),
+      equations_(supports_, joints_.attached()),
       scale_groups_(model),
       rod_batches_(kernels, kernels, kernels, kernels),
       rotary_batches_(kernels.rotary, kernels.width, equations_),
@@ -109,6 +110,7 @@ System::System(const Model& model, const Kernels& kernels, const ThreadTeam& tea
     build_pattern();
     build_batches();
     measure();
+    joints_.lay_out(equations_, pattern_, length_scale_);
 }
 
 void System::build_blocks() {
@@ -171,6 +173,8 @@ void System::build_pattern() {
         for (const auto& element : block.elements)
             groups.emplace_back(element.nodes.begin(), element.nodes.end());
     });
+    std::vector<NodeGroup> of_joints = joints_.node_groups();
+    std::move(of_joints.begin(), of_joints.end(), std::back_inserter(groups));
     pattern_ = compute_pattern(equations_, groups);
     for_each_block(blocks_, [this](auto& block) {
         constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;

@@ -4,13 +4,29 @@
 
 namespace gxrod {
 
-EquationNumbers::EquationNumbers(const Supports& supports) : supports_(&supports) {
+EquationNumbers::EquationNumbers(const Supports& supports, std::span<const AttachedUnknowns> attached)
+    : supports_(&supports), attached_(attached.begin(), attached.end()), attached_firsts_(attached.size()) {
+    const int nodes = static_cast<int>(supports.node_count());
+    std::vector<std::vector<std::size_t>> behind(attached.empty() ? 0 : supports.node_count());
+    for (std::size_t i = 0; i < attached.size(); ++i) behind[attached[i].node].push_back(i);
     firsts_.reserve(supports.node_count() + 1);
     firsts_.push_back(0);
-    for (int node = 0; node < static_cast<int>(supports.node_count()); ++node) {
-        const HeldComponents& held = supports.held(node);
-        firsts_.push_back(firsts_.back() + std::count(held.begin(), held.end(), false));
+    for (int node = 0; node < nodes; ++node) {
+        std::int64_t next = firsts_.back() + free_count(node);
+        if (!behind.empty()) {
+            for (const std::size_t i : behind[node]) {
+                attached_firsts_[i] = next;
+                next += attached[i].count;
+                attached_count_ += attached[i].count;
+            }
+        }
+        firsts_.push_back(next);
     }
+}
+
+std::int64_t EquationNumbers::free_count(int node) const {
+    const HeldComponents& held = supports_->held(node);
+    return std::count(held.begin(), held.end(), false);
 }
 
 EquationNumbers::Unknown EquationNumbers::unknown(std::int64_t equation) const {
@@ -18,7 +34,11 @@ EquationNumbers::Unknown EquationNumbers::unknown(std::int64_t equation) const {
     const int node = static_cast<int>(after - firsts_.begin()) - 1;
     const std::array<std::int64_t, 6> numbers = of_node(node);
     const auto found = std::find(numbers.begin(), numbers.end(), equation);
-    return {node, static_cast<int>(found - numbers.begin())};
+    if (found != numbers.end()) return {node, static_cast<int>(found - numbers.begin())};
+    std::size_t index = 0;
+    while (equation < attached_firsts_[index] || equation >= attached_firsts_[index] + attached_[index].count)
+        ++index;
+    return {node, -1, static_cast<int>(index), static_cast<int>(equation - attached_firsts_[index])};
 }
 
 Vec6 EquationNumbers::to_own_axes(int node, const Vec6& global) const {

@@ -3,18 +3,27 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "constraints/supports.hpp"
 
 namespace gxrod {
 
-// Which equation each of a node's six unknowns (δr, δφ) has; −1 where a support holds it. The unknowns of a
-// node whose support has its own axes are counted in those.
+// Unknowns that are no node's, such as the multipliers of a joint, and the node behind whose unknowns they
+// are counted.
+struct AttachedUnknowns {
+    int node = 0;
+    int count = 0;
+};
+
+// Which equation each unknown has: each of a node's six (δr, δφ), −1 where a support holds it, and behind
+// them those that are attached to the node. The unknowns of a node whose support has its own axes are counted
+// in those.
 class EquationNumbers {
   public:
     // The supports must outlive it.
-    explicit EquationNumbers(const Supports& supports);
+    explicit EquationNumbers(const Supports& supports, std::span<const AttachedUnknowns> attached = {});
 
     std::int64_t count() const { return firsts_.back(); }
     std::size_t node_count() const { return firsts_.size() - 1; }
@@ -26,14 +35,20 @@ class EquationNumbers {
         return numbers;
     }
     // Whether a node has all six unknowns, in global axes: then their numbers follow each other.
-    bool is_free(int node) const {
-        return firsts_[node + 1] - firsts_[node] == 6 && !supports_->has_own_axes(node);
-    }
+    bool is_free(int node) const { return free_count(node) == 6 && !supports_->has_own_axes(node); }
+    // The equations of a node and of what is attached to it: those from first_of to end_of.
+    std::int64_t first_of(int node) const { return firsts_[node]; }
+    std::int64_t end_of(int node) const { return firsts_[node + 1]; }
+    // The first equation of attached unknowns.
+    std::int64_t of_attached(std::size_t index) const { return attached_firsts_[index]; }
+    std::int64_t attached_count() const { return attached_count_; }
     const Supports& supports() const { return *supports_; }
 
     struct Unknown {
-        int node;
-        int component;  // 0 … 5: x y z rx ry rz
+        int node;           // of attached unknowns, the one behind which they are counted
+        int component;      // 0 … 5: x y z rx ry rz; −1: attached
+        int attached = -1;  // index of what is attached
+        int place = -1;     // of the unknown in it
     };
     // Searched for: not for every equation.
     Unknown unknown(std::int64_t equation) const;
@@ -45,8 +60,13 @@ class EquationNumbers {
     Vec6 increment_of(int node, const Eigen::VectorXd& solution) const;
 
   private:
+    std::int64_t free_count(int node) const;
+
     const Supports* supports_;
     std::vector<std::int64_t> firsts_;  // of each node, and the number of all
+    std::vector<AttachedUnknowns> attached_;
+    std::vector<std::int64_t> attached_firsts_;
+    std::int64_t attached_count_ = 0;
 };
 
 }  // namespace gxrod

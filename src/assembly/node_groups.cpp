@@ -30,14 +30,13 @@ SparsePattern compute_pattern(const EquationNumbers& equations, std::span<const 
     std::vector<std::int64_t> rows;
     for (std::size_t node = 0; node < neighbours.size(); ++node) {
         rows.clear();
+        // Equations are numbered node by node, so the rows come out ascending.
         for (const int other : neighbours[node]) {
-            // Equations are numbered node by node, so the rows come out ascending.
-            for (const std::int64_t row : equations.of_node(other)) {
-                if (row >= 0) rows.push_back(row);
-            }
+            for (std::int64_t row = equations.first_of(other); row < equations.end_of(other); ++row)
+                rows.push_back(row);
         }
-        const auto own = equations.of_node(static_cast<int>(node));
-        const auto columns = std::count_if(own.begin(), own.end(), [](std::int64_t row) { return row >= 0; });
+        const int index = static_cast<int>(node);
+        const std::int64_t columns = equations.end_of(index) - equations.first_of(index);
         pattern.add_columns(columns, rows);
     }
     return pattern;

@@ -12,7 +12,8 @@ namespace gxrod {
 // The nodes that an element ties together.
 using NodeGroup = std::vector<int>;
 
-// The pattern in which all unknowns of a group's nodes are coupled to each other.
+// The pattern in which all unknowns of a group's nodes, and those attached to them, are coupled to each
+// other.
 SparsePattern compute_pattern(const EquationNumbers& equations, std::span<const NodeGroup> groups);
 
 }  // namespace gxrod

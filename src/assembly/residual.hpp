@@ -42,6 +42,7 @@ struct PartScales {
 // What is out of balance at every node: internal + damping + inertial − external.
 struct Residual : ForceScales {
     std::vector<Vec6> nodal;          // held components hold the force that the support exerts
+    std::vector<double> rows;         // equations of joints, one joint after the other (JointAssembly)
     std::vector<ForceScales> groups;  // of each group of the model; empty where no scales are asked for
 
     void raise_group(int group, const Vec6& force) {

@@ -21,6 +21,7 @@ Eigen::VectorXd gather(const std::vector<Vec6>& nodal,
                        const EquationNumbers& equations,
                        const ThreadTeam& team) {
     Eigen::VectorXd vector(equations.count());
+    if (equations.attached_count() > 0) vector.setZero();
     team.for_each_range(nodal.size(), [&](std::size_t first, std::size_t last) {
         for (int node = static_cast<int>(first); node < static_cast<int>(last); ++node) {
             const Vec6 own = equations.to_own_axes(node, nodal[node]);

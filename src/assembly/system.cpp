@@ -82,6 +82,7 @@ State System::initial_state() const {
         hold_rates(i, state.trial[i]);
     }
     state.previous = state.trial;
+    joints_.start(state);
     state.sections.resize(history_count_);
     for_each_block(blocks_, [&](const auto& block) {
         for (std::size_t e = 0; e < block.elements.size(); ++e)
@@ -139,7 +140,10 @@ void System::add_forces(const ElementBlock<E>& block,
     }
 }
 
-void System::compute_residual(const State& state, double time, Residual& residual) const {
+void System::compute_residual(const State& state,
+                              double time,
+                              Residual& residual,
+                              const ConstraintRequest& request) const {
     residual.nodal.resize(state.trial.size());
     team_->for_each_range(residual.nodal.size(), [&](std::size_t first, std::size_t last) {
         std::fill(residual.nodal.begin() + first, residual.nodal.begin() + last, Vec6::Zero());
@@ -167,6 +171,10 @@ void System::compute_residual(const State& state, double time, Residual& residua
                      [&](std::size_t part, std::size_t i) { return batches->groups(part)[i]; });
     }
     add_loads(state, time, residual);
+    if (!joints_.empty()) {
+        joints_.compute_rows(state, time, request, residual.rows);
+        joints_.add_forces(state, time, scale_groups_, residual);
+    }
     residual.force_scale = residual.moment_scale = 0.0;
     for (const ForceScales& group : residual.groups) residual.raise(group);
 }
@@ -229,7 +237,8 @@ void System::add_tangents(const ElementBlock<E>& block,
 void System::compute_tangent(const State& state,
                              double time,
                              const std::vector<NodeLinearization>& linearizations,
-                             std::vector<double>& values) const {
+                             std::vector<double>& values,
+                             const ConstraintRequest& request) const {
     values.resize(static_cast<std::size_t>(pattern_.nonzeros()));
     team_->for_each_range(values.size(), [&](std::size_t first, std::size_t last) {
         std::fill(values.begin() + first, values.begin() + last, 0.0);
@@ -248,6 +257,7 @@ void System::compute_tangent(const State& state,
         }
     }
     add_load_tangents(state, time, linearizations, values);
+    joints_.add_tangents(state, time, linearizations, request, values);
 }
 
 void System::start_resultants(State& state) const {
@@ -283,6 +293,7 @@ void System::set_resultants(const std::vector<NodeMotion>& motions,
 }
 
 void System::commit(State& state, double time) const {
+    joints_.commit(state);
     for_each_block(blocks_, [&](const auto& block) {
         if constexpr (std::remove_cvref_t<decltype(block)>::history_count > 0) {
             team_->for_each_range(block.elements.size(), [&](std::size_t first, std::size_t last) {

@@ -6,6 +6,7 @@
 
 #include "assembly/element_block.hpp"
 #include "assembly/equation_numbers.hpp"
+#include "assembly/joint_assembly.hpp"
 #include "assembly/residual.hpp"
 #include "assembly/rod_batches.hpp"
 #include "assembly/rotary_batches.hpp"
@@ -56,6 +57,7 @@ class System {
     const Model& model() const { return *model_; }
     const ThreadTeam& team() const { return *team_; }
     const Supports& supports() const { return supports_; }
+    const JointAssembly& joints() const { return joints_; }
     const EquationNumbers& equations() const { return equations_; }
     const SparsePattern& pattern() const { return pattern_; }
     // The model's length for scaling: the largest of its extent and the bodies' own sizes; 1 if both are
@@ -67,7 +69,7 @@ class System {
     std::size_t element_count() const;
     // Whether any element interpolates rotations of the step, so that these must stay below π.
     bool uses_step_rotations() const { return history_count_ > 0; }
-    bool is_damped() const { return is_damped_; }
+    bool is_damped() const { return is_damped_ || joints_.is_damped(); }
 
     // The reference shape with the model's initial velocities, zero where a support fixes; accelerations
     // zero.
@@ -75,14 +77,18 @@ class System {
     // Makes the velocities of a node zero where a support holds it.
     void hold_rates(int node, NodeMotion& motion) const;
 
-    // Of the trial motions, with loads at `time`.
-    void compute_residual(const State& state, double time, Residual& residual) const;
+    // Of the trial motions and multipliers, with loads at `time`.
+    void compute_residual(const State& state,
+                          double time,
+                          Residual& residual,
+                          const ConstraintRequest& request = {}) const;
     // The derivative of the residual by the linearizations, as values on the pattern; the mixed tangent
     // instead if the state holds resultants.
     void compute_tangent(const State& state,
                          double time,
                          const std::vector<NodeLinearization>& linearizations,
-                         std::vector<double>& values) const;
+                         std::vector<double>& values,
+                         const ConstraintRequest& request = {}) const;
 
     // Sets the state's resultants, of the mixed tangent, to those of the strains of the last accepted
     // motions, or to what those of the trial motions become by increments (δr, δφ) of the nodes, to first
@@ -169,6 +175,7 @@ class System {
     const Model* model_;
     const ThreadTeam* team_;
     Supports supports_;
+    JointAssembly joints_;
     EquationNumbers equations_;
     ScaleGroups scale_groups_;
     ElementBlocks blocks_;

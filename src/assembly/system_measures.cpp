@@ -67,6 +67,7 @@ Balance System::compute_balance(const State& state, double time) const {
             sum.momentum.angular += momentum.angular;
         });
     });
+    balance.strain_energy += joints_.compute_strain_energy(state, time);
     return balance;
 }
 
@@ -95,6 +96,7 @@ double System::compute_damping_power(const State& state) const {
             }
         });
     });
+    power += joints_.compute_damping_power(state);
     return std::max(power, 0.0);  // but for round-off it is a sum of squares
 }
 
@@ -107,7 +109,7 @@ double System::compute_damping_action(const State& state) const {
                 block.motions(state.previous, e), block.motions(state.trial, e), block.histories(state, e));
         });
     });
-    return action;
+    return action + joints_.compute_damping_action(state);
 }
 
 std::vector<Vec6> System::compute_load_forces(const State& state, double time) const {
@@ -189,6 +191,7 @@ Resultant System::compute_outer_resultant(const State& state,
         });
     });
     if (is_damped_) add_damping_forces(state, asked);
+    joints_.subtract_ground_forces(state, time, asked);
     Resultant sum;
     for (std::size_t i = 0; i < asked.size(); ++i) {
         const Vec6 acting = reactions[i] - asked[i];

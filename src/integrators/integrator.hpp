@@ -6,6 +6,7 @@
 
 #include "model/settings.hpp"
 #include "parallel/thread_team.hpp"
+#include "state/constraint_level.hpp"
 #include "state/state.hpp"
 
 namespace gxrod {
@@ -53,6 +54,10 @@ class Integrator {
         const double fraction = stage_fraction(stage.index);
         return fraction == 1.0 ? stage.end_time : stage.step_time + fraction * stage.time_step;
     }
+    // Where the equations of joints are asked for in a stage: of positions, or of accelerations, where rates
+    // of a stage that followed from positions would lose the scheme's order. The last stage of an implicit
+    // scheme asks for positions.
+    virtual ConstraintLevel constraint_level(int) const { return ConstraintLevel::position; }
     virtual bool is_explicit() const { return false; }
     // Whether there are no rates, and rotations of a step of any size.
     virtual bool is_static() const { return false; }

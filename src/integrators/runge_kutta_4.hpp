@@ -15,6 +15,7 @@ class RungeKutta4 : public Integrator {
 
     int stage_count() const override { return stages; }
     double stage_fraction(int stage) const override { return stage < 2 ? 0.5 : 1.0; }
+    ConstraintLevel constraint_level(int) const override { return ConstraintLevel::acceleration; }
     bool is_explicit() const override { return true; }
     std::vector<double> power_weights() const override {
         return {1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0, 0.0};

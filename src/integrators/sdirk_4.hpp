@@ -19,6 +19,9 @@ class Sdirk4 : public Integrator {
 
     int stage_count() const override { return stages; }
     double stage_fraction(int stage) const override;
+    ConstraintLevel constraint_level(int stage) const override {
+        return stage + 1 < stages ? ConstraintLevel::acceleration : ConstraintLevel::position;
+    }
     // The difference between the schemes of order 4 and 3, whose leading term is that of order 3.
     int error_order() const override { return 4; }
     StepError estimate_error(const State& state,

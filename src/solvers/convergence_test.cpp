@@ -6,12 +6,14 @@
 
 namespace gxrod {
 
-ConvergenceTest::ConvergenceTest(const System& system, const NewtonSettings& settings)
+ConvergenceTest::ConvergenceTest(const System& system, const NewtonSettings& settings, ConstraintLevel level)
     : system_(&system),
       tolerance_(settings.tolerance.value_or(usual_newton_tolerance)),
-      absolute_residual_(settings.absolute_residual) {}
+      absolute_residual_(settings.absolute_residual),
+      of_accelerations_(level == ConstraintLevel::acceleration) {}
 
 void ConvergenceTest::measure(const Residual& residual, EquilibriumReport& report) {
+    gap_before_ = report.iterations > 0 ? report.joint_gap.size : gap_before_;
     residual_before_ = report.iterations > 0 ? report.residual : residual_before_;
     measure_residual(*system_, residual, report);
 }
@@ -31,7 +33,15 @@ bool ConvergenceTest::is_met(const Residual& residual, const EquilibriumReport& 
     const bool is_small = absolute_residual_ > 0.0
                               ? largest_component(*system_, residual) <= absolute_residual_
                               : report.residual <= tolerance_;
-    return is_small || has_reached_round_off(residual, report);
+    return (is_small && are_closed(report)) || has_reached_round_off(residual, report);
+}
+
+// Whether the equations of joints are met; or, of accelerations, come no nearer to it: where some of them are
+// redundant, they contradict each other in the inner stages of a step, whose positions are not exact.
+bool ConvergenceTest::are_closed(const EquilibriumReport& report) const {
+    constexpr double closed = 1e-12;
+    const double gap = report.joint_gap.size;
+    return gap <= closed || (of_accelerations_ && gap >= 0.5 * gap_before_);
 }
 
 // Whether round-off is all that is left of the increments: far below the tolerance, a few units of the

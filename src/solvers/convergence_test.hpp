@@ -10,10 +10,12 @@ namespace gxrod {
 // When Newton's method stops (see solve_equilibrium). It sees each residual and each increment.
 class ConvergenceTest {
   public:
-    // The system must outlive it.
-    ConvergenceTest(const System& system, const NewtonSettings& settings);
+    // The system must outlive it. The level is that of the equations of joints.
+    ConvergenceTest(const System& system,
+                    const NewtonSettings& settings,
+                    ConstraintLevel level = ConstraintLevel::position);
 
-    // Sets the report's residual.
+    // Sets the report's residual; before its gap of joints is set.
     void measure(const Residual& residual, EquilibriumReport& report);
     // The largest |δr| relative to its scale, or |δφ|.
     void add_increment(const std::vector<Vec6>& deltas, const State& state);
@@ -21,11 +23,14 @@ class ConvergenceTest {
     bool is_met(const Residual& residual, const EquilibriumReport& report) const;
 
   private:
+    bool are_closed(const EquilibriumReport& report) const;
     bool has_reached_round_off(const Residual& residual, const EquilibriumReport& report) const;
 
     const System* system_;
     double tolerance_;
     double absolute_residual_;
+    bool of_accelerations_;
+    double gap_before_ = std::numeric_limits<double>::infinity();  // of the iteration before
     // Of the last two iterations.
     double last_increment_ = std::numeric_limits<double>::infinity();
     double increment_before_ = std::numeric_limits<double>::infinity();

@@ -16,12 +16,31 @@ void move(const System& system,
           double sign,
           State& state) {
     for (const std::int64_t equation : group) {
-        const auto [node, component] = system.equations().unknown(equation);
+        const EquationNumbers::Unknown unknown = system.equations().unknown(equation);
+        if (unknown.attached >= 0) continue;
+        const int node = unknown.node;
+        const int component = unknown.component;
         const double size = component < 3 ? step_angle * system.length_scale() : step_angle;
         const Vec6 delta = system.equations().to_global_axes(node, sign * size * Vec6::Unit(component));
         apply_spin(state.previous[node], delta.head<3>(), delta.tail<3>(), state.trial[node]);
     }
     update_trial_rates(system, integrator, stage, state);
+}
+
+// The differences have found how the forces of multipliers turn.
+void add_joint_rows(const System& system,
+                    const Integrator& integrator,
+                    const Stage& stage,
+                    const ConstraintRequest& request,
+                    const State& state,
+                    std::vector<double>& values) {
+    if (system.joints().empty()) return;
+    State without_forces = state;
+    for (JointState& joint : without_forces.joints_trial) joint.multipliers.fill(0.0);
+    std::vector<NodeLinearization> linearizations;
+    integrator.linearize(state, stage, linearizations, system.team());
+    system.joints().add_tangents(
+        without_forces, integrator.stage_time(stage), linearizations, request, values);
 }
 
 }  // namespace
@@ -59,7 +78,8 @@ DifferenceTangent::DifferenceTangent(const System& system)
 void DifferenceTangent::compute(const Integrator& integrator,
                                 const Stage& stage,
                                 State& state,
-                                std::vector<double>& values) {
+                                std::vector<double>& values,
+                                const ConstraintRequest& request) {
     const SparsePattern& pattern = system_->pattern();
     const double time = integrator.stage_time(stage);
     values.assign(static_cast<std::size_t>(pattern.nonzeros()), 0.0);
@@ -81,6 +101,7 @@ void DifferenceTangent::compute(const Integrator& integrator,
         }
     }
     update_trial_rates(*system_, integrator, stage, state);
+    add_joint_rows(*system_, integrator, stage, request, state, values);
 }
 
 }  // namespace gxrod

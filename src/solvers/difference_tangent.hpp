@@ -12,12 +12,17 @@ namespace gxrod {
 std::vector<std::vector<std::int64_t>> group_columns(const SparsePattern& pattern);
 
 // The tangent by central differences of the residual, moving the nodes' (δr, δφ) through the integrator;
-// values on the pattern. Slow: for checking a tangent, or without one. Restores the state.
+// values on the pattern; but for the rows and columns of joints' multipliers. Slow: for checking a tangent,
+// or without one. Restores the state.
 class DifferenceTangent {
   public:
     explicit DifferenceTangent(const System& system);
 
-    void compute(const Integrator& integrator, const Stage& stage, State& state, std::vector<double>& values);
+    void compute(const Integrator& integrator,
+                 const Stage& stage,
+                 State& state,
+                 std::vector<double>& values,
+                 const ConstraintRequest& request = {});
 
   private:
     const System* system_;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solvers/hidden_constraints.hpp"
 #include "solvers/newton_steps.hpp"
 
 namespace gxrod {
@@ -22,14 +23,32 @@ double compute_power_of(const std::vector<Vec6>& forces, const std::vector<NodeM
 
 }  // namespace
 
-Power compute_power(const System& system, const State& state, double time, const Residual& residual) {
+Power compute_power(
+    const System& system, const State& state, double time, const Residual& residual, const TimeSpan& step) {
     Power power;
     std::vector<Vec6> forces = system.compute_load_forces(state, time);
     system.add_support_forces(residual, forces);
-    power.driving = compute_power_of(forces, state.trial);
+    power.driving =
+        compute_power_of(forces, state.trial) + system.joints().compute_driving_power(state, time, step);
     power.damping = system.compute_damping_power(state);
     return power;
 }
+
+namespace {
+
+// Those of the solution, with their multipliers.
+void add_accelerations(const System& system, SolverWorkspace& workspace, State& state) {
+    std::vector<Vec6>& increments = workspace.increments;
+    increments.resize(state.trial.size());
+    for (std::size_t node = 0; node < increments.size(); ++node) {
+        increments[node] = system.equations().increment_of(static_cast<int>(node), workspace.vector);
+        state.trial[node].a += increments[node].head<3>();
+        state.trial[node].alpha += increments[node].tail<3>();
+    }
+    system.joints().advance_multipliers(increments, workspace.vector, workspace.values, state);
+}
+
+}  // namespace
 
 EquilibriumReport solve_accelerations(
     const System& system, double time, const TimeSpan& step, SolverWorkspace& workspace, State& state) {
@@ -39,25 +58,36 @@ EquilibriumReport solve_accelerations(
         motion.alpha.setZero();
     }
     system.supports().set_rates(time, step, state.trial);
-    system.compute_residual(state, time, workspace.residual);
+    const ConstraintRequest request{ConstraintLevel::acceleration, step};
+    system.compute_residual(state, time, workspace.residual, request);
     measure_residual(system, workspace.residual, report);
     if (report.outcome == Outcome::not_finite) return report;
-    system.compute_tangent(state, time, mass_linearizations(state.trial.size()), workspace.values);
+    system.compute_tangent(state, time, mass_linearizations(state.trial.size()), workspace.values, request);
     if (!factorize(system, workspace, report)) return report;
     ++report.iterations;
-    const Eigen::VectorXd residual = gather(workspace.residual.nodal, system.equations(), system.team());
+    Eigen::VectorXd residual = gather_residual(system, workspace.residual, workspace.values);
     if (!solve_increment(system, residual, workspace, report)) return report;
-    for (int node = 0; node < static_cast<int>(state.trial.size()); ++node) {
-        const Vec6 accelerations = system.equations().increment_of(node, workspace.vector);
-        state.trial[node].a += accelerations.head<3>();
-        state.trial[node].alpha += accelerations.tail<3>();
+    add_accelerations(system, workspace, state);
+    // What the regularization of JointAssembly leaves of the equations of joints; nodes are in balance.
+    constexpr int corrections = 2;
+    for (int i = 0; i < corrections && !system.joints().empty(); ++i) {
+        residual.setZero();
+        system.joints().compute_rows(state, time, request, workspace.residual.rows);
+        system.joints().set_rows(workspace.residual.rows, workspace.values, residual);
+        if (!solve_increment(system, residual, workspace, report)) return report;
+        add_accelerations(system, workspace, state);
     }
-    system.compute_residual(state, time, workspace.residual);
+    system.compute_residual(state, time, workspace.residual, request);
     measure_residual(system, workspace.residual, report);
     return report;
 }
 
 namespace {
+
+// Whether velocities and accelerations have to meet equations of their own.
+bool has_hidden_constraints(const System& system) {
+    return !system.joints().are_linear() && system.model().has_inertia;
+}
 
 // Whether the rates of an explicit step turn a node by less than half a turn, and no element's nodes against
 // each other by more.
@@ -96,7 +126,27 @@ EquilibriumReport solve_stage_explicitly(const System& system,
     EquilibriumReport report;
     const bool is_last = stage.index + 1 == integrator.stage_count();
     if (is_last && !check_rotations(system, stage, state, report)) return report;
-    return solve_accelerations(system, time, {stage.step_time, stage.time_step}, workspace, state);
+    const TimeSpan step{stage.step_time, stage.time_step};
+    if (is_last && has_hidden_constraints(system)) {
+        // With the mass matrix of the stage before.
+        project_positions(system, time, workspace, state, report);
+        if (report.converged()) project_velocities(system, time, step, workspace, state, report);
+        if (!report.converged()) return report;
+    }
+    return solve_accelerations(system, time, step, workspace, state);
+}
+
+// Of an implicit step that has converged.
+void restore_hidden_constraints(const System& system,
+                                const Stage& stage,
+                                SolverWorkspace& workspace,
+                                State& state,
+                                EquilibriumReport& report) {
+    const TimeSpan step{stage.step_time, stage.time_step};
+    project_velocities(system, stage.end_time, step, workspace, state, report);
+    if (!report.converged()) return;
+    const EquilibriumReport end = solve_accelerations(system, stage.end_time, step, workspace, state);
+    if (!end.converged()) report.outcome = end.outcome;
 }
 
 }  // namespace
@@ -122,9 +172,13 @@ EquilibriumReport solve_step(const System& system,
         integrator.end_stage(state, stage, system.team());
         if (weighs_power) {
             const double time = integrator.stage_time(stage);
-            workspace.stage_powers.push_back(compute_power(system, state, time, workspace.residual));
+            workspace.stage_powers.push_back(
+                compute_power(system, state, time, workspace.residual, {stage.step_time, stage.time_step}));
         }
     }
+    const bool is_implicit = !integrator.is_explicit() && !integrator.is_static();
+    if (total.converged() && is_implicit && has_hidden_constraints(system))
+        restore_hidden_constraints(system, stage, workspace, state, total);
     return total;
 }
 

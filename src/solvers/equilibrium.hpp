@@ -22,6 +22,7 @@ enum class Outcome {
     rotation_too_large,  // a node turns by π or more within the step
     element_too_turned,  // nodes of one element are turned against each other by nearly π
     error_too_large,     // the step's estimated error is above its tolerance
+    joints_open,         // joints cannot be closed, or velocities do not fit them
     control_turned,      // the displacement that controls a path turns back
     lost_stability       // the step is good, but shorter ones seek what it may have passed: a stable
                          // equilibrium, or, on a path, a bend or critical points
@@ -35,7 +36,8 @@ struct EquilibriumReport {
     int worst_node = -1;    // where: of the residual, the pivot, the rotation or the non-finite number
     int worst_component = -1;
     double step_error = 0.0;            // of error_too_large: the estimate
-    std::int64_t negative_pivots = -1;  // of the last factorization; −1: not known
+    LargestGap joint_gap;               // of the equations of joints
+    std::int64_t negative_pivots = -1;  // of the last factorization, of the nodes' unknowns; −1: not known
 
     bool converged() const { return outcome == Outcome::converged; }
 };
@@ -46,8 +48,12 @@ struct Power {
     double damping = 0.0;  // dissipated
 };
 
-// Of the trial motions; `residual` is theirs.
-Power compute_power(const System& system, const State& state, double time, const Residual& residual);
+// Of the trial motions; `residual` is theirs, `step` the one that `time` belongs to, if there is any.
+Power compute_power(const System& system,
+                    const State& state,
+                    double time,
+                    const Residual& residual,
+                    const TimeSpan& step = {0.0, 0.0});
 
 // What solving needs in addition to the State, allocated once.
 struct SolverWorkspace {
@@ -69,10 +75,11 @@ struct SolverWorkspace {
 // Where the mixed tangent fails, the consistent one is tried from the same prediction.
 //
 // Converged when the largest residual force and moment are below tolerance times the largest force and moment
-// that an element or load puts on a node; or, where round-off hides that, when the last increment was below
-// 1e-4 × tolerance or four units of rounding, or the next one would be (going by the ratio of the last two)
-// and the residual, not as large as all forces, no longer falls, or it was below 1e-10 and no longer
-// shrinking (δr relative to the model's length or the node's distance from the origin, δφ in rad).
+// that an element, joint or load puts on a node, and joints are closed to 1e-12 of the length of their part;
+// or, where round-off hides that, when the last increment was below 1e-4 × tolerance or four units of
+// rounding, or the next one would be (going by the ratio of the last two) and the residual, not as large as
+// all forces, no longer falls, or it was below 1e-10 and no longer shrinking (δr relative to the model's
+// length or the node's distance from the origin, δφ in rad).
 EquilibriumReport solve_equilibrium(const System& system,
                                     const Integrator& integrator,
                                     const NewtonSettings& settings,
@@ -80,7 +87,8 @@ EquilibriumReport solve_equilibrium(const System& system,
                                     SolverWorkspace& workspace,
                                     State& state);
 
-// Sets the trial accelerations from equilibrium at the trial's positions, rotations and velocities: M a = f.
+// Sets the trial accelerations, and the multipliers of joints, from equilibrium at the trial's positions,
+// rotations and velocities: M a − Gᵀλ = f, with the equations of joints at the level of accelerations.
 // Supports set those of their components first, by differences within `step`, which `time` belongs to.
 EquilibriumReport solve_accelerations(
     const System& system, double time, const TimeSpan& step, SolverWorkspace& workspace, State& state);

@@ -16,6 +16,13 @@ namespace {
 
 constexpr double half_turn = std::numbers::pi;
 
+// Equations that are linear in positions hold at all levels if they do at one: at that of positions errors of
+// rounding do not grow.
+ConstraintLevel find_level(const System& system, const Integrator& integrator, const Stage& stage) {
+    return system.joints().are_linear() ? ConstraintLevel::position
+                                        : integrator.constraint_level(stage.index);
+}
+
 // Newton's method on one stage; the members are what its steps share.
 class Newton {
   public:
@@ -31,11 +38,12 @@ class Newton {
           settings_(settings),
           stage_(stage),
           time_(integrator.stage_time(stage)),
+          request_{find_level(system, integrator, stage), {stage.step_time, stage.time_step}},
           moves_supports_(integrator.is_static() && system.supports().move()),
           limits_rotation_(!integrator.is_static() || system.uses_step_rotations()),
           workspace_(workspace),
           state_(state),
-          convergence_(system, settings),
+          convergence_(system, settings, request_.level),
           guard_(system) {}
 
     EquilibriumReport solve() {
@@ -48,12 +56,12 @@ class Newton {
             compute_tangent();
             if (!factorize(system_, workspace_, report_)) break;
             ++report_.iterations;
-            Eigen::VectorXd residual = gather(workspace_.residual.nodal, system_.equations(), team_);
+            Eigen::VectorXd residual = gather_residual(system_, workspace_.residual, workspace_.values);
             if (moves_supports_ && report_.iterations == 1) {
                 const PhaseTimer timer(workspace_.seconds.assembly);
                 constexpr double part = 1e-6;
-                residual +=
-                    compute_support_motion_force(system_, time_, time_, part, workspace_.residual, state_);
+                residual += compute_support_motion_force(
+                    system_, time_, time_, part, workspace_.residual, workspace_.values, state_);
             }
             if (!solve_increment(system_, residual, workspace_, report_)) break;
             if (!apply(workspace_.vector)) break;
@@ -69,6 +77,10 @@ class Newton {
         if (integrator_.is_static()) return;
         system_.supports().place(time_, state_);
         update_trial_rates(system_, integrator_, stage_, state_);
+        if (system_.joints().empty() || request_.level == ConstraintLevel::position) return;
+        // Of accelerations, equations are as large as those of positions.
+        integrator_.linearize(state_, stage_, workspace_.linearizations, team_);
+        request_.factor = 1.0 / workspace_.linearizations.front().acceleration;
     }
 
     void start_resultants() {
@@ -79,8 +91,10 @@ class Newton {
 
     void compute_residual() {
         const PhaseTimer timer(workspace_.seconds.assembly);
-        system_.compute_residual(state_, time_, workspace_.residual);
+        system_.compute_residual(state_, time_, workspace_.residual, request_);
         convergence_.measure(workspace_.residual, report_);
+        if (!system_.joints().empty())
+            report_.joint_gap = system_.joints().measure_gap(workspace_.residual.rows, state_);
     }
 
     // Whether to stop, be it converged, out of iterations or NaN.
@@ -100,7 +114,8 @@ class Newton {
             case TangentKind::automatic:
             case TangentKind::consistent:
                 integrator_.linearize(state_, stage_, workspace_.linearizations, team_);
-                system_.compute_tangent(state_, time_, workspace_.linearizations, workspace_.values);
+                system_.compute_tangent(
+                    state_, time_, workspace_.linearizations, workspace_.values, request_);
                 if (workspace_.frame) workspace_.frame->add_stiffness(state_, time_, workspace_.values);
                 break;
             case TangentKind::paper:
@@ -109,7 +124,7 @@ class Newton {
                 system_.compute_tangent(state_, time_, workspace_.linearizations, workspace_.values);
                 break;
             case TangentKind::difference:
-                DifferenceTangent(system_).compute(integrator_, stage_, state_, workspace_.values);
+                DifferenceTangent(system_).compute(integrator_, stage_, state_, workspace_.values, request_);
                 break;
         }
     }
@@ -142,6 +157,8 @@ class Newton {
     bool admit(const std::vector<Vec6>& deltas) {
         const auto spin = [&](std::size_t node) -> Vec3 { return deltas[node].tail<3>(); };
         if (!guard_.admits(state_.trial, spin, report_)) return false;
+        if (!system_.joints().empty())
+            system_.joints().advance_multipliers(deltas, workspace_.vector, workspace_.values, state_);
         if (settings_.tangent == TangentKind::mixed) system_.advance_resultants(deltas, state_);
         return true;
     }
@@ -179,6 +196,7 @@ class Newton {
     const NewtonSettings& settings_;
     const Stage& stage_;
     double time_;
+    ConstraintRequest request_;
     bool moves_supports_;  // within the first iteration
     bool limits_rotation_;
     SolverWorkspace& workspace_;

@@ -66,6 +66,14 @@ bool is_as_large_as_forces(const System& system, const Residual& residual, const
     return force > tenth * std::max(acting.force_scale, acting.moment_scale / length);
 }
 
+Eigen::VectorXd gather_residual(const System& system,
+                                const Residual& residual,
+                                const std::vector<double>& values) {
+    Eigen::VectorXd vector = gather(residual.nodal, system.equations(), system.team());
+    if (!system.joints().empty()) system.joints().set_rows(residual.rows, values, vector);
+    return vector;
+}
+
 double largest_component(const System& system, const Residual& residual) {
     return gather(residual.nodal, system.equations(), system.team()).lpNorm<Eigen::Infinity>();
 }
@@ -89,7 +97,9 @@ bool solve_increment(const System& system,
 bool factorize(const System& system, SolverWorkspace& workspace, EquilibriumReport& report) {
     const PhaseTimer timer(workspace.seconds.solve);
     const Factorization factorization = workspace.linear_solver->factorize(workspace.values);
+    // Each multiplier adds one.
     report.negative_pivots = factorization.negative_pivots;
+    if (report.negative_pivots >= 0) report.negative_pivots -= system.equations().attached_count();
     if (factorization.regular) return true;
     report.outcome = Outcome::singular;
     report.worst_node = report.worst_component = -1;

@@ -12,6 +12,11 @@ void measure_residual(const System& system, const Residual& residual, Equilibriu
 // of the largest moment over the length of its part.
 bool is_as_large_as_forces(const System& system, const Residual& residual, const EquilibriumReport& report);
 
+// The residual as the right-hand side of the linear system whose matrix has these values.
+Eigen::VectorXd gather_residual(const System& system,
+                                const Residual& residual,
+                                const std::vector<double>& values);
+
 double largest_component(const System& system, const Residual& residual);
 
 // Factorizes workspace.values; false, and so reported, if they are singular.

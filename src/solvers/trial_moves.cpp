@@ -1,5 +1,6 @@
 #include "solvers/trial_moves.hpp"
 
+#include "solvers/newton_steps.hpp"
 #include "state/increment.hpp"
 
 namespace gxrod {
@@ -22,6 +23,7 @@ Eigen::VectorXd compute_support_motion_force(const System& system,
                                              double time_of_loads,
                                              double part,
                                              const Residual& residual,
+                                             const std::vector<double>& values,
                                              const State& state) {
     State moved = state;
     system.supports().place(time, moved);
@@ -33,7 +35,7 @@ Eigen::VectorXd compute_support_motion_force(const System& system,
     }
     Residual other;
     system.compute_residual(nudged, time_of_loads, other);
-    return (gather(other.nodal, system.equations()) - gather(residual.nodal, system.equations())) / part;
+    return (gather_residual(system, other, values) - gather_residual(system, residual, values)) / part;
 }
 
 }  // namespace gxrod

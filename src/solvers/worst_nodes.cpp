@@ -15,8 +15,10 @@ std::vector<WorstNode> find_worst_nodes(const System& system, const Residual& re
     const Eigen::VectorXd values = gather(residual.nodal, system.equations());
     std::vector<WorstNode> worst;
     for (std::int64_t i = 0; i < values.size(); ++i) {
-        const auto [node, component] = system.equations().unknown(i);
         if (values[i] == 0.0) continue;
+        const EquationNumbers::Unknown unknown = system.equations().unknown(i);
+        const int node = unknown.node;
+        const int component = unknown.component;
         double size = std::abs(values[i]) / scales.of(node).of(component);
         if (!std::isfinite(size)) size = std::numeric_limits<double>::infinity();
         if (worst.empty() || worst.back().node != node) worst.push_back({node, component, 0.0});

@@ -22,8 +22,8 @@ TEST_CASE("equations are numbered node by node, held components left out", "[ass
     CHECK(equations.unknown(10).node == 3);
     CHECK(equations.unknown(10).component == 2);
     for (std::int64_t equation = 0; equation < equations.count(); ++equation) {
-        const auto [node, component] = equations.unknown(equation);
-        CHECK(equations.of_node(node)[component] == equation);
+        const EquationNumbers::Unknown unknown = equations.unknown(equation);
+        CHECK(equations.of_node(unknown.node)[unknown.component] == equation);
     }
 }
 

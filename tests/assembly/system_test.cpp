@@ -138,11 +138,12 @@ TEST_CASE("the assembled tangent is the derivative of the residual", "[assembly]
         system.compute_tangent(state, now, linearizations, values);
         const auto stiffness = make_dense(system.pattern(), values);
         for (std::int64_t column = 0; column < stiffness.cols(); ++column) {
-            const auto [node, component] = system.equations().unknown(column);
+            const EquationNumbers::Unknown unknown = system.equations().unknown(column);
             const Eigen::VectorXd expected = differentiate([&](double amount) {
                 State moved = state;
-                const Vec6 step = amount * Vec6::Unit(component);
-                apply_spin(state.previous[node], step.head<3>(), step.tail<3>(), moved.trial[node]);
+                const Vec6 step = amount * Vec6::Unit(unknown.component);
+                apply_spin(
+                    state.previous[unknown.node], step.head<3>(), step.tail<3>(), moved.trial[unknown.node]);
                 Residual residual;
                 system.compute_residual(moved, now, residual);
                 return gather(residual.nodal, system.equations());

@@ -45,7 +45,7 @@ class FactorFinder {
         record_.load_time = load_time_;
         record_.cause = find_load_without_potential(system_.model());
         record_.is_symmetric = record_.cause.empty();
-        std::vector<double> K = compute_tangent(system_, time_);
+        std::vector<double> K = compute_tangent(system_, time_, {});
         if (!solve_for_load(K)) {
             record_.failure = "the state has no unique change under more load: its tangent has no inverse";
             return record_;
@@ -55,8 +55,8 @@ class FactorFinder {
             K = make_symmetric(system_.pattern(), K);
             S = make_symmetric(system_.pattern(), S);
         }
-        const SmallestFactors found =
-            find_smallest_factors(system_.pattern(), K, S, settings.count, system_.team());
+        const SmallestFactors found = find_smallest_factors(
+            system_.pattern(), K, S, settings.count, system_.team(), multiplier_count());
         if (!found.is_definite) {
             record_.failure = "the state is unstable as it is: its tangent has negative pivots";
             return record_;
@@ -66,9 +66,13 @@ class FactorFinder {
     }
 
   private:
-    std::vector<double> compute_tangent(const System& system, double time) const {
+    std::int64_t multiplier_count() const { return system_.equations().attached_count(); }
+
+    std::vector<double> compute_tangent(const System& system,
+                                        double time,
+                                        const ConstraintRequest& request) const {
         std::vector<double> values;
-        system.compute_tangent(state_, time, placements_, values);
+        system.compute_tangent(state_, time, placements_, values, request);
         return values;
     }
 
@@ -80,8 +84,9 @@ class FactorFinder {
         system_.compute_residual(state_, load_time_, with);
         unloaded.compute_residual(state_, load_time_, without);
         for (std::size_t i = 0; i < with.nodal.size(); ++i) without.nodal[i] -= with.nodal[i];
-        load_stiffness_ =
-            combine(compute_tangent(system_, load_time_), -1.0, compute_tangent(unloaded, load_time_));
+        const ConstraintRequest alike{.scaled_as = &K};
+        load_stiffness_ = combine(
+            compute_tangent(system_, load_time_, alike), -1.0, compute_tangent(unloaded, load_time_, alike));
         Eigen::VectorXd change = gather(without.nodal, system_.equations(), system_.team());
         const auto solver = make_linear_solver(LinearSolverKind::chains, system_.pattern(), system_.team());
         if (!solver->factorize(K).regular) return false;
@@ -89,6 +94,9 @@ class FactorFinder {
         increments_.resize(state_.trial.size());
         for (std::size_t i = 0; i < increments_.size(); ++i)
             increments_[i] = system_.equations().increment_of(static_cast<int>(i), change);
+        State loaded = state_;
+        system_.joints().advance_multipliers(increments_, change, K, loaded);
+        joints_ = loaded.joints_trial;
         return change.allFinite();
     }
 
@@ -109,7 +117,15 @@ class FactorFinder {
         for (Vec6& increment : increments) increment *= factor;
         system_.start_resultants(state_);
         system_.advance_resultants(increments, state_);
-        std::vector<double> change = combine(compute_tangent(system_, time_), -1.0, K);
+        const std::vector<JointState> unloaded = state_.joints_trial;
+        for (std::size_t i = 0; i < joints_.size(); ++i) {
+            for (std::size_t row = 0; row < unloaded[i].multipliers.size(); ++row) {
+                state_.joints_trial[i].multipliers[row] +=
+                    factor * (joints_[i].multipliers[row] - unloaded[i].multipliers[row]);
+            }
+        }
+        std::vector<double> change = combine(compute_tangent(system_, time_, {.scaled_as = &K}), -1.0, K);
+        state_.joints_trial = unloaded;
         state_.resultants.clear();
         return change;
     }
@@ -136,6 +152,7 @@ class FactorFinder {
     State state_;
     double time_, load_time_;
     std::vector<NodeLinearization> placements_;
+    std::vector<JointState> joints_;  // under the load that is added
     std::vector<Vec6> increments_;
     std::vector<double> load_stiffness_;
     BucklingRecord record_;

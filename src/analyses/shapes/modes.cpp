@@ -49,7 +49,8 @@ class ModeFinder {
             matrices_.mass,
             settings.count,
             below,
-            system_.team());
+            system_.team(),
+            system_.equations().attached_count());
         if (!found) {
             record_.failure = "nothing that moves has inertia";
             return record_;

@@ -8,7 +8,8 @@ std::int64_t EigenvalueCount::factorize(const std::vector<double>& a,
                                         double factor,
                                         const std::vector<double>& b) {
     values_ = combine(a, factor, b);
-    return solver_->factorize(values_).negative_pivots;
+    const std::int64_t negative = solver_->factorize(values_).negative_pivots;
+    return negative < 0 ? negative : negative - multipliers_;
 }
 
 std::int64_t EigenvalueCount::count(const std::vector<double>& a,

@@ -23,8 +23,13 @@ class LowestSearch {
     LowestSearch(const SparsePattern& pattern,
                  const std::vector<double>& K,
                  const std::vector<double>& M,
-                 const ThreadTeam& team)
-        : pattern_(pattern), K_(K), M_(M), shifted_(pattern, team), counter_(pattern, team) {}
+                 const ThreadTeam& team,
+                 std::int64_t multipliers)
+        : pattern_(pattern),
+          K_(K),
+          M_(M),
+          shifted_(pattern, team, multipliers),
+          counter_(pattern, team, multipliers) {}
 
     bool find_shift() {
         scale_ = find_typical_ratio(pattern_, K_, M_);
@@ -172,8 +177,9 @@ std::optional<LowestPairs> find_lowest_pairs(const SparsePattern& pattern,
                                              const std::vector<double>& M,
                                              int count,
                                              std::optional<double> below,
-                                             const ThreadTeam& team) {
-    LowestSearch search(pattern, K, M, team);
+                                             const ThreadTeam& team,
+                                             std::int64_t multipliers) {
+    LowestSearch search(pattern, K, M, team, multipliers);
     if (!search.find_shift()) return std::nullopt;
     return search.find(count, below);
 }

@@ -27,13 +27,14 @@ struct LowestPairs {
     }
 };
 
-// The `count` lowest ones, or those below a bound. Empty if M vanishes or no shift below all eigenvalues is
-// found.
+// The `count` lowest ones, or those below a bound. So many unknowns are multipliers, whose negative
+// eigenvalues do not count. Empty if M vanishes or no shift below all eigenvalues is found.
 std::optional<LowestPairs> find_lowest_pairs(const SparsePattern& pattern,
                                              const std::vector<double>& K,
                                              const std::vector<double>& M,
                                              int count,
                                              std::optional<double> below = {},
-                                             const ThreadTeam& team = ThreadTeam::alone());
+                                             const ThreadTeam& team = ThreadTeam::alone(),
+                                             std::int64_t multipliers = 0);
 
 }  // namespace gxrod

@@ -22,13 +22,14 @@ class FactorSearch {
     FactorSearch(const SparsePattern& pattern,
                  const std::vector<double>& K,
                  const std::vector<double>& S,
-                 const ThreadTeam& team)
+                 const ThreadTeam& team,
+                 std::int64_t multipliers)
         : pattern_(pattern),
           K_(K),
           S_(S),
           negative_S_(S),
-          stiffness_(pattern, team),
-          counter_(pattern, team) {
+          stiffness_(pattern, team, multipliers),
+          counter_(pattern, team, multipliers) {
         for (double& value : negative_S_) value = -value;
     }
 
@@ -150,8 +151,9 @@ SmallestFactors find_smallest_factors(const SparsePattern& pattern,
                                       const std::vector<double>& K,
                                       const std::vector<double>& S,
                                       int count,
-                                      const ThreadTeam& team) {
-    return FactorSearch(pattern, K, S, team).find(count);
+                                      const ThreadTeam& team,
+                                      std::int64_t multipliers) {
+    return FactorSearch(pattern, K, S, team, multipliers).find(count);
 }
 
 }  // namespace gxrod

@@ -25,6 +25,7 @@ SmallestFactors find_smallest_factors(const SparsePattern& pattern,
                                       const std::vector<double>& K,
                                       const std::vector<double>& S,
                                       int count,
-                                      const ThreadTeam& team = ThreadTeam::alone());
+                                      const ThreadTeam& team = ThreadTeam::alone(),
+                                      std::int64_t multipliers = 0);
 
 }  // namespace gxrod

@@ -72,6 +72,8 @@ class PathNewton {
             }
         }
         convergence_.measure(workspace_.residual, report_);
+        if (!system_.joints().empty())
+            report_.joint_gap = system_.joints().measure_gap(workspace_.residual.rows, state_);
     }
 
     // At least one tangent is needed, for the direction of the path.
@@ -94,13 +96,17 @@ class PathNewton {
         const Eigen::Index count = system_.equations().count();
         Borders borders{
             Eigen::MatrixXd(count, size), Eigen::MatrixXd(count, size), Eigen::MatrixXd::Zero(size, size)};
-        borders.columns.col(0) =
-            compute_load_gradient(system_, solution_.load_factor, workspace_.residual, state_);
+        borders.columns.col(0) = compute_load_gradient(
+            system_, solution_.load_factor, workspace_.residual, workspace_.values, state_);
         for (std::size_t i = 0; i < problem_.disturbances.size(); ++i)
             borders.columns.col(static_cast<Eigen::Index>(i) + 1) = problem_.disturbances[i];
         if (problem_.other_factor != nullptr)
-            borders.columns.col(size - 1) = compute_other_gradient(
-                system_, *problem_.other_factor, solution_.load_factor, workspace_.residual, state_);
+            borders.columns.col(size - 1) = compute_other_gradient(system_,
+                                                                   *problem_.other_factor,
+                                                                   solution_.load_factor,
+                                                                   workspace_.residual,
+                                                                   workspace_.values,
+                                                                   state_);
         for (Eigen::Index i = 0; i < size; ++i) {
             borders.rows.col(i) = problem_.rows[static_cast<std::size_t>(i)].u;
             borders.corner(i, 0) = problem_.rows[static_cast<std::size_t>(i)].load;
@@ -113,9 +119,8 @@ class PathNewton {
         const BorderedSolve bordered(
             *workspace_.linear_solver, system_.pattern(), workspace_.values, make_borders());
         const Eigen::Index size = static_cast<Eigen::Index>(problem_.rows.size());
-        const BorderedVector solved =
-            bordered.solve({-gather(workspace_.residual.nodal, system_.equations(), system_.team()),
-                            Eigen::VectorXd::Zero(size)});
+        const BorderedVector solved = bordered.solve(
+            {-gather_residual(system_, workspace_.residual, workspace_.values), Eigen::VectorXd::Zero(size)});
         increment_ = {solved.x, solved.y[0]};
         amplitudes_ = solved.y.tail(size - 1);
         solution_.direction = {-bordered.solved_columns().col(0), 1.0};
@@ -146,6 +151,11 @@ class PathNewton {
             add_support_motion(system_, solution_.load_factor, state_, with_supports);
         }
         if (!admit(moves_supports ? with_supports : deltas)) return false;
+        // The prediction leaves multipliers as they are.
+        if (!system_.joints().empty() && report_.iterations > 0) {
+            system_.joints().advance_multipliers(
+                moves_supports ? with_supports : deltas, increment.u, workspace_.values, state_);
+        }
         for (std::size_t node = 0; node < deltas.size(); ++node) {
             apply_spin(
                 state_.previous[node], deltas[node].head<3>(), deltas[node].tail<3>(), state_.trial[node]);
@@ -200,12 +210,36 @@ Eigen::VectorXd compute_support_gradient(const System& system,
                                          double time_of_move,
                                          double time_of_loads,
                                          const Residual& residual,
+                                         const std::vector<double>& values,
                                          const State& state) {
     constexpr double part = 0.1;
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(system.equations().count());
     for (const double side : {part, -part})
-        sum += compute_support_motion_force(system, time_of_move, time_of_loads, side, residual, state);
+        sum +=
+            compute_support_motion_force(system, time_of_move, time_of_loads, side, residual, values, state);
     return 0.5 / gradient_difference * sum;
+}
+
+// What the motors and drives of joints add to ∂R/∂λ.
+void add_motor_gradient(const System& system,
+                        double load_factor,
+                        double further,
+                        const std::vector<double>& values,
+                        const State& state,
+                        Eigen::VectorXd& gradient) {
+    const JointAssembly& joints = system.joints();
+    if (joints.empty()) return;
+    Residual here, there;
+    for (auto [residual, time] : {std::pair(&here, load_factor), std::pair(&there, further)}) {
+        residual->nodal.assign(state.trial.size(), Vec6::Zero());
+        joints.compute_rows(state, time, {}, residual->rows);
+        joints.add_forces(state, time, system.scale_groups(), *residual);
+    }
+    for (std::size_t i = 0; i < here.rows.size(); ++i)
+        there.rows[i] = (there.rows[i] - here.rows[i]) / gradient_difference;
+    for (std::size_t i = 0; i < here.nodal.size(); ++i)
+        there.nodal[i] = (there.nodal[i] - here.nodal[i]) / gradient_difference;
+    gradient += gather_residual(system, there, values);
 }
 
 Eigen::VectorXd gather_gradient(const System& system,
@@ -221,19 +255,22 @@ Eigen::VectorXd gather_gradient(const System& system,
 Eigen::VectorXd compute_load_gradient(const System& system,
                                       double load_factor,
                                       const Residual& residual,
+                                      const std::vector<double>& values,
                                       const State& state) {
     // Of what grows with the load factor, it is exact.
     const double further = load_factor + gradient_difference;
-    const Eigen::VectorXd result = gather_gradient(
+    Eigen::VectorXd result = gather_gradient(
         system, system.compute_load_forces(state, load_factor), system.compute_load_forces(state, further));
+    add_motor_gradient(system, load_factor, further, values, state, result);
     if (!system.supports().move()) return result;
-    return result + compute_support_gradient(system, further, load_factor, residual, state);
+    return result + compute_support_gradient(system, further, load_factor, residual, values, state);
 }
 
 Eigen::VectorXd compute_other_gradient(const System& system,
                                        double& other_factor,
                                        double load_factor,
                                        const Residual& residual,
+                                       const std::vector<double>& values,
                                        const State& state) {
     const std::vector<Vec6> forces = system.compute_load_forces(state, load_factor);
     const double here = other_factor;
@@ -242,7 +279,7 @@ Eigen::VectorXd compute_other_gradient(const System& system,
     Eigen::VectorXd result = gather_gradient(system, forces, system.compute_load_forces(state, load_factor));
     // The loads' own change cancels in it.
     if (system.supports().move())
-        result += compute_support_gradient(system, load_factor, load_factor, residual, state);
+        result += compute_support_gradient(system, load_factor, load_factor, residual, values, state);
     other_factor = here;
     system.forget_loads();
     return result;

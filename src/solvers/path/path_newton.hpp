@@ -46,12 +46,15 @@ Eigen::VectorXd compute_other_gradient(const System& system,
                                        double& other_factor,
                                        double load_factor,
                                        const Residual& residual,
+                                       const std::vector<double>& values,
                                        const State& state);
 
-// ∂R/∂λ of the trial motions, supports that move included; the workspace has their residual.
+// ∂R/∂λ of the trial motions, supports and joints that move included, from their residual and the values of
+// their tangent.
 Eigen::VectorXd compute_load_gradient(const System& system,
                                       double load_factor,
                                       const Residual& residual,
+                                      const std::vector<double>& values,
                                       const State& state);
 
 }  // namespace gxrod

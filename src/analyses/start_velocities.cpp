@@ -1,0 +1,75 @@
+#include "analyses/start_velocities.hpp"
+
+#include <fmt/format.h>
+
+#include "model/evaluation_error.hpp"
+#include "solvers/hidden_constraints.hpp"
+#include "solvers/newton_steps.hpp"
+
+namespace gxrod {
+
+namespace {
+
+constexpr double same_velocity = 1e-8;  // relative to the largest
+
+std::string describe(const Vec3& v) {
+    // Round-off of a projection is not worth a digit.
+    const auto clean = [&](double x) { return std::abs(x) < 1e-12 * v.norm() ? 0.0 : x; };
+    return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", clean(v.x()), clean(v.y()), clean(v.z()));
+}
+
+double find_speed(const System& system, const State& state) {
+    double speed = 0.0;
+    for (const NodeMotion& trial : state.trial)
+        speed = std::max({speed, trial.v.norm(), trial.omega.norm() * system.length_scale()});
+    return speed;
+}
+
+[[noreturn]] void report(const System& system, int index, const State& state, const State& fitting) {
+    const Joint& joint = system.model().joints[static_cast<std::size_t>(index)];
+    const int node = joint.b.anchor.is_ground() ? joint.a.anchor.node : joint.b.anchor.node;
+    const NodeMotion& fits = fitting.trial[static_cast<std::size_t>(node)];
+    throw EvaluationError(
+        fmt::format("the initial velocities do not fit joint {}; nearest to all that are given, those that "
+                    "fit have velocity = {} "
+                    "and angular_velocity = {} at {} (given: {} and {}). Give such velocities, or start = "
+                    "\"project\" in the "
+                    "analysis to take the nearest ones",
+                    joint.name,
+                    describe(fits.v),
+                    describe(fits.omega),
+                    system.model().nodes[static_cast<std::size_t>(node)].name,
+                    describe(state.trial[static_cast<std::size_t>(node)].v),
+                    describe(state.trial[static_cast<std::size_t>(node)].omega)));
+}
+
+}  // namespace
+
+void fit_start_velocities(const System& system,
+                          double time,
+                          const TimeSpan& step,
+                          bool projects,
+                          SolverWorkspace& workspace,
+                          State& state) {
+    const JointAssembly& joints = system.joints();
+    if (joints.empty()) return;
+    // Motors may start with a rate.
+    std::vector<double> rows;
+    const double speed = find_speed(system, state);
+    const double time_scale = speed > 0.0 ? system.length_scale() / speed : 1.0;
+    joints.compute_rows(state, time, {ConstraintLevel::velocity, step, time_scale}, rows);
+    const LargestGap gap = joints.measure_gap(rows, state);
+    if (gap.size <= same_velocity) return;
+    State fitting = state;
+    // Leaves the mass matrix factorized.
+    EquilibriumReport solved = solve_accelerations(system, time, step, workspace, fitting);
+    if (!solved.converged()) return;  // the start fails on it, and reports why
+    project_velocities(system, time, step, workspace, fitting, solved);
+    if (!projects || !solved.converged()) report(system, gap.joint, state, fitting);
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        state.trial[i].v = fitting.trial[i].v;
+        state.trial[i].omega = fitting.trial[i].omega;
+    }
+}
+
+}  // namespace gxrod

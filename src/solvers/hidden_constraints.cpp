@@ -1,0 +1,86 @@
+#include "solvers/hidden_constraints.hpp"
+
+#include <algorithm>
+
+#include "solvers/newton_steps.hpp"
+#include "state/increment.hpp"
+
+namespace gxrod {
+
+namespace {
+
+constexpr double met = 1e-12;       // of the scale
+constexpr double tolerable = 1e-8;  // where round-off leaves more
+constexpr int most_corrections = 8;
+
+// Calls correct(increments of the nodes) until measure(rows) is small or no longer falls.
+template <class Compute, class Measure, class Correct>
+void project(const System& system,
+             SolverWorkspace& workspace,
+             EquilibriumReport& report,
+             const Compute& compute_rows,
+             const Measure& measure,
+             const Correct& correct) {
+    std::vector<double>& rows = workspace.residual.rows;
+    double before = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= most_corrections; ++i) {
+        compute_rows(rows);
+        report.joint_gap = measure(rows);
+        const double gap = report.joint_gap.size;
+        if (gap <= met || (gap <= tolerable && gap >= 0.5 * before)) return;
+        if (i == most_corrections || !(gap < 1e3 * before)) break;
+        before = gap;
+        Eigen::VectorXd residual = Eigen::VectorXd::Zero(system.equations().count());
+        system.joints().set_rows(rows, workspace.values, residual);
+        if (!solve_increment(system, residual, workspace, report)) return;
+        for (std::size_t node = 0; node < workspace.increments.size(); ++node)
+            correct(node, system.equations().increment_of(static_cast<int>(node), workspace.vector));
+    }
+    report.outcome = Outcome::joints_open;
+}
+
+}  // namespace
+
+void project_velocities(const System& system,
+                        double time,
+                        const TimeSpan& step,
+                        SolverWorkspace& workspace,
+                        State& state,
+                        EquilibriumReport& report) {
+    const JointAssembly& joints = system.joints();
+    workspace.increments.resize(state.trial.size());
+    double speed = 0.0;
+    for (const NodeMotion& trial : state.trial)
+        speed = std::max({speed, trial.v.norm(), trial.omega.norm() * system.length_scale()});
+    if (speed == 0.0) speed = 1.0;
+    const double time_scale = system.length_scale() / speed;
+    project(
+        system,
+        workspace,
+        report,
+        [&](std::vector<double>& rows) {
+            joints.compute_rows(state, time, {ConstraintLevel::velocity, step, time_scale}, rows);
+        },
+        [&](const std::vector<double>& rows) { return joints.measure_gap(rows, state); },
+        [&](std::size_t node, const Vec6& increment) {
+            state.trial[node].v += increment.head<3>() / time_scale;
+            state.trial[node].omega += increment.tail<3>() / time_scale;
+        });
+}
+
+void project_positions(
+    const System& system, double time, SolverWorkspace& workspace, State& state, EquilibriumReport& report) {
+    const JointAssembly& joints = system.joints();
+    workspace.increments.resize(state.trial.size());
+    project(
+        system,
+        workspace,
+        report,
+        [&](std::vector<double>& rows) { joints.compute_rows(state, time, {}, rows); },
+        [&](const std::vector<double>& rows) { return joints.measure_gap(rows, state); },
+        [&](std::size_t node, const Vec6& increment) {
+            apply_spin(state.previous[node], increment.head<3>(), increment.tail<3>(), state.trial[node]);
+        });
+}
+
+}  // namespace gxrod
