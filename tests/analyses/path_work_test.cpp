@@ -10,7 +10,7 @@ namespace {
 
 // One force, as large as the load factor, and where it has moved its node; the energy is the work along the
 // path.
-struct Spring {
+struct TestSpring {
     std::function<double(double)> position;
     std::function<double(double)> energy;
 
@@ -35,12 +35,12 @@ struct Spring {
 };
 
 // Slack: nearly all of the way is made at once. W = ∫ λ dr.
-const Spring slack{[](double t) { return std::pow(t, 0.05); },
-                   [](double t) { return 0.05 / 1.05 * std::pow(t, 1.05); }};
+const TestSpring slack{[](double t) { return std::pow(t, 0.05); },
+                       [](double t) { return 0.05 / 1.05 * std::pow(t, 1.05); }};
 
 // At λ = 0.3 it jumps by 1, and loses all of the work that its load does there.
-const Spring jumping{[](double t) { return t + (t > 0.3 ? 1.0 : 0.0); },
-                     [](double t) { return 0.5 * t * t; }};
+const TestSpring jumping{[](double t) { return t + (t > 0.3 ? 1.0 : 0.0); },
+                         [](double t) { return 0.5 * t * t; }};
 
 }  // namespace
 
@@ -74,7 +74,7 @@ TEST_CASE("a piece whose middle cannot be found is left as it is", "[analyses]")
 }
 
 TEST_CASE("nothing is looked for where work and energy agree", "[analyses]") {
-    const Spring linear{[](double t) { return t; }, [](double t) { return 0.5 * t * t; }};
+    const TestSpring linear{[](double t) { return t; }, [](double t) { return 0.5 * t * t; }};
     int found = 0;
     const StepWork work = integrate_path(linear.at(0.0), linear.at(1.0), linear.search(8, found));
     CHECK(found == 0);

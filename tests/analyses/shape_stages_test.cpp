@@ -16,7 +16,7 @@ using test::read;
 
 namespace {
 
-const std::string column = test::pressed_column_deck;
+const std::string& column = test::pressed_column_deck;
 
 const std::string three_stages = column + R"([[stage]]
 name = "bare"

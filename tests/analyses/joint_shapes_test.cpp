@@ -1,0 +1,104 @@
+#include <cmath>
+
+#include "deck/decks.hpp"
+#include "tools/catch.hpp"
+#include "tools/problem_run.hpp"
+
+// Modes, buckling and eigenvalues of structures on joints: those of the same structure without them where the
+// joint leaves nothing free, but for the regularization of its equations (docs/theory/joints.md).
+using namespace gxrod;
+using namespace gxrod::tools;
+
+namespace {
+
+// A cantilever of two rods under an axial load, held together in their middle.
+std::string column(const std::string& middle) {
+    return R"([section.s]
+stiffness = { EA = 1e4, GAy = 4e3, GAz = 4e3, GJ = 1, EIy = 1, EIz = 2 }
+inertia = { rhoA = 1, rhoJ = 3e-3, rhoIy = 1e-3, rhoIz = 2e-3 }
+[rod.a]
+section = "s"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+y_axis = [0, 1, 0]
+elements = 4
+order = 3
+[rod.b]
+section = "s"
+line = { from = [1, 0, 0], to = [2, 0, 0] }
+y_axis = [0, 1, 0]
+elements = 4
+order = 3
+[[support]]
+at = "a.start"
+fix = "all"
+[[load]]
+at = "b.end"
+force = [-0.5, 0, 0]
+)" + middle +
+           R"([[stage]]
+name = "factors"
+kind = "buckling"
+count = 3
+[[stage]]
+name = "press"
+kind = "static"
+steps = 2
+[[stage]]
+name = "tones"
+kind = "modes"
+count = 6
+[[stage]]
+name = "values"
+kind = "eigenvalues"
+count = 6
+)";
+}
+
+RunSummary run_column(const std::string& middle) {
+    const RunSummary summary = run_problem(test::read(column(middle)));
+    REQUIRE(summary.status == RunStatus::complete);
+    REQUIRE(summary.shapes.size() == 3);
+    return summary;
+}
+
+}  // namespace
+
+TEST_CASE("A weld changes no modes, factors and eigenvalues", "[analyses][joints]") {
+    const RunSummary whole = run_column("[[connect]]\npoints = [\"a.end\", \"b.start\"]\n");
+    const RunSummary welded =
+        run_column("[joint.weld]\ntype = \"weld\"\nbetween = [\"a.end\", \"b.start\"]\n");
+    const auto& factors = std::get<BucklingRecord>(whole.shapes[0].record).factors;
+    const auto& welded_factors = std::get<BucklingRecord>(welded.shapes[0].record).factors;
+    REQUIRE(welded_factors.size() == factors.size());
+    for (std::size_t i = 0; i < factors.size(); ++i)
+        CHECK(welded_factors[i].factor == Approx(factors[i].factor).epsilon(2e-8));
+    const auto& modes = std::get<ModesRecord>(whole.shapes[1].record);
+    const auto& welded_modes = std::get<ModesRecord>(welded.shapes[1].record);
+    REQUIRE(welded_modes.modes.size() == modes.modes.size());
+    for (std::size_t i = 0; i < modes.modes.size(); ++i)
+        CHECK(welded_modes.modes[i].omega == Approx(modes.modes[i].omega).epsilon(2e-8));
+    const auto& values = std::get<EigenvaluesRecord>(whole.shapes[2].record);
+    const auto& welded_values = std::get<EigenvaluesRecord>(welded.shapes[2].record);
+    REQUIRE(welded_values.modes.size() == values.modes.size());
+    for (std::size_t i = 0; i < values.modes.size(); ++i)
+        CHECK(std::abs(welded_values.modes[i].lambda() - values.modes[i].lambda()) < 2e-7);
+}
+
+TEST_CASE("A sprung hinge lowers what bends it alone", "[analyses][joints]") {
+    const RunSummary whole = run_column("[[connect]]\npoints = [\"a.end\", \"b.start\"]\n");
+    const RunSummary hinged = run_column(
+        "[joint.hinge]\ntype = \"hinge\"\nbetween = [\"a.end\", \"b.start\"]\naxis = [0, 0, 1]\n"
+        "spring = { stiffness = 2 }\n");
+    const auto& factors = std::get<BucklingRecord>(whole.shapes[0].record).factors;
+    const auto& lowered = std::get<BucklingRecord>(hinged.shapes[0].record).factors;
+    CHECK(lowered[0].factor == Approx(factors[0].factor).epsilon(2e-8));  // about y
+    // About z, of two halves of length 1 on a spring k: tan 2q = 2k/(EI q), P = EI q², without what shear and
+    // compression change.
+    constexpr double EI = 2.0, k = 2.0;
+    double low = 0.1, high = 0.78;
+    while (high - low > 1e-12) {
+        const double q = 0.5 * (low + high);
+        (std::tan(2 * q) < 2 * k / (EI * q) ? low : high) = q;
+    }
+    CHECK(0.5 * lowered[1].factor == Approx(EI * low * low).epsilon(5e-4));
+}
