@@ -189,7 +189,7 @@ struct HistoryRequest {
     std::string relative_to = {};  // as the deck has it
     int relative_node = -1;
     Quat relative_axes = Quat::Identity();  // of section or body there at t = 0
-    int joint = -1;  // index in Model::joints if it is of a joint, which has no node
+    int joint = -1;                         // index in Model::joints if it is of a joint, which has no node
 };
 
 // Of frames, in the file; lossless.
