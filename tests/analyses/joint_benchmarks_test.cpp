@@ -21,12 +21,20 @@ namespace {
 
 using Row = std::vector<double>;
 
-std::string read_deck(const std::string& name) {
-    std::ifstream file(GXROD_SOURCE_DIR "/tests/analyses/joints/" + name + ".toml");
+std::string read_text(const std::string& path) {
+    std::ifstream file(GXROD_SOURCE_DIR "/" + path);
     std::ostringstream text;
     text << file.rdbuf();
     REQUIRE(!text.str().empty());
     return text.str();
+}
+
+std::string read_deck(const std::string& name) {
+    return read_text("tests/analyses/joints/" + name + ".toml");
+}
+
+std::string read_example(const std::string& name) {
+    return read_text("docs/examples/" + name + "/" + name + ".toml");
 }
 
 // A run's histories, and what they share.
@@ -128,7 +136,7 @@ TEST_CASE("Chains of bars on hinges move at the order of every scheme, forces in
 // IFToMM's library of benchmarks, after Haug.
 TEST_CASE("A spatial slider-crank turns as two independent programs have it", "[analyses][joints]") {
     const Motion motion(
-        read_deck("slider_crank"),
+        read_example("spatial_slider_crank"),
         {"analysis.integrator=\"sdirk-4\"", "analysis.time_step=0.0025", "analysis.newton.tolerance=1e-13"});
     const std::vector<std::array<double, 3>> reference{{.1, .551866774634, .2263597501652},
                                                        {.2, 1.230383231216, .2605214773272},
@@ -163,7 +171,7 @@ TEST_CASE("Bricard's mechanism moves although one equation is redundant", "[anal
 }
 
 TEST_CASE("A gyroscope in gimbals turns its rings", "[analyses][joints]") {
-    const Motion motion(read_deck("gimbals"),
+    const Motion motion(read_example("gimbals"),
                         {"analysis.integrator=\"sdirk-4\"",
                          "analysis.end_time=1.0",
                          "analysis.time_step=0.002",
@@ -219,7 +227,7 @@ TEST_CASE("Beams on hinges bend as shooting has it", "[analyses][joints]") {
         CHECK(foot[1] == Approx(-.782827221175).epsilon(1e-6));
     }
     SECTION("a frame in space") {
-        const Motion frame(read_deck("frame_with_oblique_hinge"), {"parameters.P=2"});
+        const Motion frame(read_example("hinged_frame"));
         CHECK(distance(frame.at(1., "hinge/position"), {.96130517605, .03693643322, -.24979870201}) < 1e-8);
         CHECK(frame.at(1., "jump/angle")[0] == Approx(-.04190717815).epsilon(0).margin(1e-8));
         CHECK(distance(frame.at(1., "clamp/force_spatial"), {.02806732441, .20974498209, -.82868640648}) <
@@ -235,7 +243,7 @@ TEST_CASE("Beams on hinges bend as shooting has it", "[analyses][joints]") {
         CHECK(sprung.at(1., "jump/moment")[2] == Approx(2 * .206040888107).epsilon(1e-9));
     }
     SECTION("a four-bar linkage whose hinge is askew") {
-        const Motion linkage(read_deck("askew_four_bar"), {"parameters.turn_degrees=40"});
+        const Motion linkage(read_example("askew_four_bar"));
         CHECK(distance(linkage.at(1., "C/position"), {.317111150851, .091898029287, -.002374130366}) < 1e-8);
         CHECK(distance(linkage.at(1., "A/moment_spatial"), {10.139495594, 60.497559892, 3.815632349}) < 1e-4);
         CHECK(distance(linkage.at(1., "A/force_spatial"), {-29.27821060, 15.89846812, -280.54380717}) < 1e-3);

@@ -10,7 +10,7 @@ EXAMPLES = PAGES.parent / "examples"
 KEPT = SOURCE / "tests" / "data" / "results.json"
 
 # In the order of the index.
-KINDS = {"rigid body": "Rigid bodies", "statics": "Statics", "vibrations": "Vibrations", "stability": "Stability",
+KINDS = {"rigid body": "Rigid bodies", "mechanism": "Mechanisms", "statics": "Statics", "vibrations": "Vibrations", "stability": "Stability",
          "dynamics": "Dynamics", "objectivity": "Objectivity",
          "conservation": "Conservation", "order": "Order of the schemes"}
 

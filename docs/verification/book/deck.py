@@ -6,7 +6,7 @@ import tomllib
 
 import numpy as np
 
-NAMES = {"pi": math.pi, **{name: getattr(math, name) for name in ("sin", "cos", "tan", "sqrt", "exp")},
+NAMES = {"pi": math.pi, **{name: getattr(math, name) for name in ("sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp")},
          "min": min, "max": max, "abs": abs}
 ARC_POINTS = 121
 SAMPLES = 6001  # of the time, to find the largest of a load
@@ -67,10 +67,23 @@ class Deck:
         radius = start - centre
         return centre + np.cos(angles) * radius + np.sin(angles) * np.cross(axis, radius)
 
+    def springs(self):
+        """Both ends of each, at the start."""
+        for spring in self.tree.get("spring", {}).values():
+            yield [self.vector(spring[key]) if key in spring else self.place(at)[0]
+                   for at, key in zip(spring["between"], ("at_a", "at_b"))]
+
+    def grounds(self):
+        """Where springs are fixed to the ground."""
+        for spring in self.tree.get("spring", {}).values():
+            yield from (self.vector(spring[key]) for at, key in zip(spring["between"], ("at_a", "at_b")) if at == "ground")
+
     def place(self, at):
         """Position and tangent of `rod.start`, `rod.end`, `rod@0.5` or a body."""
         if at in self.tree.get("body", {}):
-            return self.vector(self.tree["body"][at]["at"]), np.zeros(3)
+            return self.vector(self.tree["body"][at].get("at", [0, 0, 0])), np.zeros(3)
+        if at in self.tree.get("joint", {}):
+            return self.joint_place(self.tree["joint"][at]), np.zeros(3)
         rod, where = re.fullmatch(r"(\w+)(\.start|\.end|@.*)", at).groups()
         curve = self.rods[rod]
         share = {".start": 0.0, ".end": 1.0}.get(where)
@@ -127,6 +140,26 @@ class Deck:
             for share in np.linspace(0.0, 1.0, count):
                 place = (1.0 - share) * curve[0] + share * curve[-1]
                 yield place, self.vector(initial["velocity"], **dict(zip("xyz", place)))
+
+    def joint_place(self, joint):
+        """Where it is at the start: `at`, else the point that is not the ground, of a rod rather than of a body."""
+        if "at" in joint:
+            return self.vector(joint["at"])
+        points = [point for point in joint["between"] if point != "ground"]
+        return self.place(min(points, key=lambda point: point in self.tree.get("body", {})))[0]
+
+    def joints(self):
+        """(its table, place) of each."""
+        for joint in self.tree.get("joint", {}).values():
+            yield joint, self.joint_place(joint)
+
+    def points_of_body(self, name):
+        """Where joints and springs hold a body, each place once."""
+        found = [place for joint, place in self.joints() if name in joint["between"]]
+        found += [ends[spring["between"].index(name)] for spring, ends in zip(self.tree.get("spring", {}).values(), self.springs())
+                  if name in spring["between"]]
+        return [place for index, place in enumerate(found)
+                if not any(np.allclose(place, other, atol=1e-9) for other in found[:index])]
 
     def places(self, names):
         """Where the histories of these names are, without those of a body."""

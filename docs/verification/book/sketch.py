@@ -160,13 +160,15 @@ def draw_sketch(axes, deck, measured):
 
 def save_sketch(path, decks, metadata):
     """A picture of one deck, or of several under their titles; `decks` is {title: (path, histories compared)}."""
-    from .body_sketch import draw_body  # which needs this module
+    from .body_sketch import draw_body  # which need this module
+    from .mechanism_sketch import draw_mechanism
 
     figure, right = style.plt.figure(figsize=(1.0, 1.0)), 0.0
     style.plt.rcParams.update(style.SETTINGS)
     for title, (deck_path, measured) in decks.items():
         deck, axes = Deck(deck_path), figure.add_axes([0.0, 0.0, 1.0, 1.0])
-        size = INCHES * np.array(draw_sketch(axes, deck, measured) if deck.rods else draw_body(axes, deck))
+        size = INCHES * np.array(draw_mechanism(axes, deck, measured) if "joint" in deck.tree else
+                                 draw_sketch(axes, deck, measured) if deck.rods else draw_body(axes, deck))
         axes.set_position([right, 0.0, *size])  # of a figure of one inch; what stands out of it is saved, too
         right += size[0] + 0.9
         if len(decks) > 1:

@@ -122,6 +122,18 @@ def hatch(pen, ends, towards, strokes=6):
         pen.axes.plot(*stroke.T, color=HELD, lw=0.9, zorder=4)
 
 
+def spring(pen, ends, turns=8):
+    """A zigzag from one point to the other, straight near both."""
+    start, end = pen.projection(np.array(ends))
+    along = end - start
+    across = 0.03 * pen.size * paper_normal(along / np.linalg.norm(along))
+    shares = np.concatenate([[0.0], np.linspace(0.2, 0.8, 2 * turns + 1), [1.0]])
+    sides = np.concatenate([[0.0, 0.0], np.tile([1.0, -1.0], turns)[1:], [0.0, 0.0]])
+    line = start + shares[:, None] * along + sides[:, None] * across
+    pen.see(*line)
+    pen.axes.plot(*line.T, color=HELD, lw=1.2, zorder=3, solid_joinstyle="round")
+
+
 def hinge(pen, place, down=(0.0, -1.0)):
     """A triangle with its top at the point, on hatched ground."""
     top, down = pen.projection(place), np.asarray(down)
