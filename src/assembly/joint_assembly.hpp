@@ -85,7 +85,6 @@ class JointAssembly {
                              const std::vector<double>& values,
                              State& state) const;
 
-    // Of rows that are lengths and turns.
     // What does work on joints from outside, for each of them, as the ledger takes forces: motors and drives
     // on turn and slide, what moves the rest of springs of turn and slide, 0, 0.
     std::vector<Vec6> compute_driving_forces(const State& state, double time) const;
@@ -111,6 +110,7 @@ class JointAssembly {
     // Of each joint, of the trial motions.
     std::vector<JointValues> compute_joint_values(const State& state, double time) const;
 
+    // Of rows that are lengths and turns.
     LargestGap measure_gap(const std::vector<double>& rows, const State& state) const;
     // Turns and slips at the trial motions become those of the last accepted step.
     void commit(State& state) const;

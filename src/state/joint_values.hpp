@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// What a history tells of a joint at a step. Forces and moments are those that A exerts on B, moments about
+// What a history records of a joint at a step. Forces and moments are those that A exerts on B, moments about
 // the joint's point.
 struct JointValues {
     double turn = 0.0;  // of B against A, any number of turns; 0 of a joint without one
