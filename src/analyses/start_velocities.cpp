@@ -18,13 +18,6 @@ std::string describe(const Vec3& v) {
     return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", clean(v.x()), clean(v.y()), clean(v.z()));
 }
 
-double find_speed(const System& system, const State& state) {
-    double speed = 0.0;
-    for (const NodeMotion& trial : state.trial)
-        speed = std::max({speed, trial.v.norm(), trial.omega.norm() * system.length_scale()});
-    return speed;
-}
-
 [[noreturn]] void report(const System& system, int index, const State& state, const State& fitting) {
     const Joint& joint = system.model().joints[static_cast<std::size_t>(index)];
     const int node = joint.b.anchor.is_ground() ? joint.a.anchor.node : joint.b.anchor.node;
@@ -55,9 +48,7 @@ void fit_start_velocities(const System& system,
     if (joints.empty()) return;
     // Motors may start with a rate.
     std::vector<double> rows;
-    const double speed = find_speed(system, state);
-    const double time_scale = speed > 0.0 ? system.length_scale() / speed : 1.0;
-    joints.compute_rows(state, time, {ConstraintLevel::velocity, step, time_scale}, rows);
+    joints.compute_rows(state, time, {ConstraintLevel::velocity, step, find_time_scale(system, state)}, rows);
     const LargestGap gap = joints.measure_gap(rows, state);
     if (gap.size <= same_velocity) return;
     State fitting = state;

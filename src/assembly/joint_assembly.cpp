@@ -11,7 +11,10 @@ namespace gxrod {
 namespace {
 
 // Of the entries on the diagonal; it makes redundant equations solvable.
-constexpr double regularization = 1e-6;
+constexpr double regularization = 1e-8;
+// D of rows of accelerations, relative to that of rows of positions. Where some are redundant, they
+// contradict each other in the inner stages of a step: with a smaller D, their multipliers grow less.
+constexpr double acceleration_scale = 1e-2;
 // The least scale of a joint, relative to the largest.
 constexpr double least_scale = 1e-6;
 
@@ -259,6 +262,7 @@ void JointAssembly::add_tangents(const State& state,
                              ? scale_of_row(i, row, *request.scaled_as)
                              : (is_length(static_cast<int>(i), row) ? scales[i].length : scales[i].turn);
             }
+            if (request.level == ConstraintLevel::acceleration) D *= acceleration_scale;
             add_equations(i, state, linearizations, request, D, matrix);
         }
         if (!forces_[i].is_empty()) {

@@ -30,6 +30,7 @@ class ConvergenceTest {
     double tolerance_;
     double absolute_residual_;
     bool of_accelerations_;
+    double first_gap_ = 0.0;                                       // before the first increment
     double gap_before_ = std::numeric_limits<double>::infinity();  // of the iteration before
     // Of the last two iterations.
     double last_increment_ = std::numeric_limits<double>::infinity();

@@ -41,6 +41,13 @@ void project(const System& system,
 
 }  // namespace
 
+double find_time_scale(const System& system, const State& state) {
+    double speed = 0.0;
+    for (const NodeMotion& trial : state.trial)
+        speed = std::max({speed, trial.v.norm(), trial.omega.norm() * system.length_scale()});
+    return speed > 0.0 ? system.length_scale() / speed : 1.0;
+}
+
 void project_velocities(const System& system,
                         double time,
                         const TimeSpan& step,
@@ -49,11 +56,7 @@ void project_velocities(const System& system,
                         EquilibriumReport& report) {
     const JointAssembly& joints = system.joints();
     workspace.increments.resize(state.trial.size());
-    double speed = 0.0;
-    for (const NodeMotion& trial : state.trial)
-        speed = std::max({speed, trial.v.norm(), trial.omega.norm() * system.length_scale()});
-    if (speed == 0.0) speed = 1.0;
-    const double time_scale = system.length_scale() / speed;
+    const double time_scale = find_time_scale(system, state);
     project(
         system,
         workspace,

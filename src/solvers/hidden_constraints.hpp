@@ -5,6 +5,10 @@
 // What joints ask of the end of a step in addition to its equilibrium (docs/theory/joints.md, Solution).
 namespace gxrod {
 
+// The time in which the fastest node moves by the model's length or turns by a radian; 1 if all rest. It
+// turns rows of velocities into lengths and angles.
+double find_time_scale(const System& system, const State& state);
+
 // Changes the trial velocities by as little as possible, measured by the matrix last factorized, so that they
 // meet Gv + Φ_t = 0. Reported if they do not.
 void project_velocities(const System& system,

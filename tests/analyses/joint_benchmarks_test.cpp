@@ -285,7 +285,8 @@ std::string flywheel(const std::string& rate, const std::string& laws, const std
 }  // namespace
 
 TEST_CASE("Springs, friction and motors act on turns of any number", "[analyses][joints]") {
-    const std::string fine = "integrator = \"sdirk-4\"\nend_time = 2\ntime_step = 0.01\n";
+    const std::string fine =
+        "integrator = \"sdirk-4\"\nend_time = 2\ntime_step = 0.01\nnewton = { tolerance = 1e-12 }\n";
     SECTION("a clock spring") {
         // Wound up by 20 rad: θ = 20 cos 4t − 20.
         const Motion free(flywheel("0", "spring = { stiffness = 8, rest = -20 }\n", fine));
