@@ -5,13 +5,14 @@
 #include "check/model_examination.hpp"
 #include "deck/decks.hpp"
 #include "tools/catch.hpp"
+#include "tools/mechanism_decks.hpp"
 
 namespace gxrod::test {
 namespace {
 
 // Without histories.
 std::string deck_of(const std::string& name) {
-    const std::ifstream file(GXROD_SOURCE_DIR "/tests/analyses/joints/" + name + ".toml");
+    const std::ifstream file(tools::find_mechanism_deck(name));
     std::ostringstream text;
     text << file.rdbuf();
     return text.str().substr(0, text.str().find("[[history]]"));
@@ -30,7 +31,7 @@ FreeMechanism only(const std::vector<FreeMechanism>& found) {
 
 TEST_CASE("Structures on joints that can stand have no free motion", "[check][joint]") {
     for (const char* name :
-         {"gerber_beam", "three_hinged_arch", "frame_with_oblique_hinge", "sprung_hinge", "askew_four_bar"}) {
+         {"gerber_beam", "three_hinged_arch", "hinged_frame", "sprung_hinge", "askew_four_bar"}) {
         INFO(name);
         const Problem problem = read(deck_of(name));
         CHECK(find_free_mechanisms(problem.model).empty());

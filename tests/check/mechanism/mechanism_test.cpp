@@ -2,12 +2,13 @@
 
 #include "deck/decks.hpp"
 #include "tools/catch.hpp"
+#include "tools/mechanism_decks.hpp"
 
 namespace gxrod::test {
 namespace {
 
 Model read_mechanism(const std::string& name, const std::vector<std::string>& overrides = {}) {
-    return read_problem(GXROD_SOURCE_DIR "/tests/analyses/joints/" + name + ".toml", overrides).model;
+    return read_problem(tools::find_mechanism_deck(name), overrides).model;
 }
 
 Mechanism only_mechanism(const Model& model) {
@@ -36,7 +37,7 @@ TEST_CASE("Equations of mechanisms have their known ranks", "[check][joint]") {
     };
     for (const Known& known : {Known{"double_pendulum", 10, 10, 2},
                                Known{"triple_pendulum", 15, 15, 3},
-                               Known{"slider_crank", 17, 17, 1},
+                               Known{"spatial_slider_crank", 17, 17, 1},
                                Known{"bricard", 30, 29, 1},
                                Known{"gimbals", 15, 15, 3},
                                Known{"two_four_bars", 35, 29, 1},
