@@ -1,13 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 #include "linear/chains/chain_kernels.hpp"
 
 // Arithmetic of small dense blocks, for sources that are compiled for one instruction set: `Arch` puts its
-// name into that of each function. Columns lie `stride` apart. Blocks whose sizes are multiples of a node's
-// six unknowns are worked on in tiles of 6 × 6. The operations on an entry are the same in all sets, and so
-// are the bits.
+// name into that of each function. Columns lie `stride` apart. Blocks are worked on in tiles of a node's six
+// unknowns; the last one is smaller where others are attached to the node or a support holds some. The
+// operations on an entry are the same in all sets, and so are the bits.
 namespace gxrod {
 
 using FourNumbers = double __attribute__((vector_size(32), aligned(8), may_alias));
@@ -17,38 +18,47 @@ template <class Arch>
 struct BlockKernels {
     static constexpr int tile = 6;
 
-    // A piece of a column with an even number of rows.
+    // A piece of a column.
     template <int Rows>
     struct Column {
         static constexpr int fours = Rows / 4;
-        static constexpr bool has_two = Rows % 4 == 2;
-        FourNumbers four[fours];
+        static constexpr bool has_two = Rows % 4 >= 2;
+        static constexpr bool has_one = Rows % 2 == 1;
+        FourNumbers four[fours > 0 ? fours : 1];
         TwoNumbers two;
+        double one;
 
         void load(const double* p) {
             for (int i = 0; i < fours; ++i) four[i] = *reinterpret_cast<const FourNumbers*>(p + 4 * i);
             if constexpr (has_two) two = *reinterpret_cast<const TwoNumbers*>(p + 4 * fours);
+            if constexpr (has_one) one = p[Rows - 1];
         }
         void store(double* p) const {
             for (int i = 0; i < fours; ++i) *reinterpret_cast<FourNumbers*>(p + 4 * i) = four[i];
             if constexpr (has_two) *reinterpret_cast<TwoNumbers*>(p + 4 * fours) = two;
+            if constexpr (has_one) p[Rows - 1] = one;
         }
         void set_product(const Column& a, double b) {
             for (int i = 0; i < fours; ++i) four[i] = a.four[i] * b;
             if constexpr (has_two) two = a.two * b;
+            if constexpr (has_one) one = a.one * b;
         }
         void add(const Column& a, double b) {
             for (int i = 0; i < fours; ++i) four[i] += a.four[i] * b;
             if constexpr (has_two) two += a.two * b;
+            if constexpr (has_one) one += a.one * b;
         }
         void subtract(const Column& a, double b) {
             for (int i = 0; i < fours; ++i) four[i] -= a.four[i] * b;
             if constexpr (has_two) two -= a.two * b;
+            if constexpr (has_one) one -= a.one * b;
         }
         template <int Row>
         double get() const {
             if constexpr (Row < 4 * fours) {
                 return four[Row / 4][Row % 4];
+            } else if constexpr (has_one && Row == Rows - 1) {
+                return one;
             } else {
                 return two[Row - 4 * fours];
             }
@@ -57,6 +67,8 @@ struct BlockKernels {
         void set(double value) {
             if constexpr (Row < 4 * fours) {
                 four[Row / 4][Row % 4] = value;
+            } else if constexpr (has_one && Row == Rows - 1) {
+                one = value;
             } else {
                 two[Row - 4 * fours] = value;
             }
@@ -73,14 +85,23 @@ struct BlockKernels {
         std::int64_t stride;
     };
 
+    // Calls work<Rows>() with the given number, or with Most if there are more.
+    template <int Most, class Work>
+    static auto call_with_rows(int rows, Work&& work) {
+        if constexpr (Most > 1) {
+            if (rows < Most) return call_with_rows<Most - 1>(rows, work);
+        }
+        return work.template operator()<Most>();
+    }
+
     // Counts the pivot if it is negative: where A = Aᵀ these count the negative eigenvalues (Sylvester 1852).
-    template <int K>
-    static bool eliminate_pivot(Column<tile>* d, std::int64_t& negative_pivots) {
+    template <int K, int Size>
+    static bool eliminate_pivot(Column<Size>* d, std::int64_t& negative_pivots) {
         const double pivot = d[K].template get<K>();
         if (pivot == 0.0) return false;
         negative_pivots += pivot < 0.0;
         const double reciprocal = 1.0 / pivot;
-        for (int j = 0; j < tile; ++j) {
+        for (int j = 0; j < Size; ++j) {
             if (j == K) continue;
             const double factor = d[j].template get<K>() * reciprocal;
             d[j].subtract(d[K], factor);
@@ -92,27 +113,28 @@ struct BlockKernels {
     }
 
     // D ← D⁻¹ of a tile, by Gauss-Jordan without pivoting. False if a pivot vanishes.
+    template <int Size = tile>
     static bool invert_tile(const Target& D, std::int64_t& negative_pivots) {
-        Column<tile> d[tile];
-        for (int j = 0; j < tile; ++j) d[j].load(D.entries + j * D.stride);
-        std::int64_t& negative = negative_pivots;
-        if (!(eliminate_pivot<0>(d, negative) && eliminate_pivot<1>(d, negative) &&
-              eliminate_pivot<2>(d, negative) && eliminate_pivot<3>(d, negative) &&
-              eliminate_pivot<4>(d, negative) && eliminate_pivot<5>(d, negative)))
-            return false;
-        for (int j = 0; j < tile; ++j) d[j].store(D.entries + j * D.stride);
+        Column<Size> d[Size];
+        for (int j = 0; j < Size; ++j) d[j].load(D.entries + j * D.stride);
+        const auto eliminate_all = [&]<int... K>(std::integer_sequence<int, K...>) {
+            return (eliminate_pivot<K>(d, negative_pivots) && ...);
+        };
+        if (!eliminate_all(std::make_integer_sequence<int, Size>{})) return false;
+        for (int j = 0; j < Size; ++j) d[j].store(D.entries + j * D.stride);
         return true;
     }
 
-    // C ← A B of a tile and six rows. C may be B.
+    // C ← A B of a tile and as many rows. C may be B.
+    template <int Size = tile>
     static void multiply_tile(const View& A, const View& B, const Target& C, int columns) {
-        Column<tile> a[tile];
-        for (int k = 0; k < tile; ++k) a[k].load(A.entries + k * A.stride);
+        Column<Size> a[Size];
+        for (int k = 0; k < Size; ++k) a[k].load(A.entries + k * A.stride);
         for (int j = 0; j < columns; ++j) {
             const double* b = B.entries + j * B.stride;
-            Column<tile> c;
+            Column<Size> c;
             c.set_product(a[0], b[0]);
-            for (int k = 1; k < tile; ++k) c.add(a[k], b[k]);
+            for (int k = 1; k < Size; ++k) c.add(a[k], b[k]);
             c.store(C.entries + j * C.stride);
         }
     }
@@ -169,47 +191,47 @@ struct BlockKernels {
                 subtract_tiles(p, {A.entries + k * A.stride, A.stride}, {B.entries + k, B.stride}, C, m);
             return;
         }
-        for (int j = 0; j < m; ++j) {
-            double* c = C.entries + j * C.stride;
-            for (int k = 0; k < n; ++k) {
-                const double factor = B.entries[j * B.stride + k];
-                for (int i = 0; i < p; ++i) c[i] -= A.entries[k * A.stride + i] * factor;
-            }
-        }
+        subtract_any(p, n, m, A, B, C);
     }
 
-    // As invert_tile.
-    static bool invert_any(int n, double* D, std::int64_t& negative_pivots) {
-        for (int k = 0; k < n; ++k) {
-            double* pivot_column = D + k * n;
-            if (pivot_column[k] == 0.0) return false;
-            negative_pivots += pivot_column[k] < 0.0;
-            const double reciprocal = 1.0 / pivot_column[k];
-            for (int j = 0; j < n; ++j) {
-                if (j == k) continue;
-                double* column = D + j * n;
-                const double factor = column[k] * reciprocal;
-                for (int i = 0; i < n; ++i) column[i] -= factor * pivot_column[i];
-                column[k] = factor;
-            }
-            for (int i = 0; i < n; ++i) pivot_column[i] *= -reciprocal;
-            pivot_column[k] = reciprocal;
+    // The same where tiles are not whole.
+    static void subtract_any(int p, int n, int m, const View& A, const View& B, const Target& C) {
+        constexpr int most = 2 * tile;
+        for (int first = 0; first < p; first += most) {
+            call_with_rows<most>(p - first, [&]<int Rows>() {
+                for (int j = 0; j < m; ++j) {
+                    const double* b = B.entries + j * B.stride;
+                    Column<Rows> a, c;
+                    c.load(C.entries + j * C.stride + first);
+                    for (int k = 0; k < n; ++k) {
+                        a.load(A.entries + k * A.stride + first);
+                        c.subtract(a, b[k]);
+                    }
+                    c.store(C.entries + j * C.stride + first);
+                }
+            });
         }
-        return true;
     }
 
     // D ← L and U of n × n with D = L U, in tiles; on the diagonal the inverses of L's tiles, those of U are
-    // 1. D⁻¹ if there are no whole tiles. False if a pivot vanishes.
+    // 1. False if a pivot vanishes.
     static bool factorize(int n, double* D, std::int64_t& negative_pivots) {
-        if (n % tile != 0) return invert_any(n, D, negative_pivots);
+        const bool is_whole = n % tile == 0;
         for (int p = 0; p < n; p += tile) {
             double* pivot = D + p * n + p;
             const int below = n - p - tile;
+            if (below < 0)
+                return call_with_rows<tile - 1>(n - p, [&]<int Size>() {
+                    return invert_tile<Size>({pivot, n}, negative_pivots);
+                });
             if (!invert_tile({pivot, n}, negative_pivots)) return false;
             if (below == 0) break;
             double* right = pivot + tile * n;
             multiply_tile({pivot, n}, {right, n}, {right, n}, below);
-            subtract_tiles(below, {pivot + tile, n}, {right, n}, {right + tile, n}, below);
+            const View L{pivot + tile, n}, U{right, n};
+            const Target rest{right + tile, n};
+            is_whole ? subtract_tiles(below, L, U, rest, below)
+                     : subtract_any(below, tile, below, L, U, rest);
         }
         return true;
     }
@@ -217,8 +239,8 @@ struct BlockKernels {
     // X ← D⁻¹ B of n × m, with what factorize made of D. X has no gaps; it may be B.
     static void solve(int n, int m, const double* D, const View& B, double* X) {
         if (n == tile) return multiply_tile({D, n}, B, {X, n}, m);
-        if (n % tile != 0) return multiply_any(n, m, D, B, X);
         if (B.entries != X) copy(n, m, B, X);
+        if (n % tile != 0) return solve_any(n, m, D, X);
         for (int p = 0; p < n; p += tile) {
             const double* pivot = D + p * n + p;
             multiply_tile({pivot, n}, {X + p, n}, {X + p, n}, m);
@@ -227,16 +249,19 @@ struct BlockKernels {
         for (int p = n - tile; p > 0; p -= tile) subtract_tiles(p, {D + p * n, n}, {X + p, n}, {X, n}, m);
     }
 
-    static void multiply_any(int n, int m, const double* A, const View& B, double* C) {
-        double b[largest_chain_block];
-        for (int j = 0; j < m; ++j) {
-            for (int i = 0; i < n; ++i) b[i] = B.entries[j * B.stride + i];
-            double* c = C + j * n;
-            for (int i = 0; i < n; ++i) c[i] = 0.0;
-            for (int k = 0; k < n; ++k) {
-                for (int i = 0; i < n; ++i) c[i] += A[k * n + i] * b[k];
-            }
+    // The same, in place, where the last tile is not whole.
+    static void solve_any(int n, int m, const double* D, double* X) {
+        const int last = n / tile * tile;
+        for (int p = 0; p < last; p += tile) {
+            const double* pivot = D + p * n + p;
+            multiply_tile({pivot, n}, {X + p, n}, {X + p, n}, m);
+            subtract_any(n - p - tile, tile, m, {pivot + tile, n}, {X + p, n}, {X + p + tile, n});
         }
+        call_with_rows<tile - 1>(n - last, [&]<int Size>() {
+            multiply_tile<Size>({D + last * n + last, n}, {X + last, n}, {X + last, n}, m);
+        });
+        subtract_any(last, n - last, m, {D + last * n, n}, {X + last, n}, {X, n});
+        for (int p = last - tile; p > 0; p -= tile) subtract_tiles(p, {D + p * n, n}, {X + p, n}, {X, n}, m);
     }
 
     // Leaves no gaps.

@@ -155,26 +155,15 @@ struct DenseKernels : BlockKernels<Arch> {
     // A ← A⁻¹ of a tile or less.
     static bool invert(int n, const Target& A, std::int64_t& negative_pivots) {
         if (n == Blocks::tile) return Blocks::invert_tile(A, negative_pivots);
-        double inverse[Blocks::tile * Blocks::tile];
-        Blocks::copy(n, n, view(A), inverse);
-        const bool is_regular = Blocks::invert_any(n, inverse, negative_pivots);
-        for (int j = 0; j < n; ++j) {
-            for (int i = 0; i < n; ++i) A.entries[j * A.stride + i] = inverse[j * n + i];
-        }
-        return is_regular;
+        return Blocks::template call_with_rows<Blocks::tile - 1>(
+            n, [&]<int Size>() { return Blocks::template invert_tile<Size>(A, negative_pivots); });
     }
     // B ← A B with a tile or less.
     static void multiply(int n, std::int64_t columns, const View& A, const Target& B) {
         if (n == Blocks::tile) return Blocks::multiply_tile(A, view(B), B, static_cast<int>(columns));
-        for (std::int64_t j = 0; j < columns; ++j) {
-            double b[Blocks::tile];
-            double* product = B.entries + j * B.stride;
-            for (int i = 0; i < n; ++i) b[i] = product[i];
-            for (int i = 0; i < n; ++i) product[i] = A.entries[i] * b[0];
-            for (int k = 1; k < n; ++k) {
-                for (int i = 0; i < n; ++i) product[i] += A.entries[k * A.stride + i] * b[k];
-            }
-        }
+        Blocks::template call_with_rows<Blocks::tile - 1>(n, [&]<int Size>() {
+            Blocks::template multiply_tile<Size>(A, view(B), B, static_cast<int>(columns));
+        });
     }
 };
 
