@@ -9,41 +9,63 @@
 // limits act on. A force on a coordinate acts on B, its opposite on A, as force × gradientᵀ.
 namespace gxrod {
 
+JointArms arms_of(const Joint& joint);
+
 // The right-hand turn ψ of B against A about A's axis: of a direction w on B as it is seen between e₁ and e₂
-// on A, across the axis, tan ψ = (w · e₂)/(w · e₁), (J9), (J12); of any number of turns.
+// on A, across the axis, tan ψ = (w · e₂)/(w · e₁), (J9), (J12); of any number of turns. Of the frames, only
+// rotations and their rates count.
 class JointTurn {
   public:
     explicit JointTurn(const Joint& joint);
 
     // ψ on the branch that is nearest to what the rotations since the last accepted step make of
     // `turn_before`, the turn then; ψ̇ and ψ̈.
+    ScalarJet compute_jet(const JointFrames& frames, double turn_before) const;
     ScalarJet compute_jet(const JointMotions& motions, double turn_before) const;
     // How far that branch is from this guess, in rad: near π it could be another one.
     double compute_branch_distance(const JointMotions& motions, double turn_before) const;
-    // The derivatives of ψ, as those of LinkProduct.
     PairRow compute_gradient(const JointMotions& motions) const;
-    PairMatrix compute_second_derivative(const JointMotions& motions) const;
-    Jet<PairRow> differentiate(const JointMotions& motions, const JointLinearizations& linearizations) const;
+
+    // As those of LinkProduct.
+    void add_gradient(const JointFrames& frames, double factor, PairRow& row) const;
+    void add_change(const JointFrames& frames,
+                    const JointLinearizations& linearizations,
+                    const ScalarJet& weights,
+                    PairRow& row) const;
+    void add_reaction(const JointFrames& frames, double multiplier, JointReaction& reaction) const;
 
   private:
+    // Where it is: ∇ψ is that of u · w at constant u = (x e₂ − y e₁)/ρ², ∇lnρ that with v = (x e₁ + y e₂)/ρ².
+    struct Place {
+        Vec3 u, v, w;
+    };
+    Place find_place(const JointFrames& frames) const;
     double guess(const JointMotions& motions, double turn_before) const;
 
-    Vec3 axis_;          // of A, in the global axes of t = 0
-    LinkProduct x_, y_;  // w · e₁, w · e₂
+    Vec3 axis_, hand_, across_;  // of A, w and e₂, in the global axes of t = 0, where e₁ is w
+    LinkProduct x_, y_;          // w · e₁, w · e₂
 };
 
-// From A's point to B's.
-LinkVector separate_points(const Joint& joint);
+// From A's point to B's along A's axis.
+class JointSlide {
+  public:
+    explicit JointSlide(const Joint& joint);
 
-// The slide of B's point against A's along A's axis.
-LinkProduct make_slide(const Joint& joint);
+    const LinkProduct& product() const { return product_; }
+    ScalarJet compute_jet(const JointMotions& motions) const;
+    PairRow compute_gradient(const JointMotions& motions) const;
+
+  private:
+    JointArms arms_;
+    LinkProduct product_;
+};
 
 // Those of a joint.
 struct JointCoordinates {
     explicit JointCoordinates(const Joint& joint);
 
     std::optional<JointTurn> turn;
-    std::optional<LinkProduct> slide;
+    std::optional<JointSlide> slide;
 };
 
 }  // namespace gxrod

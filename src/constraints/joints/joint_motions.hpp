@@ -8,6 +8,7 @@ namespace gxrod {
 
 // By the unknowns (δr, δφ) of A, then of B.
 using PairRow = Eigen::Matrix<double, 1, 12>;
+using PairVector = Eigen::Matrix<double, 12, 1>;
 using PairMatrix = Eigen::Matrix<double, 12, 12>;
 using PairJacobian = Eigen::Matrix<double, 3, 12>;
 

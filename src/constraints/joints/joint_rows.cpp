@@ -9,26 +9,20 @@ namespace gxrod {
 namespace {
 
 // An axis of A's, or of B's, as the node carries it.
-LinkVector carry_on_a(const Joint& joint, int axis) { return {.on_a = joint.a.axes.col(axis)}; }
-LinkVector carry_on_b(const Joint& joint, int axis) { return {.on_b = joint.b.axes.col(axis)}; }
+LinkVector carry_on_a(const Joint& joint, int axis) {
+    return {LinkVector::Kind::on_a, joint.a.axes.col(axis)};
+}
+LinkVector carry_on_b(const Joint& joint, int axis) {
+    return {LinkVector::Kind::on_b, joint.b.axes.col(axis)};
+}
+LinkVector separation() { return {LinkVector::Kind::separation}; }
 
 // Whether a joint's point is its node, or a fixed one.
 bool is_at_node(const Anchor& anchor) { return anchor.is_ground() || anchor.arm.isZero(0.0); }
 
-double at_level(const ScalarJet& jet, ConstraintLevel level) {
-    switch (level) {
-        case ConstraintLevel::position:
-            return jet.value;
-        case ConstraintLevel::velocity:
-            return jet.rate;
-        default:
-            return jet.acceleration;
-    }
-}
-
 }  // namespace
 
-JointRows::JointRows(const Joint& joint) : coordinates_(joint) {
+JointRows::JointRows(const Joint& joint) : arms_(arms_of(joint)), coordinates_(joint) {
     is_linear_ = (joint.kind == JointKind::ball || joint.kind == JointKind::weld) &&
                  is_at_node(joint.a.anchor) && is_at_node(joint.b.anchor);
     add_kind(joint);
@@ -36,43 +30,47 @@ JointRows::JointRows(const Joint& joint) : coordinates_(joint) {
 }
 
 void JointRows::add_kind(const Joint& joint) {
-    const LinkVector separation = separate_points(joint);
     switch (joint.kind) {
         case JointKind::ball:
-            return add_points(separation);
+            return add_points();
         case JointKind::hinge:
-            add_points(separation);
+            add_points();
             return add_aligned_axes(joint);
         case JointKind::cylinder:
-            add_across(joint, separation);
+            add_across(joint);
             return add_aligned_axes(joint);
         case JointKind::slider:
-            add_across(joint, separation);
+            add_across(joint);
             return add_equal_axes(joint);
         case JointKind::universal:
-            add_points(separation);
+            add_points();
             return add({.product = {carry_on_a(joint, 0), carry_on_b(joint, 0)}});
         case JointKind::screw:
-            add_across(joint, separation);
+            add_across(joint);
             add_aligned_axes(joint);
             return add({.is_length = true,
-                        .product = *coordinates_.slide,
+                        .product = coordinates_.slide->product(),
                         .turn_factor = -0.5 * joint.lead / std::numbers::pi});
         case JointKind::plane:
-            add({.is_length = true, .product = {carry_on_a(joint, 0), separation}});
+            add({.is_length = true, .product = {carry_on_a(joint, 0), separation()}});
             return add_aligned_axes(joint);
         case JointKind::weld:
-            add_points(separation);
+            add_points();
             return add_equal_axes(joint);
         case JointKind::distance:
-            return add_distance(joint.length, separation);
+            return add_distance(joint.length);
+        case JointKind::sleeve:
+            assert(!"a sleeve has equations of its own");
+            return;
+        case JointKind::free:
+            break;
     }
 }
 
 // Both points coincide.
-void JointRows::add_points(const LinkVector& separation) {
+void JointRows::add_points() {
     for (int i = 0; i < 3; ++i)
-        add({.is_length = true, .product = {{.in_space = Vec3::Unit(i)}, separation}});
+        add({.is_length = true, .product = {{.vector = Vec3::Unit(i)}, separation()}});
 }
 
 // A's axis is across the other two of B.
@@ -86,15 +84,15 @@ void JointRows::add_equal_axes(const Joint& joint) {
 }
 
 // B's point is on A's axis.
-void JointRows::add_across(const Joint& joint, const LinkVector& separation) {
+void JointRows::add_across(const Joint& joint) {
     for (const int across : {1, 2})
-        add({.is_length = true, .product = {carry_on_a(joint, across), separation}});
+        add({.is_length = true, .product = {carry_on_a(joint, across), separation()}});
 }
 
-void JointRows::add_distance(double length, const LinkVector& separation) {
+void JointRows::add_distance(double length) {
     add({.is_length = true,
          .factor = 0.5 / length,
-         .product = {separation, separation},
+         .product = {separation(), separation()},
          .constant = -0.5 * length});
 }
 
@@ -102,7 +100,7 @@ void JointRows::add_motors(const Joint& joint) {
     if (joint.turn.motion && coordinates_.turn)
         add({.factor = 0.0, .turn_factor = 1.0, .motor = Motor::turn});
     if (joint.slide.motion && coordinates_.slide)
-        add({.is_length = true, .product = *coordinates_.slide, .motor = Motor::slide});
+        add({.is_length = true, .product = coordinates_.slide->product(), .motor = Motor::slide});
 }
 
 double JointRows::compute_prescribed(const Row& row, const JointMotors& motors, ConstraintLevel level) const {
@@ -122,14 +120,15 @@ JointVector JointRows::compute_values(const JointMotions& motions,
                                       double turn_before,
                                       const JointMotors& motors,
                                       ConstraintLevel level) const {
+    const JointFrames frames = compute_frames(motions, level);
     JointVector values(count_);
     for (int i = 0; i < count_; ++i) {
         const Row& row = rows_[i];
         values[i] = -compute_prescribed(row, motors, level);
-        if (row.factor != 0.0) values[i] += row.factor * at_level(row.product.compute_jet(motions), level);
+        if (row.factor != 0.0) values[i] += row.factor * at_level(row.product.compute_jet(frames), level);
         if (row.turn_factor != 0.0)
             values[i] +=
-                row.turn_factor * at_level(coordinates_.turn->compute_jet(motions, turn_before), level);
+                row.turn_factor * at_level(coordinates_.turn->compute_jet(frames, turn_before), level);
         if (level == ConstraintLevel::position) values[i] += row.constant;
     }
     return values;
@@ -147,43 +146,50 @@ JointGap JointRows::compute_gap(const JointMotions& motions,
     return gap;
 }
 
-JointMatrix JointRows::compute_gradient(const JointMotions& motions) const {
-    JointMatrix gradient = JointMatrix::Zero(count_, 12);
+JointMatrix JointRows::compute_gradient(const JointFrames& frames) const {
+    JointMatrix gradient(count_, 12);
     for (int i = 0; i < count_; ++i) {
         const Row& row = rows_[i];
-        if (row.factor != 0.0) gradient.row(i) += row.factor * row.product.compute_gradient(motions);
-        if (row.turn_factor != 0.0)
-            gradient.row(i) += row.turn_factor * coordinates_.turn->compute_gradient(motions);
+        PairRow sum = PairRow::Zero();
+        if (row.factor != 0.0) row.product.add_gradient(frames, row.factor, sum);
+        if (row.turn_factor != 0.0) coordinates_.turn->add_gradient(frames, row.turn_factor, sum);
+        gradient.row(i) = sum;
     }
     return gradient;
 }
 
-JointMatrix JointRows::compute_acceleration_derivative(const JointMotions& motions,
+JointMatrix JointRows::compute_acceleration_derivative(const JointFrames& frames,
                                                        const JointLinearizations& linearizations) const {
-    JointMatrix derivative = JointMatrix::Zero(count_, 12);
+    JointMatrix derivative(count_, 12);
     for (int i = 0; i < count_; ++i) {
         const Row& row = rows_[i];
-        if (row.factor != 0.0)
-            derivative.row(i) += row.factor * row.product.differentiate(motions, linearizations).acceleration;
+        PairRow sum = PairRow::Zero();
+        if (row.factor != 0.0) row.product.add_change(frames, linearizations, {0.0, 0.0, row.factor}, sum);
         if (row.turn_factor != 0.0)
-            derivative.row(i) +=
-                row.turn_factor * coordinates_.turn->differentiate(motions, linearizations).acceleration;
+            coordinates_.turn->add_change(frames, linearizations, {0.0, 0.0, row.turn_factor}, sum);
+        derivative.row(i) = sum;
     }
     return derivative;
 }
 
-PairMatrix JointRows::compute_force_derivative(const JointMotions& motions,
-                                               const JointVector& multipliers) const {
-    PairMatrix derivative = PairMatrix::Zero();
+JointReaction JointRows::compute_reaction(const JointFrames& frames, const JointVector& multipliers) const {
+    JointReaction reaction;
     for (int i = 0; i < count_; ++i) {
         const Row& row = rows_[i];
-        if (row.factor != 0.0)
-            derivative += multipliers[i] * row.factor * row.product.compute_second_derivative(motions);
+        if (row.factor != 0.0) row.product.add_reaction(frames, multipliers[i] * row.factor, reaction);
         if (row.turn_factor != 0.0)
-            derivative +=
-                multipliers[i] * row.turn_factor * coordinates_.turn->compute_second_derivative(motions);
+            coordinates_.turn->add_reaction(frames, multipliers[i] * row.turn_factor, reaction);
     }
-    return derivative;
+    return reaction;
+}
+
+PairVector JointRows::compute_force(const JointFrames& frames, const JointVector& multipliers) const {
+    return compute_reaction(frames, multipliers).compute_force(frames);
+}
+
+PairMatrix JointRows::compute_force_derivative(const JointFrames& frames,
+                                               const JointVector& multipliers) const {
+    return compute_reaction(frames, multipliers).compute_derivative(frames);
 }
 
 }  // namespace gxrod

@@ -14,7 +14,7 @@ constexpr int most_joint_rows = 6;
 
 using JointVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_joint_rows, 1>;
 // By (δr, δφ) of A, then of B.
-using JointMatrix = Eigen::Matrix<double, Eigen::Dynamic, 12, 0, most_joint_rows, 12>;
+using JointMatrix = Eigen::Matrix<double, Eigen::Dynamic, 12, Eigen::RowMajor, most_joint_rows, 12>;
 
 // A coordinate that a motor prescribes, and its derivatives by time.
 struct PrescribedCoordinate {
@@ -61,13 +61,32 @@ class JointRows {
                                const JointMotors& motors,
                                ConstraintLevel level) const;
     JointGap compute_gap(const JointMotions& motions, double turn_before, const JointMotors& motors) const;
+
+    // For all that follows, which may share it; only the derivatives of Φ̈ need more than positions.
+    JointFrames compute_frames(const JointMotions& motions, ConstraintLevel level) const {
+        return {motions, arms_, level};
+    }
     // G.
-    JointMatrix compute_gradient(const JointMotions& motions) const;
+    JointMatrix compute_gradient(const JointFrames& frames) const;
     // ∂Φ̈/∂(Newton's unknowns), by placement, rate and acceleration.
-    JointMatrix compute_acceleration_derivative(const JointMotions& motions,
+    JointMatrix compute_acceleration_derivative(const JointFrames& frames,
                                                 const JointLinearizations& linearizations) const;
+    // Gᵀλ.
+    PairVector compute_force(const JointFrames& frames, const JointVector& multipliers) const;
     // ∂(Gᵀλ)/∂(δr, δφ).
-    PairMatrix compute_force_derivative(const JointMotions& motions, const JointVector& multipliers) const;
+    PairMatrix compute_force_derivative(const JointFrames& frames, const JointVector& multipliers) const;
+
+    JointMatrix compute_gradient(const JointMotions& motions) const {
+        return compute_gradient(compute_frames(motions, ConstraintLevel::position));
+    }
+    JointMatrix compute_acceleration_derivative(const JointMotions& motions,
+                                                const JointLinearizations& linearizations) const {
+        return compute_acceleration_derivative(compute_frames(motions, ConstraintLevel::acceleration),
+                                               linearizations);
+    }
+    PairMatrix compute_force_derivative(const JointMotions& motions, const JointVector& multipliers) const {
+        return compute_force_derivative(compute_frames(motions, ConstraintLevel::position), multipliers);
+    }
 
   private:
     enum class Motor { none, turn, slide };
@@ -85,14 +104,17 @@ class JointRows {
     int find_motor_row(Motor motor) const;
     void add(const Row& row) { rows_[count_++] = row; }
     void add_kind(const Joint& joint);
-    void add_points(const LinkVector& separation);
+    void add_points();
     void add_aligned_axes(const Joint& joint);
     void add_equal_axes(const Joint& joint);
-    void add_across(const Joint& joint, const LinkVector& separation);
-    void add_distance(double length, const LinkVector& separation);
+    void add_across(const Joint& joint);
+    void add_distance(double length);
     void add_motors(const Joint& joint);
     double compute_prescribed(const Row& row, const JointMotors& motors, ConstraintLevel level) const;
 
+    JointReaction compute_reaction(const JointFrames& frames, const JointVector& multipliers) const;
+
+    JointArms arms_;
     JointCoordinates coordinates_;
     std::array<Row, most_joint_rows> rows_;
     int count_ = 0;

@@ -1,90 +1,112 @@
 #include "constraints/joints/link_product.hpp"
 
-#include "rotation/cross_products.hpp"
+#include "constraints/joints/pull_back.hpp"
 
 namespace gxrod {
 
 namespace {
 
-Vec3 compute_value(const LinkVector& u, const JointMotions& motions) {
-    return u.in_space + motions.a.Lambda * u.on_a + motions.b.Lambda * u.on_b +
-           u.span * (motions.b.r - motions.a.r);
+using Kind = LinkVector::Kind;
+
+VectorJet compute_vector(const LinkVector& u, const JointFrames& frames) {
+    switch (u.kind) {
+        case Kind::on_a:
+            return frames.carry_on_a(u.vector);
+        case Kind::on_b:
+            return frames.carry_on_b(u.vector);
+        case Kind::separation:
+            return frames.separation;
+        default:
+            return {u.vector, Vec3::Zero(), Vec3::Zero()};
+    }
 }
 
-VectorJet compute_vector_jet(const LinkVector& u, const JointMotions& motions) {
-    const auto& [a, b] = motions;
-    const VectorJet rest{u.in_space + u.span * (b.r - a.r), u.span * (b.v - a.v), u.span * (b.a - a.a)};
-    return rest + compute_carried(a, u.on_a) + compute_carried(b, u.on_b);
+Vec3 compute_value(const LinkVector& u, const JointFrames& frames) {
+    switch (u.kind) {
+        case Kind::on_a:
+            return frames.R_a * u.vector;
+        case Kind::on_b:
+            return frames.R_b * u.vector;
+        case Kind::separation:
+            return frames.separation.value;
+        default:
+            return u.vector;
+    }
 }
 
-// ∂u/∂(δr, δφ).
-PairJacobian compute_jacobian(const LinkVector& u, const JointMotions& motions) {
-    PairJacobian jacobian;
-    jacobian << -u.span * Mat3::Identity(), -cross_matrix<double>(motions.a.Lambda * u.on_a),
-        u.span * Mat3::Identity(), -cross_matrix<double>(motions.b.Lambda * u.on_b);
-    return jacobian;
+// Adds gᵀ ∂u/∂(δr, δφ), (J5).
+void add_pulled_back(Kind kind, const Vec3& u, const Vec3& g, const JointFrames& frames, PairRow& row) {
+    if (kind == Kind::on_a) row.segment<3>(3) += u.cross(g);
+    if (kind == Kind::on_b) row.segment<3>(9) += u.cross(g);
+    if (kind != Kind::separation) return;
+    row.segment<3>(0) -= g;
+    row.segment<3>(3) -= frames.arm_a.value.cross(g);
+    row.segment<3>(6) += g;
+    row.segment<3>(9) += frames.arm_b.value.cross(g);
 }
 
-// Adds gᵀ ∂u/∂(δr, δφ).
-void add_pulled_back(const LinkVector& u, const Vec3& g, const JointMotions& motions, PairRow& row) {
-    row.segment<3>(0) -= u.span * g;
-    row.segment<3>(3) += (motions.a.Lambda * u.on_a).cross(g);
-    row.segment<3>(6) += u.span * g;
-    row.segment<3>(9) += (motions.b.Lambda * u.on_b).cross(g);
+void add_pulled_back(Kind kind,
+                     const VectorJet& u,
+                     const VectorJet& g,
+                     const JointFrames& frames,
+                     const JointLinearizations& linearizations,
+                     PairRow& row) {
+    const auto& [a, b] = frames.motions;
+    if (kind == Kind::on_a) row.segment<3>(3) += pull_back_carried(u, g, a, linearizations.a);
+    if (kind == Kind::on_b) row.segment<3>(9) += pull_back_carried(u, g, b, linearizations.b);
+    if (kind != Kind::separation) return;
+    row.segment<3>(0) -= pull_back_moved(g, linearizations.a);
+    row.segment<3>(3) -= pull_back_carried(frames.arm_a, g, a, linearizations.a);
+    row.segment<3>(6) += pull_back_moved(g, linearizations.b);
+    row.segment<3>(9) += pull_back_carried(frames.arm_b, g, b, linearizations.b);
 }
 
-// Adds the derivative of (gᵀ ∂u/∂(δr, δφ))ᵀ at fixed g: that of the moments (Λu₀) × g.
-void add_turned(const LinkVector& u, const Vec3& g, const JointMotions& motions, PairMatrix& matrix) {
-    matrix.block<3, 3>(3, 3) += cross_columns(g, cross_matrix<double>(motions.a.Lambda * u.on_a));
-    matrix.block<3, 3>(9, 9) += cross_columns(g, cross_matrix<double>(motions.b.Lambda * u.on_b));
-}
-
-// The derivatives of u, u̇, ü by Newton's unknowns.
-Jet<PairJacobian> differentiate_vector(const LinkVector& u,
-                                       const JointMotions& motions,
-                                       const JointLinearizations& linearizations) {
-    const auto& [a, b] = linearizations;
-    const auto on_a = differentiate_carried(compute_carried(motions.a, u.on_a), motions.a, a);
-    const auto on_b = differentiate_carried(compute_carried(motions.b, u.on_b), motions.b, b);
-    const Mat3 span = u.span * Mat3::Identity();
-    Jet<PairJacobian> jet;
-    jet.value << -a.placement * span, on_a.value, b.placement * span, on_b.value;
-    jet.rate << -a.rate * span, on_a.rate, b.rate * span, on_b.rate;
-    jet.acceleration << -a.acceleration * span, on_a.acceleration, b.acceleration * span, on_b.acceleration;
-    return jet;
+// By which the changes of u, u̇ and ü are multiplied in those of the weighted values of u · w, (J3).
+VectorJet weigh(const VectorJet& w, const ScalarJet& weights) {
+    return {weights.value * w.value + weights.rate * w.rate + weights.acceleration * w.acceleration,
+            weights.rate * w.value + 2.0 * weights.acceleration * w.rate,
+            weights.acceleration * w.value};
 }
 
 }  // namespace
 
-ScalarJet LinkProduct::compute_jet(const JointMotions& motions) const {
-    return multiply<double>(compute_vector_jet(first_, motions), compute_vector_jet(second_, motions));
+ScalarJet LinkProduct::compute_jet(const JointFrames& frames) const {
+    const VectorJet u = compute_vector(u_, frames), w = compute_vector(w_, frames);
+    ScalarJet jet{};
+    jet.value = u.value.dot(w.value);
+    if (frames.level == ConstraintLevel::position) return jet;
+    jet.rate = u.rate.dot(w.value) + u.value.dot(w.rate);
+    if (frames.level == ConstraintLevel::velocity) return jet;
+    jet.acceleration = u.acceleration.dot(w.value) + 2.0 * u.rate.dot(w.rate) + u.value.dot(w.acceleration);
+    return jet;
 }
 
-PairRow LinkProduct::compute_gradient(const JointMotions& motions) const {
-    PairRow gradient = PairRow::Zero();
-    add_pulled_back(first_, compute_value(second_, motions), motions, gradient);
-    add_pulled_back(second_, compute_value(first_, motions), motions, gradient);
-    return gradient;
+void LinkProduct::add_gradient(const JointFrames& frames, double factor, PairRow& row) const {
+    const Vec3 u = compute_value(u_, frames), w = compute_value(w_, frames);
+    add_pulled_back(u_.kind, u, factor * w, frames, row);
+    add_pulled_back(w_.kind, w, factor * u, frames, row);
 }
 
-PairMatrix LinkProduct::compute_second_derivative(const JointMotions& motions) const {
-    PairMatrix derivative = PairMatrix::Zero();
-    if (!first_.is_fixed() && !second_.is_fixed()) {
-        const PairMatrix half =
-            compute_jacobian(first_, motions).transpose() * compute_jacobian(second_, motions);
-        derivative = half + half.transpose();
+void LinkProduct::add_change(const JointFrames& frames,
+                             const JointLinearizations& linearizations,
+                             const ScalarJet& weights,
+                             PairRow& row) const {
+    const VectorJet u = compute_vector(u_, frames), w = compute_vector(w_, frames);
+    add_pulled_back(u_.kind, u, weigh(w, weights), frames, linearizations, row);
+    add_pulled_back(w_.kind, w, weigh(u, weights), frames, linearizations, row);
+}
+
+void LinkProduct::add_reaction(const JointFrames& frames, double multiplier, JointReaction& reaction) const {
+    const Vec3 u = multiplier * compute_value(u_, frames);
+    if (w_.kind == Kind::on_b) {
+        reaction.moments += u * compute_value(w_, frames).transpose();
+        return;
     }
-    add_turned(first_, compute_value(second_, motions), motions, derivative);
-    add_turned(second_, compute_value(first_, motions), motions, derivative);
-    return derivative;
-}
-
-Jet<PairRow> LinkProduct::differentiate(const JointMotions& motions,
-                                        const JointLinearizations& linearizations) const {
-    const VectorJet first = compute_vector_jet(first_, motions);
-    const VectorJet second = compute_vector_jet(second_, motions);
-    return multiply<PairRow>(second, differentiate_vector(first_, motions, linearizations)) +
-           multiply<PairRow>(first, differentiate_vector(second_, motions, linearizations));
+    reaction.force += u;
+    if (u_.kind == Kind::on_a) reaction.carried += u;
+    if (u_.kind != Kind::separation) return;
+    reaction.force += u;
+    reaction.pull += 2.0 * multiplier;
 }
 
 }  // namespace gxrod

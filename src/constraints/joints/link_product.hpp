@@ -1,36 +1,39 @@
 #pragma once
 
-#include "constraints/joints/jet.hpp"
+#include "constraints/joints/joint_reaction.hpp"
 
 // What the equations of joints are made of: vectors on the two sides or between them, and products of two.
 namespace gxrod {
 
-// A vector c + Λ_A a + Λ_B b + σ (r_B − r_A), (J1): fixed in space, carried by A, carried by B, or from A's
-// point to B's; a and b in the global axes of t = 0.
+// A vector that is fixed in space, carried by A or B, or leads from A's point to B's, (J1).
 struct LinkVector {
-    Vec3 in_space = Vec3::Zero();  // c
-    Vec3 on_a = Vec3::Zero();
-    Vec3 on_b = Vec3::Zero();
-    double span = 0.0;  // σ, 0 or 1
-
-    bool is_fixed() const { return span == 0.0 && on_a.isZero(0.0) && on_b.isZero(0.0); }
+    enum class Kind { fixed, on_a, on_b, separation };
+    Kind kind = Kind::fixed;
+    Vec3 vector = Vec3::Zero();  // in the global axes of t = 0; not used of the separation
 };
 
-// u · w of two such vectors. Derivatives by (δr, δφ) of A and B are those by displacement and spatial spin.
+// u · w of two such vectors: u fixed or on A and w on B or the separation, or both the separation.
+// Derivatives by (δr, δφ) of A and B are those by displacement and spatial spin.
 class LinkProduct {
   public:
     LinkProduct() = default;
-    LinkProduct(const LinkVector& first, const LinkVector& second) : first_(first), second_(second) {}
+    LinkProduct(const LinkVector& u, const LinkVector& w) : u_(u), w_(w) {}
 
-    ScalarJet compute_jet(const JointMotions& motions) const;
-    PairRow compute_gradient(const JointMotions& motions) const;
-    // ∂(gradientᵀ)/∂(δr, δφ), unsymmetric, as spins do not commute.
-    PairMatrix compute_second_derivative(const JointMotions& motions) const;
-    // The derivatives of the jet by Newton's unknowns.
-    Jet<PairRow> differentiate(const JointMotions& motions, const JointLinearizations& linearizations) const;
+    // With the rates of the frames' level.
+    ScalarJet compute_jet(const JointFrames& frames) const;
+    // Adds the factor times the gradient.
+    void add_gradient(const JointFrames& frames, double factor, PairRow& row) const;
+    // Adds the derivatives by Newton's unknowns of the jet's values, each times its weight. The frames have
+    // accelerations.
+    void add_change(const JointFrames& frames,
+                    const JointLinearizations& linearizations,
+                    const ScalarJet& weights,
+                    PairRow& row) const;
+    // Adds what it exerts with a multiplier.
+    void add_reaction(const JointFrames& frames, double multiplier, JointReaction& reaction) const;
 
   private:
-    LinkVector first_, second_;
+    LinkVector u_, w_;
 };
 
 }  // namespace gxrod
