@@ -20,7 +20,7 @@ DIRECT = {
     "state": ["model"],
     "elements": ["state", "numerics", "machine"],
     "loads": ["state", "numerics"],
-    "constraints": ["state"],
+    "constraints": ["state", "numerics"],
     "linear": ["model", "parallel", "machine"],
     "integrators": ["state", "parallel"],
     "assembly": ["elements", "loads", "constraints", "linear"],

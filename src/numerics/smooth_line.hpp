@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+namespace gxrod {
+
+// A line through points given at arc lengths, r(s) = Σ M_i(s) r_i, whose tangent is continuous: between two
+// points the polynomials of degree 4 (of a lower one through fewer points) around each of them are blended,
+// from the one to the other. Its error is O(h⁵) where points lie h apart, that of its tangent O(h⁴).
+class SmoothLine {
+  public:
+    static constexpr int degree = 4;
+    static constexpr int most_points = degree + 2;
+    // Of a piece's points, by powers of the position u in it, from 0 to 1.
+    using Coefficients = Eigen::Matrix<double, most_points, most_points>;
+
+    // Between two neighbouring points.
+    struct Piece {
+        double start = 0.0;                                // arc length
+        double length = 0.0;                               // of the piece
+        int first = 0;                                     // index of the first of its points
+        int count = 0;                                     // of its points
+        Coefficients coefficients = Coefficients::Zero();  // a row a point
+
+        // M_i, or a derivative by s, of all orders below `Orders`: by order, then by point. Number: double,
+        // or one that carries derivatives.
+        template <int Orders, class Number>
+        std::array<std::array<Number, most_points>, Orders> compute_weights(const Number& s) const;
+    };
+
+    // At least two arc lengths, ascending.
+    explicit SmoothLine(const std::vector<double>& arc_lengths);
+
+    const std::vector<Piece>& pieces() const { return pieces_; }
+    // The piece at s; the first or the last one beyond the line's ends.
+    int find_piece(double s) const;
+    double start() const { return pieces_.front().start; }
+    double end() const { return pieces_.back().start + pieces_.back().length; }
+
+  private:
+    std::vector<Piece> pieces_;
+};
+
+template <int Orders, class Number>
+std::array<std::array<Number, SmoothLine::most_points>, Orders> SmoothLine::Piece::compute_weights(
+    const Number& s) const {
+    const Number u = (s - start) / length;
+    std::array<std::array<Number, most_points>, Orders> weights;
+    for (int i = 0; i < most_points; ++i) {
+        Eigen::Matrix<double, 1, most_points> p = coefficients.row(i);
+        for (int order = 0; order < Orders; ++order) {
+            Number sum(0.0);
+            for (int power = most_points - 1; power >= 0; --power) sum = sum * u + p[power];
+            weights[order][i] = sum;
+            for (int power = 0; power + 1 < most_points; ++power)
+                p[power] = (power + 1) * p[power + 1] / length;
+            p[most_points - 1] = 0.0;
+        }
+    }
+    return weights;
+}
+
+}  // namespace gxrod
