@@ -19,16 +19,15 @@ std::string describe(const Vec3& v) {
 }
 
 [[noreturn]] void report(const System& system, int index, const State& state, const State& fitting) {
-    const Joint& joint = system.model().joints[static_cast<std::size_t>(index)];
-    const int node = joint.b.anchor.is_ground() ? joint.a.anchor.node : joint.b.anchor.node;
+    const int node = system.joints().shown_node(index);
     const NodeMotion& fits = fitting.trial[static_cast<std::size_t>(node)];
     throw EvaluationError(
-        fmt::format("the initial velocities do not fit joint {}; nearest to all that are given, those that "
+        fmt::format("the initial velocities do not fit {}; nearest to all that are given, those that "
                     "fit have velocity = {} "
                     "and angular_velocity = {} at {} (given: {} and {}). Give such velocities, or start = "
                     "\"project\" in the "
                     "analysis to take the nearest ones",
-                    joint.name,
+                    system.joints().name(index),
                     describe(fits.v),
                     describe(fits.omega),
                     system.model().nodes[static_cast<std::size_t>(node)].name,
@@ -46,12 +45,14 @@ void fit_start_velocities(const System& system,
                           State& state) {
     const JointAssembly& joints = system.joints();
     if (joints.empty()) return;
-    // Motors may start with a rate.
-    std::vector<double> rows;
-    joints.compute_rows(state, time, {ConstraintLevel::velocity, step, find_time_scale(system, state)}, rows);
-    const LargestGap gap = joints.measure_gap(rows, state);
-    if (gap.size <= same_velocity) return;
+    // Motors and moved supports may start with a rate.
     State fitting = state;
+    system.supports().set_rates(time, step, fitting.trial);
+    std::vector<double> rows;
+    joints.compute_rows(
+        fitting, time, {ConstraintLevel::velocity, step, find_time_scale(system, fitting)}, rows);
+    const LargestGap gap = joints.measure_gap(rows, fitting);
+    if (gap.size <= same_velocity) return;
     // Leaves the mass matrix factorized.
     EquilibriumReport solved = solve_accelerations(system, time, step, workspace, fitting);
     if (!solved.converged()) return;  // the start fails on it, and reports why

@@ -154,10 +154,10 @@ void SteppedAnalysis::check_motors() const {
     const LargestGap gap = system_.joints().measure_gap(rows, state_);
     if (gap.size <= same_place) return;
     throw std::runtime_error(
-        fmt::format("joint {} begins with a jump of {:.4g} of the model's length, or rad: its move at t = 0 "
+        fmt::format("{} begins with a jump of {:.4g} of the model's length, or rad: its move at t = 0 "
                     "of this stage is "
                     "not where the stage before leaves it",
-                    system_.model().joints[static_cast<std::size_t>(gap.joint)].name,
+                    system_.joints().name(gap.joint),
                     gap.size));
 }
 
@@ -233,6 +233,7 @@ bool SteppedAnalysis::take_step(EquilibriumReport& report) {
     };
     try {
         report = solve_trial();
+        if (report.converged()) system_.joints().check_ranges(state_, trial_time());
     } catch (...) {
         undo();
         throw;
@@ -361,7 +362,7 @@ Failure SteppedAnalysis::explain(const EquilibriumReport& report) {
     failure.step_error = report.step_error;
     constexpr double open = 1e-9;
     if (report.joint_gap.joint >= 0 && report.joint_gap.size > open) {
-        failure.open_joint = system_.model().joints[static_cast<std::size_t>(report.joint_gap.joint)].name;
+        failure.open_joint = system_.joints().name(report.joint_gap.joint);
         failure.joint_gap = report.joint_gap.size;
     }
     if (report.outcome == Outcome::not_finite) failure.shrunk_spring = find_shrunk_spring(system_, state_);

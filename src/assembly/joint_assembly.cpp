@@ -10,13 +10,8 @@ namespace gxrod {
 
 namespace {
 
-// Of the entries on the diagonal; it makes redundant equations solvable.
-constexpr double regularization = 1e-8;
-// D of rows of accelerations, relative to that of rows of positions. Where some are redundant, they
-// contradict each other in the inner stages of a step: with a smaller D, their multipliers grow less.
-constexpr double acceleration_scale = 1e-2;
-// The least scale of a joint, relative to the largest.
-constexpr double least_scale = 1e-6;
+using joint_scaling::acceleration_scale;
+using joint_scaling::regularization;
 
 const NodeMotion ground{};
 const NodeLinearization ground_linearization{};
@@ -45,22 +40,18 @@ void set_slips(const JointSlips& slips, JointState& state) {
     state.slide_slip = slips.slide;
 }
 
-bool is_damped_by(const JointCoordinate& laws) {
-    return laws.damping > 0.0 || laws.friction.force > 0.0 || laws.limits.damping > 0.0;
-}
-
-bool is_driven_by(const JointCoordinate& laws) {
-    return laws.motion || !laws.drive.is_zero() || !laws.rest.is_constant();
-}
-
 Vec6 increment_at(const std::vector<Vec6>& increments, int node) {
     return node < 0 ? Vec6::Zero() : increments[node];
 }
 
 }  // namespace
 
-JointAssembly::JointAssembly(const Model& model) : model_(&model) {
-    std::vector<int> counts(model.joints.empty() ? 0 : model.nodes.size(), 0);
+JointAssembly::JointAssembly(const Model& model) : model_(&model), wide_(model) {
+    are_linear_ = wide_.empty();
+    are_driven_ = wide_.are_driven();
+    have_forces_ = wide_.have_laws();
+    is_damped_ = wide_.are_damped();
+    std::vector<int> counts(model.joints.empty() && wide_.empty() ? 0 : model.nodes.size(), 0);
     first_rows_.push_back(0);
     for (const Joint& joint : model.joints) {
         const JointRows& rows = joints_.emplace_back(joint);
@@ -79,21 +70,34 @@ JointAssembly::JointAssembly(const Model& model) : model_(&model) {
         counts[owner] += rows.count();
         attached_.push_back({owner, rows.count()});
     }
+    wide_.attach(counts, attached_);
+}
+
+std::string JointAssembly::name(int index) const {
+    const auto joint = static_cast<std::size_t>(index);
+    return joint < joints_.size() ? "joint " + model_->joints[joint].name
+                                  : wide_.rows(joint - joints_.size()).name();
+}
+
+int JointAssembly::shown_node(int index) const {
+    const auto joint = static_cast<std::size_t>(index);
+    return joint < joints_.size() ? model_->joints[joint].moving_anchor().node : attached_[joint].node;
 }
 
 std::vector<NodeGroup> JointAssembly::node_groups() const {
     std::vector<NodeGroup> groups;
     groups.reserve(joints_.size());
     for (const Joint& joint : model_->joints) groups.push_back(list_nodes(joint));
+    wide_.add_groups(groups);
     return groups;
 }
 
 void JointAssembly::lay_out(const EquationNumbers& equations, const SparsePattern& pattern, double length) {
     equations_ = &equations;
-    pattern_ = &pattern;
     length_ = length;
     places_.reserve(joints_.size());
     for (std::size_t i = 0; i < joints_.size(); ++i) places_.push_back(find_places(i, equations, pattern));
+    wide_.lay_out(equations, pattern, length, first_rows_.back());
 }
 
 JointAssembly::Places JointAssembly::find_places(std::size_t index,
@@ -103,8 +107,10 @@ JointAssembly::Places JointAssembly::find_places(std::size_t index,
     const int count = joints_[index].count();
     Places places;
     places.first = equations.of_attached(index);
-    places.first_diagonal = pattern.slot(places.first, places.first);
-    places.stride = pattern.block_of(places.first).stride + 1;
+    if (count > 0) {
+        places.first_diagonal = pattern.slot(places.first, places.first);
+        places.stride = pattern.block_of(places.first).stride + 1;
+    }
     const std::vector<int> nodes = list_nodes(joint);
     const bool is_free =
         std::all_of(nodes.begin(), nodes.end(), [&](int node) { return equations.is_free(node); });
@@ -117,6 +123,8 @@ JointAssembly::Places JointAssembly::find_places(std::size_t index,
         std::copy(own.begin(), own.end(), numbers.begin() + 6 * side);
     }
     for (int row = 0; row < count; ++row) numbers[12 + row] = places.first + row;
+    for (int k = 0; k < 12; ++k)
+        places.diagonals[k] = numbers[k] < 0 ? -1 : pattern.slot(numbers[k], numbers[k]);
     if (!is_free) {
         const int size = 12 + count;
         for (int column = 0; column < size; ++column) {
@@ -137,9 +145,41 @@ JointAssembly::Places JointAssembly::find_places(std::size_t index,
     return places;
 }
 
-JointInputs JointAssembly::inputs_at(const Joint& joint, double time) {
-    return {{joint.turn.rest(time), joint.turn.drive(time)},
-            {joint.slide.rest(time), joint.slide.drive(time)}};
+JointInputs JointAssembly::inputs_at(std::size_t index, const State& state, double time) const {
+    const Joint& joint = model_->joints[index];
+    const double held = forces_[index].follows_held() ? find_held_force(state, index).size : 0.0;
+    return {{joint.turn.rest(time), joint.turn.drive(time), held},
+            {joint.slide.rest(time), joint.slide.drive(time), held}};
+}
+
+// Of the rows that are lengths, but that of a motor.
+JointAssembly::HeldForce JointAssembly::find_held_force(const State& state, std::size_t index) const {
+    const JointRows& rows = joints_[index];
+    HeldForce held{0.0, multipliers(state, index)};
+    for (int row = 0; row < rows.count(); ++row) {
+        if (!rows.is_length(row) || row == rows.slide_motor_row()) held.by_multipliers[row] = 0.0;
+    }
+    held.size = held.by_multipliers.norm();
+    if (held.size > 0.0) held.by_multipliers /= held.size;
+    return held;
+}
+
+// λ changes by D (μ − G δ), and so does the friction.
+void JointAssembly::add_held_tangent(
+    std::size_t index, const State& state, double time, const JointVector& D, Matrix& matrix) const {
+    const JointState& before = state.joints_previous[index];
+    const JointMotions at = motions(state.trial, index);
+    const PairVector by_held =
+        forces_[index]
+            .compute_held_derivative(at, before.turn, inputs_at(index, state, time), slips_of(before))
+            .transpose();
+    const JointVector by_multipliers = find_held_force(state, index).by_multipliers;
+    const JointMatrix G = joints_[index].compute_gradient(at);
+    for (int row = 0; row < joints_[index].count(); ++row) {
+        const PairVector column = D[row] * by_multipliers[row] * by_held;
+        matrix.block<12, 1>(0, 12 + row) -= column;
+        matrix.topLeftCorner<12, 12>() += column * G.row(row);
+    }
 }
 
 const NodeMotion& JointAssembly::motion(const std::vector<NodeMotion>& nodes, int node) const {
@@ -160,7 +200,7 @@ void JointAssembly::compute_rows(const State& state,
                                  double time,
                                  const ConstraintRequest& request,
                                  std::vector<double>& rows) const {
-    rows.resize(static_cast<std::size_t>(first_rows_.back()));
+    rows.resize(static_cast<std::size_t>(first_rows_.back()) + wide_.row_count());
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         const JointMotors motors = compute_motors(model_->joints[i], time, request.step, request.level);
         const JointVector values = joints_[i].compute_values(
@@ -168,18 +208,18 @@ void JointAssembly::compute_rows(const State& state,
         for (int row = 0; row < joints_[i].count(); ++row)
             rows[static_cast<std::size_t>(first_rows_[i] + row)] = request.factor * values[row];
     }
+    wide_.compute_rows(state, time, request, rows);
 }
 
-Eigen::Matrix<double, 12, 1> JointAssembly::compute_force(const State& state,
-                                                          double time,
-                                                          std::size_t index) const {
+PairVector JointAssembly::compute_force(const State& state, double time, std::size_t index) const {
     const JointMotions at = motions(state.trial, index);
-    Eigen::Matrix<double, 12, 1> force =
-        joints_[index].compute_gradient(at).transpose() * multipliers(state, index);
+    const JointRows& rows = joints_[index];
+    PairVector force =
+        rows.compute_force(rows.compute_frames(at, ConstraintLevel::position), multipliers(state, index));
     if (!forces_[index].is_empty()) {
         const JointState& before = state.joints_previous[index];
         force += forces_[index]
-                     .compute_force(at, before.turn, inputs_at(model_->joints[index], time), slips_of(before))
+                     .compute_force(at, before.turn, inputs_at(index, state, time), slips_of(before))
                      .transpose();
     }
     return force;
@@ -190,7 +230,7 @@ void JointAssembly::add_forces(const State& state,
                                const ScaleGroups& groups,
                                Residual& residual) const {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
-        const Eigen::Matrix<double, 12, 1> force = compute_force(state, time, i);
+        const PairVector force = compute_force(state, time, i);
         const std::array<int, 2> nodes = nodes_of(model_->joints[i]);
         for (int side = 0; side < 2; ++side) {
             if (nodes[side] < 0) continue;
@@ -199,6 +239,7 @@ void JointAssembly::add_forces(const State& state,
             residual.nodal[nodes[side]] -= on_node;
         }
     }
+    wide_.add_forces(state, time, groups, residual);
 }
 
 void JointAssembly::subtract_ground_forces(const State& state, double time, std::vector<Vec6>& nodal) const {
@@ -208,37 +249,25 @@ void JointAssembly::subtract_ground_forces(const State& state, double time, std:
         const int side = nodes[0] < 0 ? 1 : 0;
         nodal[nodes[side]] -= compute_force(state, time, i).segment<6>(6 * side);
     }
+    wide_.subtract_ground_forces(state, time, nodal);
 }
 
 // The mean of the diagonal's entries at the joint's nodes, of displacements and of rotations, at least a part
 // of the largest.
-std::vector<JointAssembly::Scales> JointAssembly::compute_scales(const std::vector<double>& values) const {
-    std::vector<Scales> scales;
-    scales.reserve(joints_.size());
-    Scales largest{0.0, 0.0};
-    for (const Joint& joint : model_->joints) {
-        double sums[2] = {0.0, 0.0};
-        int counts[2] = {0, 0};
-        for (const int node : list_nodes(joint)) {
-            const auto numbers = equations_->of_node(node);
-            for (int k = 0; k < 6; ++k) {
-                if (numbers[k] < 0) continue;
-                sums[k / 3] += std::abs(values[pattern_->slot(numbers[k], numbers[k])]);
-                ++counts[k / 3];
-            }
+std::vector<JointScales> JointAssembly::compute_scales(const State& state,
+                                                       double time,
+                                                       const std::vector<double>& values) const {
+    std::vector<JointScales> scales;
+    scales.reserve(count());
+    for (const Places& places : places_) {
+        DiagonalMean mean;
+        for (int k = 0; k < 12; ++k) {
+            if (places.diagonals[k] >= 0) mean.add(k, values[places.diagonals[k]]);
         }
-        const Scales mean{sums[0] / std::max(counts[0], 1), sums[1] / std::max(counts[1], 1)};
-        largest = {std::max(largest.length, mean.length), std::max(largest.turn, mean.turn)};
-        scales.push_back(mean);
+        scales.push_back(mean.mean());
     }
-    const double square = length_ * length_;
-    if (largest.length == 0.0) largest.length = largest.turn / square;
-    if (largest.turn == 0.0) largest.turn = largest.length * square;
-    if (largest.length == 0.0) largest = {1.0, square};
-    for (Scales& scale : scales) {
-        scale.length = std::max(scale.length, least_scale * largest.length);
-        scale.turn = std::max(scale.turn, least_scale * largest.turn);
-    }
+    wide_.add_means(state, time, values, scales);
+    bound_scales(length_, scales);
     return scales;
 }
 
@@ -247,23 +276,23 @@ void JointAssembly::add_tangents(const State& state,
                                  const std::vector<NodeLinearization>& linearizations,
                                  const ConstraintRequest& request,
                                  std::vector<double>& values) const {
-    if (joints_.empty()) return;
+    if (empty()) return;
     const bool has_equations =
         request.level != ConstraintLevel::position || linearizations.front().placement != 0.0;
     if (!has_equations && !have_forces_) return;
-    std::vector<Scales> scales;
-    if (has_equations && request.scaled_as == nullptr) scales = compute_scales(values);
+    std::vector<JointScales> scales;
+    if (has_equations && request.scaled_as == nullptr) scales = compute_scales(state, time, values);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         Matrix matrix = Matrix::Zero();
         if (has_equations) {
             JointVector D(joints_[i].count());
             for (int row = 0; row < joints_[i].count(); ++row) {
-                D[row] = request.scaled_as
-                             ? scale_of_row(i, row, *request.scaled_as)
-                             : (is_length(static_cast<int>(i), row) ? scales[i].length : scales[i].turn);
+                D[row] = request.scaled_as ? scale_of_row(i, row, *request.scaled_as)
+                                           : scales[i].of(joints_[i].is_length(row));
             }
             if (request.level == ConstraintLevel::acceleration) D *= acceleration_scale;
             add_equations(i, state, linearizations, request, D, matrix);
+            if (forces_[i].follows_held()) add_held_tangent(i, state, time, D, matrix);
         }
         if (!forces_[i].is_empty()) {
             const JointState& before = state.joints_previous[i];
@@ -271,11 +300,12 @@ void JointAssembly::add_tangents(const State& state,
                 forces_[i].compute_tangent(motions(state.trial, i),
                                            linearizations_of(model_->joints[i], linearizations),
                                            before.turn,
-                                           inputs_at(model_->joints[i], time),
+                                           inputs_at(i, state, time),
                                            slips_of(before));
         }
         add_matrix(i, matrix, values);
     }
+    wide_.add_tangents(state, time, linearizations, request, has_equations, scales, values);
 }
 
 void JointAssembly::add_equations(std::size_t index,
@@ -286,24 +316,30 @@ void JointAssembly::add_equations(std::size_t index,
                                   Matrix& matrix) const {
     const JointRows& rows = joints_[index];
     const int count = rows.count();
-    const JointMotions at = motions(state.trial, index);
+    const bool is_of_positions = request.level == ConstraintLevel::position;
+    const JointFrames frames =
+        rows.compute_frames(motions(state.trial, index),
+                            is_of_positions ? ConstraintLevel::position : ConstraintLevel::acceleration);
     const double placement = linearizations.front().placement;
-    const JointMatrix G = rows.compute_gradient(at);
-    const JointMatrix DG = D.asDiagonal() * G;
-    matrix.topLeftCorner<12, 12>() += G.transpose().lazyProduct(DG);
-    if (placement != 0.0) {
-        matrix.topLeftCorner<12, 12>() -=
-            placement * rows.compute_force_derivative(at, multipliers(state, index));
+    const JointMatrix G = rows.compute_gradient(frames);
+    auto of_nodes = matrix.topLeftCorner<12, 12>();
+    if (placement != 0.0)
+        of_nodes = -placement * rows.compute_force_derivative(frames, multipliers(state, index));
+    for (int column = 0; column < 12; ++column) {
+        PairVector sum = of_nodes.col(column);
+        for (int row = 0; row < count; ++row) sum += D[row] * G(row, column) * G.row(row).transpose();
+        of_nodes.col(column) = sum;
     }
-    matrix.block(0, 12, 12, count) = -DG.transpose();
-    if (request.level == ConstraintLevel::position) {
-        matrix.block(12, 0, count, 12) = -DG;
-    } else {
-        const JointMatrix H = rows.compute_acceleration_derivative(
-            at, linearizations_of(model_->joints[index], linearizations));
-        matrix.block(12, 0, count, 12) = -request.factor * (D.asDiagonal() * H);
+    const JointMatrix H = is_of_positions
+                              ? G
+                              : rows.compute_acceleration_derivative(
+                                    frames, linearizations_of(model_->joints[index], linearizations));
+    for (int row = 0; row < count; ++row) {
+        const double size = D[row];
+        matrix.block<12, 1>(0, 12 + row) = -size * G.row(row).transpose();
+        matrix.block<1, 12>(12 + row, 0) = -(is_of_positions ? size : size * request.factor) * H.row(row);
+        matrix(12 + row, 12 + row) = -regularization * size;
     }
-    for (int row = 0; row < count; ++row) matrix(12 + row, 12 + row) = -regularization * D[row];
 }
 
 void JointAssembly::add_matrix(std::size_t index, Matrix& matrix, std::vector<double>& values) const {
@@ -331,12 +367,15 @@ void JointAssembly::add_matrix(std::size_t index, Matrix& matrix, std::vector<do
     for (int pair = 0; pair < 9; ++pair) {
         const auto [first, stride] = places.blocks[pair];
         if (first < 0) continue;
-        const int rows = pair % 3 == 2 ? count : 6;
         const int columns = pair / 3 == 2 ? count : 6;
         for (int column = 0; column < columns; ++column) {
             double* target = &values[first + column * stride];
-            for (int row = 0; row < rows; ++row)
-                target[row] += matrix(6 * (pair % 3) + row, 6 * (pair / 3) + column);
+            const double* source = &matrix(6 * (pair % 3), 6 * (pair / 3) + column);
+            if (pair % 3 < 2) {
+                Eigen::Map<Vec6>(target) += Eigen::Map<const Vec6>(source);
+            } else {
+                for (int row = 0; row < count; ++row) target[row] += source[row];
+            }
         }
     }
 }
@@ -355,6 +394,7 @@ void JointAssembly::set_rows(const std::vector<double>& rows,
                 -scale_of_row(i, row, values) * rows[static_cast<std::size_t>(first_rows_[i] + row)];
         }
     }
+    wide_.set_rows(rows, values, vector);
 }
 
 void JointAssembly::advance_multipliers(const std::vector<Vec6>& increments,
@@ -363,14 +403,16 @@ void JointAssembly::advance_multipliers(const std::vector<Vec6>& increments,
                                         State& state) const {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         const Joint& joint = model_->joints[i];
-        Eigen::Matrix<double, 12, 1> delta;
-        delta << increment_at(increments, joint.a.anchor.node), increment_at(increments, joint.b.anchor.node);
-        const JointVector change = joints_[i].compute_gradient(motions(state.trial, i)) * delta;
+        PairRow delta;
+        delta << increment_at(increments, joint.a.anchor.node).transpose(),
+            increment_at(increments, joint.b.anchor.node).transpose();
+        const JointMatrix G = joints_[i].compute_gradient(motions(state.trial, i));
         for (int row = 0; row < joints_[i].count(); ++row) {
             state.joints_trial[i].multipliers[row] +=
-                scale_of_row(i, row, values) * (solution[places_[i].first + row] - change[row]);
+                scale_of_row(i, row, values) * (solution[places_[i].first + row] - G.row(row).dot(delta));
         }
     }
+    wide_.advance_multipliers(increments, solution, values, state);
 }
 
 LargestGap JointAssembly::measure_gap(const std::vector<double>& rows, const State& state) const {
@@ -384,13 +426,16 @@ LargestGap JointAssembly::measure_gap(const std::vector<double>& rows, const Sta
             if (!(value <= gap.size)) gap = {value, static_cast<int>(i)};
         }
     }
+    const WideAssembly::Gap wide = wide_.measure_gap(rows, state);
+    if (!(wide.size <= gap.size)) gap = {wide.size, static_cast<int>(joints_.size() + wide.index)};
     return gap;
 }
 
 void JointAssembly::start(State& state) const {
-    state.joints_previous.resize(joints_.size());
+    state.joints_previous.resize(count());
     for (std::size_t i = 0; i < joints_.size(); ++i)
         set_slips(forces_[i].compute_first_slips(motions(state.trial, i), 0.0), state.joints_previous[i]);
+    wide_.start(state);
     state.joints_trial = state.joints_previous;
 }
 
@@ -403,6 +448,7 @@ void JointAssembly::commit(State& state) const {
             set_slips(forces_[i].compute_slips(motions(state.trial, i), before.turn, slips_of(before)),
                       after);
     }
+    wide_.commit(state);
     state.joints_previous = state.joints_trial;
 }
 

@@ -3,15 +3,17 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "assembly/constraint_request.hpp"
 #include "assembly/equation_numbers.hpp"
 #include "assembly/node_groups.hpp"
 #include "assembly/residual.hpp"
 #include "assembly/scale_groups.hpp"
+#include "assembly/wide_assembly.hpp"
 #include "constraints/joints/joint_force.hpp"
 #include "constraints/joints/joint_rows.hpp"
-#include "constraints/step_differences.hpp"
 #include "linear/sparse_pattern.hpp"
 #include "model/model.hpp"
 #include "state/joint_values.hpp"
@@ -19,24 +21,16 @@
 
 namespace gxrod {
 
-// How the equations of joints are asked for.
-struct ConstraintRequest {
-    ConstraintLevel level = ConstraintLevel::position;
-    TimeSpan step{0.0, 0.0};  // within which motors are differentiated
-    double factor = 1.0;  // by which the equations are multiplied: 1 over the linearization's acceleration
-    // If given, D is that of these values of a tangent, so that differences of tangents have none of it.
-    const std::vector<double>* scaled_as = nullptr;
-};
-
 // How far the equations of joints are from being met: relative to the length of their part, or in rad.
 struct LargestGap {
     double size = 0.0;
     int joint = -1;
 };
 
-// The joints of a model in its system of equations (docs/theory/joints.md). Each joint's multipliers are
-// attached to one of its nodes. With D the size of the tangent's diagonal at its nodes, G the gradient of its
-// equations Φ and μ the unknown that stands for its multipliers, λ ← λ + D (μ − G δ), the system is
+// The joints of a model, and gears between them, in its system of equations (docs/theory/joints.md); gears
+// are counted behind the joints. Each joint's multipliers are attached to one of its nodes. With D the size
+// of the tangent's diagonal at its nodes, G the gradient of its equations Φ and μ the unknown that stands for
+// its multipliers, λ ← λ + D (μ − G δ), the system is
 //   [K − ∂(Gᵀλ) + GᵀDG   −GᵀD] [δ]     [R − Gᵀλ]
 //   [−DG                 −εD ] [μ] = − [−DΦ    ]
 // so no pivot vanishes, in any unit and for any step, and redundant equations do no harm.
@@ -44,13 +38,19 @@ class JointAssembly {
   public:
     explicit JointAssembly(const Model& model);
 
-    bool empty() const { return joints_.empty(); }
-    std::size_t count() const { return joints_.size(); }
+    bool empty() const { return joints_.empty() && wide_.empty(); }
+    std::size_t count() const { return joints_.size() + wide_.count(); }
+    // Of a joint or a gear, as messages have it: "joint shaft", "gear stage"; and the node at which its state
+    // is reported.
+    std::string name(int index) const;
+    int shown_node(int index) const;
     const std::vector<AttachedUnknowns>& attached() const { return attached_; }
     std::vector<NodeGroup> node_groups() const;
     // Whether an equation of a joint is a length.
     bool is_length(int joint, int row) const {
-        return joints_[static_cast<std::size_t>(joint)].is_length(row);
+        const auto index = static_cast<std::size_t>(joint);
+        return index < joints_.size() ? joints_[index].is_length(row)
+                                      : wide_.rows(index - joints_.size()).is_length(row);
     }
     // Whether all equations are linear in positions, so that velocities meet them where positions do.
     bool are_linear() const { return are_linear_; }
@@ -112,6 +112,8 @@ class JointAssembly {
 
     // Of rows that are lengths and turns.
     LargestGap measure_gap(const std::vector<double>& rows, const State& state) const;
+    // Throws EvaluationError if the trial motions are where a joint has no meaning, beyond the end of a rod.
+    void check_ranges(const State& state, double time) const { wide_.check_ranges(state, time); }
     // Turns and slips at the trial motions become those of the last accepted step.
     void commit(State& state) const;
 
@@ -123,29 +125,36 @@ class JointAssembly {
     // Where a joint's matrix goes: by unknowns of A, of B and its own, column by column.
     struct Places {
         std::array<Block, 9> blocks{};
-        std::vector<std::int64_t> slots;  // of all entries; empty if the blocks say it all
-        std::int64_t first = 0;           // of its equations
-        std::int64_t first_diagonal = 0;  // slot of that equation's diagonal entry
-        std::int64_t stride = 0;          // from one diagonal entry to the next
+        std::vector<std::int64_t> slots;           // of all entries; empty if the blocks say it all
+        std::int64_t first = 0;                    // of its equations
+        std::int64_t first_diagonal = 0;           // slot of that equation's diagonal entry
+        std::int64_t stride = 0;                   // from one diagonal entry to the next
+        std::array<std::int64_t, 12> diagonals{};  // slots of those of A's and B's unknowns; −1 where none
     };
     static constexpr int most_unknowns = 12 + most_joint_rows;
     using Matrix = Eigen::Matrix<double, most_unknowns, most_unknowns>;
-    struct Scales {
-        double length, turn;
-    };
     // The coordinates that a joint leaves free; 0 where it has none.
     struct JointPlace {
         ScalarJet turn{}, slide{};
     };
 
     JointPlace place_of(const std::vector<NodeMotion>& nodes, std::size_t joint, const State& state) const;
-    static JointInputs inputs_at(const Joint& joint, double time);
+    JointInputs inputs_at(std::size_t joint, const State& state, double time) const;
+    // The force that the joint's points hold, by its multipliers: its size, and its derivative by those.
+    struct HeldForce {
+        double size = 0.0;
+        JointVector by_multipliers;
+    };
+    HeldForce find_held_force(const State& state, std::size_t joint) const;
+    // What friction that follows this force adds to the joint's matrix.
+    void add_held_tangent(
+        std::size_t joint, const State& state, double time, const JointVector& D, Matrix& matrix) const;
     static JointSlips slips_of(const JointState& state) { return {state.turn_slip, state.slide_slip}; }
     const NodeMotion& motion(const std::vector<NodeMotion>& nodes, int node) const;
     JointMotions motions(const std::vector<NodeMotion>& nodes, std::size_t joint) const;
     JointVector multipliers(const State& state, std::size_t joint) const;
     // What a joint exerts on the nodes of A and B.
-    Eigen::Matrix<double, 12, 1> compute_force(const State& state, double time, std::size_t joint) const;
+    PairVector compute_force(const State& state, double time, std::size_t joint) const;
     void add_equations(std::size_t joint,
                        const State& state,
                        const std::vector<NodeLinearization>& linearizations,
@@ -155,14 +164,16 @@ class JointAssembly {
     Places find_places(std::size_t joint,
                        const EquationNumbers& equations,
                        const SparsePattern& pattern) const;
-    std::vector<Scales> compute_scales(const std::vector<double>& values) const;
+    std::vector<JointScales> compute_scales(const State& state,
+                                            double time,
+                                            const std::vector<double>& values) const;
     void add_matrix(std::size_t joint, Matrix& matrix, std::vector<double>& values) const;
     double scale_of_row(std::size_t joint, int row, const std::vector<double>& values) const;
 
     const Model* model_;
     const EquationNumbers* equations_ = nullptr;
-    const SparsePattern* pattern_ = nullptr;
     double length_ = 1.0;
+    WideAssembly wide_;
     std::vector<JointRows> joints_;
     std::vector<JointForces> forces_;
     std::vector<AttachedUnknowns> attached_;

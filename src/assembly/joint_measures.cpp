@@ -7,8 +7,8 @@
 namespace gxrod {
 
 std::vector<Vec6> JointAssembly::compute_driving_forces(const State& state, double time) const {
+    if (!are_driven_) return std::vector<Vec6>(count(), Vec6::Zero());
     std::vector<Vec6> forces(joints_.size(), Vec6::Zero());
-    if (!are_driven_) return forces;
     const std::vector<Vec6> coordinates = compute_coordinates(state.trial, time, state);
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         const Joint& joint = model_->joints[i];
@@ -21,20 +21,22 @@ std::vector<Vec6> JointAssembly::compute_driving_forces(const State& state, doub
         forces[i][2] = joint.turn.stiffness * (coordinates[i][2] - coordinates[i][0]);
         forces[i][3] = joint.slide.stiffness * (coordinates[i][3] - coordinates[i][1]);
     }
+    wide_.add_driving_forces(state, time, forces);
     return forces;
 }
 
 std::vector<Vec6> JointAssembly::compute_coordinates(const std::vector<NodeMotion>& nodes,
                                                      double time,
                                                      const State& state) const {
+    if (!are_driven_) return std::vector<Vec6>(count(), Vec6::Zero());
     std::vector<Vec6> coordinates(joints_.size(), Vec6::Zero());
-    if (!are_driven_) return coordinates;
     for (std::size_t i = 0; i < joints_.size(); ++i) {
         const Joint& joint = model_->joints[i];
         const JointPlace place = place_of(nodes, i, state);
         coordinates[i].head<4>() << place.turn.value, place.slide.value, joint.turn.rest(time),
             joint.slide.rest(time);
     }
+    wide_.add_coordinates(nodes, time, state, coordinates);
     return coordinates;
 }
 
@@ -56,7 +58,7 @@ double JointAssembly::compute_driving_power(const State& state, double time, con
                  forces[i][2] * differentiate(joint.turn.rest, time, step) +
                  forces[i][3] * differentiate(joint.slide.rest, time, step);
     }
-    return power;
+    return power + wide_.compute_driving_power(state, time, step);
 }
 
 JointAssembly::JointPlace JointAssembly::place_of(const std::vector<NodeMotion>& nodes,
@@ -76,17 +78,16 @@ double JointAssembly::compute_strain_energy(const State& state, double time) con
         const JointState& before = state.joints_previous[i];
         const JointMotions at = motions(state.trial, i);
         const JointSlips slips = forces_[i].compute_slips(at, before.turn, slips_of(before));
-        energy +=
-            forces_[i].compute_strain_energy(at, before.turn, inputs_at(model_->joints[i], time), slips);
+        energy += forces_[i].compute_strain_energy(at, before.turn, inputs_at(i, state, time), slips);
     }
-    return energy;
+    return energy + wide_.compute_strain_energy(state, time);
 }
 
 double JointAssembly::compute_damping_power(const State& state) const {
     double power = 0.0;
     for (std::size_t i = 0; i < joints_.size() && is_damped_; ++i)
         power += forces_[i].compute_damping_power(motions(state.trial, i), state.joints_previous[i].turn);
-    return power;
+    return power + wide_.compute_damping_power(state);
 }
 
 double JointAssembly::compute_damping_action(const State& state) const {
@@ -100,7 +101,7 @@ double JointAssembly::compute_damping_action(const State& state) const {
         action += compute_coordinate_damping_power(joint.turn, after.turn) +
                   compute_coordinate_damping_power(joint.slide, after.slide);
     }
-    return action;
+    return action + wide_.compute_damping_action(state);
 }
 
 double JointAssembly::compute_slip_dissipation(const State& state) const {
@@ -109,14 +110,14 @@ double JointAssembly::compute_slip_dissipation(const State& state) const {
         const JointSlips before = slips_of(state.joints_previous[i]);
         const JointSlips after =
             forces_[i].compute_slips(motions(state.trial, i), state.joints_previous[i].turn, before);
-        dissipated += forces_[i].compute_dissipation(before, after);
+        dissipated += forces_[i].compute_dissipation(inputs_at(i, state, state.time), before, after);
     }
-    return dissipated;
+    return dissipated + wide_.compute_slip_dissipation(state);
 }
 
 std::vector<JointValues> JointAssembly::compute_joint_values(const State& state, double time) const {
     std::vector<JointValues> all(joints_.size());
-    for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
         const Joint& joint = model_->joints[i];
         const JointMotions at = motions(state.trial, i);
         const JointPlace place = place_of(state.trial, i, state);
@@ -126,7 +127,7 @@ std::vector<JointValues> JointAssembly::compute_joint_values(const State& state,
         values.slide = place.slide.value;
         values.slide_rate = place.slide.rate;
         const Vec3 point = at.b.r + at.b.Lambda * joint.b.anchor.arm;
-        const Eigen::Matrix<double, 12, 1> force = compute_force(state, time, i);
+        const PairVector force = compute_force(state, time, i);
         // On B, or the opposite of that on A.
         const bool of_b = !joint.b.anchor.is_ground();
         const Vec6 wrench = of_b ? Vec6(force.tail<6>()) : Vec6(-force.head<6>());
@@ -139,18 +140,17 @@ std::vector<JointValues> JointAssembly::compute_joint_values(const State& state,
         const auto motor = [&](int row) { return row < 0 ? 0.0 : state.joints_trial[i].multipliers[row]; };
         values.motor_turn = motor(joints_[i].turn_motor_row());
         values.motor_slide = motor(joints_[i].slide_motor_row());
-        const auto friction = [](const JointCoordinate& laws, const ScalarJet& coordinate, double slip) {
-            JointCoordinate alone;
-            alone.friction = laws.friction;
-            return compute_coordinate_force(alone, coordinate, {}, slip).value;
-        };
+        const JointInputs inputs = inputs_at(i, state, time);
         const JointState& before = state.joints_previous[i];
-        values.friction = friction(joint.turn, place.turn, before.turn_slip) +
-                          friction(joint.slide, place.slide, before.slide_slip);
+        values.friction = compute_friction_force(
+                              joint.turn.friction, inputs.turn.held, place.turn.value, before.turn_slip) +
+                          compute_friction_force(
+                              joint.slide.friction, inputs.slide.held, place.slide.value, before.slide_slip);
         const JointMotors motors = compute_motors(joint, time, {}, ConstraintLevel::position);
         const JointGap gap = joints_[i].compute_gap(at, before.turn, motors);
         values.gap = std::max(gap.length, gap.angle * length_);
     }
+    wide_.add_joint_values(state, time, all);
     return all;
 }
 
