@@ -1,0 +1,154 @@
+#include "constraints/joints/gear_rows.hpp"
+
+#include <algorithm>
+
+namespace gxrod {
+
+namespace {
+
+const NodeMotion ground_at_rest{};
+const NodeLinearization linearization_of_ground{};
+
+template <class Value>
+const Value& value_at(const std::vector<Value>& values, int node, const Value& of_ground) {
+    return node < 0 ? of_ground : values[static_cast<std::size_t>(node)];
+}
+
+// Calls visit(coordinate) with the turn or the slide, whichever a term has.
+template <class Term, class Visit>
+auto visit_coordinate(const Term& term, Visit&& visit) {
+    return term.turn ? visit(*term.turn) : visit(*term.slide);
+}
+
+}  // namespace
+
+GearRows::GearRows(const Model& model, const Gear& gear) : name_("gear " + gear.name) {
+    for (std::size_t i = 0; i < 2; ++i) {
+        const GearSide& side = gear.sides[i];
+        const Joint& joint = model.joints[static_cast<std::size_t>(side.joint)];
+        const JointCoordinates coordinates(joint);
+        Term& term = terms_[i];
+        term.factor = i == 0 ? gear.ratio : 1.0;
+        term.joint = side.joint;
+        term.arms = arms_of(joint);
+        term.nodes = {joint.a.anchor.node, joint.b.anchor.node};
+        term.columns = {find_column(term.nodes[0]), find_column(term.nodes[1])};
+        if (side.is_turn)
+            term.turn = coordinates.turn;
+        else
+            term.slide = coordinates.slide->product();
+    }
+}
+
+// Appends a node that is not there yet.
+int GearRows::find_column(int node) {
+    if (node < 0) return -1;
+    const auto found = std::ranges::find(nodes_, node);
+    const auto index = static_cast<int>(found - nodes_.begin());
+    if (found == nodes_.end()) nodes_.push_back(node);
+    return 6 * index;
+}
+
+bool GearRows::is_length(int /*row*/) const { return terms_[1].slide.has_value(); }
+
+std::vector<int> GearRows::list_nodes(const WidePlace& /*place*/) const { return nodes_; }
+
+JointFrames GearRows::frames_of(const Term& term, const WidePlace& place, ConstraintLevel level) const {
+    const auto motion = [&](int node) -> const NodeMotion& {
+        return value_at(place.nodes, node, ground_at_rest);
+    };
+    return {{motion(term.nodes[0]), motion(term.nodes[1])}, term.arms, level};
+}
+
+Eigen::VectorXd GearRows::compute_values(const WidePlace& place,
+                                         ConstraintLevel level,
+                                         const TimeSpan& /*step*/) const {
+    double value = 0.0;
+    for (const Term& term : terms_) {
+        const JointFrames frames = frames_of(term, place, level);
+        const double turn_before = place.state.joints_previous[static_cast<std::size_t>(term.joint)].turn;
+        const ScalarJet jet =
+            term.turn ? term.turn->compute_jet(frames, turn_before) : term.slide->compute_jet(frames);
+        value += term.factor * at_level(jet, level);
+    }
+    return Eigen::VectorXd::Constant(1, value);
+}
+
+// By the unknowns of all nodes.
+void GearRows::add_row(const Term& term, const PairRow& row, Eigen::MatrixXd& sum) const {
+    for (int side = 0; side < 2; ++side) {
+        const int column = term.columns[static_cast<std::size_t>(side)];
+        if (column >= 0) sum.block<1, 6>(0, column) += row.segment<6>(6 * side);
+    }
+}
+
+Eigen::MatrixXd GearRows::compute_gradient(const WidePlace& place) const {
+    Eigen::MatrixXd gradient = Eigen::MatrixXd::Zero(1, size());
+    for (const Term& term : terms_) {
+        const JointFrames frames = frames_of(term, place, ConstraintLevel::position);
+        PairRow row = PairRow::Zero();
+        visit_coordinate(term, [&](const auto& it) { it.add_gradient(frames, term.factor, row); });
+        add_row(term, row, gradient);
+    }
+    return gradient;
+}
+
+Eigen::MatrixXd GearRows::compute_acceleration_derivative(
+    const WidePlace& place, const std::vector<NodeLinearization>& linearizations) const {
+    Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(1, size());
+    for (const Term& term : terms_) {
+        const JointFrames frames = frames_of(term, place, ConstraintLevel::acceleration);
+        const auto linearization = [&](int node) -> const NodeLinearization& {
+            return value_at(linearizations, node, linearization_of_ground);
+        };
+        const JointLinearizations of_sides{linearization(term.nodes[0]), linearization(term.nodes[1])};
+        PairRow row = PairRow::Zero();
+        visit_coordinate(term, [&](const auto& it) {
+            it.add_change(frames, of_sides, {0.0, 0.0, term.factor}, row);
+        });
+        add_row(term, row, derivative);
+    }
+    return derivative;
+}
+
+Eigen::MatrixXd GearRows::compute_force_derivative(const WidePlace& place,
+                                                   const Eigen::VectorXd& multipliers) const {
+    Eigen::MatrixXd derivative = Eigen::MatrixXd::Zero(size(), size());
+    for (const Term& term : terms_) {
+        const JointFrames frames = frames_of(term, place, ConstraintLevel::position);
+        JointReaction reaction;
+        visit_coordinate(
+            term, [&](const auto& it) { it.add_reaction(frames, multipliers[0] * term.factor, reaction); });
+        const PairMatrix of_sides = reaction.compute_derivative(frames);
+        for (int pair = 0; pair < 4; ++pair) {
+            const int row = term.columns[static_cast<std::size_t>(pair / 2)];
+            const int column = term.columns[static_cast<std::size_t>(pair % 2)];
+            if (row < 0 || column < 0) continue;
+            derivative.block<6, 6>(row, column) += of_sides.block<6, 6>(6 * (pair / 2), 6 * (pair % 2));
+        }
+    }
+    return derivative;
+}
+
+// A gear's parts sit in those that carry the joints.
+Eigen::VectorXd GearRows::compute_ground_force(const WidePlace& place,
+                                               const Eigen::VectorXd& multipliers) const {
+    Eigen::MatrixXd exerted = Eigen::MatrixXd::Zero(1, size());
+    for (const Term& term : terms_) {
+        if (term.nodes[0] >= 0 && term.nodes[1] >= 0) continue;
+        const JointFrames frames = frames_of(term, place, ConstraintLevel::position);
+        PairRow row = PairRow::Zero();
+        visit_coordinate(term, [&](const auto& it) { it.add_gradient(frames, term.factor, row); });
+        add_row(term, row, exerted);
+    }
+    return exerted.transpose() * multipliers;
+}
+
+JointValues GearRows::compute_joint_values(const WidePlace& /*place*/,
+                                           const Eigen::VectorXd& multipliers) const {
+    JointValues values;
+    values.motor_turn = multipliers[0];
+    return values;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,114 @@
+#include "deck/joints/build_gears.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "deck/build/part.hpp"
+#include "deck/joints/joint_coordinates.hpp"
+#include "deck/schema/choices.hpp"
+#include "deck/schema/suggestion.hpp"
+
+namespace gxrod {
+namespace {
+
+class GearBuilder {
+  public:
+    GearBuilder(const CheckedTable& table, const BuildContext& context) : table_(table), context_(context) {}
+
+    // nullopt, with a fault here or of one of its joints, if it is not complete.
+    std::optional<Gear> build() const {
+        Gear gear;
+        gear.name = table_.name;
+        gear.ratio = table_.get<double>("ratio");
+        if (gear.ratio == 0.0)
+            context_.add_fault(
+                table_, "ratio", "a ratio of 0 does not tie the joints; expected another number");
+        const auto& words = table_.get<std::vector<CheckedWord>>("joints");
+        bool is_complete = true;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const std::optional<GearSide> side = find_side(words[i]);
+            is_complete = is_complete && side;
+            if (side) gear.sides[i] = *side;
+        }
+        if (!is_complete) return std::nullopt;
+        if (gear.sides[0].joint == gear.sides[1].joint) {
+            const std::string& name = context_.model.joints[gear.sides[0].joint].name;
+            add(words[1],
+                fmt::format("both are of joint {}; expected another joint, or a screw for its turn and slide",
+                            name));
+        }
+        return gear;
+    }
+
+  private:
+    void add(const CheckedWord& word, std::string message) const {
+        context_.faults.add(word.place, word.path, std::move(message));
+    }
+
+    std::optional<GearSide> find_side(const CheckedWord& word) const {
+        const std::size_t dot = word.word.find('.');
+        const std::string name = word.word.substr(0, dot);
+        const std::vector<CheckedTable>& tables = context_.deck.tables("joint");
+        const std::optional<int> table = find_index(tables, name);
+        if (!table) {
+            add(word, explain_unknown(name));
+            return std::nullopt;
+        }
+        const JointKind kind = value_of(joint_kind_choices, tables[*table].get<std::string>("type"));
+        const std::string given = dot == std::string::npos ? "" : word.word.substr(dot + 1);
+        const std::string coordinate = given.empty() ? std::string(plain_coordinate(kind)) : given;
+        const std::string reason = explain_coordinate(name, kind, coordinate);
+        if (!reason.empty()) {
+            add(word, reason);
+            return std::nullopt;
+        }
+        const auto joint = std::ranges::find(context_.model.joints, name, &Joint::name);
+        if (joint == context_.model.joints.end()) return std::nullopt;
+        return GearSide{static_cast<int>(joint - context_.model.joints.begin()), coordinate == "turn"};
+    }
+
+    std::string explain_unknown(const std::string& name) const {
+        std::vector<std::string> known;
+        for (const CheckedTable& joint : context_.deck.tables("joint")) known.push_back(joint.name);
+        const std::string nearest = did_you_mean(name, known);
+        const std::string hint = !nearest.empty() ? nearest
+                                 : known.empty()  ? "; the deck has no joint"
+                                                  : "; the deck has " + plain_list(known);
+        return fmt::format("no joint \"{}\"{}", name, hint);
+    }
+
+    // Why a joint of this kind cannot be tied by it, or "".
+    static std::string explain_coordinate(const std::string& name,
+                                          JointKind kind,
+                                          const std::string& coordinate) {
+        Joint joint;
+        joint.kind = kind;
+        const std::string type = kind == JointKind::free ? "free joint" : word_of(joint_kind_choices, kind);
+        if (coordinate.empty()) {
+            return fmt::format(
+                "a {} has a turn and a slide; expected \"{}.turn\" or \"{}.slide\"", type, name, name);
+        }
+        if (kind == JointKind::sleeve) return "a gear cannot tie the slide of a sleeve";
+        if (!joint.has_turn() && !joint.has_slide())
+            return fmt::format("a {} has no turn about one axis and no slide that a gear could tie", type);
+        if (coordinate != "turn" && coordinate != "slide")
+            return fmt::format("no coordinate \"{}\"; expected turn or slide", coordinate);
+        const bool has_it = coordinate == "turn" ? joint.has_turn() : joint.has_slide();
+        return has_it ? "" : fmt::format("a {} has no {}", type, coordinate);
+    }
+
+    const CheckedTable& table_;
+    const BuildContext& context_;
+};
+
+}  // namespace
+
+void build_gears(BuildContext& context) {
+    for (const CheckedTable& table : context.deck.tables("gear")) {
+        if (std::optional<Gear> gear = GearBuilder(table, context).build())
+            context.model.gears.push_back(std::move(*gear));
+    }
+}
+
+}  // namespace gxrod

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "deck/build/build_context.hpp"
+
+namespace gxrod {
+
+// The gears of a deck. After build_joints.
+void build_gears(BuildContext& context);
+
+}  // namespace gxrod

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+namespace gxrod {
+
+// A coordinate that a joint leaves free.
+struct GearSide {
+    int joint = 0;        // index in Model::joints
+    bool is_turn = true;  // otherwise the slide
+};
+
+// Ties the coordinates of two joints: ratio × first + second = 0, both since t = 0.
+struct Gear {
+    std::string name;
+    std::array<GearSide, 2> sides{};
+    double ratio = 1.0;
+};
+
+}  // namespace gxrod
