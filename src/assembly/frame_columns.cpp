@@ -33,6 +33,10 @@ Model without_supports(const Model& model) {
     Model other = model;
     other.plane.reset();
     other.supports.clear();
+    // Joints follow a rigid motion without a force: a frame that turns adds nothing to theirs.
+    other.joints.clear();
+    other.gears.clear();
+    other.sleeves.clear();
     return other;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "check/mechanism/joint_gradient.hpp"
+#include "constraints/joints/list_wide_rows.hpp"
+#include "elements/bushing_element.hpp"
 #include "elements/spring_element.hpp"
 #include "rotation/rotation_map.hpp"
 
@@ -13,12 +15,12 @@ namespace {
 
 // Of rows with entries up to 1, and of what a motion of length 1 moves a part: zero.
 constexpr double round_off = 1e-9;
-// So many parts that springs and joints tie to each other are not examined: it would take longer than a user
-// waits.
+// So many parts that springs, bushings and joints tie to each other are not examined: it would take longer
+// than a user waits.
 constexpr std::size_t most_parts = 200;
 
-// Parts that springs and joints tie to each other. A motion of theirs is (v, size · ω) about the centre of
-// each, one after the other.
+// Parts that springs, bushings and joints tie to each other. A motion of theirs is (v, size · ω) about the
+// centre of each, one after the other.
 class TiedParts {
   public:
     TiedParts(const Model& model, std::vector<ModelPart> parts) : model_(model), parts_(std::move(parts)) {
@@ -43,13 +45,27 @@ class TiedParts {
         }
         for (const int index : whole.springs) {
             const Spring& spring = model_.springs[index];
-            if (spring.stiffness == 0.0) continue;
-            add(spring.has_ground() ? build_rows<1>(spring) : build_rows<2>(spring));
+            if (spring.stiffness == 0.0 && !spring.law) continue;
+            add(spring.has_ground() ? build_rows<SpringElement<1>>(spring)
+                                    : build_rows<SpringElement<2>>(spring));
+        }
+        for (const int index : whole.bushings) {
+            const Bushing& bushing = model_.bushings[index];
+            add(bushing.has_ground() ? build_rows<BushingElement<1>>(bushing)
+                                     : build_rows<BushingElement<2>>(bushing));
         }
         for (const int index : whole.joints) {
             const Joint& joint = model_.joints[index];
             add(carry(joint, compute_start_gradient(model_, joint)));
             add(carry(joint, find_sprung_gradients(joint)));
+        }
+        for (const auto& rows : list_wide_rows(model_)) {
+            const WideGradient gradient = compute_start_gradient(model_, *rows);
+            if (std::ranges::binary_search(whole.nodes, gradient.nodes.front())) add(carry(gradient));
+        }
+        for (const int index : whole.sleeves) {
+            if (model_.sleeves[index].slide.stiffness > 0.0)
+                add(carry(compute_slide_gradient(model_, index)));
         }
         Eigen::MatrixXd all(count, unknowns());
         Eigen::Index row = 0;
@@ -109,11 +125,26 @@ class TiedParts {
         };
         add(joint.a.anchor, 0);
         add(joint.b.anchor, 6);
-        for (Eigen::Index row = 0; row < carried.rows(); ++row) {
-            const double largest = carried.row(row).cwiseAbs().maxCoeff();
-            if (largest > 0.0) carried.row(row) /= largest;
-        }
+        scale_rows(carried);
         return carried;
+    }
+    Eigen::MatrixXd carry(const WideGradient& gradient) const {
+        Eigen::MatrixXd carried = Eigen::MatrixXd::Zero(gradient.rows.rows(), unknowns());
+        for (std::size_t i = 0; i < gradient.nodes.size(); ++i) {
+            const std::size_t part = part_of(gradient.nodes[i]);
+            carried.middleCols<6>(6 * static_cast<Eigen::Index>(part)) +=
+                gradient.rows.middleCols<6>(6 * static_cast<Eigen::Index>(i)) *
+                carry(part, gradient.nodes[i]);
+        }
+        scale_rows(carried);
+        return carried;
+    }
+
+    static void scale_rows(Eigen::MatrixXd& rows) {
+        for (Eigen::Index row = 0; row < rows.rows(); ++row) {
+            const double largest = rows.row(row).cwiseAbs().maxCoeff();
+            if (largest > 0.0) rows.row(row) /= largest;
+        }
     }
 
     // Of the coordinates that springs of the joint hold.
@@ -125,10 +156,11 @@ class TiedParts {
         return rows;
     }
 
-    // The spring's tangent at t = 0, of these motions, with entries up to 1.
-    template <int Nodes>
-    Eigen::MatrixXd build_rows(const Spring& spring) const {
-        const SpringElement<Nodes> element(spring);
+    // The tangent at t = 0 of a spring or a bushing, of these motions, with entries up to 1.
+    template <class E, class Tie>
+    Eigen::MatrixXd build_rows(const Tie& tie) const {
+        constexpr int Nodes = E::node_count;
+        const E element(tie);
         std::array<NodeMotion, Nodes> at_start;
         Motions<Nodes> motions;
         Eigen::MatrixXd carried = Eigen::MatrixXd::Zero(6 * Nodes, unknowns());
@@ -162,7 +194,11 @@ Eigen::MatrixXd find_held_rows(const Eigen::MatrixXd& columns) {
     return svd.matrixU().rightCols(6 - rank).transpose();
 }
 
-// Calls visit(parts tied by rods, whole) for each part of the model.
+bool has_ties(const ModelPart& part) {
+    return !part.springs.empty() || !part.bushings.empty() || !part.joints.empty() || !part.sleeves.empty();
+}
+
+// Calls visit(parts tied by rods, the whole part) for each part of the model.
 template <class Visit>
 void for_each_whole(const Model& model, Visit&& visit) {
     const std::vector<ModelPart> tied_by_rods = find_parts(model, Ties::rods);
@@ -188,8 +224,8 @@ std::vector<FreePart> find_free_parts(const Model& model) {
         if (!motions.empty()) free.push_back({part, std::move(motions)});
     };
     for_each_whole(model, [&](const std::vector<ModelPart>& parts, const ModelPart& whole) {
-        if (!whole.joints.empty()) return;
-        if (whole.springs.empty()) return add(parts.front(), find_unsupported_motions(model, parts.front()));
+        if (!whole.joints.empty() || !whole.sleeves.empty()) return;
+        if (!has_ties(whole)) return add(parts.front(), find_unsupported_motions(model, parts.front()));
         if (parts.size() > most_parts) return;
         const Eigen::MatrixXd motions = TiedParts(model, parts).find_free_motions(whole);
         for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -204,7 +240,7 @@ std::vector<FreePart> find_free_parts(const Model& model) {
 std::vector<FreeMechanism> find_free_mechanisms(const Model& model) {
     std::vector<FreeMechanism> free;
     for_each_whole(model, [&](const std::vector<ModelPart>& parts, const ModelPart& whole) {
-        if (whole.joints.empty() || parts.size() > most_parts) return;
+        if ((whole.joints.empty() && whole.sleeves.empty()) || parts.size() > most_parts) return;
         const TiedParts tied(model, parts);
         const Eigen::MatrixXd motions = tied.find_free_motions(whole);
         if (motions.cols() == 0) return;
@@ -223,7 +259,7 @@ std::vector<FreeMechanism> find_free_mechanisms(const Model& model) {
 std::size_t count_free_motions(const Model& model) {
     std::size_t count = 0;
     for_each_whole(model, [&](const std::vector<ModelPart>& parts, const ModelPart& whole) {
-        if (whole.springs.empty() && whole.joints.empty()) {
+        if (!has_ties(whole)) {
             count += find_unsupported_motions(model, parts.front()).size();
         } else if (parts.size() <= most_parts) {
             count += static_cast<std::size_t>(TiedParts(model, parts).find_free_motions(whole).cols());

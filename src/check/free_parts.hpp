@@ -12,16 +12,18 @@ struct FreePart {
     std::vector<UnsupportedMotion> motions;  // at least one
 };
 
-// Parts that joints tie to each other, and what joints, motors, supports and springs leave them at t = 0.
+// Parts that joints tie to each other, and what joints, motors, supports, springs and bushings leave them at
+// t = 0.
 struct FreeMechanism {
     ModelPart whole;
     std::size_t motions = 0;  // at least 1
     std::vector<int> joints;  // indices in Model::joints: those that move then
 };
 
-// What supports and springs leave free, of parts without joints. A spring holds what its tangent resists: a
-// motion along its line and, where it pulls or pushes at t = 0, across it. A part that moves together with
-// others by springs is listed with all of its share in such motions.
+// What supports, springs and bushings leave free, of parts without joints. A spring or a bushing holds what
+// its tangent resists; a spring a motion along its line and, where it pulls or pushes at t = 0, across it. A
+// part that moves together with others by springs or bushings is listed with all of its share in such
+// motions.
 std::vector<FreePart> find_free_parts(const Model& model);
 
 // Those that have free motions.

@@ -24,7 +24,7 @@ bool pushes_out(const Load& load, int normal) {
 
 std::string find_push(const Model& model, int normal) {
     for (const NodalLoad& load : model.loads) {
-        if (pushes_out(load, normal)) return load.key;
+        if (load.motion_force || pushes_out(load, normal)) return load.key;
     }
     for (const DistributedLoad& load : model.distributed_loads) {
         if (pushes_out(load, normal)) return load.key;
@@ -70,12 +70,13 @@ bool lies_in_plane(const Model& model, int normal) {
                 return false;
         }
     }
+    if (!model.bushings.empty()) return false;  // they may push out
     for (const Spring& spring : model.springs) {
-        for (const SpringEnd& end : spring.ends) {
+        for (const Anchor& end : spring.ends) {
             if (std::abs(find_place(model, end)[normal] - height) > in_plane * size) return false;
         }
     }
-    if (!model.joints.empty()) return false;
+    if (!model.joints.empty() || !model.sleeves.empty()) return false;
     return std::all_of(model.supports.begin(), model.supports.end(), [&](const Support& support) {
         const int across = find_normal(support.axes, normal);
         if (across < 0) return false;

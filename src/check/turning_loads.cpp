@@ -63,22 +63,39 @@ std::string find_unsteady_load(const Model& model, const TurningFrame& frame) {
                "or make the motion a dynamic analysis";
     }
     for (const NodalLoad& load : model.loads) {
+        if (load.motion_force) {
+            return fmt::format(
+                "{} depends on where its point is and how fast it moves, as seen from space: in a frame that "
+                "turns it is not steady. Make the motion a dynamic analysis",
+                load.key);
+        }
         if (!is_steady(load, frame.axis)) return describe(load.key);
     }
     for (const DistributedLoad& load : model.distributed_loads) {
         const double length = model.rods[static_cast<std::size_t>(load.rod)].length;
         if (!is_steady(load, length, frame.axis)) return describe(load.key);
     }
+    const auto describe_tie = [](const std::string& tie, const char* where) {
+        return fmt::format(
+            "{} is tied to the ground{}, and the ground does not turn: in a frame that turns it is not "
+            "steady. Tie it to a supported point, which turns, or make the motion a dynamic analysis",
+            tie,
+            where);
+    };
     for (const Spring& spring : model.springs) {
-        for (const SpringEnd& end : spring.ends) {
+        for (const Anchor& end : spring.ends) {
             if (!end.is_ground() || is_along(end.arm - frame.through, frame.axis)) continue;
-            return fmt::format(
-                "spring.{} is tied to the ground off the axis of rotation, and the ground does not turn: in "
-                "a "
-                "frame that turns it is not steady. Tie it to a supported point, which turns, or make the "
-                "motion a dynamic analysis",
-                spring.name);
+            return describe_tie("spring." + spring.name, " off the axis of rotation");
         }
+    }
+    for (const Bushing& bushing : model.bushings) {
+        if (bushing.has_ground()) return describe_tie("bushing." + bushing.name, "");
+    }
+    for (const Joint& joint : model.joints) {
+        if (joint.has_ground()) return describe_tie("joint." + joint.name, "");
+    }
+    for (const Sleeve& sleeve : model.sleeves) {
+        if (sleeve.point.is_ground()) return describe_tie("joint." + sleeve.name, "");
     }
     return "";
 }

@@ -167,12 +167,15 @@ namespace {
 // Pairs of nodes, the lower one first.
 using TiedNodes = std::set<std::pair<int, int>>;
 
-// Between which there are springs or joints.
+// Between which there are springs, bushings or joints.
 TiedNodes find_ties(const Model& model) {
     TiedNodes ties;
     const auto add = [&](const Anchor& a, const Anchor& b) { ties.insert(std::minmax(a.node, b.node)); };
     for (const Spring& spring : model.springs) add(spring.ends[0], spring.ends[1]);
+    for (const Bushing& bushing : model.bushings) add(bushing.ends[0], bushing.ends[1]);
     for (const Joint& joint : model.joints) add(joint.a.anchor, joint.b.anchor);
+    for (const Sleeve& sleeve : model.sleeves)
+        add(sleeve.point, Anchor{.node = model.rods[sleeve.rod].nodes.front()});
     return ties;
 }
 

@@ -56,11 +56,17 @@ NodeSets tie_nodes(const Model& model, Ties ties) {
     NodeSets sets(model.nodes.size());
     for (const Rod& rod : model.rods) join_rod(rod, sets);
     if (ties == Ties::rods) return sets;
-    for (const Spring& spring : model.springs) {
-        if (!spring.has_ground()) sets.join(spring.ends[0].node, spring.ends[1].node);
-    }
-    for (const Joint& joint : model.joints) {
-        if (!joint.has_ground()) sets.join(joint.a.anchor.node, joint.b.anchor.node);
+    const auto join = [&](const Anchor& a, const Anchor& b) {
+        if (!a.is_ground() && !b.is_ground()) sets.join(a.node, b.node);
+    };
+    for (const Spring& spring : model.springs) join(spring.ends[0], spring.ends[1]);
+    for (const Bushing& bushing : model.bushings) join(bushing.ends[0], bushing.ends[1]);
+    for (const Joint& joint : model.joints) join(joint.a.anchor, joint.b.anchor);
+    for (const Sleeve& sleeve : model.sleeves)
+        join(sleeve.point, Anchor{.node = model.rods[sleeve.rod].nodes.front()});
+    for (const Gear& gear : model.gears) {
+        const auto moved = [&](const GearSide& side) { return model.joints[side.joint].moving_anchor(); };
+        join(moved(gear.sides[0]), moved(gear.sides[1]));
     }
     return sets;
 }
@@ -100,9 +106,18 @@ std::vector<ModelPart> find_parts(const Model& model, Ties ties) {
         for (const Anchor& end : model.springs[spring].ends)
             add_tie(end, spring, part_of, &ModelPart::springs, parts);
     }
+    for (int bushing = 0; bushing < static_cast<int>(model.bushings.size()); ++bushing) {
+        for (const Anchor& end : model.bushings[bushing].ends)
+            add_tie(end, bushing, part_of, &ModelPart::bushings, parts);
+    }
     for (int joint = 0; joint < static_cast<int>(model.joints.size()); ++joint) {
         for (const JointSide* side : {&model.joints[joint].a, &model.joints[joint].b})
             add_tie(side->anchor, joint, part_of, &ModelPart::joints, parts);
+    }
+    for (int sleeve = 0; sleeve < static_cast<int>(model.sleeves.size()); ++sleeve) {
+        const Rod& rod = model.rods[model.sleeves[sleeve].rod];
+        for (const Anchor& end : {model.sleeves[sleeve].point, Anchor{.node = rod.nodes.front()}})
+            add_tie(end, sleeve, part_of, &ModelPart::sleeves, parts);
     }
     return parts;
 }

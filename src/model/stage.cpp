@@ -15,7 +15,8 @@ Actions take_actions(Model& model) {
             std::exchange(model.supports, {}),
             std::exchange(model.rotation, {}),
             std::exchange(model.has_inertia, true),
-            model.joints};
+            model.joints,
+            model.sleeves};
 }
 
 void set_actions(Actions actions, Model& model) {
@@ -26,6 +27,7 @@ void set_actions(Actions actions, Model& model) {
     model.rotation = std::move(actions.rotation);
     model.has_inertia = actions.has_inertia;
     model.joints = std::move(actions.joints);
+    model.sleeves = std::move(actions.sleeves);
 }
 
 bool follows_limits(std::span<const StagePlan> stages) {

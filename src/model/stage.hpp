@@ -21,6 +21,7 @@ struct Actions {
     std::optional<TurningFrame> rotation = {};
     bool has_inertia = true;
     std::vector<Joint> joints = {};  // those of the model, with what acts on their coordinates
+    std::vector<Sleeve> sleeves = {};
 };
 
 struct StagedModel;

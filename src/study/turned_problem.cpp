@@ -70,6 +70,15 @@ LineFunctions turn(const Quat& rotation, const LineFunctions& functions) {
     return turned;
 }
 
+// Of a load's force that depends on the motion, in the load's frame.
+MotionForce turn(const Quat& rotation, const MotionForce& force, Frame frame) {
+    const Mat3 R = rotation.toRotationMatrix();
+    const Mat3 out = frame == Frame::body ? Mat3(Mat3::Identity()) : R;
+    return [R, out, force](double time, const Vec3& position, const Vec3& velocity) -> Vec3 {
+        return out * force(time, R.transpose() * position, R.transpose() * velocity);
+    };
+}
+
 TimeVector turn(const Quat& rotation, const TimeVector& vector) {
     if (vector.is_constant()) return TimeVector(rotation * vector(0.0));
     return TimeVector(turn(rotation, vector.components()));
@@ -89,7 +98,11 @@ void turn_model(const Quat& rotation, Model& model) {
     }
     for (Body& body : model.bodies) body.attitude = rotation * body.attitude;
     for (Spring& spring : model.springs) {
-        for (SpringEnd& end : spring.ends) end.arm = rotation * end.arm;
+        for (Anchor& end : spring.ends) end.arm = rotation * end.arm;
+    }
+    for (Bushing& bushing : model.bushings) {
+        for (Anchor& end : bushing.ends) end.arm = rotation * end.arm;
+        bushing.axes = rotation * bushing.axes;
     }
     for (Joint& joint : model.joints) {
         for (JointSide* side : {&joint.a, &joint.b}) {
@@ -97,9 +110,11 @@ void turn_model(const Quat& rotation, Model& model) {
             side->axes = rotation * side->axes;
         }
     }
+    for (Sleeve& sleeve : model.sleeves) sleeve.point.arm = rotation * sleeve.point.arm;
     for (Support& support : model.supports) support.axes = rotation * support.axes;
     for (NodalLoad& load : model.loads) {
         load.axes = rotation * load.axes;
+        if (load.motion_force) load.motion_force = turn(rotation, load.motion_force, load.frame);
         if (load.frame == Frame::body) continue;
         load.force = turn(rotation, load.force);
         load.moment = turn(rotation, load.moment);
@@ -120,6 +135,8 @@ void turn_problem(const Quat& rotation, Problem& problem) {
 
 Turning turning_of(Quantity quantity, const HistoryRequest& request) {
     if (request.relative_node >= 0) return Turning::none;
+    const bool is_spatial = quantity == Quantity::force_spatial || quantity == Quantity::moment_spatial;
+    if (request.bushing >= 0) return is_spatial ? Turning::vector : Turning::none;
     switch (quantity) {
         case Quantity::angular_velocity_material:
             return Turning::none;

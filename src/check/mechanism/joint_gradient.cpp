@@ -1,5 +1,7 @@
 #include "check/mechanism/joint_gradient.hpp"
 
+#include "constraints/joints/sleeve_rows.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -27,6 +29,24 @@ Eigen::Matrix<double, Eigen::Dynamic, 12> compute_coordinate_gradients(const Mod
     if (coordinates.turn) rows.row(0) = coordinates.turn->compute_gradient({a, b});
     if (coordinates.slide) rows.bottomRows<1>() = coordinates.slide->compute_gradient({a, b});
     return rows;
+}
+
+WideGradient compute_slide_gradient(const Model& model, int sleeve) {
+    Model moved = model;
+    moved.sleeves[static_cast<std::size_t>(sleeve)].slide.motion = TimeFunction(0.0);
+    const SleeveRows rows(moved, moved.sleeves[static_cast<std::size_t>(sleeve)]);
+    WideGradient gradient = compute_start_gradient(moved, rows);
+    gradient.rows = gradient.rows.bottomRows(1).eval();
+    return gradient;
+}
+
+WideGradient compute_start_gradient(const Model& model, const WideRows& rows) {
+    State state;
+    for (const Node& node : model.nodes) state.previous.emplace_back().r = node.position;
+    // Everything is 0 at the start, for whatever the rows look up.
+    state.joints_previous.resize(model.joints.size() + model.gears.size() + model.sleeves.size());
+    const WidePlace start{state.previous, state, JointState{}, 0.0};
+    return {rows.list_nodes(start), rows.compute_gradient(start)};
 }
 
 }  // namespace gxrod

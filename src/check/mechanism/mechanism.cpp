@@ -11,6 +11,7 @@
 
 #include "check/mechanism/joint_gradient.hpp"
 #include "check/unsupported_motions.hpp"
+#include "constraints/joints/gear_rows.hpp"
 
 namespace gxrod {
 namespace {
@@ -23,7 +24,7 @@ constexpr std::size_t most_parts = 60;
 // The equations of a mechanism, by (v, size · ω) of its bodies, each of length 1.
 struct Equations {
     struct Row {
-        int joint = -1;  // −1: of a support
+        int joint = -1;  // −1: of a support; gears behind the joints
         bool is_motor = false;
         Eigen::RowVectorXd values;
     };
@@ -46,6 +47,7 @@ class EquationBuilder {
         built.columns = count_columns();
         for (const auto& [node, column] : column_) add_supports(node, column, built);
         for (const int joint : mechanism_.joints) add_joint(joint, built);
+        for (const int gear : mechanism_.gears) add_gear(gear, built);
         return built;
     }
 
@@ -96,16 +98,30 @@ class EquationBuilder {
             Equations::Row row{
                 .joint = index, .is_motor = is_motor, .values = Eigen::RowVectorXd::Zero(all_columns())};
             const double scale = rows.is_length(i) ? 1.0 : size_;
-            add_side(joint.a.anchor, scale * gradient.row(i).head<6>(), row.values);
-            add_side(joint.b.anchor, scale * gradient.row(i).tail<6>(), row.values);
+            add_node(joint.a.anchor.node, scale * gradient.row(i).head<6>(), row.values);
+            add_node(joint.b.anchor.node, scale * gradient.row(i).tail<6>(), row.values);
             add(std::move(row), built);
         }
     }
 
-    void add_side(const Anchor& anchor, Eigen::Matrix<double, 1, 6> row, Eigen::RowVectorXd& values) const {
-        if (anchor.is_ground()) return;
+    void add_gear(int index, Equations& built) const {
+        const GearRows rows(model_, model_.gears[index]);
+        const WideGradient gradient = compute_start_gradient(model_, rows);
+        Equations::Row row{.joint = static_cast<int>(model_.joints.size()) + index,
+                           .values = Eigen::RowVectorXd::Zero(all_columns())};
+        const double scale = rows.is_length(0) ? 1.0 : size_;
+        for (std::size_t i = 0; i < gradient.nodes.size(); ++i) {
+            const auto first = 6 * static_cast<Eigen::Index>(i);
+            add_node(gradient.nodes[i], scale * gradient.rows.middleCols<6>(first), row.values);
+        }
+        add(std::move(row), built);
+    }
+
+    // −1: the ground.
+    void add_node(int node, Eigen::Matrix<double, 1, 6> row, Eigen::RowVectorXd& values) const {
+        if (node < 0) return;
         row.tail<3>() /= size_;
-        values.segment<6>(column_.at(anchor.node)) += row;
+        values.segment<6>(column_.at(node)) += row;
     }
 
     const Model& model_;
@@ -195,7 +211,12 @@ class BodySets {
         for (const Joint& joint : model.joints) {
             const int a = body_of(joint.a.anchor);
             const int b = body_of(joint.b.anchor);
-            if (a >= 0 && b >= 0) parents_[find(std::max(find(a), find(b)))] = std::min(find(a), find(b));
+            if (a >= 0 && b >= 0) unite(a, b);
+        }
+        for (const Gear& gear : model.gears) {
+            const int first = body_of(model.joints[gear.sides[0].joint]);
+            const int second = body_of(model.joints[gear.sides[1].joint]);
+            if (first >= 0 && second >= 0) unite(first, second);
         }
     }
 
@@ -203,6 +224,7 @@ class BodySets {
         std::map<int, Mechanism> by_first;
         for (int index = 0; index < static_cast<int>(model_.joints.size()); ++index)
             add_joint(index, by_first);
+        for (int index = 0; index < static_cast<int>(model_.gears.size()); ++index) add_gear(index, by_first);
         for (int body = 0; body < static_cast<int>(model_.bodies.size()); ++body) {
             if (body_of_node_[model_.bodies[body].node] != body) continue;
             const auto found = by_first.find(find(body));
@@ -237,6 +259,27 @@ class BodySets {
         mechanism.motors += int(joint.turn.motion.has_value()) + int(joint.slide.motion.has_value());
     }
 
+    // A body that the joint ties, and −1 if it also ties a point of a rod, or no body.
+    int body_of(const Joint& joint) const {
+        for (const JointSide* side : {&joint.a, &joint.b}) {
+            if (!side->anchor.is_ground() && body_of(side->anchor) < 0) return -1;
+        }
+        return body_of(joint.moving_anchor());
+    }
+
+    // One with a joint of rods is among what the numbers leave out.
+    void add_gear(int index, std::map<int, Mechanism>& by_first) {
+        const std::array<GearSide, 2>& sides = model_.gears[index].sides;
+        const int first = body_of(model_.joints[sides[0].joint]);
+        const int second = body_of(model_.joints[sides[1].joint]);
+        if (first >= 0 && second >= 0) by_first[find(first)].gears.push_back(index);
+    }
+
+    void unite(int a, int b) {
+        const auto [first, second] = std::minmax({find(a), find(b)});
+        parents_[second] = first;
+    }
+
     const Model& model_;
     std::vector<int> body_of_node_;
     std::vector<int> parents_;
@@ -246,11 +289,17 @@ std::string count_words(int number, const char* one, const char* several) {
     return fmt::format("{} {}", number, number == 1 ? one : several);
 }
 
+// Of a joint, or of a gear behind them.
+std::string name_of(int index, const Model& model) {
+    const int joints = static_cast<int>(model.joints.size());
+    return index < joints ? model.joints[index].name : "gear " + model.gears[index - joints].name;
+}
+
 std::string list_names(const std::vector<int>& joints, const Model& model) {
     constexpr std::size_t most = 8;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < std::min(joints.size(), most); ++i)
-        names.push_back(model.joints[joints[i]].name);
+        names.push_back(name_of(joints[i], model));
     const std::string text = fmt::format("{}", fmt::join(names, ", "));
     return joints.size() > most ? fmt::format("{} and {} more", text, joints.size() - most) : text;
 }
@@ -283,6 +332,8 @@ std::string describe(const Mechanism& mechanism, const std::string& name, const 
                                    name,
                                    count_words(static_cast<int>(mechanism.bodies.size()), "body", "bodies"),
                                    count_words(static_cast<int>(mechanism.joints.size()), "joint", "joints"));
+    if (!mechanism.gears.empty())
+        text += ", " + count_words(static_cast<int>(mechanism.gears.size()), "gear", "gears");
     if (mechanism.joints_to_rods > 0) text += fmt::format(" and {} to rods", mechanism.joints_to_rods);
     if (!mechanism.is_counted) return text + "; too many to count free motions\n";
     text += fmt::format(", {}", count_words(mechanism.equations, "equation", "equations"));

@@ -13,6 +13,7 @@ struct Mechanism {
     std::vector<int> bodies;  // indices in Model::bodies
     std::vector<int> joints;  // in Model::joints: those between these bodies and the ground
     int joints_to_rods = 0;   // others, which the numbers below leave out
+    std::vector<int> gears;   // in Model::gears: those between these joints
     int motors = 0;
     bool is_counted = false;  // whether it is small enough for what follows
 
@@ -20,7 +21,7 @@ struct Mechanism {
     int redundant = 0;     // equations that follow from the others and from supports
     int free_motions = 0;  // that joints and supports leave; motors move some of them
     int unmoved = 0;       // those that motors leave
-    std::vector<int> redundant_joints;    // whose equations these are, in Model::joints
+    std::vector<int> redundant_joints;    // whose equations these are, in Model::joints; gears behind them
     std::vector<int> conflicting_motors;  // joints whose motors move what is held or moved otherwise
     bool has_redundant_supports = false;  // whether supports are among what holds several times
 };

@@ -14,7 +14,7 @@
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t form_version = 9;  // of /restart; raise it with every change
+inline constexpr std::int64_t form_version = 10;  // of /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 using Vec1 = Eigen::Matrix<double, 1, 1>;
@@ -38,7 +38,8 @@ void visit_vectors(Row& row, Visitor&& visit) {
         visit(row.alpha);
     } else if constexpr (std::is_same_v<Kind, JointState>) {
         visit(Eigen::Map<std::conditional_t<std::is_const_v<Row>, const Vec6, Vec6>>(row.multipliers.data()));
-        for (auto* number : {&row.turn, &row.turn_slip, &row.slide_slip}) visit_vectors(*number, visit);
+        for (auto* number : {&row.turn, &row.slide, &row.turn_slip, &row.slide_slip})
+            visit_vectors(*number, visit);
     } else if constexpr (std::is_same_v<Kind, double>) {
         visit(Eigen::Map<std::conditional_t<std::is_const_v<Row>, const Vec1, Vec1>>(&row));
     } else {

@@ -1,0 +1,220 @@
+// Beads on rods whose motion is known.
+
+#include <array>
+#include <cmath>
+#include <complex>
+
+#include "tools/recorded_motion.hpp"
+
+using namespace gxrod;
+using namespace gxrod::tools;
+using Catch::Contains;
+using test::replaced;
+
+namespace {
+
+using Motion = RecordedMotion;
+
+const std::vector<std::string> schemes{
+    "newmark-simplified", "newmark-ibrahimbegovic", "generalized-alpha", "sdirk-4", "runge-kutta-4"};
+
+std::vector<std::string> with(const std::string& scheme, const std::string& step) {
+    std::vector<std::string> overrides{"analysis.integrator=\"" + scheme + "\"",
+                                       "analysis.time_step=" + step};
+    if (scheme != "runge-kutta-4") overrides.push_back("analysis.newton.tolerance=1e-12");
+    return overrides;
+}
+
+// A rod whose nodes are moved turns at 2 rad/s; a bead flies out, s = 0.1 cosh 2t.
+const std::string turning_rod = R"deck(
+[section.s]
+stiffness = { EA = 1e3, GAy = 1e3, GAz = 1e3, GJ = 1e3, EIy = 1e3, EIz = 1e3 }
+inertia = { rhoA = 1, rhoIy = 1, rhoIz = 1 }
+[rod.spoke]
+section = "s"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 1
+[[initial]]
+on = "spoke"
+velocity = [0, "2*s", 0]
+angular_velocity = [0, 0, 2]
+[[support]]
+at = "spoke.start"
+fix = "position"
+move = { rx = 0, ry = 0, rz = "2*t" }
+[[support]]
+at = "spoke.end"
+move = { x = "cos(2*t) - 1", y = "sin(2*t)", z = 0, rx = 0, ry = 0, rz = "2*t" }
+[body.bead]
+mass = 0.3
+inertia = [1e-4, 1e-4, 1e-4]
+at = [0.1, 0, 0]
+velocity = [0, 0.2, 0]
+[joint.sleeve]
+type = "sleeve"
+between = ["spoke", "bead"]
+[analysis]
+kind = "dynamic"
+end_time = 1.4
+time_step = 0.02
+[[history]]
+name = "sleeve"
+at = "sleeve"
+quantities = ["slide", "slide_rate", "force", "gap"]
+)deck";
+
+// Without gravity; a bead on a rod at rest, along x, held at both ends.
+const std::string resting_rod = R"deck(
+[section.s]
+stiffness = { EA = 1e3, GAy = 500, GAz = 500, GJ = 4, EIy = 5, EIz = 5 }
+inertia = { rhoA = 1, rhoIy = 0.01, rhoIz = 0.01 }
+[rod.bar]
+section = "s"
+line = { from = [0, 0, 0], to = [2, 0, 0] }
+elements = 1
+[[support]]
+at = "bar.start"
+fix = "all"
+[[support]]
+at = "bar.end"
+fix = "all"
+[body.bead]
+mass = 0.5
+inertia = [1, 1, 1]
+at = [1, 0, 0]
+[joint.sleeve]
+type = "sleeve"
+between = ["bar", "bead"]
+drive = "2*sin(3*t)"
+spring = { stiffness = 4, damping = 0.6 }
+[analysis]
+kind = "dynamic"
+end_time = 2
+time_step = 0.02
+[[history]]
+name = "sleeve"
+at = "sleeve"
+quantities = ["slide", "slide_rate"]
+)deck";
+
+// x'' m + c x' + k x = 2 sin 3t from rest.
+std::array<double, 2> swing(double t) {
+    constexpr double m = 0.5, c = 0.6, k = 4.0, w = 3.0;
+    const std::complex<double> i(0.0, 1.0);
+    const std::complex<double> forced = 2.0 / (k - m * w * w + i * w * c);
+    // x = Im(forced e^{iwt}) + e^{-dt} (A cos vt + B sin vt).
+    const double d = c / (2.0 * m), v = std::sqrt(k / m - d * d);
+    const double A = -forced.imag(), B = (d * A - w * forced.real()) / v;
+    const auto e = forced * std::exp(i * w * t);
+    const double decay = std::exp(-d * t), cosine = std::cos(v * t), sine = std::sin(v * t);
+    return {e.imag() + decay * (A * cosine + B * sine),
+            w * e.real() + decay * ((B * v - d * A) * cosine - (A * v + d * B) * sine)};
+}
+
+}  // namespace
+
+TEST_CASE("A bead flies out along a turning rod at the order of every scheme", "[analyses][joints][sleeve]") {
+    for (const char* name : {"newmark-simplified", "generalized-alpha", "sdirk-4"}) {
+        const std::string scheme = name;
+        INFO(scheme);
+        const auto errors = [&](const std::string& step) {
+            const Motion motion(turning_rod, with(scheme, step));
+            CHECK(motion.largest("/histories/sleeve/gap") < 1e-11);
+            const double slide = motion.at(1.4, "sleeve/slide")[0];
+            const std::vector<double> force = motion.at(1.4, "sleeve/force");
+            const double cosine = std::cos(2.8), sine = std::sin(2.8);
+            CHECK(std::abs(force[0] * cosine + force[1] * sine) < 1e-9);
+            const double across = force[1] * cosine - force[0] * sine;
+            return std::array{std::abs(slide - (0.1 * std::cosh(2.8) - 0.1)),
+                              std::abs(across - 1.2 * 0.2 * std::sinh(2.8))};
+        };
+        const auto coarse = errors("0.02"), fine = errors("0.01");
+        const double ratio = scheme == "sdirk-4" ? 12.0 : 3.6;
+        for (std::size_t i = 0; i < 2; ++i) CHECK(coarse[i] > ratio * fine[i]);
+        CHECK(fine[0] < 1e-3);
+    }
+}
+
+TEST_CASE("A bead on a rod swings between its spring and its drive", "[analyses][joints][sleeve]") {
+    for (const std::string& scheme : schemes) {
+        INFO(scheme);
+        const auto errors = [&](const std::string& step) {
+            const Motion motion(resting_rod, with(scheme, step));
+            const auto [x, v] = swing(2.0);
+            return std::array{std::abs(motion.at(2.0, "sleeve/slide")[0] - x),
+                              std::abs(motion.at(2.0, "sleeve/slide_rate")[0] - v)};
+        };
+        const auto coarse = errors("0.04"), fine = errors("0.02");
+        const double ratio = scheme == "sdirk-4" || scheme == "runge-kutta-4" ? 12.0 : 3.6;
+        for (std::size_t i = 0; i < 2; ++i) CHECK(coarse[i] > ratio * fine[i]);
+    }
+}
+
+TEST_CASE("A motor moves a bead along a rod, and works on it", "[analyses][joints][sleeve]") {
+    std::string deck = replaced(resting_rod, "drive = \"2*sin(3*t)\"", "move = \"0.2*t^2\"");
+    deck = replaced(deck, "spring = { stiffness = 4, damping = 0.6 }", "");
+    deck = replaced(deck, "\"slide_rate\"", "\"slide_rate\", \"drive\"");
+    const Motion motion(deck, with("sdirk-4", "0.02"));
+    CHECK(motion.at(2.0, "sleeve/slide")[0] == Approx(0.8).epsilon(1e-10));
+    CHECK(motion.at(1.0, "sleeve/drive")[0] == Approx(0.5 * 0.4).epsilon(1e-6));
+    CHECK(motion.all("/ledger/external_work").back() == Approx(0.25 * 0.8 * 0.8).epsilon(1e-6));
+    CHECK(motion.largest("/ledger/energy_error") < 1e-7);
+}
+
+TEST_CASE("A bead comes to rest by friction, and stays", "[analyses][joints][sleeve]") {
+    std::string deck = replaced(resting_rod, "drive = \"2*sin(3*t)\"", "friction = { force = 0.5 }");
+    deck = replaced(deck, "spring = { stiffness = 4, damping = 0.6 }", "");
+    deck = replaced(deck, "at = [1, 0, 0]", "at = [1, 0, 0]\nvelocity = [1, 0, 0]");
+    const Motion motion(deck, with("newmark-simplified", "0.005"));
+    // v = 1 - t: half a metre, at t = 1.
+    CHECK(motion.at(0.5, "sleeve/slide")[0] == Approx(0.375).epsilon(1e-4));
+    CHECK(motion.at(2.0, "sleeve/slide")[0] == Approx(0.5).epsilon(1e-3));
+    CHECK(motion.all("/ledger/dissipated_energy").back() == Approx(0.25).epsilon(1e-3));
+}
+
+TEST_CASE("A run with a sleeve that was stopped resumes to the last bit", "[analyses][joints][sleeve]") {
+    for (const std::string& scheme : schemes) {
+        INFO(scheme);
+        const Motion whole(turning_rod, with(scheme, "0.02")), resumed(turning_rod, with(scheme, "0.02"), 37);
+        for (const char* name :
+             {"/histories/sleeve/slide", "/histories/sleeve/force", "/ledger/energy_error"})
+            CHECK(whole.all(name) == resumed.all(name));
+    }
+}
+
+TEST_CASE("A bead that leaves its rod ends the run", "[analyses][joints][sleeve]") {
+    const Problem problem = test::read(turning_rod, {"analysis.end_time=2"});
+    const sample::ScratchFolder folder;
+    const RunSummary summary = run_problem(problem, folder / "run.vtkhdf");
+    CHECK(summary.status != RunStatus::complete);
+    CHECK_THAT(summary.reason, Contains("joint sleeve runs off the end of rod spoke at t = 1.5"));
+}
+
+TEST_CASE("A sleeve's motor has the time of its stage", "[analyses][joints][sleeve]") {
+    std::string deck = replaced(resting_rod, "drive = \"2*sin(3*t)\"", "move = 0.2");
+    deck = replaced(deck, "spring = { stiffness = 4, damping = 0.6 }", "");
+    deck = replaced(
+        deck,
+        "[analysis]\nkind = \"dynamic\"",
+        "[[stage]]\nname = \"push\"\nkind = \"static\"\nsteps = 4\n[[stage]]\nname = \"stay\"\nkind = "
+        "\"dynamic\"");
+    deck += "[[support]]\nat = \"bead\"\nfix = [\"rx\", \"ry\", \"rz\"]\n";
+    const Motion motion(deck);
+    CHECK(motion.at(-0.5, "sleeve/slide")[0] == Approx(0.1).epsilon(1e-12));
+    CHECK(motion.at(2.0, "sleeve/slide")[0] == Approx(0.2).epsilon(1e-12));
+}
+
+TEST_CASE("An eye holds a rod as a support does", "[analyses][joints][sleeve]") {
+    const auto deflect = [](const std::string& held) {
+        std::string deck = replaced(resting_rod, "elements = 1", "elements = 6");
+        deck = deck.substr(0, deck.find("[[support]]\nat = \"bar.end\"")) + held;
+        deck +=
+            "[[load]]\nat = \"bar.end\"\nforce = [0, -1e-5, 2e-5]\n[analysis]\nkind = \"static\"\n"
+            "[[history]]\nname = \"tip\"\nat = \"bar.end\"\nquantities = [\"displacement\"]\n";
+        return Motion(deck).at(1.0, "tip/displacement");
+    };
+    const std::vector<double> by_eye =
+        deflect("[joint.eye]\ntype = \"sleeve\"\nbetween = [\"bar\", \"ground\"]\nat = [1, 0, 0]\n");
+    const std::vector<double> by_support = deflect("[[support]]\nat = \"bar@0.5\"\nfix = [\"y\", \"z\"]\n");
+    for (std::size_t i = 1; i < 3; ++i) CHECK(by_eye[i] == Approx(by_support[i]).epsilon(1e-6));
+}
