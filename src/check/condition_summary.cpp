@@ -54,7 +54,7 @@ std::string describe_load(const Model& model, const NodalLoad& load) {
     return fmt::format("{} at {}:{}{}, {}\n",
                        load.key,
                        model.nodes[load.node].name,
-                       is_zero(load.force) ? "" : " force",
+                       load.has_force() ? " force" : "",
                        is_zero(load.moment) ? "" : " moment",
                        frames[static_cast<std::size_t>(load.frame)]);
 }

@@ -73,7 +73,7 @@ std::string describe_start(const Failure& failure) {
 std::string describe_gap(const Failure& failure) {
     if (failure.open_joint.empty()) return "";
     return fmt::format(
-        "; joint {} stays open by {:.2e} of the model's length", failure.open_joint, failure.joint_gap);
+        "; {} stays open by {:.2e} of the model's length", failure.open_joint, failure.joint_gap);
 }
 
 std::string describe_outcome(const Failure& failure) {
@@ -108,7 +108,7 @@ std::string describe_outcome(const Failure& failure) {
                 "the estimated error of the step, {:.2e}, is above the tolerance{}", failure.step_error, at);
         case Outcome::joints_open:
             return fmt::format(
-                "no velocities near those of the step fit joint {}, which are off by {:.2e} of the largest",
+                "no velocities near those of the step fit {}, which are off by {:.2e} of the largest",
                 failure.open_joint,
                 failure.joint_gap);
         case Outcome::control_turned:

@@ -22,9 +22,9 @@ struct Failure {
     std::vector<std::string> places;  // "flyer.end (ry)", the worst first
     std::vector<std::int64_t> nodes;  // of those places
     std::string shrunk_spring;        // one almost without a length, if forces are not finite; or ""
-    std::string open_joint;           // whose equations are furthest from being met; "" if all are
-    double joint_gap = 0.0;           // of that joint: relative to the model's length, or in rad
-    std::string weakness;             // in words; "" unless the tangent is singular or nearly so
+    std::string open_joint;  // "joint shaft", whose equations are furthest from being met; "" if all are
+    double joint_gap = 0.0;  // of that joint: relative to the model's length, or in rad
+    std::string weakness;    // in words; "" unless the tangent is singular or nearly so
     // That round-off of a stiff rod's forces hides what bends a soft one, and what to do about it: a likelier
     // reason than a weakness, for which it would be taken. "" both if it does not.
     std::string contrast;

@@ -53,9 +53,10 @@ class FunctionExamination {
         }
         for (const Support& support : model_.supports) examine_moves(support);
         for (const Joint& joint : model_.joints) {
-            examine_coordinate(joint, "turn", joint.turn);
-            examine_coordinate(joint, "slide", joint.slide);
+            examine_coordinate(joint.name, "turn", joint.turn);
+            examine_coordinate(joint.name, "slide", joint.slide);
         }
+        for (const Sleeve& sleeve : model_.sleeves) examine_coordinate(sleeve.name, "slide", sleeve.slide);
         return std::move(findings_);
     }
 
@@ -117,13 +118,12 @@ class FunctionExamination {
         }
     }
 
-    void examine_coordinate(const Joint& joint, const char* name, const JointCoordinate& coordinate) {
+    void examine_coordinate(const std::string& joint, const char* name, const JointCoordinate& coordinate) {
         if (coordinate.motion)
-            examine_move(fmt::format("the motor of joint {} moves its {}", joint.name, name),
-                         *coordinate.motion);
-        examine_load(fmt::format("joint.{}.drive ({})", joint.name, name), coordinate.drive);
+            examine_move(fmt::format("the motor of joint {} moves its {}", joint, name), *coordinate.motion);
+        examine_load(fmt::format("joint.{}.drive ({})", joint, name), coordinate.drive);
         if (coordinate.stiffness > 0.0)
-            examine_load(fmt::format("joint.{}.spring.rest ({})", joint.name, name), coordinate.rest);
+            examine_load(fmt::format("joint.{}.spring.rest ({})", joint, name), coordinate.rest);
     }
 
     // `what`: "the [[support]] at hub moves rx".

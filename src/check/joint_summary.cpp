@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "model/joint_name.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -21,6 +23,8 @@ std::string describe_axes(const Joint& joint) {
         case JointKind::cylinder:
         case JointKind::slider:
             return " along " + axis;
+        case JointKind::free:
+            return " about and along " + axis;
         case JointKind::screw:
             return fmt::format(" along {}, {:.6g} a turn,", axis, joint.lead);
         case JointKind::universal:
@@ -31,6 +35,7 @@ std::string describe_axes(const Joint& joint) {
             return fmt::format(" of {:.6g}", joint.length);
         case JointKind::ball:
         case JointKind::weld:
+        case JointKind::sleeve:
             break;
     }
     return "";
@@ -60,6 +65,8 @@ std::string describe_actions(const char* name, const JointCoordinate& coordinate
     if (coordinate.damping > 0.0) actions.push_back(fmt::format("damping {:.6g}", coordinate.damping));
     if (coordinate.friction.force > 0.0)
         actions.push_back(fmt::format("friction {:.6g}", coordinate.friction.force));
+    if (coordinate.friction.lever > 0.0)
+        actions.push_back(fmt::format("friction {:.6g} times the force held", coordinate.friction.lever));
     if (coordinate.limits.lower || coordinate.limits.upper)
         actions.push_back(describe_limits(coordinate.limits));
     return actions.empty() ? "" : fmt::format("; {}: {}", name, fmt::join(actions, ", "));
@@ -80,6 +87,18 @@ std::string describe_joint(const Model& model, const Joint& joint) {
     return text + describe_actions("turn", joint.turn) + describe_actions("slide", joint.slide) + "\n";
 }
 
+std::string describe_sleeve(const Model& model, const Sleeve& sleeve) {
+    const Rod& rod = model.rods[sleeve.rod];
+    return fmt::format("joint {}: sleeve at {} between rod {}, {:.6g} of {:.6g} along it, and {}{}\n",
+                       sleeve.name,
+                       describe(find_place(model, sleeve.point)),
+                       rod.name,
+                       sleeve.place,
+                       rod.length,
+                       name_side(model, sleeve.point),
+                       describe_actions("slide", sleeve.slide));
+}
+
 }  // namespace
 
 std::string describe_anchor(const Model& model, const Anchor& anchor) {
@@ -90,33 +109,25 @@ std::string describe_anchor(const Model& model, const Anchor& anchor) {
         "{} by an arm of {:.6g} to {}", node, anchor.arm.norm(), describe(find_place(model, anchor)));
 }
 
-const char* name_of(JointKind kind) {
-    switch (kind) {
-        case JointKind::ball:
-            return "ball";
-        case JointKind::hinge:
-            return "hinge";
-        case JointKind::cylinder:
-            return "cylinder";
-        case JointKind::slider:
-            return "slider";
-        case JointKind::universal:
-            return "universal";
-        case JointKind::screw:
-            return "screw";
-        case JointKind::plane:
-            return "plane";
-        case JointKind::weld:
-            return "weld";
-        case JointKind::distance:
-            break;
+ItemList list_gears(const Model& model) {
+    ItemList gears{"gears", {}};
+    for (const Gear& gear : model.gears) {
+        const auto name = [&](const GearSide& side) {
+            return fmt::format("{} of {}", side.is_turn ? "turn" : "slide", model.joints[side.joint].name);
+        };
+        gears.items.push_back(fmt::format("gear {}: {:.6g} × {} + {} = 0\n",
+                                          gear.name,
+                                          gear.ratio,
+                                          name(gear.sides[0]),
+                                          name(gear.sides[1])));
     }
-    return "distance";
+    return gears;
 }
 
 ItemList list_joints(const Model& model) {
     ItemList joints{"joints", {}};
     for (const Joint& joint : model.joints) joints.items.push_back(describe_joint(model, joint));
+    for (const Sleeve& sleeve : model.sleeves) joints.items.push_back(describe_sleeve(model, sleeve));
     return joints;
 }
 

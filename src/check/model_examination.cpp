@@ -18,6 +18,7 @@
 #include "model/body_moments.hpp"
 #include "model/newton_choice.hpp"
 #include "model/parts.hpp"
+#include "state/spring_line.hpp"
 
 namespace gxrod {
 namespace {
@@ -39,7 +40,8 @@ std::string list_motions(const Model& model,
 
 // Equilibrium does not say where a part is that can move without being strained.
 void find_drifting_parts(const Model& model, std::vector<Finding>& findings) {
-    const char* holds = model.springs.empty() ? "supports" : "supports or springs";
+    const bool has_springs = !model.springs.empty() || !model.bushings.empty();
+    const char* holds = has_springs ? "supports or springs" : "supports";
     for (const auto& [part, motions] : find_free_parts(model)) {
         findings.push_back({Severity::error,
                             fmt::format("{} can {}; a static analysis needs {} that prevent it",
@@ -52,7 +54,8 @@ void find_drifting_parts(const Model& model, std::vector<Finding>& findings) {
 // "turns or slides at knee and elbow", or that the whole moves.
 std::string describe_moving(const FreeMechanism& mechanism, const Model& model) {
     constexpr std::size_t most = 6;
-    if (mechanism.joints.empty()) return "it can move as a whole";
+    if (mechanism.joints.empty())
+        return mechanism.whole.sleeves.empty() ? "it can move as a whole" : "what is on sleeves can slide";
     std::string text;
     for (std::size_t i = 0; i < std::min(mechanism.joints.size(), most); ++i)
         text += (i == 0 ? "" : ", ") + model.joints[static_cast<std::size_t>(mechanism.joints[i])].name;
@@ -127,7 +130,7 @@ void find_idle_loads(const Model& model, std::vector<Finding>& findings) {
     for (const NodalLoad& load : model.loads) {
         const bool is_idle =
             std::any_of(model.supports.begin(), model.supports.end(), [&](const Support& support) {
-                return support.node == load.node && (is_zero(load.force) || support.holds_all(0)) &&
+                return support.node == load.node && (!load.has_force() || support.holds_all(0)) &&
                        (is_zero(load.moment) || support.holds_all(3));
             });
         if (!is_idle) continue;
@@ -163,24 +166,29 @@ bool is_strained(const Model& model, const Spring& spring) {
     const Vec3 a = find_place(model, spring.ends[0]);
     const Vec3 b = find_place(model, spring.ends[1]);
     const double size = std::max({a.norm(), b.norm(), spring.length});
-    return spring.stiffness > 0.0 && std::abs((b - a).norm() - spring.length) > round_off * size;
+    const double force = compute_elastic_tension(spring, (b - a).norm());
+    return std::abs(force) > round_off * find_stiffness(spring) * size;
 }
 
-// Whether something acts on a coordinate of the joint from its start.
-bool is_driven(const Joint& joint) {
-    return std::ranges::any_of(std::array{&joint.turn, &joint.slide}, [](const JointCoordinate* one) {
-        return one->motion || !one->drive.is_zero() || (one->stiffness > 0.0 && !one->rest.is_zero());
-    });
+// Whether something acts on a coordinate of a joint from its start.
+bool is_moved(const JointCoordinate& one) {
+    return one.motion || !one.drive.is_zero() || (one.stiffness > 0.0 && !one.rest.is_zero());
+}
+
+bool any_joint_is_moved(const Model& model) {
+    const auto of_joint = [](const Joint& joint) { return is_moved(joint.turn) || is_moved(joint.slide); };
+    const auto of_sleeve = [](const Sleeve& sleeve) { return is_moved(sleeve.slide); };
+    return std::ranges::any_of(model.joints, of_joint) || std::ranges::any_of(model.sleeves, of_sleeve);
 }
 
 bool any_load(const Model& model) {
     const auto strains = [&](const Spring& spring) { return is_strained(model, spring); };
     const auto pushes = [](const auto& load) { return !is_zero(load.force) || !is_zero(load.moment); };
+    const auto acts = [](const NodalLoad& load) { return load.has_force() || !is_zero(load.moment); };
     const auto moves = [](const Support& support) { return support.moved != std::array<bool, 6>{}; };
     return model.rotation || !model.gravity.is_zero() ||
-           std::any_of(model.springs.begin(), model.springs.end(), strains) ||
-           std::ranges::any_of(model.joints, is_driven) ||
-           std::any_of(model.loads.begin(), model.loads.end(), pushes) ||
+           std::any_of(model.springs.begin(), model.springs.end(), strains) || any_joint_is_moved(model) ||
+           std::any_of(model.loads.begin(), model.loads.end(), acts) ||
            std::any_of(model.distributed_loads.begin(), model.distributed_loads.end(), pushes) ||
            std::any_of(model.supports.begin(), model.supports.end(), moves);
 }

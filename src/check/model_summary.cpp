@@ -14,6 +14,8 @@
 #include "check/rod_summary.hpp"
 #include "model/analysis_traits.hpp"
 #include "model/frame_interval.hpp"
+#include "model/spring_law.hpp"
+#include "state/spring_line.hpp"
 
 namespace gxrod {
 
@@ -35,9 +37,9 @@ std::string describe_body(const Model& model, const Body& body) {
 
 std::string describe_spring(const Model& model, const Spring& spring) {
     const Vec3 d = find_place(model, spring.ends[1]) - find_place(model, spring.ends[0]);
-    const double force = spring.stiffness * (d.norm() - spring.length);
+    const double force = compute_elastic_tension(spring, d.norm());
     constexpr double round_off = 1e-12;
-    const bool is_free = std::abs(d.norm() - spring.length) <= round_off * d.norm();
+    const bool is_free = std::abs(force) <= round_off * find_stiffness(spring) * d.norm();
     std::string text =
         fmt::format("spring {}: between {} and {}, stiffness {:.6g}, damping {:.6g}, length {:.6g}",
                     spring.name,
@@ -46,12 +48,32 @@ std::string describe_spring(const Model& model, const Spring& spring) {
                     spring.stiffness,
                     spring.damping,
                     spring.length);
+    if (spring.law) text += spring.law->has_rate() ? ", a force by length and rate" : ", a force by length";
     if (!is_free)
         text += fmt::format("; at t = 0 {:.6g} long, {} by {:.6g}",
                             d.norm(),
                             force < 0.0 ? "it pushes" : "it pulls",
                             std::abs(force));
     return text + "\n";
+}
+
+// The components that a bushing's matrix resists, with their diagonal entries: "x 100, rz 2".
+std::string describe_diagonal(const Mat6& matrix) {
+    std::string text;
+    for (int i = 0; i < 6; ++i) {
+        if (matrix(i, i) == 0.0) continue;
+        text += fmt::format("{}{} {:.6g}", text.empty() ? "" : ", ", component_names[i], matrix(i, i));
+    }
+    return text.empty() ? "none" : text;
+}
+
+std::string describe_bushing(const Model& model, const Bushing& bushing) {
+    return fmt::format("bushing {}: between {} and {}, stiffness {}, damping {}\n",
+                       bushing.name,
+                       describe_anchor(model, bushing.ends[0]),
+                       describe_anchor(model, bushing.ends[1]),
+                       describe_diagonal(bushing.stiffness),
+                       describe_diagonal(bushing.damping));
 }
 
 }  // namespace
@@ -105,8 +127,16 @@ std::vector<ItemList> list_model(const Model& model) {
     for (const Body& body : model.bodies) bodies.items.push_back(describe_body(model, body));
     ItemList springs{"springs", {}};
     for (const Spring& spring : model.springs) springs.items.push_back(describe_spring(model, spring));
-    std::vector<ItemList> lists{
-        sections, list_rods(model), bodies, springs, list_joints(model), list_mechanisms(model)};
+    ItemList bushings{"bushings", {}};
+    for (const Bushing& bushing : model.bushings) bushings.items.push_back(describe_bushing(model, bushing));
+    std::vector<ItemList> lists{sections,
+                                list_rods(model),
+                                bodies,
+                                springs,
+                                bushings,
+                                list_joints(model),
+                                list_gears(model),
+                                list_mechanisms(model)};
     for (ItemList& list : list_conditions(model)) lists.push_back(std::move(list));
     return lists;
 }

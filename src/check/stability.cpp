@@ -62,6 +62,7 @@ std::string describe_without_potential(const StabilityChange& change) {
 
 std::string find_load_without_potential(const Model& model) {
     for (const NodalLoad& load : model.loads) {
+        if (load.motion_force) return load.key + " depends on its point's motion";
         const bool has_moment = !is_zero(load.moment);
         if (load.frame != Frame::spatial && !(is_zero(load.force) && !has_moment))
             return load.key + " follows its point";

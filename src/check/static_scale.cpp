@@ -98,7 +98,7 @@ void find_largest(const Model& model, const std::vector<Vec6>& moved, StaticScal
 
 std::optional<StaticScale> find_static_scale(const Model& model, const AnalysisSettings& analysis) {
     if (model.rods.empty() || 6 * static_cast<std::int64_t>(model.nodes.size()) > most_unknowns ||
-        !find_free_parts(model).empty()) {
+        count_free_motions(model) > 0) {
         return std::nullopt;
     }
     const Model resting = make_resting(model);

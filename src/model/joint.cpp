@@ -9,6 +9,7 @@ bool Joint::has_turn() const {
         case JointKind::universal:
         case JointKind::screw:
         case JointKind::plane:
+        case JointKind::free:
             return true;
         default:
             return false;
@@ -20,6 +21,8 @@ bool Joint::has_slide() const {
         case JointKind::cylinder:
         case JointKind::slider:
         case JointKind::screw:
+        case JointKind::sleeve:
+        case JointKind::free:
             return true;
         default:
             return false;

@@ -21,7 +21,9 @@ enum class JointKind {
     screw,      // a turn about the axis and with it a slide along it
     plane,      // slides across the axis and the turn about it
     weld,       // nothing
-    distance    // all but the distance of two points
+    distance,   // all but the distance of two points
+    free,       // everything
+    sleeve      // a point, the slide along a rod and all turns: a Sleeve, not a Joint
 };
 
 // A joint's side: its point, and axes at t = 0, global; columns are the joint's axis and two across it. Both
@@ -32,11 +34,15 @@ struct JointSide {
     Mat3 axes = Mat3::Identity();
 };
 
-// A friction of a free coordinate: within ± `force` (a moment of a turn, a force of a slide) it sticks,
-// elastically up to `stick` (rad or length).
+// A friction of a free coordinate: within ± its strength (a moment of a turn, a force of a slide) it sticks,
+// elastically up to `stick` (rad or length). The strength is `force` and `lever` times the force that the
+// joint holds across the coordinate or at its point.
 struct Friction {
     double force = 0.0;
     double stick = 0.0;
+    double lever = 0.0;  // of a turn a length, the coefficient times the radius; of a slide the coefficient
+
+    bool acts() const { return force > 0.0 || lever > 0.0; }
 };
 
 // Bounds of a free coordinate, beyond which a spring and a damper act.
@@ -69,9 +75,21 @@ struct Joint {
     double length = 0.0;  // of a distance joint
 
     bool has_ground() const { return a.anchor.is_ground() || b.anchor.is_ground(); }
+    // B's, or A's if B is on the ground.
+    const Anchor& moving_anchor() const { return b.anchor.is_ground() ? a.anchor : b.anchor; }
     // Whether the kind leaves a turn about one axis, or a slide along one, free.
     bool has_turn() const;
     bool has_slide() const;
+};
+
+// A point B that slides along a rod, A, whose line is the smooth one through its nodes. What acts on the
+// slide acts along the line; the slide is the arc length of t = 0 from the place then.
+struct Sleeve {
+    std::string name;
+    int rod = 0;         // in Model::rods, one line
+    Anchor point;        // B
+    double place = 0.0;  // arc length at t = 0
+    JointCoordinate slide = {};
 };
 
 }  // namespace gxrod

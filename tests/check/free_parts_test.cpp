@@ -21,7 +21,7 @@ int add_body(Model& model, const std::string& name, const Vec3& place) {
     return node;
 }
 
-void add_spring(Model& model, const SpringEnd& a, const SpringEnd& b, double stretch = 1.0) {
+void add_spring(Model& model, const Anchor& a, const Anchor& b, double stretch = 1.0) {
     Spring spring;
     spring.name = "spring";
     spring.ends = {a, b};

@@ -43,4 +43,29 @@ TEST_CASE("A joint's line says what it is, where, and what acts on it", "[check]
           "slide: spring of stiffness 2, damping 0.5, limits -1 to 2 (stiffness 9)\n");
 }
 
+TEST_CASE("A free joint's line says along which axis it acts", "[check][joint]") {
+    CHECK(describe_joint("free",
+                         "between = [\"ground\", \"b\"]\naxis = [0, 0, 3]\nmove = { turn = \"0\" }\n") ==
+          "joint j: free about and along (0, 0, 1) at (0, 0, 2) between the ground and b; turn: moved by a "
+          "motor\n");
+}
+
+TEST_CASE("A sleeve's line says where on which rod it is", "[check][joint][sleeve]") {
+    CHECK(
+        describe_joint("sleeve",
+                       "between = [\"r\", \"ground\"]\nat = [2.5, 0, 0]\nspring = { stiffness = 3 }\n") ==
+        "joint j: sleeve at (2.5, 0, 0) between rod r, 2.5 of 10 along it, and the ground; slide: spring of "
+        "stiffness 3\n");
+}
+
+TEST_CASE("A gear's line has its equation", "[check][gear]") {
+    const Problem problem =
+        read(parts +
+             "[joint.j]\ntype = \"hinge\"\nbetween = [\"ground\", \"b\"]\naxis = [1, 0, 0]\n"
+             "[joint.k]\ntype = \"slider\"\nbetween = [\"ground\", \"r.end\"]\naxis = [1, 0, 0]\n"
+             "[gear.g]\njoints = [\"j\", \"k\"]\nratio = \"1/4\"\n");
+    CHECK(list_gears(problem.model).items ==
+          std::vector<std::string>{"gear g: 0.25 × turn of j + slide of k = 0\n"});
+}
+
 }  // namespace gxrod::test

@@ -6,10 +6,18 @@
 // drives, friction, limits. Nothing here knows a time step: friction slips from a point that is given.
 namespace gxrod {
 
+// Whether forces other than a motor's act.
+bool is_acted_on(const JointCoordinate& laws);
+// Whether something can take energy.
+bool is_damped_by(const JointCoordinate& laws);
+// Whether something can do work from outside.
+bool is_driven_by(const JointCoordinate& laws);
+
 // The values of a coordinate's functions at the time of an equilibrium.
 struct CoordinateInputs {
     double rest = 0.0;
     double drive = 0.0;
+    double held = 0.0;  // the size of the force that the joint holds, for friction
 };
 
 // A force on B along the coordinate (a turn's moment), its opposite on A, and its derivatives.
@@ -17,12 +25,16 @@ struct CoordinateForce {
     double value = 0.0;
     double by_coordinate = 0.0;
     double by_rate = 0.0;
+    double by_held = 0.0;
 };
 
 CoordinateForce compute_coordinate_force(const JointCoordinate& laws,
                                          const ScalarJet& coordinate,
                                          const CoordinateInputs& inputs,
                                          double slip);
+
+// Of friction alone, on B along the coordinate, while the joint holds that force.
+double compute_friction_force(const Friction& friction, double held, double coordinate, double slip);
 
 // Of springs, of limits, and of friction's elastic part.
 double compute_coordinate_energy(const JointCoordinate& laws,
@@ -36,11 +48,12 @@ double compute_coordinate_damping_power(const JointCoordinate& laws, const Scala
 // Where friction's elastic part is without force, after it has slipped as far as it must.
 double compute_slip(const Friction& friction, double coordinate, double slip);
 
-// The same at the start: what moves slips, what rests exerts nothing.
-double compute_first_slip(const Friction& friction, const ScalarJet& coordinate);
+// The same at the start: what moves slips, what rests exerts nothing. `speed`: of the two sides, whose
+// difference the coordinate's rate is; where that is round-off of them, the coordinate rests.
+double compute_first_slip(const Friction& friction, const ScalarJet& coordinate, double speed);
 
-// What friction takes as it slips.
-double compute_slip_dissipation(const Friction& friction, double slip_before, double slip);
+// What friction takes as it slips while the joint holds that force.
+double compute_slip_dissipation(const Friction& friction, double held, double slip_before, double slip);
 
 // Of both coordinates.
 struct JointInputs {
@@ -70,6 +83,13 @@ class JointForces {
                                double turn_before,
                                const JointInputs& inputs,
                                const JointSlips& slips) const;
+    // The derivative of the force by the size of the force that the joint holds.
+    PairRow compute_held_derivative(const JointMotions& motions,
+                                    double turn_before,
+                                    const JointInputs& inputs,
+                                    const JointSlips& slips) const;
+    // Whether friction follows the force that the joint holds.
+    bool follows_held() const { return turn_laws_.friction.lever > 0.0 || slide_laws_.friction.lever > 0.0; }
     double compute_strain_energy(const JointMotions& motions,
                                  double turn_before,
                                  const JointInputs& inputs,
@@ -78,7 +98,9 @@ class JointForces {
 
     JointSlips compute_slips(const JointMotions& motions, double turn_before, const JointSlips& before) const;
     JointSlips compute_first_slips(const JointMotions& motions, double turn_before) const;
-    double compute_dissipation(const JointSlips& before, const JointSlips& slips) const;
+    double compute_dissipation(const JointInputs& inputs,
+                               const JointSlips& before,
+                               const JointSlips& slips) const;
 
   private:
     // A coordinate where it is, what acts on it, and which inputs and slip are its own.
@@ -92,8 +114,12 @@ class JointForces {
     };
 
     template <class Visit>
-    void visit(const JointMotions& motions, double turn_before, Visit&& visit_one) const;
+    void visit(const JointFrames& frames, double turn_before, Visit&& visit_one) const;
+    JointFrames rates_at(const JointMotions& motions) const {
+        return {motions, arms_, ConstraintLevel::velocity};
+    }
 
+    JointArms arms_;
     std::optional<JointTurn> turn_;
     std::optional<LinkProduct> slide_;
     JointCoordinate turn_laws_, slide_laws_;

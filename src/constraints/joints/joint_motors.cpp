@@ -2,12 +2,10 @@
 
 namespace gxrod {
 
-namespace {
-
-PrescribedCoordinate compute_coordinate(const std::optional<TimeFunction>& motion,
-                                        double time,
-                                        const TimeSpan& step,
-                                        ConstraintLevel level) {
+PrescribedCoordinate compute_motor(const std::optional<TimeFunction>& motion,
+                                   double time,
+                                   const TimeSpan& step,
+                                   ConstraintLevel level) {
     PrescribedCoordinate prescribed;
     if (!motion) return prescribed;
     prescribed.value = (*motion)(time);
@@ -21,8 +19,6 @@ PrescribedCoordinate compute_coordinate(const std::optional<TimeFunction>& motio
     return prescribed;
 }
 
-}  // namespace
-
 double differentiate(const TimeFunction& function, double time, const TimeSpan& step) {
     if (function.is_constant() || step.length == 0.0) return 0.0;
     const StepDifferences differences = compute_step_differences(time, step);
@@ -32,8 +28,8 @@ double differentiate(const TimeFunction& function, double time, const TimeSpan& 
 }
 
 JointMotors compute_motors(const Joint& joint, double time, const TimeSpan& step, ConstraintLevel level) {
-    return {compute_coordinate(joint.turn.motion, time, step, level),
-            compute_coordinate(joint.slide.motion, time, step, level)};
+    return {compute_motor(joint.turn.motion, time, step, level),
+            compute_motor(joint.slide.motion, time, step, level)};
 }
 
 }  // namespace gxrod

@@ -5,8 +5,12 @@
 
 namespace gxrod {
 
-// What a joint's motors prescribe at `time`; derivatives, by differences within the step, only for levels
-// that need them.
+// What motors prescribe at `time`, 0 without one; derivatives, by differences within the step, only for
+// levels that need them.
+PrescribedCoordinate compute_motor(const std::optional<TimeFunction>& motion,
+                                   double time,
+                                   const TimeSpan& step,
+                                   ConstraintLevel level);
 JointMotors compute_motors(const Joint& joint, double time, const TimeSpan& step, ConstraintLevel level);
 
 // The derivative of a function at `time`, by differences within the step; 0 if that has no length.

@@ -31,9 +31,12 @@ void report_lone_fix(const NodeSupport& supported, std::size_t component, const 
         return context.faults.add(
             word.place,
             word.path,
-            fmt::format("{} alone cannot be fixed: what stays free would depend on the path of the motion; "
-                        "expected two of rx, ry, rz (a hinge about the third axis), all three or none",
-                        word.word));
+            fmt::format(
+                "{} alone cannot be fixed: what stays free would depend on the path of the motion; "
+                "expected two of rx, ry, rz (a hinge about the third axis), all three or none; or, for "
+                "the turn about one axis, a joint of type \"free\" from the ground with move = {{ turn = 0 "
+                "}}",
+                word.word));
     }
 }
 
@@ -46,11 +49,16 @@ void report_incomplete_move(const NodeSupport& supported,
         if (!supported.support.holds(static_cast<int>(i))) free.emplace_back(component_names[i]);
     }
     const CheckedTimeFunction& value = *moves_of(*supported.holders[component])[component];
+    const char* hint = free.size() == 2
+                           ? "; or, for the turn about one axis, a joint of type \"free\" from the "
+                             "ground with move = { turn = … }"
+                           : "";
     context.faults.add(
         value.place,
         value.path,
-        fmt::format("where a rotation moves, the other two must be fixed or moved too; free: {}",
-                    plain_list(free)));
+        fmt::format("where a rotation moves, the other two must be fixed or moved too; free: {}{}",
+                    plain_list(free),
+                    hint));
 }
 
 void check_rotations(const NodeSupport& supported, const BuildContext& context) {

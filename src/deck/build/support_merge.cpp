@@ -5,13 +5,13 @@
 #include <algorithm>
 
 #include "deck/build/acting.hpp"
+#include "deck/build/axes.hpp"
 #include "deck/schema/choices.hpp"
 
 namespace gxrod {
 namespace {
 
-// Errors of the entries of axes that are taken, and beyond which those of two supports differ.
-constexpr double nearly_orthonormal = 1e-6;
+// Beyond which entries of the axes of two supports differ.
 constexpr double same_axes = 1e-9;
 
 using Components = std::array<bool, 6>;
@@ -24,38 +24,6 @@ Components components_of(const std::string& word) {
     const auto name = std::find(component_names.begin(), component_names.end(), word);
     components[static_cast<std::size_t>(name - component_names.begin())] = true;
     return components;
-}
-
-// What is wrong with rows that are to be axes, or "".
-std::string explain_axes(const Mat3& rows) {
-    const Mat3 products = rows * rows.transpose();
-    static constexpr std::array<const char*, 3> names{"first", "second", "third"};
-    for (int i = 0; i < 3; ++i) {
-        if (std::abs(products(i, i) - 1.0) > 2.0 * nearly_orthonormal) {
-            return fmt::format("the {} row has length {:.9g}", names[i], rows.row(i).norm());
-        }
-    }
-    for (int i = 0; i < 3; ++i) {
-        const int next = (i + 1) % 3;
-        if (std::abs(products(i, next)) > nearly_orthonormal) {
-            return fmt::format("the {} and {} row are not at right angles",
-                               names[std::min(i, next)],
-                               names[std::max(i, next)]);
-        }
-    }
-    return rows.determinant() < 0.0 ? "the third row is opposite to first × second" : "";
-}
-
-Quat find_axes(const CheckedTable& table, const BuildContext& context) {
-    if (!table.gives("axes")) return Quat::Identity();
-    const Mat3& rows = table.get<Mat3>("axes");
-    const std::string reason = explain_axes(rows);
-    if (reason.empty()) return Quat(Mat3(rows.transpose())).normalized();
-    context.add_fault(
-        table,
-        "axes",
-        "expected three rows of length 1 at right angles to each other, right-handed; " + reason);
-    return Quat::Identity();
 }
 
 // Tables at one node have the same axes.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <vector>
 
 #include "deck/checks/check_moves.hpp"
@@ -13,15 +15,27 @@
 namespace gxrod {
 namespace {
 
+// A joint that leaves everything free has to do something else.
+void check_action(const CheckedTable& table, const BuildContext& context) {
+    constexpr std::array<const char*, 5> actions{"move", "drive", "spring", "friction", "limits"};
+    if (std::ranges::any_of(actions, [&](const char* key) { return table.gives(key); })) return;
+    context.add_fault(
+        table,
+        "type",
+        "a free joint on which nothing acts does nothing; expected move, drive, spring, friction or limits");
+}
+
 void build_joint(const CheckedTable& table, double size, BuildContext& context) {
     Joint joint;
     joint.name = table.name;
     joint.kind = value_of(joint_kind_choices, table.get<std::string>("type"));
+    if (joint.kind == JointKind::sleeve) return;
     if (table.gives("lead")) joint.lead = table.get<double>("lead");
     if (joint.kind == JointKind::screw && joint.lead == 0.0)
         context.add_fault(
             table, "lead", "a screw of lead 0 does not slide; expected a hinge, or another lead");
     check_coordinates(table, joint, context);
+    if (joint.kind == JointKind::free) check_action(table, context);
     if (place_joint(table, size, joint, context)) context.model.joints.push_back(std::move(joint));
 }
 

@@ -21,12 +21,6 @@ constexpr std::array<const char*, 2> coordinate_names{"turn", "slide"};
 constexpr std::array<const char*, 3> table_keys{"spring", "friction", "limits"};
 constexpr std::array<const char*, 2> function_keys{"move", "drive"};
 
-// What keys without a coordinate's name are about; "" of a cylinder, whose keys have to say.
-std::string_view plain_coordinate(JointKind kind) {
-    if (kind == JointKind::cylinder) return "";
-    return kind == JointKind::slider ? "slide" : "turn";
-}
-
 bool has_coordinate(const Joint& joint, std::string_view name) {
     return name == "turn" ? joint.has_turn() : joint.has_slide();
 }
@@ -64,7 +58,10 @@ const CheckedTimeFunction* find_function(const CheckedTable& joint,
 class CoordinateCheck {
   public:
     CoordinateCheck(const CheckedTable& table, const Joint& joint, const BuildContext& context)
-        : table_(table), joint_(joint), type_(table.get<std::string>("type")), context_(context) {}
+        : table_(table),
+          joint_(joint),
+          type_(joint.kind == JointKind::free ? "free joint" : table.get<std::string>("type")),
+          context_(context) {}
 
     void check() const {
         for (const char* key : function_keys) check_functions_of(key);
@@ -145,11 +142,34 @@ class CoordinateCheck {
         const CheckedTable* friction = find_table(table_, "friction", joint_.kind, coordinate);
         if (friction == nullptr) return;
         const bool is_turn = std::string_view(coordinate) == "turn";
+        check_coefficient(*friction, is_turn);
         const char* wrong = is_turn ? "force" : "moment";
         if (!friction->gives(wrong)) return;
         add(friction->place_of(wrong),
             friction->path_of(wrong),
             fmt::format("the friction of a {} is a {}", coordinate, is_turn ? "moment" : "force"));
+    }
+
+    // The friction of a turn needs a radius at which its force acts, and that of a slide none.
+    void check_coefficient(const CheckedTable& friction, bool is_turn) const {
+        if (!friction.gives("coefficient")) return;
+        if (joint_.kind == JointKind::sleeve) {
+            add(friction.place_of("coefficient"),
+                friction.path_of("coefficient"),
+                "the friction of a sleeve does not depend on the force that it holds; expected force");
+        } else if (joint_.kind == JointKind::free) {
+            add(friction.place_of("coefficient"),
+                friction.path_of("coefficient"),
+                "a free joint holds no force; expected moment or force");
+        } else if (is_turn && !friction.gives("radius")) {
+            add(friction.place,
+                friction.path_of("radius"),
+                "missing; expected the radius of the pin, a number greater than 0 or an expression");
+        } else if (!is_turn && friction.gives("radius")) {
+            add(friction.place_of("radius"),
+                friction.path_of("radius"),
+                "only the friction of a turn has a radius");
+        }
     }
 
     void check_limits(const char* coordinate) const {
@@ -171,7 +191,7 @@ class CoordinateCheck {
 
     const CheckedTable& table_;
     const Joint& joint_;
-    const std::string& type_;
+    const std::string type_;
     const BuildContext& context_;
 };
 
@@ -213,8 +233,12 @@ class CoordinateBuilder {
 
     static Friction build_friction(const CheckedTable& friction, double default_stick) {
         const char* key = friction.gives("moment") ? "moment" : "force";
-        return {.force = friction.gives(key) ? friction.get<double>(key) : 0.0,
-                .stick = friction.gives("stick") ? friction.get<double>("stick") : default_stick};
+        Friction built;
+        if (friction.gives(key)) built.force = friction.get<double>(key);
+        built.stick = friction.gives("stick") ? friction.get<double>("stick") : default_stick;
+        if (friction.gives("coefficient")) built.lever = friction.get<double>("coefficient");
+        if (friction.gives("radius")) built.lever *= friction.get<double>("radius");
+        return built;
     }
 
     static CoordinateLimits build_limits(const CheckedTable& limits) {
@@ -233,6 +257,11 @@ class CoordinateBuilder {
 };
 
 }  // namespace
+
+std::string_view plain_coordinate(JointKind kind) {
+    if (kind == JointKind::cylinder || kind == JointKind::free) return "";
+    return kind == JointKind::slider || kind == JointKind::sleeve ? "slide" : "turn";
+}
 
 std::string_view name_coordinate(const CheckedNamedFunction& value, JointKind kind) {
     return value.name.empty() ? plain_coordinate(kind) : std::string_view(value.name);
@@ -268,6 +297,12 @@ void check_coordinates(const CheckedTable& table, const Joint& joint, const Buil
 void set_coordinates(const CheckedTable& table, double size, Joint& joint, const BuildContext& context) {
     joint.turn = CoordinateBuilder(table, joint.kind, "turn", context).build(turn_stick);
     joint.slide = CoordinateBuilder(table, joint.kind, "slide", context).build(slide_stick * size);
+    if (joint.slide.friction.acts() && joint.slide.friction.stick == 0.0) {
+        context.add_fault(table,
+                          "friction",
+                          "all is at one place, so the model has no size of which `stick` could be a part; "
+                          "expected a stick");
+    }
     if (joint.kind != JointKind::screw || !joint.slide.motion) return;
     joint.turn.motion = scale(*joint.slide.motion, 2.0 * std::numbers::pi / joint.lead);
     joint.slide.motion.reset();

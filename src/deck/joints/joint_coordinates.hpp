@@ -8,6 +8,9 @@
 // What acts on the turn and the slide of a joint: its keys move, drive, spring, friction and limits.
 namespace gxrod {
 
+// What keys without a coordinate's name are about; "" of a joint with both, whose keys have to say.
+std::string_view plain_coordinate(JointKind kind);
+
 // Every f(t) of a [joint.NAME].
 std::vector<const CheckedTimeFunction*> functions_of(const CheckedTable& joint);
 // The values of its `move`.

@@ -22,15 +22,17 @@ struct Choice {
 inline constexpr std::array<Choice<ElementKind>, 2> element_kind_choices{
     {{"objective", ElementKind::objective}, {"simo", ElementKind::simo}}};
 
-inline constexpr std::array<Choice<JointKind>, 9> joint_kind_choices{{{"ball", JointKind::ball},
-                                                                      {"hinge", JointKind::hinge},
-                                                                      {"cylinder", JointKind::cylinder},
-                                                                      {"slider", JointKind::slider},
-                                                                      {"universal", JointKind::universal},
-                                                                      {"screw", JointKind::screw},
-                                                                      {"plane", JointKind::plane},
-                                                                      {"weld", JointKind::weld},
-                                                                      {"distance", JointKind::distance}}};
+inline constexpr std::array<Choice<JointKind>, 11> joint_kind_choices{{{"ball", JointKind::ball},
+                                                                       {"hinge", JointKind::hinge},
+                                                                       {"cylinder", JointKind::cylinder},
+                                                                       {"slider", JointKind::slider},
+                                                                       {"universal", JointKind::universal},
+                                                                       {"screw", JointKind::screw},
+                                                                       {"plane", JointKind::plane},
+                                                                       {"weld", JointKind::weld},
+                                                                       {"distance", JointKind::distance},
+                                                                       {"free", JointKind::free},
+                                                                       {"sleeve", JointKind::sleeve}}};
 
 inline constexpr std::array<Choice<Frame>, 3> frame_choices{
     {{"spatial", Frame::spatial}, {"follower", Frame::follower}, {"body", Frame::body}}};

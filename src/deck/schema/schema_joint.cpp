@@ -1,7 +1,7 @@
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 
-// [joint.NAME].
+// [joint.NAME] and [gear.NAME].
 namespace gxrod {
 namespace {
 
@@ -115,6 +115,23 @@ TableSpec make_friction_table() {
         table.keys.push_back(friction_key("force", "force", "Force that resists a slide."));
         sizes.emplace_back("force");
     }
+    table.keys.push_back(friction_key(
+        "coefficient",
+        "1",
+        choose<which>(
+            "Friction by the force that the joint holds: of a turn coefficient × radius × force, of a "
+            "slide coefficient × force.",
+            "The moment is coefficient × radius × the force that the joint holds.",
+            "The force is coefficient × the force that the joint holds.")));
+    sizes.emplace_back("coefficient");
+    if (which != Coordinates::slide) {
+        table.keys.push_back({.name = "radius",
+                              .type = ValueType::number,
+                              .dimension = "length",
+                              .range = positive,
+                              .sentence = "Of the pin of a turn. Required with coefficient.",
+                              .only_with = "coefficient"});
+    }
     table.keys.push_back(
         {.name = "stick",
          .type = ValueType::number,
@@ -183,7 +200,11 @@ const TableSpec& limits_table() {
 
 // Of types whose free coordinates motors and springs can act on.
 std::vector<Condition> with_coordinates() {
-    return {{"type", {"hinge", "cylinder", "slider", "universal", "screw", "plane"}}};
+    return {{"type", {"hinge", "cylinder", "slider", "universal", "screw", "plane", "free", "sleeve"}}};
+}
+
+std::vector<Condition> with_axis() {
+    return {{"type", {"hinge", "cylinder", "slider", "universal", "screw", "plane", "free"}}};
 }
 
 std::vector<Condition> only_distance() { return {{"type", {"distance"}}}; }
@@ -197,20 +218,30 @@ std::vector<KeySpec> place_keys() {
                      "and slide. slider: the slide along its axis. universal: turns about `axis`, fixed in "
                      "A, and `axis_b`, fixed in B. screw: a turn, with a slide of `lead` a turn. plane: "
                      "slides across its axis and the turn about it. weld: nothing. distance: all but the "
-                     "distance of two points.",
+                     "distance of two points. free: everything; for what acts on the turn and the slide. "
+                     "sleeve: a point's slide along a rod, and all turns.",
          .choices = words_of(joint_kind_choices)},
         {.name = "between",
          .type = ValueType::ends,
          .presence = Presence::required,
          .sentence = "A and B: points of rods, bodies, or \"ground\" for what does not move. A point can "
-                     "be in several joints."},
+                     "be in several joints. Of a sleeve, A is a rod."},
         {.name = "at",
          .type = ValueType::vector,
          .dimension = "length",
          .default_text = "where A and B are, at one place; else the point of the only rod",
          .sentence = "Where the joint is at t = 0, global. Rigid arms join it to the nodes of A and B.",
          .only_for = {{"type",
-                       {"ball", "hinge", "cylinder", "slider", "universal", "screw", "plane", "weld"}}}},
+                       {"ball",
+                        "hinge",
+                        "cylinder",
+                        "slider",
+                        "universal",
+                        "screw",
+                        "plane",
+                        "weld",
+                        "free",
+                        "sleeve"}}}},
         {.name = "at_a",
          .type = ValueType::vector,
          .dimension = "length",
@@ -232,7 +263,7 @@ std::vector<KeySpec> axis_keys() {
              .presence = Presence::required,
              .sentence = "Its axis, of a plane the normal: global at t = 0, of any length; A and B carry it.",
              .remark = "the direction of its axis at t = 0, global",
-             .only_for = with_coordinates()},
+             .only_for = with_axis()},
             {.name = "axis_b",
              .type = ValueType::vector,
              .dimension = "1",
@@ -312,6 +343,35 @@ const TableSpec& joint_table() {
             "between = [\"tail.end\", \"gyroscope\"]\n"
             "axis    = [0, 1, 0]\n"
             "spring  = { stiffness = 2.0, damping = 0.01 }\n"};
+    return table;
+}
+
+const TableSpec& gear_table() {
+    static const TableSpec table{
+        .path = "gear.NAME",
+        .heading = "[gear.NAME]",
+        .sentence = "Ties the coordinates of two joints: ratio × first + second = 0, both since t = 0.",
+        .keys = {{.name = "joints",
+                  .type = ValueType::joints,
+                  .presence = Presence::required,
+                  .sentence =
+                      "The first and the second: joints with a turn or a slide. Of a joint with both, "
+                      "\"NAME.turn\" or \"NAME.slide\"."},
+                 {.name = "ratio",
+                  .type = ValueType::number,
+                  .dimension = "second/first",
+                  .presence = Presence::required,
+                  .sentence = "How far the second goes back while the first goes on by 1: of two turns a "
+                              "number, of a turn and the slide of a rack the radius of the pinion.",
+                  .remark = "how far the second goes back while the first goes on by 1"}},
+        .example =
+            "[joint.shaft]\n"
+            "type    = \"hinge\"\n"
+            "between = [\"ground\", \"flyer.end\"]\n"
+            "axis    = [1, 0, 0]\n"
+            "[gear.stage]\n"
+            "joints = [\"pivot\", \"shaft\"]\n"
+            "ratio  = 5.0\n"};
     return table;
 }
 

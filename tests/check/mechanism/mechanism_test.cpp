@@ -40,7 +40,7 @@ TEST_CASE("Equations of mechanisms have their known ranks", "[check][joint]") {
                                Known{"spatial_slider_crank", 17, 17, 1},
                                Known{"bricard", 30, 29, 1},
                                Known{"gimbals", 15, 15, 3},
-                               Known{"two_four_bars", 35, 29, 1},
+                               Known{"double_four_bar", 35, 29, 1},
                                Known{"squeezer", 50, 41, 1}}) {
         INFO(known.name);
         const Mechanism found = only_mechanism(read_mechanism(known.name));
@@ -95,6 +95,31 @@ TEST_CASE("Motors move free motions, and conflict where they cannot", "[check][j
     CHECK(find_motor_conflicts(held) ==
           std::vector<std::string>{"the motor of p moves what joints, supports or other motors hold or move "
                                    "already; leave one out, or drive it by `drive`"});
+}
+
+TEST_CASE("A gear ties mechanisms, and can hold what motors move", "[check][joint][gear]") {
+    const std::string p = joint("p", "\"ground\", \"a\"", about_z);
+    const std::string q = joint("q", "\"ground\", \"b\"", about_z);
+    const std::string gear = "[gear.g]\njoints = [\"p\", \"q\"]\nratio = 3\n";
+    CHECK(find_mechanisms(read(two_bodies + p + q).model).size() == 2);
+    const Model geared = read(two_bodies + p + q + gear).model;
+    const Mechanism found = only_mechanism(geared);
+    CHECK(found.bodies == std::vector{0, 1});
+    CHECK(found.gears == std::vector{0});
+    CHECK(list_mechanisms(geared).items.at(0) ==
+          "mechanism: 2 bodies, 2 joints, 1 gear, 11 equations: 1 free motion\n");
+    const Model twice = read(two_bodies + p + q + gear + replaced(gear, "gear.g", "gear.h")).model;
+    CHECK(
+        list_mechanisms(twice).items.at(0) ==
+        "mechanism: 2 bodies, 2 joints, 2 gears, 12 equations of rank 11: 1 free motion; 1 equation is "
+        "redundant (joints gear g, gear h): the motion is unique, forces and moments of these joints are one "
+        "choice of many\n");
+    const std::string motor = "move = \"t^2\"\n";
+    CHECK(find_motor_conflicts(read(two_bodies + p + motor + q + gear).model).empty());
+    CHECK(
+        find_motor_conflicts(read(two_bodies + p + motor + q + motor + gear).model) ==
+        std::vector<std::string>{"the motors of p, q move what joints, supports or other motors hold or move "
+                                 "already; leave one out, or drive it by `drive`"});
 }
 
 TEST_CASE("Supports hold bodies of mechanisms too", "[check][joint]") {

@@ -88,6 +88,8 @@ int count_freedoms(JointKind kind) {
         case JointKind::ball:
         case JointKind::plane:
             return 3;
+        case JointKind::free:
+            return 6;
         default:
             return 5;
     }

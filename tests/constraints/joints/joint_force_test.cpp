@@ -15,7 +15,7 @@ using namespace gxrod::tools;
 namespace {
 
 constexpr double tolerance = 1e-9;  // of derivatives by seven-point differences
-const JointInputs inputs{{0.3, -0.7}, {-0.2, 0.9}};
+const JointInputs inputs{{0.3, -0.7, 0.0}, {-0.2, 0.9, 0.0}};
 
 // Every law, so that limits push, and friction sticks where `slips` are those that belong to the place.
 JointCoordinate make_laws(double coordinate) {
@@ -23,7 +23,7 @@ JointCoordinate make_laws(double coordinate) {
     laws.drive = TimeFunction(1.0);
     laws.stiffness = 2.1;
     laws.damping = 0.4;
-    laws.friction = {0.6, 0.5};
+    laws.friction = {0.6, 0.5, 0.0};
     laws.limits = {{}, coordinate - 0.7, 3.0, 0.2};
     return laws;
 }
@@ -91,7 +91,7 @@ TEST_CASE("forces on coordinates at rest are the slope of their energy", "[const
         stop(sample.b);
         if (std::abs(slips.turn - find_turn(sample)) > 0.5) return;  // slips: no energy stands for it
         using Value = Eigen::Matrix<double, 1, 1>;
-        const JointInputs without_drive{{inputs.turn.rest, 0.0}, {inputs.slide.rest, 0.0}};
+        const JointInputs without_drive{{inputs.turn.rest, 0.0, 0.0}, {inputs.slide.rest, 0.0, 0.0}};
         const auto slope = differentiate_loaded<PairRow>(
             sample, {.placement = 1.0}, [&](const JointMotions& motions) -> Value {
                 return Value(forces.compute_strain_energy(motions, sample.turn_before, without_drive, slips));
@@ -183,7 +183,7 @@ TEST_CASE("friction takes the area of its loop", "[constraints][joints]") {
         const double force = force_of(laws, next, 0.0, slip);
         work -= 0.5 * (force + before) * (next - value);
         const double slipped = compute_slip(laws.friction, next, slip);
-        dissipated += compute_slip_dissipation(laws.friction, slip, slipped);
+        dissipated += compute_slip_dissipation(laws.friction, 0.0, slip, slipped);
         slip = slipped;
         value = next;
         before = force;
@@ -200,8 +200,31 @@ TEST_CASE("friction at the start holds what rests and brakes what moves", "[cons
     JointCoordinate laws;
     laws.friction = {3.0, 0.1};
     for (const double rate : {0.0, 2.0, -2.0}) {
-        const double slip = compute_first_slip(laws.friction, {5.0, rate, 0.0});
+        const double slip = compute_first_slip(laws.friction, {5.0, rate, 0.0}, 10.0);
         CHECK(force_of(laws, 5.0, rate, slip) == Approx(rate == 0.0 ? 0.0 : std::copysign(3.0, -rate)));
+    }
+    // A rate that is round-off of the two sides' is none.
+    for (const double rate : {1e-15, -1e-15}) {
+        CHECK(compute_first_slip(laws.friction, {5.0, rate, 0.0}, 10.0) == 5.0);
+        CHECK(compute_first_slip(laws.friction, {5.0, rate, 0.0}, 0.0) != 5.0);
+    }
+}
+
+TEST_CASE("friction holds a joint of a model that turns as a whole", "[constraints][joints]") {
+    RandomValues random(617);
+    for (JointSample sample : joint_samples()) {
+        if (!sample.joint.has_turn() && !sample.joint.has_slide()) continue;
+        INFO(sample.name);
+        const Vec3 omega = random.vector(), v = random.vector();
+        for (NodeMotion* node : {&sample.a, &sample.b}) {
+            node->omega = omega;
+            node->v = v + omega.cross(node->r);
+        }
+        sample.joint.turn.friction = sample.joint.slide.friction = {3.0, 0.5};
+        const JointSlips first =
+            JointForces(sample.joint).compute_first_slips(sample.motions(), sample.turn_before);
+        if (sample.joint.has_turn()) CHECK(first.turn == Approx(find_turn(sample)).margin(1e-12));
+        if (sample.joint.has_slide()) CHECK(first.slide == Approx(find_slide(sample)).margin(1e-12));
     }
 }
 
@@ -256,7 +279,8 @@ TEST_CASE("slips of joints are those of their coordinates", "[constraints][joint
         const JointSlips next = forces.compute_slips(motions, sample.turn_before, slips);
         const double turned = std::abs(slips.turn - find_turn(sample)) > 0.5 ? 0.4 : 0.0;
         const int coordinates = sample.joint.has_turn() + sample.joint.has_slide();
-        CHECK(forces.compute_dissipation(slips, next) == Approx(coordinates * 0.6 * turned).margin(1e-12));
+        CHECK(forces.compute_dissipation(inputs, slips, next) ==
+              Approx(coordinates * 0.6 * turned).margin(1e-12));
         const JointSlips first = forces.compute_first_slips(motions, sample.turn_before);
         if (sample.joint.has_turn()) CHECK(std::abs(first.turn - find_turn(sample)) == Approx(0.5));
         if (sample.joint.has_slide()) CHECK(std::abs(first.slide - find_slide(sample)) == Approx(0.5));

@@ -16,7 +16,8 @@ constexpr std::pair<JointKind, const char*> kinds[] = {{JointKind::ball, "ball"}
                                                        {JointKind::screw, "screw"},
                                                        {JointKind::plane, "plane"},
                                                        {JointKind::weld, "weld"},
-                                                       {JointKind::distance, "distance"}};
+                                                       {JointKind::distance, "distance"},
+                                                       {JointKind::free, "free"}};
 
 // Rates and accelerations of order one, a step's rotation below a right angle.
 NodeMotion move_at_random(RandomValues& random, const NodeMotion& previous) {
@@ -60,11 +61,13 @@ std::vector<std::pair<std::string, Joint>> add_motors(const std::string& name, c
         joints.emplace_back(name + ", pushed", joint);
         joints.back().second.slide.motion = TimeFunction(1.0);
     }
-    if (joint.kind == JointKind::cylinder) {
+    if (joint.kind == JointKind::cylinder || joint.kind == JointKind::free) {
         joints.push_back(joints[1]);
         joints.back().first = name + ", turned and pushed";
         joints.back().second.slide.motion = TimeFunction(1.0);
     }
+    // Without a motor it has no equations.
+    if (joint.kind == JointKind::free) joints.erase(joints.begin());
     return joints;
 }
 
@@ -143,6 +146,7 @@ Vec3 slide_free(const Joint& joint, const FreeCoordinates& free) {
     switch (joint.kind) {
         case JointKind::cylinder:
         case JointKind::slider:
+        case JointKind::free:
             return {free.slide, 0.0, 0.0};
         case JointKind::screw:
             return {joint.lead * free.turn / (2.0 * std::numbers::pi), 0.0, 0.0};

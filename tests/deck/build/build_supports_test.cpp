@@ -6,24 +6,30 @@
 namespace gxrod::test {
 
 TEST_CASE("One rotation alone cannot be fixed", "[deck]") {
-    CHECK(faults_of(body_deck + R"([[support]]
+    CHECK(
+        faults_of(body_deck + R"([[support]]
 at = "top"
 fix = ["x", "ry"])") ==
-          "x.toml:10:13: support[0].fix[1]: ry alone cannot be fixed: what stays free would depend on the "
-          "path of the motion; expected two of rx, ry, rz (a hinge about the third axis), all three or none");
-    CHECK(faults_of(body_deck + R"([[support]]
+        "x.toml:10:13: support[0].fix[1]: ry alone cannot be fixed: what stays free would depend on the "
+        "path of the motion; expected two of rx, ry, rz (a hinge about the third axis), all three or none; "
+        "or, for the turn about one axis, a joint of type \"free\" from the ground with move = { turn = 0 }");
+    CHECK(
+        faults_of(body_deck + R"([[support]]
 at = "top"
 fix = "rz")") ==
-          "x.toml:10:7: support[0].fix: rz alone cannot be fixed: what stays free would depend on the path "
-          "of the motion; expected two of rx, ry, rz (a hinge about the third axis), all three or none");
-    CHECK(faults_of(body_deck + R"([[support]]
+        "x.toml:10:7: support[0].fix: rz alone cannot be fixed: what stays free would depend on the path "
+        "of the motion; expected two of rx, ry, rz (a hinge about the third axis), all three or none; "
+        "or, for the turn about one axis, a joint of type \"free\" from the ground with move = { turn = 0 }");
+    CHECK(
+        faults_of(body_deck + R"([[support]]
 at = "top"
 fix = "position"
 [[support]]
 at = "top"
 fix = ["rz"])") ==
-          "x.toml:13:8: support[1].fix[0]: rz alone cannot be fixed: what stays free would depend on the "
-          "path of the motion; expected two of rx, ry, rz (a hinge about the third axis), all three or none");
+        "x.toml:13:8: support[1].fix[0]: rz alone cannot be fixed: what stays free would depend on the "
+        "path of the motion; expected two of rx, ry, rz (a hinge about the third axis), all three or none; "
+        "or, for the turn about one axis, a joint of type \"free\" from the ground with move = { turn = 0 }");
 }
 
 TEST_CASE("Something can move", "[deck]") {
@@ -77,7 +83,8 @@ TEST_CASE("A rotation moves with the other two fixed or moved", "[deck]") {
     CHECK(
         faults_of(support + "move = { rz = \"t\" }\n") ==
         "x.toml:10:15: support[0].move.rz: where a rotation moves, the other two must be fixed or moved too; "
-        "free: rx, ry");
+        "free: rx, ry; or, for the turn about one axis, a joint of type \"free\" from the ground with "
+        "move = { turn = … }");
     CHECK(
         faults_of(support + "fix = \"rx\"\nmove = { rz = \"t\" }\n") ==
         "x.toml:11:15: support[0].move.rz: where a rotation moves, the other two must be fixed or moved too; "
