@@ -52,6 +52,20 @@ void add_rod(const Model& model, const Rod& rod, int group, int first_element, E
     }
 }
 
+// A spring or a bushing.
+template <template <int> class TieElement, class Tie>
+void add_tie(const Tie& tie, int group, ElementBlocks& blocks) {
+    const auto add = [&](auto& block) {
+        block.elements.emplace_back(tie);
+        block.groups.push_back(group);
+    };
+    if (tie.has_ground()) {
+        add(std::get<ElementBlock<TieElement<1>>>(blocks));
+    } else {
+        add(std::get<ElementBlock<TieElement<2>>>(blocks));
+    }
+}
+
 template <int Nodes>
 ShapeValues compute_shapes(double xi) {
     const NodeValues<Nodes> shape = compute_shape_functions<Nodes>(xi);
@@ -119,18 +133,10 @@ void System::build_blocks() {
         bodies.elements.emplace_back(model_->bodies[body], model_->has_inertia);
         bodies.groups.push_back(scale_groups_.of_body(body));
     }
-    for (int index = 0; index < static_cast<int>(model_->springs.size()); ++index) {
-        const Spring& spring = model_->springs[index];
-        const auto add = [&](auto& block) {
-            block.elements.emplace_back(spring);
-            block.groups.push_back(scale_groups_.of_spring(index));
-        };
-        if (spring.has_ground()) {
-            add(std::get<ElementBlock<SpringElement<1>>>(blocks_));
-        } else {
-            add(std::get<ElementBlock<SpringElement<2>>>(blocks_));
-        }
-    }
+    for (int index = 0; index < static_cast<int>(model_->springs.size()); ++index)
+        add_tie<SpringElement>(model_->springs[index], scale_groups_.of_spring(index), blocks_);
+    for (int index = 0; index < static_cast<int>(model_->bushings.size()); ++index)
+        add_tie<BushingElement>(model_->bushings[index], scale_groups_.of_bushing(index), blocks_);
     for (int index = 0; index < static_cast<int>(model_->rods.size()); ++index) {
         const Rod& rod = model_->rods[index];
         const int group = scale_groups_.of_rod(index);
@@ -216,9 +222,11 @@ void System::build_batches() {
 void System::measure() {
     Eigen::AlignedBox3d box;
     for (const Node& node : model_->nodes) box.extend(node.position);
-    for (const Spring& spring : model_->springs) {
-        for (const SpringEnd& end : spring.ends) box.extend(find_place(*model_, end));
-    }
+    const auto extend = [&](const auto& tie) {
+        for (const Anchor& end : tie.ends) box.extend(find_place(*model_, end));
+    };
+    std::ranges::for_each(model_->springs, extend);
+    std::ranges::for_each(model_->bushings, extend);
     double length = box.isEmpty() ? 0.0 : box.diagonal().norm();
     for (const Body& body : model_->bodies) {
         length = std::max(length, body.centre_of_mass.norm());

@@ -5,6 +5,7 @@
 
 #include "assembly/residual.hpp"
 #include "assembly/scatter.hpp"
+#include "elements/bushing_element.hpp"
 #include "elements/element.hpp"
 #include "elements/rigid_body.hpp"
 #include "elements/rod/rod_element.hpp"
@@ -16,6 +17,7 @@ namespace gxrod {
 // All elements of one kind and one number of nodes, with where their entries go.
 template <Element E>
 struct ElementBlock {
+    using ElementType = E;
     static constexpr int node_count = E::node_count;
     static constexpr int history_count = E::history_count;
     static constexpr int point_count = E::point_count;
@@ -73,7 +75,9 @@ using ElementBlocks = std::tuple<ElementBlock<RigidBody>,
                                  ElementBlock<SimoElement<4>>,
                                  ElementBlock<SimoElement<5>>,
                                  ElementBlock<SpringElement<1>>,
-                                 ElementBlock<SpringElement<2>>>;
+                                 ElementBlock<SpringElement<2>>,
+                                 ElementBlock<BushingElement<1>>,
+                                 ElementBlock<BushingElement<2>>>;
 
 // Calls visit(block) for each kind.
 template <class Blocks, class Visitor>

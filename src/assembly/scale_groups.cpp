@@ -18,9 +18,11 @@ constexpr double usual_tolerance = 1e-8;
 double measure_length(const Model& model, const ModelPart& part) {
     Eigen::AlignedBox3d box;
     for (const int node : part.nodes) box.extend(model.nodes[node].position);
-    for (const int index : part.springs) {
-        for (const SpringEnd& end : model.springs[index].ends) box.extend(find_place(model, end));
-    }
+    const auto extend = [&](const auto& tie) {
+        for (const Anchor& end : tie.ends) box.extend(find_place(model, end));
+    };
+    for (const int index : part.springs) extend(model.springs[index]);
+    for (const int index : part.bushings) extend(model.bushings[index]);
     double length = box.isEmpty() ? 0.0 : box.diagonal().norm();
     for (const int index : part.bodies) {
         const Body& body = model.bodies[index];
@@ -48,7 +50,8 @@ ResidualScales relate_scales(const ForceScales& scales, double length) {
 
 ScaleGroups::ScaleGroups(const Model& model)
     : rod_count_(static_cast<int>(model.rods.size())),
-      first_spring_(rod_count_ + static_cast<int>(model.bodies.size())) {
+      first_spring_(rod_count_ + static_cast<int>(model.bodies.size())),
+      first_bushing_(first_spring_ + static_cast<int>(model.springs.size())) {
     find_nodes(model);
     find_parts_of_groups(model);
     find_round_off(model);
@@ -57,7 +60,8 @@ ScaleGroups::ScaleGroups(const Model& model)
 void ScaleGroups::find_nodes(const Model& model) {
     constexpr int none = -1;
     group_of_node_.assign(model.nodes.size(), none);
-    neighbours_.resize(model.rods.size() + model.bodies.size() + model.springs.size());
+    neighbours_.resize(model.rods.size() + model.bodies.size() + model.springs.size() +
+                       model.bushings.size());
     const auto add = [&](int node, int group) {
         int& of_node = group_of_node_[node];
         if (of_node == none || of_node == group) {
@@ -75,11 +79,15 @@ void ScaleGroups::find_nodes(const Model& model) {
     }
     for (int body = 0; body < static_cast<int>(model.bodies.size()); ++body)
         add(model.bodies[body].node, of_body(body));
-    for (int spring = 0; spring < static_cast<int>(model.springs.size()); ++spring) {
-        for (const SpringEnd& end : model.springs[spring].ends) {
-            if (!end.is_ground()) add(end.node, of_spring(spring));
+    const auto add_ends = [&](const auto& tie, int group) {
+        for (const Anchor& end : tie.ends) {
+            if (!end.is_ground()) add(end.node, group);
         }
-    }
+    };
+    for (int spring = 0; spring < static_cast<int>(model.springs.size()); ++spring)
+        add_ends(model.springs[spring], of_spring(spring));
+    for (int bushing = 0; bushing < static_cast<int>(model.bushings.size()); ++bushing)
+        add_ends(model.bushings[bushing], of_bushing(bushing));
     for (int& group : group_of_node_) {
         if (group != none) continue;
         group = static_cast<int>(neighbours_.size());  // a node of nothing
@@ -97,6 +105,7 @@ void ScaleGroups::find_parts_of_groups(const Model& model) {
         for (const int rod : parts[part].rods) part_of_group_[of_rod(rod)] = index;
         for (const int body : parts[part].bodies) part_of_group_[of_body(body)] = index;
         for (const int spring : parts[part].springs) part_of_group_[of_spring(spring)] = index;
+        for (const int bushing : parts[part].bushings) part_of_group_[of_bushing(bushing)] = index;
     }
 }
 
@@ -117,16 +126,25 @@ void ScaleGroups::find_round_off(const Model& model) {
         round_off_[of_rod(index)] = {units * stretching * size / element,
                                      units * (stretching * size + bending / element)};
     }
-    for (int index = 0; index < static_cast<int>(model.springs.size()); ++index) {
-        const Spring& spring = model.springs[index];
+    const auto find_force = [&](const auto& tie, double stiffness) {
         double size = 0.0;
         double arm = 0.0;
-        for (const SpringEnd& end : spring.ends) {
-            size = std::max(size, find_place(model, end).lpNorm<Eigen::Infinity>());
+        for (const Anchor& end : tie.ends) {
+            size = std::max(size, find_place(model, end).template lpNorm<Eigen::Infinity>());
             if (!end.is_ground()) arm = std::max(arm, end.arm.norm());
         }
-        const double force = units * spring.stiffness * size;
-        round_off_[of_spring(index)] = {force, force * arm};
+        const double force = units * stiffness * size;
+        return ResidualScales{force, force * arm};
+    };
+    for (int index = 0; index < static_cast<int>(model.springs.size()); ++index) {
+        const Spring& spring = model.springs[index];
+        round_off_[of_spring(index)] = find_force(spring, find_stiffness(spring));
+    }
+    for (int index = 0; index < static_cast<int>(model.bushings.size()); ++index) {
+        const Bushing& bushing = model.bushings[index];
+        ResidualScales& own = round_off_[of_bushing(index)];
+        own = find_force(bushing, bushing.stiffness.diagonal().head<3>().maxCoeff());
+        own = larger(own, {0.0, units * bushing.stiffness.diagonal().tail<3>().maxCoeff()});
     }
     for (std::size_t group = 0; group < count(); ++group) {
         for (const int other : neighbours_[group])

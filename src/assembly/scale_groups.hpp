@@ -32,11 +32,11 @@ class NodeScales {
     const std::vector<int>* group_of_node_ = nullptr;
 };
 
-// Which forces a node's residual is compared with. A group is a rod, a body, a spring, or a node that several
-// of them share; each belongs to one part of the model, whose nodes elements tie to each other. A residual is
-// small if it is so against the largest force in its part and, against a thousand times that, in its own
-// group: a weakly loaded rod next to a strong one is solved too. Neither falls below the round-off of forces
-// there.
+// Which forces a node's residual is compared with. A group is a rod, a body, a spring, a bushing, or a node
+// that several of them share; each belongs to one part of the model, whose nodes elements tie to each other.
+// A residual is small if it is so against the largest force in its part and, against a thousand times that,
+// in its own group: a weakly loaded rod next to a strong one is solved too. Neither falls below the round-off
+// of forces there.
 class ScaleGroups {
   public:
     explicit ScaleGroups(const Model& model);
@@ -46,6 +46,7 @@ class ScaleGroups {
     int of_rod(int rod) const { return rod; }
     int of_body(int body) const { return rod_count_ + body; }
     int of_spring(int spring) const { return first_spring_ + spring; }
+    int of_bushing(int bushing) const { return first_bushing_ + bushing; }
     int of_node(int node) const { return group_of_node_[node]; }
     // The length for scaling of the node's part: the largest of its extent and its bodies' own sizes; 1 if
     // both are zero.
@@ -63,6 +64,7 @@ class ScaleGroups {
 
     int rod_count_;
     int first_spring_;
+    int first_bushing_;
     std::vector<int> group_of_node_;
     std::vector<int> part_of_group_;
     std::vector<double> lengths_;  // of each part

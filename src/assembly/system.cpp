@@ -56,7 +56,8 @@ NodalVector<E::node_count> compute_acceleration_force(const E& element,
 }  // namespace
 
 std::size_t System::element_count() const {
-    return static_cast<std::size_t>(rod_element_count_) + model_->bodies.size() + model_->springs.size();
+    return static_cast<std::size_t>(rod_element_count_) + model_->bodies.size() + model_->springs.size() +
+           model_->bushings.size();
 }
 
 void System::hold_rates(int node, NodeMotion& motion) const {
@@ -100,7 +101,7 @@ void System::add_loads(const State& state, double time, Residual& residual) cons
     const LoadValues& values = loads_at(time);
     for (std::size_t i = 0; i < model_->loads.size(); ++i) {
         const NodalLoad& load = model_->loads[i];
-        const Vec6 force = turn_load(load, values.nodal()[i], state.trial[load.node]);
+        const Vec6 force = compute_load(load, values.nodal()[i], state.trial[load.node], time);
         residual.raise_group(scale_groups_.of_node(load.node), force);
         residual.nodal[load.node] -= force;
     }
@@ -186,9 +187,14 @@ void System::add_load_tangents(const State& state,
     const LoadValues& loads = loads_at(time);
     for (std::size_t i = 0; i < model_->loads.size(); ++i) {
         const NodalLoad& load = model_->loads[i];
-        if (load.frame == Frame::spatial) continue;
-        const Vec6 force = turn_load(load, loads.nodal()[i], state.trial[load.node]);
-        Mat6 tangent = -compute_load_tangent(load, force, linearizations[load.node]);
+        if (load.frame == Frame::spatial && !load.motion_force) continue;
+        const NodeMotion& motion = state.trial[load.node];
+        const Vec6 force = compute_load(load, loads.nodal()[i], motion, time);
+        const NodeLinearization& linearization = linearizations[load.node];
+        Mat6 tangent = -compute_load_tangent(load, force, linearization);
+        if (load.motion_force)
+            tangent.topLeftCorner<3, 3>() -=
+                compute_motion_force_tangent(load, motion, linearization, time, length_scale_);
         turn_to_own_axes(std::span(&load.node, 1), equations_, tangent);
         add_to_values<1>(tangent, load_places_[i], values);
     }

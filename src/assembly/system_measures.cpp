@@ -25,7 +25,15 @@ NodalVector<E::node_count> compute_gravity_force(const E& element,
 
 // Whether the element's internal forces act on the model from outside.
 template <class E>
-inline constexpr bool is_grounded = std::is_same_v<E, SpringElement<1>>;
+inline constexpr bool is_grounded =
+    std::is_same_v<E, SpringElement<1>> || std::is_same_v<E, BushingElement<1>>;
+
+// Whether the element takes the logarithm of how its nodes are turned against each other, or against the
+// ground.
+template <class E>
+inline constexpr bool sees_relative_rotation =
+    (E::has_section && E::history_count == 0) || std::is_same_v<E, BushingElement<1>> ||
+    std::is_same_v<E, BushingElement<2>>;
 
 // Adds to `total` what add(e, sum) adds for each element of a block, in an order that no number of threads
 // changes.
@@ -259,12 +267,12 @@ RelativeRotation System::bound_relative_rotation(const std::vector<NodeMotion>& 
     RelativeRotation largest;
     for_each_block(blocks_, [&](const auto& block) {
         using Block = std::remove_cvref_t<decltype(block)>;
-        if constexpr (Block::has_section && Block::history_count == 0) {
+        if constexpr (sees_relative_rotation<typename Block::ElementType>) {
             std::vector<RelativeRotation> parts(block.phases.part_count());
             team_->for_each(parts.size(), [&](std::size_t part) {
                 for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
                     const auto& nodes = block.elements[e].nodes;
-                    double added = 0.0;
+                    double added = Block::node_count == 1 ? spins[nodes[0]].norm() : 0.0;
                     for (int i = 0; i < Block::node_count; ++i) {
                         for (int j = 0; j < i; ++j)
                             added = std::max(added, (spins[nodes[i]] - spins[nodes[j]]).norm());

@@ -1,7 +1,8 @@
 #include "elements/spring_element.hpp"
 
-#include <cassert>
+#include <algorithm>
 
+#include "elements/spring_law_energy.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
@@ -10,40 +11,32 @@ namespace gxrod {
 // force; F force on point B that the spring asks for, −F on A (docs/theory/springs.md).
 
 template <int Nodes>
-SpringElement<Nodes>::SpringElement(const Spring& spring) : spring_(spring) {
-    int i = 0;
-    for (std::size_t end = 0; end < 2; ++end) {
-        if (spring.ends[end].is_ground()) continue;
-        assert(i < Nodes);
-        nodes[i] = spring.ends[end].node;
-        ends_[i] = end;
-        ++i;
-    }
-    assert(i == Nodes);
+SpringElement<Nodes>::SpringElement(const Spring& spring) : spring_(spring), points_(spring.ends) {
+    nodes = points_.nodes();
 }
 
 template <int Nodes>
 SpringLine SpringElement<Nodes>::compute_line(const Motions<Nodes>& motions) const {
-    std::array<const NodeMotion*, 2> at_ends{nullptr, nullptr};
-    for (int i = 0; i < Nodes; ++i) at_ends[ends_[i]] = motions[i];
-    return compute_spring_line(spring_, at_ends[0], at_ends[1]);
+    const auto [a, b] = points_.at_ends(motions);
+    return compute_spring_line(spring_, a, b);
 }
 
 // A spring without a length of its own pulls by k d, also where d has no direction. Of others the force is
 // not a number there, and the step is cut.
 template <int Nodes>
 Vec3 SpringElement<Nodes>::compute_elastic_force(const SpringLine& line) const {
-    if (spring_.length == 0.0) return spring_.stiffness * line.d;
-    return spring_.stiffness * (line.length - spring_.length) * line.direction;
+    if (is_plain()) return spring_.stiffness * line.d;
+    return compute_elastic_tension(spring_, line.length) * line.direction;
 }
 
-// ∂F/∂d = k e eᵀ + N/ℓ (1 − e eᵀ).
+// ∂F/∂d = N′ e eᵀ + N/ℓ (1 − e eᵀ), ′ by ℓ.
 template <int Nodes>
 Mat3 SpringElement<Nodes>::compute_stiffness(const SpringLine& line) const {
-    if (spring_.length == 0.0) return spring_.stiffness * Mat3::Identity();
-    const double across = spring_.stiffness * (line.length - spring_.length) / line.length;
-    return across * Mat3::Identity() +
-           (spring_.stiffness - across) * line.direction * line.direction.transpose();
+    if (is_plain()) return spring_.stiffness * Mat3::Identity();
+    const double across = compute_elastic_tension(spring_, line.length) / line.length;
+    double along = spring_.stiffness;
+    if (spring_.law) along += spring_.law->differentiate_by_length(line.length, 0.0);
+    return across * Mat3::Identity() + (along - across) * line.direction * line.direction.transpose();
 }
 
 template <int Nodes>
@@ -51,35 +44,10 @@ void SpringElement<Nodes>::add_force(const Motions<Nodes>& motions,
                                      const Vec3& at_B,
                                      NodalVector<Nodes>& force) const {
     for (int i = 0; i < Nodes; ++i) {
-        const Vec3 F = sign(i) * at_B;
+        const Vec3 F = points_.sign(i) * at_B;
         force.template segment<3>(6 * i) += F;
-        force.template segment<3>(6 * i + 3) += arm(motions, i).cross(F);
+        force.template segment<3>(6 * i + 3) += points_.arm(motions, i).cross(F);
     }
-}
-
-template <int Nodes>
-typename SpringElement<Nodes>::Columns SpringElement<Nodes>::differentiate_line(
-    const Motions<Nodes>& motions, const Linearizations<Nodes>& linear) const {
-    Columns columns;
-    for (int i = 0; i < Nodes; ++i) {
-        const double by = sign(i) * linear[i]->placement;
-        columns.template middleCols<3>(6 * i) = by * Mat3::Identity();
-        columns.template middleCols<3>(6 * i + 3) = -by * spin(arm(motions, i));
-    }
-    return columns;
-}
-
-template <int Nodes>
-typename SpringElement<Nodes>::Columns SpringElement<Nodes>::differentiate_rate(
-    const Motions<Nodes>& motions, const Linearizations<Nodes>& linear) const {
-    Columns columns;
-    for (int i = 0; i < Nodes; ++i) {
-        const Mat3 spin_u = spin(arm(motions, i));
-        const Mat3 turned = linear[i]->placement * spin(motions[i]->omega) * spin_u;
-        columns.template middleCols<3>(6 * i) = sign(i) * linear[i]->rate * Mat3::Identity();
-        columns.template middleCols<3>(6 * i + 3) = -sign(i) * (spin_u * linear[i]->d_omega + turned);
-    }
-    return columns;
 }
 
 template <int Nodes>
@@ -89,11 +57,11 @@ void SpringElement<Nodes>::add_tangent(const Motions<Nodes>& motions,
                                        const Columns& derivative,
                                        NodalMatrix<Nodes>& tangent) const {
     for (int i = 0; i < Nodes; ++i) {
-        const Mat3 spin_u = spin(arm(motions, i));
-        tangent.template middleRows<3>(6 * i) += sign(i) * derivative;
-        tangent.template middleRows<3>(6 * i + 3) += sign(i) * spin_u * derivative;
+        const Mat3 spin_u = spin(points_.arm(motions, i));
+        tangent.template middleRows<3>(6 * i) += points_.sign(i) * derivative;
+        tangent.template middleRows<3>(6 * i + 3) += points_.sign(i) * spin_u * derivative;
         tangent.template block<3, 3>(6 * i + 3, 6 * i + 3) +=
-            sign(i) * linear[i]->placement * spin(at_B) * spin_u;
+            points_.sign(i) * linear[i]->placement * spin(at_B) * spin_u;
     }
 }
 
@@ -110,7 +78,7 @@ void SpringElement<Nodes>::add_internal_tangent(const Motions<Nodes>& motions,
                                                 const Linearizations<Nodes>& linear,
                                                 NodalMatrix<Nodes>& tangent) const {
     const SpringLine line = compute_line(motions);
-    const Columns derivative = compute_stiffness(line) * differentiate_line(motions, linear);
+    const Columns derivative = compute_stiffness(line) * points_.differentiate_distance(motions, linear);
     add_tangent(motions, linear, compute_elastic_force(line), derivative, tangent);
 }
 
@@ -119,40 +87,69 @@ void SpringElement<Nodes>::add_damping_force(const Motions<Nodes>& motions,
                                              Histories,
                                              NodalVector<Nodes>& force) const {
     const SpringLine line = compute_line(motions);
-    if (spring_.damping == 0.0 || line.length == 0.0) return;
-    add_force(motions, spring_.damping * line.length_rate * line.direction, force);
+    if (!is_damped() || line.length == 0.0) return;
+    add_force(
+        motions, compute_damper_tension(spring_, line.length, line.length_rate) * line.direction, force);
 }
 
-// F = c ℓ̇ e, ℓ̇ = e · ḋ: δF = c (e (e · δḋ) + (e ḋᵀ + ℓ̇ 1) δe), δe = (1 − e eᵀ) δd / ℓ.
+// F = D e, D the damper's tension by ℓ and ℓ̇ = e · ḋ: δF = e (D_ℓ̇ (e · δḋ + ḋ · δe) + D_ℓ e · δd) + D δe,
+// δe = (1 − e eᵀ) δd / ℓ.
 template <int Nodes>
 void SpringElement<Nodes>::add_damping_tangent(const Motions<Nodes>& motions,
                                                Histories,
                                                const Linearizations<Nodes>& linear,
                                                NodalMatrix<Nodes>& tangent) const {
     const SpringLine line = compute_line(motions);
-    if (spring_.damping == 0.0 || line.length == 0.0) return;
+    if (!is_damped() || line.length == 0.0) return;
+    const DamperSlopes slopes = differentiate_damper(line, linear);
+    const double tension = compute_damper_tension(spring_, line.length, line.length_rate);
     const Vec3& e = line.direction;
-    const Mat3 across = (Mat3::Identity() - e * e.transpose()) / line.length;
-    const Mat3 by_direction = e * line.rate.transpose() + line.length_rate * Mat3::Identity();
+    const Mat3 turning = (Mat3::Identity() - e * e.transpose()) / line.length;
+    const Mat3 by_line = slopes.by_length * e * e.transpose() +
+                         (slopes.by_rate * e * line.rate.transpose() + tension * Mat3::Identity()) * turning;
     const Columns derivative =
-        spring_.damping * (e * (e.transpose() * differentiate_rate(motions, linear)) +
-                           by_direction * across * differentiate_line(motions, linear));
-    add_tangent(motions, linear, spring_.damping * line.length_rate * e, derivative, tangent);
+        slopes.by_rate * e * (e.transpose() * points_.differentiate_rate(motions, linear)) +
+        by_line * points_.differentiate_distance(motions, linear);
+    add_tangent(motions, linear, tension * e, derivative, tangent);
+}
+
+template <int Nodes>
+typename SpringElement<Nodes>::DamperSlopes SpringElement<Nodes>::differentiate_damper(
+    const SpringLine& line, const Linearizations<Nodes>& linear) const {
+    DamperSlopes slopes{.by_length = 0.0, .by_rate = spring_.damping};
+    if (!spring_.law || !spring_.law->has_rate()) return slopes;
+    const SpringLaw& law = *spring_.law;
+    double rates = 0.0;
+    for (const NodeLinearization* node : linear) rates = std::max({rates, node->rate, node->d_omega.norm()});
+    slopes.by_length = law.differentiate_by_length(line.length, line.length_rate) -
+                       law.differentiate_by_length(line.length, 0.0);
+    slopes.by_rate += law.differentiate_by_rate(line.length, line.length_rate, rates);
+    return slopes;
 }
 
 template <int Nodes>
 double SpringElement<Nodes>::damping_action(const Motions<Nodes>& before,
                                             const Motions<Nodes>& after,
                                             Histories) const {
-    if (spring_.damping == 0.0) return 0.0;
-    const double change = compute_line(after).length - compute_line(before).length;
-    return spring_.damping * change * change;
+    if (!is_damped()) return 0.0;
+    const SpringLine first = compute_line(before);
+    const SpringLine last = compute_line(after);
+    const double change = last.length - first.length;
+    double damping = spring_.damping;
+    if (spring_.law && spring_.law->has_rate()) {
+        const double rate = 0.5 * (first.length_rate + last.length_rate);
+        if (rate == 0.0) return 0.0;
+        damping = compute_damper_tension(spring_, 0.5 * (first.length + last.length), rate) / rate;
+    }
+    return damping * change * change;
 }
 
 template <int Nodes>
 double SpringElement<Nodes>::strain_energy(const Motions<Nodes>& motions, Histories) const {
-    const double stretch = compute_line(motions).length - spring_.length;
-    return 0.5 * spring_.stiffness * stretch * stretch;
+    const double length = compute_line(motions).length;
+    const double stretch = length - spring_.length;
+    const double linear = 0.5 * spring_.stiffness * stretch * stretch;
+    return spring_.law ? linear + compute_law_energy(*spring_.law, length) : linear;
 }
 
 template class SpringElement<1>;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "elements/element.hpp"
+#include "elements/point_pair.hpp"
+#include "model/spring_law.hpp"
 #include "state/spring_line.hpp"
 
 namespace gxrod {
@@ -43,7 +44,7 @@ class SpringElement {
                               const Vec3&,
                               const Linearizations<Nodes>&,
                               NodalMatrix<Nodes>&) const {}
-    bool is_damped() const { return spring_.damping > 0.0; }
+    bool is_damped() const { return spring_.damping > 0.0 || (spring_.law && spring_.law->has_rate()); }
     void add_damping_force(const Motions<Nodes>& motions, Histories, NodalVector<Nodes>& force) const;
     void add_damping_tangent(const Motions<Nodes>& motions,
                              Histories,
@@ -59,21 +60,21 @@ class SpringElement {
     Momentum momentum(const Motions<Nodes>&) const { return {}; }
 
   private:
-    using Columns = Eigen::Matrix<double, 3, 6 * Nodes>;  // of a vector, by (δr, δφ) of the nodes
+    using Columns = typename PointPair<Nodes>::Columns;
 
-    // +1: node i carries B, −1: A.
-    double sign(int i) const { return ends_[i] == 0 ? -1.0 : 1.0; }
-    Vec3 arm(const Motions<Nodes>& motions, int i) const {
-        return motions[i]->Lambda * spring_.ends[ends_[i]].arm;
-    }
+    // Of the damper's tension.
+    struct DamperSlopes {
+        double by_length;
+        double by_rate;
+    };
+    DamperSlopes differentiate_damper(const SpringLine& line, const Linearizations<Nodes>& linear) const;
     SpringLine compute_line(const Motions<Nodes>& motions) const;
+    // Whether it pulls by k d, which needs no direction.
+    bool is_plain() const { return spring_.length == 0.0 && !spring_.law; }
     // Of the force on point B, by the line and its rate.
     Vec3 compute_elastic_force(const SpringLine& line) const;
     Mat3 compute_stiffness(const SpringLine& line) const;
     void add_force(const Motions<Nodes>& motions, const Vec3& at_B, NodalVector<Nodes>& force) const;
-    // δd and δ(rate of d).
-    Columns differentiate_line(const Motions<Nodes>& motions, const Linearizations<Nodes>& linear) const;
-    Columns differentiate_rate(const Motions<Nodes>& motions, const Linearizations<Nodes>& linear) const;
     // Of a force on point B whose derivative is known.
     void add_tangent(const Motions<Nodes>& motions,
                      const Linearizations<Nodes>& linear,
@@ -82,7 +83,7 @@ class SpringElement {
                      NodalMatrix<Nodes>& tangent) const;
 
     Spring spring_;
-    std::array<std::size_t, Nodes> ends_;  // of the spring: which of them each node carries
+    PointPair<Nodes> points_;
 };
 
 extern template class SpringElement<1>;

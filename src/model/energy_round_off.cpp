@@ -50,9 +50,15 @@ double compute_energy_round_off(const Model& model) {
         }
     }
     for (const Spring& spring : model.springs) {
+        const double stiffness = find_stiffness(spring);
         const double displacement = round_off * std::max(size, spring.length);
-        energy += 0.5 * spring.stiffness * displacement * displacement;
-        if (has_moves) work = std::max(work, compute_reaction_work(spring.stiffness * size, size));
+        energy += 0.5 * stiffness * displacement * displacement;
+        if (has_moves) work = std::max(work, compute_reaction_work(stiffness * size, size));
+    }
+    for (const Bushing& bushing : model.bushings) {
+        energy += compute_element_energy(bushing.stiffness, size, 1.0);
+        const double stiffness = bushing.stiffness.diagonal().head<3>().maxCoeff();
+        if (has_moves) work = std::max(work, compute_reaction_work(stiffness * size, size));
     }
     return energy + work;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "model/model.hpp"
@@ -7,21 +8,32 @@
 
 namespace gxrod {
 
+// From A to B, two points that nodes carry or of which one is fixed.
+struct PointDistance {
+    Vec3 d = Vec3::Zero();
+    Vec3 rate = Vec3::Zero();  // of d
+};
+
+// `a`, `b`: of the nodes that carry A and B; nullptr for the ground.
+PointDistance compute_distance(const std::array<Anchor, 2>& ends, const NodeMotion* a, const NodeMotion* b);
+
 // The line of a spring from its point A to its point B at a motion (docs/theory/springs.md).
-struct SpringLine {
-    Vec3 d = Vec3::Zero();          // from A to B
-    Vec3 rate = Vec3::Zero();       // of d
+struct SpringLine : PointDistance {
     double length = 0.0;            // ℓ
     double length_rate = 0.0;       // 0 at length 0, which has no direction
     Vec3 direction = Vec3::Zero();  // e, from A to B; not a number at length 0
 };
 
-// `a`, `b`: of the nodes that carry A and B; nullptr for the ground.
+// Likewise.
 SpringLine compute_spring_line(const Spring& spring, const NodeMotion* a, const NodeMotion* b);
 // Of motions of all nodes.
 SpringLine compute_spring_line(const Spring& spring, const std::vector<NodeMotion>& nodes);
 
-// N = k (ℓ − ℓ₀) + c ℓ̇, tension positive.
+// What the spring pulls with at this length at rest: k (ℓ − ℓ₀) + f(ℓ, 0), f its law.
+double compute_elastic_tension(const Spring& spring, double length);
+// What it pulls with in addition as its length changes: c ℓ̇ + f(ℓ, ℓ̇) − f(ℓ, 0).
+double compute_damper_tension(const Spring& spring, double length, double length_rate);
+// N, the sum of both.
 double compute_axial_force(const Spring& spring, const SpringLine& line);
 
 }  // namespace gxrod

@@ -27,7 +27,7 @@ int add_body(Model& model, const Vec3& place, double of_mass = mass) {
     return node;
 }
 
-Spring make_spring(const SpringEnd& a, const SpringEnd& b, double k, double length, double c = 0.0) {
+Spring make_spring(const Anchor& a, const Anchor& b, double k, double length, double c = 0.0) {
     Spring spring;
     spring.name = "spring";
     spring.ends = {a, b};
@@ -37,8 +37,8 @@ Spring make_spring(const SpringEnd& a, const SpringEnd& b, double k, double leng
     return spring;
 }
 
-SpringEnd ground(const Vec3& place) { return {-1, place}; }
-SpringEnd point(int node, const Vec3& arm = Vec3::Zero()) { return {node, arm}; }
+Anchor ground(const Vec3& place) { return {-1, place}; }
+Anchor point(int node, const Vec3& arm = Vec3::Zero()) { return {node, arm}; }
 
 // A body on a spring to the origin, pulled out along x and let go.
 Model make_oscillator(double damping) {

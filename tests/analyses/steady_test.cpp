@@ -85,7 +85,7 @@ TEST_CASE("loads that do not turn with the frame are refused", "[analyses]") {
     model.distributed_loads.clear();
     Spring spring;
     spring.name = "s";
-    spring.ends = {SpringEnd{-1, Vec3(0.0, 0.0, 3.0)}, SpringEnd{last_node(model)}};
+    spring.ends = {Anchor{-1, Vec3(0.0, 0.0, 3.0)}, Anchor{last_node(model)}};
     spring.length = 1.0;
     model.springs.push_back(spring);
     CHECK_NOTHROW(make(model));
@@ -105,7 +105,7 @@ TEST_CASE("a mass on a spring to the axis goes to where the spring holds it", "[
     support.fixed = {false, true, true, true, true, true};
     model.supports.push_back(support);
     Spring spring;
-    spring.ends = {SpringEnd{}, SpringEnd{0}};
+    spring.ends = {Anchor{}, Anchor{0}};
     spring.stiffness = stiffness;
     spring.damping = 3.0;  // the length stays
     spring.length = 1.0;

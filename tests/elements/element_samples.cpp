@@ -1,5 +1,7 @@
 #include "elements/element_samples.hpp"
 
+#include <cmath>
+
 #include "state/increment.hpp"
 
 namespace gxrod::tools {
@@ -39,8 +41,16 @@ Body carry(const Isometry& isometry, Body body) {
 }
 
 Spring carry(const Isometry& isometry, Spring spring) {
-    for (SpringEnd& end : spring.ends) end.arm = isometry.polar(end.arm);
+    for (Anchor& end : spring.ends) end.arm = isometry.polar(end.arm);
     return spring;
+}
+
+Bushing carry(const Isometry& isometry, Bushing bushing) {
+    for (Anchor& end : bushing.ends) end.arm = isometry.polar(end.arm);
+    bushing.axes = isometry.rotation(bushing.axes);
+    bushing.stiffness = isometry.tensor(bushing.stiffness);
+    bushing.damping = isometry.tensor(bushing.damping);
+    return bushing;
 }
 
 template <int Nodes>
@@ -127,6 +137,28 @@ Spring make_spring(RandomValues& random, const std::array<Vec3, 2>& positions) {
     return spring;
 }
 
+Spring add_law(Spring spring) {
+    const double start = spring.length;
+    const auto law = [start](double length, double rate) {
+        const double stretch = length - start;
+        return 0.4 * stretch + 1.3 * stretch * stretch * stretch + (0.7 + 0.2 * length) * rate +
+               0.1 * rate * std::abs(rate);
+    };
+    spring.law = std::make_shared<const SpringLaw>(law, true, start);
+    return spring;
+}
+
+Bushing make_bushing(RandomValues& random, const std::array<Vec3, 2>& positions) {
+    Bushing bushing;
+    bushing.name = "bushing";
+    const Vec3 place = 0.5 * (positions[0] + positions[1]) + random.vector(0.3);
+    for (int i = 0; i < 2; ++i) bushing.ends[i] = {i, place - positions[i]};
+    bushing.axes = random.rotation();
+    bushing.stiffness = random.positive_definite<6>();
+    bushing.damping = random.positive_definite<6>();
+    return bushing;
+}
+
 namespace {
 
 template <template <int> class RodKind, int Nodes>
@@ -153,7 +185,11 @@ ElementSamples make_samples(unsigned seed, const Isometry& isometry) {
     RandomValues random_of_spring(seed + 100);
     const Vec3 place_of_end = random_of_spring.vector();
     const std::array<Vec3, 2> ends{place_of_end, place_of_end + random_of_spring.direction()};
-    const SpringElement<2> spring(carry(isometry, make_spring(random_of_spring, ends)));
+    const Spring plain = make_spring(random_of_spring, ends);
+    const SpringElement<2> spring(carry(isometry, plain));
+    const SpringElement<2> with_law(carry(isometry, add_law(plain)));
+    RandomValues random_of_bushing(seed + 200);
+    const BushingElement<2> bushing(carry(isometry, make_bushing(random_of_bushing, ends)));
     // In braces, evaluated in this order.
     return ElementSamples{make_sample(random, "rigid body", central, {place_of_body}, isometry),
                           make_sample(random, "rigid body with offset", offset, {place_of_body}, isometry),
@@ -165,7 +201,9 @@ ElementSamples make_samples(unsigned seed, const Isometry& isometry) {
                           make_rod_sample<ObjectiveElement, 3>(random, "objective", isometry),
                           make_rod_sample<ObjectiveElement, 4>(random, "objective", isometry),
                           make_rod_sample<ObjectiveElement, 5>(random, "objective", isometry),
-                          make_sample(random_of_spring, "spring", spring, ends, isometry)};
+                          make_sample(random_of_spring, "spring", spring, ends, isometry),
+                          make_sample(random_of_spring, "spring with a law", with_law, ends, isometry),
+                          make_sample(random_of_bushing, "bushing", bushing, ends, isometry)};
 }
 
 }  // namespace gxrod::tools

@@ -4,6 +4,7 @@
 #include <tuple>
 #include <vector>
 
+#include "elements/bushing_element.hpp"
 #include "elements/rigid_body.hpp"
 #include "elements/rod/rod_element.hpp"
 #include "elements/spring_element.hpp"
@@ -82,6 +83,12 @@ Body make_body(RandomValues& random, const Vec3& centre_of_mass);
 // acted.
 Spring make_spring(RandomValues& random, const std::array<Vec3, 2>& positions);
 
+// The same with a smooth law of length and rate in addition, which asks for no force at these places at rest.
+Spring add_law(Spring spring);
+
+// A damped bushing with full matrices, at some distance from nodes 0 and 1 at these places.
+Bushing make_bushing(RandomValues& random, const std::array<Vec3, 2>& positions);
+
 using ElementSamples = std::tuple<ElementSample<RigidBody>,
                                   ElementSample<RigidBody>,
                                   ElementSample<SimoElement<2>>,
@@ -92,7 +99,9 @@ using ElementSamples = std::tuple<ElementSample<RigidBody>,
                                   ElementSample<ObjectiveElement<3>>,
                                   ElementSample<ObjectiveElement<4>>,
                                   ElementSample<ObjectiveElement<5>>,
-                                  ElementSample<SpringElement<2>>>;
+                                  ElementSample<SpringElement<2>>,
+                                  ElementSample<SpringElement<2>>,
+                                  ElementSample<BushingElement<2>>>;
 // The isometry carries the elements, their material axes, motions and histories to another place or into a
 // mirror.
 ElementSamples make_samples(unsigned seed, const Isometry& isometry = {});

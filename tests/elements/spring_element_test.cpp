@@ -13,9 +13,11 @@ using namespace gxrod::tools;
 
 namespace {
 
+constexpr std::size_t spring_with_law = std::tuple_size_v<ElementSamples> - 2;
+
 Spring make_plain_spring(double stiffness, double damping, double length) {
     Spring spring;
-    spring.ends = {SpringEnd{0}, SpringEnd{1}};
+    spring.ends = {Anchor{0}, Anchor{1}};
     spring.stiffness = stiffness;
     spring.damping = damping;
     spring.length = length;
@@ -82,7 +84,7 @@ TEST_CASE("a spring pulls its points together along their line", "[elements]") {
 TEST_CASE("the forces of a spring balance", "[elements]") {
     for (unsigned seed = 1; seed <= sample_seeds; ++seed) {
         const ElementSamples samples = make_samples(seed);
-        const auto& sample = std::get<ElementSample<SpringElement<2>>>(samples);
+        const auto& sample = std::get<spring_with_law>(samples);
         const auto force = compute_force(sample.element, sample.point_at(sample.motions));
         Vec6 sum = Vec6::Zero();
         for (int i = 0; i < 2; ++i) {
@@ -125,4 +127,40 @@ TEST_CASE("where a spring with a length has none left its force is not a number"
     const SpringElement<2> spring(make_plain_spring(3.0, 0.5, 1.0));
     NodeMotion a, b;
     CHECK(std::isnan(compute_force(spring, Motions<2>{&a, &b})[0]));
+}
+
+TEST_CASE("the energy of a law is exact across its kinks and jumps", "[elements]") {
+    Spring spring = make_plain_spring(0.0, 0.0, 1.0);
+    // Slack to 1.3, then as a spring; a jump at 2.
+    const auto force = [](double length, double) {
+        return (length > 1.3 ? 50.0 * (length - 1.3) : 0.0) + (length > 2.0 ? 7.0 : 0.0);
+    };
+    spring.law = std::make_shared<const SpringLaw>(force, false, 1.0);
+    const SpringElement<2> element(spring);
+    NodeMotion a, b;
+    for (const double length : {0.4, 1.2, 1.7, 2.3}) {
+        b.r = Vec3(0.0, length, 0.0);
+        const double stretch = std::max(length - 1.3, 0.0);
+        const double expected = 25.0 * stretch * stretch + 7.0 * std::max(length - 2.0, 0.0);
+        CHECK(element.strain_energy(Motions<2>{&a, &b}, {}) == Approx(expected).epsilon(1e-12));
+    }
+    CHECK(!element.is_damped());
+}
+
+TEST_CASE("what a law damps in a step is its force at the mean rate times the change of length",
+          "[elements]") {
+    Spring spring = make_plain_spring(0.0, 0.0, 1.0);
+    spring.law = std::make_shared<const SpringLaw>(
+        [](double length, double rate) { return length + 3.0 * rate * std::abs(rate); }, true, 1.0);
+    const SpringElement<2> element(spring);
+    NodeMotion a, before, after;
+    before.r = Vec3(1.0, 0.0, 0.0);
+    before.v = Vec3(2.0, 0.0, 0.0);
+    after.r = Vec3(1.5, 0.0, 0.0);
+    after.v = Vec3(4.0, 0.0, 0.0);
+    // Over the step, 0.5/3 long, it is 3 · 3² · 0.5.
+    const double action = element.damping_action(Motions<2>{&a, &before}, Motions<2>{&a, &after}, {});
+    CHECK(action / (0.5 / 3.0) == Approx(27.0 * 0.5));
+    const Motions<2> turning{&a, &before};
+    CHECK(element.damping_action(turning, turning, {}) == 0.0);
 }

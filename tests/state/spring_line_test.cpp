@@ -8,7 +8,7 @@ using namespace gxrod;
 TEST_CASE("a spring's length and rate follow the points that its nodes carry", "[state]") {
     // B is carried around z at radius 2 from the origin; A is at (0, 1, 0).
     Spring spring;
-    spring.ends = {SpringEnd{-1, Vec3(0.0, 1.0, 0.0)}, SpringEnd{0, Vec3(2.0, 0.0, 0.0)}};
+    spring.ends = {Anchor{-1, Vec3(0.0, 1.0, 0.0)}, Anchor{0, Vec3(2.0, 0.0, 0.0)}};
     spring.stiffness = 3.0;
     spring.damping = 0.5;
     spring.length = 0.25;

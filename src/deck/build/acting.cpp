@@ -118,6 +118,23 @@ LineFunction Acting::apply(const LineExpression& value) const {
                         own.form());
 }
 
+MotionComponent Acting::apply(const MotionExpression& value) const {
+    if (is_absent) return {};
+    const TimeFunction scale = find_motion_factor(value.has_time);
+    const auto held = held_at && (factor || !value.has_time) ? held_at : nullptr;
+    return [own = value.by_motion, scale, held, limit = limit_load_factor](
+               double time, const Vec3& position, const Vec3& velocity) {
+        const double t = held ? *held : time;
+        return (limit ? *limit : 1.0) * scale(t) * own(t, position, velocity);
+    };
+}
+
+TimeFunction Acting::find_motion_factor(bool has_time) const {
+    if (factor) return *factor;
+    const bool scales = !has_time && (held_at || grows);
+    return scales ? TimeFunction([](double t) { return t; }) : TimeFunction(1.0);
+}
+
 TimeFunction Acting::apply_own(const TimeFunction& value) const {
     if (is_absent) return TimeFunction(0.0);
     if (held_at) return hold(value, *this);

@@ -9,6 +9,8 @@
 // How a load, or the move of a support, acts in the stage at hand.
 namespace gxrod {
 
+using MotionComponent = decltype(MotionExpression::by_motion);
+
 // What the values of one table are multiplied by, and when they are taken.
 struct Acting {
     bool is_absent = false;  // does not act in this stage
@@ -23,8 +25,12 @@ struct Acting {
 
     TimeFunction apply(const TimeFunction& value) const;
     LineFunction apply(const LineExpression& value) const;
+    // Of a component that depends on the motion; an empty one if it does not act.
+    MotionComponent apply(const MotionExpression& value) const;
 
   private:
+    // By which a value that depends on the motion is multiplied, at the time that acts.
+    TimeFunction find_motion_factor(bool has_time) const;
     TimeFunction apply_own(const TimeFunction& value) const;
     LineFunction apply_own(const LineExpression& value) const;
 };

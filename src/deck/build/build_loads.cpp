@@ -27,18 +27,40 @@ std::array<Function, 3> functions_of(const CheckedTable& table, const char* key,
     return functions;
 }
 
+void set_force(const CheckedMotionVector& components, const Acting& acting, NodalLoad& load) {
+    std::array<MotionComponent, 3> by_motion;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const MotionExpression& component = components[i].expression;
+        if (component.by_motion) {
+            by_motion[i] = acting.apply(component);
+        } else {
+            load.force[i] = acting.apply(component.by_time);
+        }
+    }
+    if (!by_motion[0] && !by_motion[1] && !by_motion[2]) return;
+    load.motion_force = [by_motion](double time, const Vec3& position, const Vec3& velocity) {
+        Vec3 force = Vec3::Zero();
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (by_motion[i]) force[static_cast<Eigen::Index>(i)] = by_motion[i](time, position, velocity);
+        }
+        return force;
+    };
+}
+
 void add_nodal_load(const CheckedTable& table, Frame frame, const Acting& acting, BuildContext& context) {
     const std::optional<PlacedPoint> point = context.place(table.get<std::string>("at"));
     if (!point) return;
     const auto vector = [&](const char* key) {
         return functions_of<TimeFunction, CheckedTimeFunction>(table, key, acting);
     };
-    context.model.loads.push_back({.key = table.path,
-                                   .node = point->node,
-                                   .force = vector("force"),
-                                   .moment = vector("moment"),
-                                   .frame = frame,
-                                   .axes = context.axes_at(*point)});
+    NodalLoad load{.key = table.path,
+                   .node = point->node,
+                   .force = {},
+                   .moment = vector("moment"),
+                   .frame = frame,
+                   .axes = context.axes_at(*point)};
+    if (table.gives("force")) set_force(table.get<CheckedMotionVector>("force"), acting, load);
+    context.model.loads.push_back(std::move(load));
 }
 
 void add_distributed_load(const CheckedTable& table,

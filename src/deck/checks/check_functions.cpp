@@ -72,7 +72,11 @@ void check_functions(const BuildContext& context) {
                     check(factor.value, times, context);
             }
         }
-        for (const char* key : {"force", "moment"}) check_vector(load, key, times, context);
+        if (load.gives("force")) {
+            for (const CheckedMotionFunction& component : load.get<CheckedMotionVector>("force"))
+                check({component.expression.by_time, component.place, component.path}, times, context);
+        }
+        check_vector(load, "moment", times, context);
         if (!load.gives("on")) continue;
         const std::optional<int> rod = find_index(context.deck.tables("rod"), load.get<std::string>("on"));
         if (!rod) continue;

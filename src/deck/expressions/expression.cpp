@@ -59,6 +59,9 @@ struct Values {
     double t = 0.0;
     double s = 0.0;
     Vec3 position = Vec3::Zero();
+    Vec3 velocity = Vec3::Zero();
+    double length = 0.0;
+    double rate = 0.0;
 };
 
 // One expression as bytecode.
@@ -130,6 +133,9 @@ class CompiledFunctions {
 double* CompiledExpression::find(const std::string& variable) {
     if (variable == "t") return &values_.t;
     if (variable == "s") return &values_.s;
+    if (variable == "length") return &values_.length;
+    if (variable == "rate") return &values_.rate;
+    if (variable.size() == 2) return &values_.velocity["xyz"s.find(variable[1])];
     return &values_.position["xyz"s.find(variable)];
 }
 
@@ -335,6 +341,34 @@ std::optional<PlaceExpression> compile_place_function(const std::string& express
         });
     };
     return PlaceExpression{evaluate, has_arc_length};
+}
+
+std::optional<MotionExpression> compile_motion_function(const std::string& expression,
+                                                        const std::string& key,
+                                                        const Symbols& symbols) {
+    const Compiled compiled = compile({expression, symbols, Variables::motion}, key);
+    if (!compiled.program) return std::nullopt;
+    const bool has_time = compiled.variables.contains("t");
+    if (compiled.variables.size() == (has_time ? 1U : 0U)) {
+        std::optional<TimeFunction> by_time = compile_time_function(expression, key, symbols);
+        return MotionExpression{.by_time = std::move(*by_time), .by_motion = {}, .has_time = has_time};
+    }
+    const auto evaluate = [program = compiled.program](
+                              double time, const Vec3& position, const Vec3& velocity) {
+        return program->main({.t = time, .position = position, .velocity = velocity});
+    };
+    return MotionExpression{.by_time = {}, .by_motion = evaluate, .has_time = has_time};
+}
+
+std::optional<SpringExpression> compile_spring_function(const std::string& expression,
+                                                        const std::string& key,
+                                                        const Symbols& symbols) {
+    const Compiled compiled = compile({expression, symbols, Variables::spring}, key);
+    if (!compiled.program) return std::nullopt;
+    const auto evaluate = [program = compiled.program](double length, double rate) {
+        return program->main({.length = length, .rate = rate});
+    };
+    return SpringExpression{evaluate, compiled.variables.contains("rate")};
 }
 
 }  // namespace gxrod

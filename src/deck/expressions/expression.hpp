@@ -71,4 +71,28 @@ std::optional<PlaceExpression> compile_place_function(const std::string& express
                                                       const std::string& key,
                                                       const Symbols& symbols);
 
+// A component of a force by the motion of the point at which it acts: one of both.
+struct MotionExpression {
+    TimeFunction by_time;  // where neither position nor velocity occurs
+    // NaN where it has no value.
+    std::function<double(double time, const Vec3& position, const Vec3& velocity)> by_motion;
+    bool has_time = false;  // whether t occurs
+};
+
+// The same in t, x, y, z, vx, vy and vz.
+std::optional<MotionExpression> compile_motion_function(const std::string& expression,
+                                                        const std::string& key,
+                                                        const Symbols& symbols);
+
+// A force by a spring's length and the rate of it.
+struct SpringExpression {
+    std::function<double(double length, double rate)> function;  // NaN where it has no value
+    bool has_rate = false;                                       // whether the rate occurs
+};
+
+// The same in length and rate.
+std::optional<SpringExpression> compile_spring_function(const std::string& expression,
+                                                        const std::string& key,
+                                                        const Symbols& symbols);
+
 }  // namespace gxrod

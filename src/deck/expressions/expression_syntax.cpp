@@ -13,7 +13,8 @@ namespace gxrod {
 namespace {
 
 const std::vector<std::string>& names_of(Variables variables) {
-    static const std::vector<std::string> none, time{"t"}, line{"t", "s"}, place{"x", "y", "z", "s"};
+    static const std::vector<std::string> none, time{"t"}, line{"t", "s"}, place{"x", "y", "z", "s"},
+        motion{"t", "x", "y", "z", "vx", "vy", "vz"}, spring{"length", "rate"};
     switch (variables) {
         case Variables::none:
             return none;
@@ -22,9 +23,21 @@ const std::vector<std::string>& names_of(Variables variables) {
         case Variables::line:
             return line;
         case Variables::place:
+            return place;
+        case Variables::motion:
+            return motion;
+        case Variables::spring:
             break;
     }
-    return place;
+    return spring;
+}
+
+// What a variable stands for, if it is not t.
+const char* describe_variable(const std::string& name) {
+    if (name == "s") return "the arc length";
+    if (name == "length") return "the spring's length";
+    if (name == "rate") return "the rate of the spring's length";
+    return name.size() == 2 ? "a component of the velocity" : "a coordinate";
 }
 
 bool has(const std::vector<std::string>& names, const std::string& name) {
@@ -153,14 +166,16 @@ class ExpressionCheck {
             throw ExpressionError(
                 fmt::format("\"{0}\" is {1} here and also a parameter; give the parameter another name",
                             name,
-                            name == "s" ? "the arc length" : "a coordinate"));
+                            describe_variable(name)));
         }
         names_.variables.insert(name);
     }
 
     [[noreturn]] void throw_no_time() const {
-        throw ExpressionError(fmt::format("\"t\" (time) is not allowed here: this value is {}",
-                                          variables_ == Variables::none ? "a constant" : "that at t = 0"));
+        const char* value = variables_ == Variables::none     ? "a constant"
+                            : variables_ == Variables::spring ? "a function of length and rate"
+                                                              : "that at t = 0";
+        throw ExpressionError(fmt::format("\"t\" (time) is not allowed here: this value is {}", value));
     }
 
     void check_function() {

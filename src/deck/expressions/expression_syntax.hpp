@@ -11,10 +11,12 @@ namespace gxrod {
 
 // What an expression can use in addition to numbers, pi and the deck's parameters.
 enum class Variables {
-    none,  // nothing: a constant
-    time,  // t, the time, and the deck's functions
-    line,  // also s, the arc length from a rod's start
-    place  // x, y, z of the reference position, s and the deck's functions; not t
+    none,    // nothing: a constant
+    time,    // t, the time, and the deck's functions
+    line,    // also s, the arc length from a rod's start
+    place,   // x, y, z of the reference position, s and the deck's functions; not t
+    motion,  // t, x, y, z of a point's position, vx, vy, vz of its velocity, and the deck's functions
+    spring   // length, rate of a spring's length, and the deck's functions; not t
 };
 
 // The names that an expression uses, without the built-in ones.

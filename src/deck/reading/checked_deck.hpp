@@ -52,6 +52,20 @@ struct CheckedPlaceFunction {
     std::string path;
 };
 
+// A value f(t, x, y, z, vx, vy, vz).
+struct CheckedMotionFunction {
+    MotionExpression expression;
+    Place place;
+    std::string path;
+};
+
+// A value f(length, rate).
+struct CheckedSpringFunction {
+    SpringExpression expression;
+    Place place;
+    std::string path;
+};
+
 // A vector of a list.
 struct CheckedVector {
     Vec3 value;
@@ -61,6 +75,7 @@ struct CheckedVector {
 
 using CheckedTimeVector = std::array<CheckedTimeFunction, 3>;
 using CheckedLineVector = std::array<CheckedLineFunction, 3>;
+using CheckedMotionVector = std::array<CheckedMotionFunction, 3>;
 using CheckedPlaceVector = std::array<CheckedPlaceFunction, 3>;
 using TimeTable = std::vector<std::pair<double, double>>;
 
@@ -107,6 +122,8 @@ struct CheckedValue {
                  CheckedTimeVector,
                  CheckedLineVector,
                  CheckedPlaceVector,
+                 CheckedMotionVector,
+                 CheckedSpringFunction,
                  std::vector<CheckedWord>,
                  std::vector<CheckedTable>>  // one for a single table
         value;

@@ -148,6 +148,20 @@ class ValueReader {
         return CheckedPlaceFunction{std::move(*expression), node.place, path};
     }
 
+    std::optional<CheckedMotionFunction> motion_function(const DeckNode& node,
+                                                         const std::string& path) const {
+        auto expression = compiled<MotionExpression>(node, path, compile_motion_function);
+        if (!expression) return std::nullopt;
+        return CheckedMotionFunction{std::move(*expression), node.place, path};
+    }
+
+    std::optional<CheckedSpringFunction> spring_function(const DeckNode& node,
+                                                         const std::string& path) const {
+        auto expression = compiled<SpringExpression>(node, path, compile_spring_function);
+        if (!expression) return std::nullopt;
+        return CheckedSpringFunction{std::move(*expression), node.place, path};
+    }
+
     // Three functions, read by one of the members above.
     template <class Function>
     std::optional<std::array<Function, 3>> functions(
@@ -233,6 +247,10 @@ class ValueReader {
             return {[value](const Vec3&, double) { return value; }};
         } else if constexpr (std::is_same_v<Function, LineExpression>) {
             return {LineFunction(value)};
+        } else if constexpr (std::is_same_v<Function, MotionExpression>) {
+            return {.by_time = TimeFunction(value), .by_motion = {}};
+        } else if constexpr (std::is_same_v<Function, SpringExpression>) {
+            return {[value](double, double) { return value; }};
         } else {
             return TimeFunction(value);
         }
@@ -328,6 +346,7 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(reader.vector(node, path));
         case ValueType::points:
         case ValueType::ends:
+        case ValueType::joints:
             return wrap(read_points(node, path, key, context));
         case ValueType::matrix:
             return wrap(reader.square_matrix(node, path));
@@ -359,6 +378,10 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(reader.functions(node, path, &ValueReader::line_function));
         case ValueType::place_vector:
             return wrap(reader.functions(node, path, &ValueReader::place_function));
+        case ValueType::motion_vector:
+            return wrap(reader.functions(node, path, &ValueReader::motion_function));
+        case ValueType::spring_expression:
+            return wrap(reader.spring_function(node, path));
         case ValueType::time_table:
             return wrap(reader.time_table(node, path));
         case ValueType::columns:

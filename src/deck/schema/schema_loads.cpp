@@ -25,8 +25,9 @@ KeySpec stages_key(const char* sentence) {
 
 KeySpec load_vector(const char* name, const char* dimension, const char* with, const char* sentence) {
     const bool at_point = std::string_view(with) == "at";
+    const ValueType along = at_point ? ValueType::time_vector : ValueType::line_vector;
     return {.name = name,
-            .type = at_point ? ValueType::time_vector : ValueType::line_vector,
+            .type = std::string_view(name) == "force" ? ValueType::motion_vector : along,
             .dimension = dimension,
             .default_text = "[0, 0, 0]",
             .sentence = sentence,
@@ -40,7 +41,10 @@ std::vector<KeySpec> load_keys() {
          .type = ValueType::reference,
          .sentence = "The name of a rod, for a load along it.",
          .refers_to = {"rod"}},
-        load_vector("force", force_dimension, "at", "Force."),
+        load_vector("force",
+                    force_dimension,
+                    "at",
+                    "Force; x, y, z is where the point is then, vx, vy, vz how fast it moves, global."),
         load_vector("moment", moment_dimension, "at", "Moment."),
         load_vector("force_per_length",
                     force_per_length_dimension,

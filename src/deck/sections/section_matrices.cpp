@@ -109,6 +109,25 @@ std::optional<MatrixFault> check_stiffness_matrix(Mat6& matrix) {
     return check_definiteness(matrix, "the strain");
 }
 
+std::optional<MatrixFault> check_semidefinite_matrix(Mat6& matrix) {
+    for (int i = 0; i < 6; ++i) {
+        if (matrix(i, i) >= 0.0) continue;
+        return MatrixFault{
+            entry_name(i, i),
+            fmt::format("expected no negative number on the diagonal, found {}", matrix(i, i))};
+    }
+    if (auto fault = check_symmetry(matrix)) return fault;
+    symmetrise(matrix);
+    const Vec6 scale =
+        matrix.diagonal().unaryExpr([](double x) { return x > 0.0 ? 1.0 / std::sqrt(x) : 1.0; });
+    const Mat6 scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Mat6> solver(scaled);
+    if (solver.eigenvalues()[0] >= -zero_eigenvalue) return std::nullopt;
+    const Vec6 direction = scale.cwiseProduct(solver.eigenvectors().col(0));
+    return MatrixFault{
+        "", "this matrix gives a negative energy to the displacement " + describe_direction(direction)};
+}
+
 std::optional<MatrixFault> check_mass_matrix(Mat6& matrix) {
     if (auto fault = check_diagonal(matrix)) return fault;
     if (auto fault = check_symmetry(matrix)) return fault;

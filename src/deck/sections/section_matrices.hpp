@@ -17,6 +17,9 @@ struct MatrixFault {
 // Makes the matrix symmetric to the last bit; it must be so up to round-off already, and positive definite.
 std::optional<MatrixFault> check_stiffness_matrix(Mat6& matrix);
 
+// The same for a matrix that may give no energy to some directions, but none a negative one.
+std::optional<MatrixFault> check_semidefinite_matrix(Mat6& matrix);
+
 // The same for the inertia of a rigid slice, [m 1, −m [d]×; m [d]×, J].
 std::optional<MatrixFault> check_mass_matrix(Mat6& matrix);
 

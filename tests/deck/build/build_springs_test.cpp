@@ -1,6 +1,7 @@
 #include "deck/build/build_springs.hpp"
 
 #include "deck/decks.hpp"
+#include "model/spring_law.hpp"
 #include "tools/catch.hpp"
 
 namespace gxrod::test {
@@ -52,7 +53,7 @@ TEST_CASE("Ends of springs that cannot be are errors", "[deck]") {
         "x.toml:18:11: spring.s.between: expected an array of 2 points, such as [\"arm.end\", \"body\"], or "
         "of one and \"ground\", found an array of 3");
     CHECK(faults("between = [\"b\", \"r.end\"]\n") ==
-          "x.toml:17:1: spring.s: missing; expected stiffness or damping");
+          "x.toml:17:1: spring.s: missing; expected stiffness or damping or force");
     CHECK(faults("between = [\"b\", \"r.end\"]\nstiffness = -1\n") ==
           "x.toml:19:13: spring.s.stiffness: expected a number at least 0, found -1");
 }
@@ -90,6 +91,40 @@ TEST_CASE("Histories of springs have their quantities, and points theirs", "[dec
 TEST_CASE("A spring's name is no point's", "[deck]") {
     CHECK(faults_of(parts + "[spring.b]\nbetween = [\"b\", \"r.end\"]\nstiffness = 1\n") ==
           "x.toml:17:1: spring.b: body.b has this name too, and points go by it");
+}
+
+TEST_CASE("A spring's force is an expression or a table of its length and rate", "[deck]") {
+    const std::string law =
+        "[function.law]\ntable = [[0, -30], [2, 0], [3, 90]]\n"
+        "[spring.s]\nbetween = [\"b\", \"r.start\"]\n";  // 2 long; lines 17 to 20
+    const auto force = [](const Problem& problem, double length, double rate) {
+        return (*problem.model.springs.at(0).law)(length, rate);
+    };
+    const Problem table = read(parts + law + "force = \"law(length)\"\n");
+    CHECK(force(table, 2.5, 7.0) == 45.0);
+    CHECK(!table.model.springs[0].law->has_rate());
+    CHECK(table.model.springs[0].law->start() == 2.0);
+    const Problem both = read(parts + law + "force = \"law(length) + 4*rate*abs(rate)\"\n");
+    CHECK(force(both, 2.5, -3.0) == 9.0);
+    CHECK(both.model.springs[0].law->has_rate());
+    CHECK(force(read(parts + law + "force = 5\n"), 9.0, 1.0) == 5.0);
+    CHECK(
+        faults_of(parts + law + "force = \"2*t\"\n") ==
+        "x.toml:21:9: spring.s.force: \"2*t\": \"t\" (time) is not allowed here: this value is a function of "
+        "length and rate");
+    CHECK(faults_of(parts + law + "force = \"lenght\"\n") ==
+          "x.toml:21:9: spring.s.force: \"lenght\": unknown name \"lenght\"; did you mean \"length\"? "
+          "available: pi, length, rate");
+    CHECK(faults_of(parts + law + "force = \"1/(length - 2)\"\n") ==
+          "x.toml:21:9: spring.s.force: is inf at t = 0, with length = 2 and rate = 0");
+    CHECK(
+        faults_of("[parameters]\nrate = 1\n" + parts + law + "force = \"rate\"\n") ==
+        "x.toml:23:9: spring.s.force: \"rate\": \"rate\" is the rate of the spring's length here and also a "
+        "parameter; give the parameter another name");
+    CHECK(faults_of(parts + "[spring.s]\nbetween = [\"b\", \"r.start\"]\nat_a = [0, 0, 0]\nlength = 0\n"
+                            "force = \"length\"\n") ==
+          "x.toml:21:9: spring.s.force: the points are at one place at t = 0, where a force along the spring "
+          "has no direction; expected points apart, or no force");
 }
 
 }  // namespace gxrod::test

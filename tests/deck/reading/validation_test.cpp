@@ -15,8 +15,9 @@ colour = 3)")) ==
           "rotation_vector, velocity, angular_velocity, angular_velocity_material");
     CHECK(faults_of(rod_deck + "[zone.a]") ==
           "x.toml:13:2: zone: unknown key; known here: title, units, gravity, plane, parameters, function, "
-          "section, rod, body, spring, joint, connect, load, support, initial, rotation, analysis, stage, "
-          "output, history");
+          "section, rod, body, spring, bushing, joint, gear, connect, load, support, initial, rotation, "
+          "analysis, "
+          "stage, output, history");
     CHECK(faults_of(body_deck + "gravity = [0, 0, -9.81]") ==
           "x.toml:8:1: analysis.gravity: gravity is a key of the top level and must come before the first "
           "[table]; here it belongs to [analysis]");

@@ -115,17 +115,22 @@ spectral_radius = 1.1)") ==
 TEST_CASE("Functions of time are numbers or expressions in t", "[deck]") {
     CHECK(faults_of(body_deck + R"([[load]]
 at = "top"
-force = 3)") == "x.toml:10:9: load[0].force: expected an array of 3 numbers or expressions in t, found 3");
+force = 3)") ==
+          "x.toml:10:9: load[0].force: expected an array of 3 numbers or expressions in t, x, y, z, vx, vy "
+          "and vz, found 3");
     CHECK(faults_of(body_deck + R"([[load]]
 at = "top"
 force = [0, true, 0])") ==
-          "x.toml:10:13: load[0].force[1]: expected a number or an expression in t, found a boolean");
+          "x.toml:10:13: load[0].force[1]: expected a number or an expression in t, x, y, z, vx, vy and vz, "
+          "found a boolean");
     CHECK(faults_of(body_deck + R"([[load]]
 at = "top"
 force = [0, 0, nan])") == "x.toml:10:16: load[0].force[2]: expected a finite number, found nan");
-    CHECK(faults_of(body_deck + R"([[load]]
+    CHECK(
+        faults_of(body_deck + R"([[load]]
 at = "top"
-force = [0, "tt", 0])") == R"(x.toml:10:13: load[0].force[1]: "tt": unknown name "tt"; available: pi, t)");
+force = [0, "tt", 0])") ==
+        R"(x.toml:10:13: load[0].force[1]: "tt": unknown name "tt"; available: pi, t, x, y, z, vx, vy, vz)");
     CHECK(faults_of(body_deck + R"x([function.f]
 expression = "t"
 [[load]]

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "deck/build/build_context.hpp"
+
+namespace gxrod {
+
+// The key `axes` of a table, three rows that are the directions x, y and z; the global axes without it, and
+// with a fault.
+Quat find_axes(const CheckedTable& table, const BuildContext& context);
+
+}  // namespace gxrod

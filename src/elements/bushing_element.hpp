@@ -1,0 +1,106 @@
+#pragma once
+
+#include "elements/point_pair.hpp"
+#include "state/bushing_motion.hpp"
+
+namespace gxrod {
+
+// A bushing between two points, each carried by a node or fixed: of one node between the ground and its node.
+// No inertia.
+template <int Nodes>
+class BushingElement {
+  public:
+    static constexpr int node_count = Nodes;
+    static constexpr int history_count = 0;
+    static constexpr int point_count = 0;
+    static constexpr bool has_section = false;
+    std::array<int, Nodes> nodes;
+
+    // One of the bushing's ends is the ground if this has one node.
+    explicit BushingElement(const Bushing& bushing);
+
+    void add_internal_force(const Motions<Nodes>& motions, Histories, NodalVector<Nodes>& force) const;
+    void add_internal_tangent(const Motions<Nodes>& motions,
+                              Histories,
+                              const Linearizations<Nodes>& linearizations,
+                              NodalMatrix<Nodes>& tangent) const;
+    // It has no force points: the internal tangent.
+    void add_mixed_tangent(const Motions<Nodes>& motions,
+                           Histories histories,
+                           Resultants,
+                           const Linearizations<Nodes>& linearizations,
+                           NodalMatrix<Nodes>& tangent) const {
+        add_internal_tangent(motions, histories, linearizations, tangent);
+    }
+    void advance_resultants(const Motions<Nodes>&,
+                            Histories,
+                            const NodalVector<Nodes>&,
+                            std::span<Vec6>) const {}
+    void add_inertial_force(const Motions<Nodes>&, const Vec3&, NodalVector<Nodes>&) const {}
+    void add_inertial_tangent(const Motions<Nodes>&,
+                              const Vec3&,
+                              const Linearizations<Nodes>&,
+                              NodalMatrix<Nodes>&) const {}
+    bool is_damped() const { return !bushing_.damping.isZero(0.0); }
+    void add_damping_force(const Motions<Nodes>& motions, Histories, NodalVector<Nodes>& force) const;
+    void add_damping_tangent(const Motions<Nodes>& motions,
+                             Histories,
+                             const Linearizations<Nodes>& linearizations,
+                             NodalMatrix<Nodes>& tangent) const;
+    double damping_action(const Motions<Nodes>& before, const Motions<Nodes>& after, Histories) const;
+    void start(std::span<SectionHistory>) const {}
+    void commit(const Motions<Nodes>&, std::span<SectionHistory>) const {}
+    // Of B against A.
+    double largest_relative_rotation(const Motions<Nodes>& motions) const;
+    double strain_energy(const Motions<Nodes>& motions, Histories) const;
+    double kinetic_energy(const Motions<Nodes>&) const { return 0.0; }
+    double gravity_potential(const Motions<Nodes>&, const Vec3&) const { return 0.0; }
+    Momentum momentum(const Motions<Nodes>&) const { return {}; }
+
+  private:
+    using Columns = typename PointPair<Nodes>::Columns;
+    using StrainColumns = Eigen::Matrix<double, 6, 6 * Nodes>;
+
+    // What follows (δr, δφ) of the nodes.
+    struct Variation {
+        Columns d;         // spatial
+        Columns turn;      // δφ of B less that of A
+        Columns middle;    // δφ of the axes
+        Columns rotation;  // δΦ, in the axes
+        Columns tau;       // spatial
+    };
+
+    BushingMotion compute_motion(const Motions<Nodes>& motions) const;
+    // By force and moment in the bushing's axes.
+    void add_force(const Motions<Nodes>& motions,
+                   const BushingMotion& motion,
+                   const Vec6& own,
+                   NodalVector<Nodes>& force) const;
+    Variation vary(const Motions<Nodes>& motions,
+                   const BushingMotion& motion,
+                   const Linearizations<Nodes>& linear) const;
+    StrainColumns differentiate_strain(const BushingMotion& motion, const Variation& variation) const;
+    StrainColumns differentiate_strain_rate(const Motions<Nodes>& motions,
+                                            const BushingMotion& motion,
+                                            const Linearizations<Nodes>& linear,
+                                            const Variation& variation) const;
+    // Of force and moment in the bushing's axes whose derivative is known.
+    void add_tangent(const Motions<Nodes>& motions,
+                     const BushingMotion& motion,
+                     const Linearizations<Nodes>& linear,
+                     const Variation& variation,
+                     const Vec6& own,
+                     const StrainColumns& derivative,
+                     NodalMatrix<Nodes>& tangent) const;
+
+    Bushing bushing_;
+    PointPair<Nodes> points_;
+};
+
+extern template class BushingElement<1>;
+extern template class BushingElement<2>;
+
+static_assert(Element<BushingElement<1>>);
+static_assert(Element<BushingElement<2>>);
+
+}  // namespace gxrod
