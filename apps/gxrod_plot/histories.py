@@ -5,6 +5,7 @@ import numpy as np
 from .style import AXIS_COLOURS, BLACK, draw_curves
 
 COLUMNS = 3
+JOINT_AXES = "joint axes of A"
 
 
 def history_panels(histories):
@@ -34,13 +35,13 @@ def draw_series(axes, times, history, series):
     values = series.values.reshape(len(series.values), -1)
     if series.name == "rotation_vector":
         times, values = break_at_jumps(times, values)
-    letters = "wxyz" if values.shape[1] == 4 else "xyz"
-    colours = {"w": BLACK, **AXIS_COLOURS}
-    curves = {letter: (column, colours[letter]) for letter, column in zip(letters, values.T)}
+    names = "wxyz" if values.shape[1] == 4 else ("axis", "across 1", "across 2") if series.frame == JOINT_AXES else "xyz"
+    colours = [BLACK, *AXIS_COLOURS.values()] if values.shape[1] == 4 else AXIS_COLOURS.values()
+    curves = {name: (column, colour) for name, column, colour in zip(names, values.T, colours)}
     if values.shape[1] == 1:
         curves = {words(series.name): (values[:, 0], BLACK)}
     frame = describe_frame(series)
-    label = series.dimension if series.dimension != "1" else ""
+    label = series.dimension.replace("angle", "rad") if series.dimension != "1" else ""
     draw_curves(axes, times, curves, f"{history.name}: {words(series.name)}{frame}", label)
 
 
@@ -48,6 +49,10 @@ def describe_frame(series):
     """What a title says about the axes of the components; nothing for the global ones."""
     if series.frame == "material":
         return "" if "material" in series.name else ", material"
+    if series.frame == JOINT_AXES:
+        return ", joint axes"
+    if series.frame == "bushing":
+        return ", bushing axes"
     return f", {series.frame}" if series.frame.startswith("axes of ") else ""
 
 
@@ -58,4 +63,5 @@ def break_at_jumps(times, values):
 
 
 def words(name):
-    return name.replace("_", " ")
+    """A quantity as a reader says it; "force_a" of a joint is a force, whose axes the title names."""
+    return name.removesuffix("_a").replace("_", " ")

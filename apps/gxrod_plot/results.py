@@ -9,12 +9,16 @@ import numpy as np
 
 from .errors import FileFault, UsageError
 from .found import read_found
+from .mechanism import read_ends
 from .response import read_response
 from .path import read_paths
 from .sweep import read_sweep
 
 VERTEX = 1
 NO_HISTORIES = ("time", "stage", "load_factor", "limit_load_factor", "branch")  # columns of all of them
+# How far, how fast, what drives, what is passed on.
+JOINT_QUANTITIES = ("angle", "angle_rate", "slide", "slide_rate", "elongation", "axial_force", "drive", "friction", "force", "moment",
+                    "force_a", "moment_a", "gap")
 CURVES = {3, 21, 35, 68}  # VTK cell types of rod elements: the two ends first, then the nodes between
 
 
@@ -93,7 +97,11 @@ class Results:
 
     def history(self, name):
         group = self._file["histories"][name]
-        return History(name, text_of(group.attrs, "at"), [self._series(group, key) for key in group])
+        return History(name, text_of(group.attrs, "at"), [self._series(group, key) for key in list_quantities(group)])
+
+    def ends(self, table):
+        """What joins points: of joints, springs or bushings."""
+        return read_ends(self._file, table)
 
     def ledger(self):
         group = self._file["ledger"]
@@ -132,6 +140,13 @@ class Results:
                 else:
                     rods.append(nodes)
         return [np.array(rod) for rod in rods], bodies
+
+
+def list_quantities(group):
+    """Of joints and springs in a reader's order, else in the file's."""
+    if set(group) <= set(JOINT_QUANTITIES):
+        return sorted(group, key=JOINT_QUANTITIES.index)
+    return list(group)
 
 
 def time_label_of(file, has_paths, is_static):

@@ -1,6 +1,6 @@
 """Deflected shapes over time, in space or in a plane."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from matplotlib.cm import ScalarMappable
@@ -10,6 +10,7 @@ from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.art3d import Line3DCollection
 
 from .errors import UsageError
+from .mechanism import Mechanism, describe, draw_mechanism, make_mechanism
 from .style import AXIS_COLOURS, GREY, TIME_COLOURS
 
 DEFAULT_FRAMES = 12
@@ -29,11 +30,15 @@ class Scene:
     shapes: list  # (points [n,3], time)
     traces: list  # (points [F,3], times [F])
     triads: list  # (origin [3], axes {letter: tip [3]})
+    mechanism: Mechanism = field(default_factory=Mechanism)
+
+    def places(self):
+        """All points but the tips of axes."""
+        return np.concatenate([*(points for points, _ in self.shapes + self.traces), self.mechanism.points()])
 
     def points(self):
         tips = [tip for origin, axes in self.triads for tip in (origin, *axes.values())]
-        drawn = [points for points, _ in self.shapes + self.traces]
-        return np.concatenate([*drawn, np.reshape(tips, (-1, 3))])
+        return np.concatenate([self.places(), np.reshape(tips, (-1, 3))])
 
 
 def choose_frames(results, times=None, count=None):
@@ -59,16 +64,26 @@ def make_scene(results, frames):
     stride = -(-len(results.frame_times) // MOST_TRACED)
     times = results.frame_times[::stride]
     scene.traces = [(results.trace(node, stride), times) for node in results.bodies]
+    scene.mechanism = make_mechanism(results, frames, triad_size(scene))
     size = triad_size(scene)
+    jointed = nodes_on_joints(results)
     for node, (path, _) in zip(results.bodies, list(scene.traces)):
         travels = np.ptp(path, axis=0).max() > size
-        if travels:
+        if travels and node in jointed:
+            # Its links show how it turns.
+            add_triads(scene, results, node, frames[-1:], 0.4 * size)
+        elif travels:
             add_triads(scene, results, node, frames, size)
         else:
             # A body that turns on the spot: the path of its steadiest axis shows how.
             add_triads(scene, results, node, frames[-1:], 2.0 * size)
             scene.traces.append((path + 2.0 * size * steadiest_axis(results, node, stride), times))
     return scene
+
+
+def nodes_on_joints(results):
+    joints = results.ends("joints")
+    return set() if joints is None else {int(node) for numbers in joints.points for node in numbers}
 
 
 def steadiest_axis(results, node, stride):
@@ -98,7 +113,7 @@ def add_triads(scene, results, node, frames, size):
 
 def best_view(scene):
     """The plane that holds all shapes and traces, or space."""
-    extent = np.ptp(np.concatenate([points for points, _ in scene.shapes + scene.traces]), axis=0)
+    extent = np.ptp(scene.places(), axis=0)
     for view, plane in PLANES.items():
         if extent[3 - sum(plane)] < 1e-6 * extent.max():
             return view
@@ -147,9 +162,9 @@ def draw_shapes(figure, results, shapes):
         draw_in_plane(axes, scene, norm, PLANES[view], view)
     title = f"{'Shapes' if results.rods else 'Motion'} over {results.time_label}"
     figure.suptitle(title, x=0.02, ha="left", fontsize=9.5, fontweight="bold")
-    if scene.triads:
-        figure.supxlabel("bodies by their axes: x red, y green, z blue", x=0.02, ha="left", fontsize=8,
-                         color="#5b616b")
+    notes = [*(["bodies by their axes: x red, y green, z blue"] if scene.triads else []), describe(scene.mechanism)]
+    if any(notes):
+        figure.supxlabel("\n".join(filter(None, notes)), x=0.02, ha="left", fontsize=8, color="#5b616b")
     bar = figure.colorbar(ScalarMappable(norm, TIME_COLOURS), ax=axes, shrink=0.7, aspect=30,
                           pad=0.09 if view == "3d" else 0.02)
     bar.outline.set_visible(False)
@@ -158,7 +173,7 @@ def draw_shapes(figure, results, shapes):
 
 def coloured_lines(scene, norm, pick):
     """Segments, colours and widths of the shapes and of the traces, in the picked directions."""
-    lines = [(pick(points), TIME_COLOURS(norm(time)), 1.8) for points, time in scene.shapes]
+    lines = [(pick(points), TIME_COLOURS(norm(time)), 1.8) for points, time in scene.shapes + scene.mechanism.links]
     for points, times in scene.traces:
         picked = pick(points)
         lines += [(picked[i : i + 2], TIME_COLOURS(norm(times[i])), 1.0) for i in range(len(picked) - 1)]
@@ -173,6 +188,7 @@ def draw_in_plane(axes, scene, norm, plane, view):
             ends = np.array([origin, tip])[:, plane]
             axes.plot(*ends.T, color=AXIS_COLOURS[axis], linewidth=1.6, solid_capstyle="round")
         axes.plot(*origin[list(plane)], "o", color=GREY, markersize=4)
+    draw_mechanism(axes, scene.mechanism, lambda points: points[:, plane])
     low, high = limits(scene)
     for set_limits, direction in zip((axes.set_xlim, axes.set_ylim), plane):
         set_limits(low[direction], high[direction])
@@ -196,6 +212,7 @@ def draw_in_space(axes, scene, norm, zoom):
         for axis, tip in tips.items():
             axes.plot(*np.array([origin, tip]).T, color=AXIS_COLOURS[axis], linewidth=1.8)
         axes.plot(*origin[:, None], "o", color=GREY, markersize=4)
+    draw_mechanism(axes, scene.mechanism, lambda points: points)
     low, high = limits(scene)
     for set_limits, a, b in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), low, high):
         set_limits(a, b)

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "model/joint_name.hpp"
+
 namespace gxrod {
 
 using Json = nlohmann::ordered_json;
@@ -41,28 +43,81 @@ Json describe_body(const Body& body, const NodeNumbers& number) {
             {"half_sizes", to_json(half_sizes(body.mass, moments))}};
 }
 
+Json describe_end(const Anchor& end, const NodeNumbers& number) {
+    return {{"node", end.is_ground() ? -1 : number(end.node)}, {"arm", to_json(end.arm)}};
+}
+
+Json describe_ends(const Anchor& a, const Anchor& b, const NodeNumbers& number) {
+    return Json::array({describe_end(a, number), describe_end(b, number)});
+}
+
+Json describe_joint(const Joint& joint, const NodeNumbers& number) {
+    Json json{{"name", joint.name},
+              {"type", name_of(joint.kind)},
+              {"ends", describe_ends(joint.a.anchor, joint.b.anchor, number)},
+              {"axes", to_json(Quat(joint.a.axes))},
+              {"moved", joint.turn.motion.has_value() || joint.slide.motion.has_value()}};
+    if (joint.kind == JointKind::universal) json["axis_b"] = to_json(Vec3(joint.b.axes.col(0)));
+    return json;
+}
+
+// At its point, on both sides.
+Json describe_sleeve(const Sleeve& sleeve, const NodeNumbers& number) {
+    return {{"name", sleeve.name},
+            {"type", name_of(JointKind::sleeve)},
+            {"ends", describe_ends(sleeve.point, sleeve.point, number)},
+            {"axes", to_json(Quat(Quat::Identity()))},
+            {"moved", sleeve.slide.motion.has_value()}};
+}
+
+// Of the first `most` of these parts.
+template <class Part, class Describe>
+Json describe_first(const std::vector<Part>& parts, std::size_t most, Describe&& describe) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < std::min(parts.size(), most); ++i) list.push_back(describe(parts[i]));
+    return list;
+}
+
 }  // namespace
 
 Json describe_bodies(const Model& model, const NodeNumbers& number, std::size_t most) {
-    Json bodies = Json::array();
-    for (const Body& body : model.bodies) {
-        if (bodies.size() == most) break;
-        bodies.push_back(describe_body(body, number));
-    }
-    return bodies;
+    return describe_first(model.bodies, most, [&](const Body& body) { return describe_body(body, number); });
 }
 
 Json describe_supports(const Model& model, const NodeNumbers& number, std::size_t most) {
-    Json supports = Json::array();
-    for (const Support& support : model.supports) {
-        if (supports.size() == most) break;
-        supports.push_back({{"name", model.nodes[support.node].name},
-                            {"node", number(support.node)},
-                            {"axes", to_json(support.axes)},
-                            {"fixed", support.fixed},
-                            {"moved", support.moved}});
+    return describe_first(model.supports, most, [&](const Support& support) -> Json {
+        return {{"name", model.nodes[support.node].name},
+                {"node", number(support.node)},
+                {"axes", to_json(support.axes)},
+                {"fixed", support.fixed},
+                {"moved", support.moved}};
+    });
+}
+
+Json describe_joints(const Model& model, const NodeNumbers& number, std::size_t most) {
+    Json joints =
+        describe_first(model.joints, most, [&](const Joint& joint) { return describe_joint(joint, number); });
+    for (const Sleeve& sleeve : model.sleeves) {
+        if (joints.size() == most) break;
+        joints.push_back(describe_sleeve(sleeve, number));
     }
-    return supports;
+    return joints;
+}
+
+Json describe_springs(const Model& model, const NodeNumbers& number, std::size_t most) {
+    return describe_first(model.springs, most, [&](const Spring& spring) -> Json {
+        return {{"name", spring.name},
+                {"ends", describe_ends(spring.ends[0], spring.ends[1], number)},
+                {"pulls", spring.stiffness != 0.0 || spring.law != nullptr}};
+    });
+}
+
+Json describe_bushings(const Model& model, const NodeNumbers& number, std::size_t most) {
+    return describe_first(model.bushings, most, [&](const Bushing& bushing) -> Json {
+        return {{"name", bushing.name},
+                {"ends", describe_ends(bushing.ends[0], bushing.ends[1], number)},
+                {"axes", to_json(bushing.axes)}};
+    });
 }
 
 std::size_t count_unknowns(const Model& model) {

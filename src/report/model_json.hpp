@@ -20,6 +20,18 @@ nlohmann::ordered_json describe_bodies(const Model& model, const NodeNumbers& nu
 // At most `most` supports: name of the node, node, axes (quaternion w x y z), fixed and moved components.
 nlohmann::ordered_json describe_supports(const Model& model, const NodeNumbers& number, std::size_t most);
 
+// At most `most` joints: name, type, ends, axes at t = 0 that A carries (quaternion w x y z; x is the joint's
+// axis), of a universal joint also the axis that B carries; `moved` if a motor moves it. Ends are A and B,
+// each a node, -1 for the ground, and the arm from it to the point, global at t = 0; of the ground the point
+// itself.
+nlohmann::ordered_json describe_joints(const Model& model, const NodeNumbers& number, std::size_t most);
+
+// At most `most` springs: name, ends as those of joints; `pulls` unless it is a damper alone.
+nlohmann::ordered_json describe_springs(const Model& model, const NodeNumbers& number, std::size_t most);
+
+// At most `most` bushings: name, ends as those of joints, axes at t = 0 (quaternion w x y z).
+nlohmann::ordered_json describe_bushings(const Model& model, const NodeNumbers& number, std::size_t most);
+
 // Tables of the model and of the analysis for a reader: [{title, columns, rows}], cells are texts and
 // numbers.
 nlohmann::ordered_json describe_tables(const Problem& problem);

@@ -7,6 +7,7 @@
 
 #include "deck/schema/choices.hpp"
 #include "model/analysis_traits.hpp"
+#include "model/joint_name.hpp"
 #include "model/newton_choice.hpp"
 #include "report/model_json.hpp"
 
@@ -85,15 +86,16 @@ Json describe_body_table(const Model& model) {
             {"note", tell_rest(model.bodies)}};
 }
 
+std::string name_end(const Model& model, const Anchor& end) {
+    return end.is_ground() ? std::string("ground") : model.nodes[end.node].name;
+}
+
 Json describe_spring_table(const Model& model) {
-    const auto name = [&](const SpringEnd& end) {
-        return end.is_ground() ? std::string("ground") : model.nodes[end.node].name;
-    };
     Json rows = Json::array();
     for (const Spring& spring : first_of(model.springs)) {
         rows.push_back({spring.name,
-                        name(spring.ends[0]),
-                        name(spring.ends[1]),
+                        name_end(model, spring.ends[0]),
+                        name_end(model, spring.ends[1]),
                         spring.stiffness,
                         spring.damping,
                         spring.length});
@@ -104,17 +106,27 @@ Json describe_spring_table(const Model& model) {
             {"note", tell_rest(model.springs)}};
 }
 
+Json describe_bushing_table(const Model& model) {
+    Json rows = Json::array();
+    for (const Bushing& bushing : first_of(model.bushings)) {
+        Json row{bushing.name, name_end(model, bushing.ends[0]), name_end(model, bushing.ends[1])};
+        for (int i = 0; i < 6; ++i) row.push_back(bushing.stiffness(i, i));
+        rows.push_back(row);
+    }
+    return {{"title", "Bushings"},
+            {"columns", {"", "from", "to", "k x", "k y", "k z", "k rx", "k ry", "k rz"}},
+            {"rows", rows},
+            {"note", tell_rest(model.bushings)}};
+}
+
 Json describe_joint_table(const Model& model) {
-    const auto name = [&](const Anchor& anchor) {
-        return anchor.is_ground() ? std::string("ground") : model.nodes[anchor.node].name;
-    };
     Json rows = Json::array();
     for (const Joint& joint : first_of(model.joints)) {
         const bool has_axis = joint.has_turn() || joint.has_slide();
         rows.push_back({joint.name,
-                        word_of(joint_kind_choices, joint.kind),
-                        name(joint.a.anchor),
-                        name(joint.b.anchor),
+                        name_of(joint.kind),
+                        name_end(model, joint.a.anchor),
+                        name_end(model, joint.b.anchor),
                         vector(find_place(model, joint.a.anchor)),
                         has_axis ? vector(joint.a.axes.col(0)) : std::string()});
     }
@@ -122,6 +134,20 @@ Json describe_joint_table(const Model& model) {
             {"columns", {"", "type", "from", "to", "at", "axis"}},
             {"rows", rows},
             {"note", tell_rest(model.joints)}};
+}
+
+Json describe_gear_table(const Model& model) {
+    Json rows = Json::array();
+    for (const Gear& gear : first_of(model.gears)) {
+        const auto name = [&](const GearSide& side) {
+            return fmt::format("{} of {}", side.is_turn ? "turn" : "slide", model.joints[side.joint].name);
+        };
+        rows.push_back({gear.name, gear.ratio, name(gear.sides[0]), name(gear.sides[1])});
+    }
+    return {{"title", "Gears"},
+            {"columns", {"", "ratio", "first", "second"}},
+            {"rows", rows},
+            {"note", tell_rest(model.gears)}};
 }
 
 std::string describe_components(const std::array<bool, 6>& components) {
@@ -182,7 +208,9 @@ Json describe_tables(const Problem& problem) {
     if (!model.rods.empty()) tables.push_back(describe_rods(model));
     if (!model.bodies.empty()) tables.push_back(describe_body_table(model));
     if (!model.springs.empty()) tables.push_back(describe_spring_table(model));
+    if (!model.bushings.empty()) tables.push_back(describe_bushing_table(model));
     if (!model.joints.empty()) tables.push_back(describe_joint_table(model));
+    if (!model.gears.empty()) tables.push_back(describe_gear_table(model));
     if (!model.supports.empty()) tables.push_back(describe_support_table(model));
     return tables;
 }

@@ -21,6 +21,8 @@ namespace {
 constexpr std::size_t most_bodies = 300;
 constexpr std::size_t most_supports = 500;
 constexpr std::size_t most_arrows = 300;
+constexpr std::size_t most_joints = 500;
+constexpr std::size_t most_springs = 500;  // and as many bushings
 
 std::string text_of(const Hdf5Reader& file, const std::string& name) {
     return file.has_attribute("/", name) ? file.text_attribute("/", name) : "";
@@ -43,21 +45,40 @@ void rebuild(const Hdf5Reader& file, RunStory& story) {
     }
 }
 
+// How many of these parts are drawn; a sentence on the others.
+std::size_t count_drawn(std::size_t all, std::size_t most, const char* names, RunStory& story) {
+    if (all <= most) return all;
+    story.left_out.push_back(fmt::format("Of {} {}, the first {} are drawn.", all, names, most));
+    return most;
+}
+
+void mark_ends(const Anchor& a, const Anchor& b, RunStory& story) {
+    for (const Anchor* end : {&a, &b}) {
+        if (!end->is_ground()) story.marked_nodes.push_back(end->node);
+    }
+}
+
 void add_drawing(RunStory& story) {
     const Model& model = story.problem->model;
     story.arrows = list_load_arrows(model);
-    if (story.arrows.size() > most_arrows) {
-        story.left_out.push_back(
-            fmt::format("Of {} arrows of loads, the first {} are drawn.", story.arrows.size(), most_arrows));
-        story.arrows.resize(most_arrows);
-    }
+    story.arrows.resize(count_drawn(story.arrows.size(), most_arrows, "arrows of loads", story));
     for (const LoadArrow& arrow : story.arrows) story.marked_nodes.push_back(arrow.node);
-    const std::size_t supports = std::min(model.supports.size(), most_supports);
-    if (supports < model.supports.size()) {
-        story.left_out.push_back(
-            fmt::format("Of {} supports, the first {} are drawn.", model.supports.size(), supports));
-    }
+    const std::size_t supports = count_drawn(model.supports.size(), most_supports, "supports", story);
     for (std::size_t i = 0; i < supports; ++i) story.marked_nodes.push_back(model.supports[i].node);
+    const std::size_t all_joints = model.joints.size() + model.sleeves.size();
+    const std::size_t joints = count_drawn(all_joints, most_joints, "joints", story);
+    for (std::size_t i = 0; i < std::min(joints, model.joints.size()); ++i)
+        mark_ends(model.joints[i].a.anchor, model.joints[i].b.anchor, story);
+    for (std::size_t i = model.joints.size(); i < joints; ++i) {
+        const Anchor& point = model.sleeves[i - model.joints.size()].point;
+        mark_ends(point, point, story);
+    }
+    const std::size_t springs = count_drawn(model.springs.size(), most_springs, "springs", story);
+    for (std::size_t i = 0; i < springs; ++i)
+        mark_ends(model.springs[i].ends[0], model.springs[i].ends[1], story);
+    const std::size_t bushings = count_drawn(model.bushings.size(), most_springs, "bushings", story);
+    for (std::size_t i = 0; i < bushings; ++i)
+        mark_ends(model.bushings[i].ends[0], model.bushings[i].ends[1], story);
 }
 
 // Bodies whose places alone are known.
@@ -99,13 +120,8 @@ RunStory read_run_story(const Hdf5Reader& file) {
     story.topology = read_topology(file);
     rebuild(file, story);
     const std::vector<int>& bodies = story.topology.body_nodes;
-    if (bodies.size() > most_bodies) {
-        story.left_out.push_back(
-            fmt::format("Of {} bodies, the first {} are drawn.", bodies.size(), most_bodies));
-    }
-    for (std::size_t i = 0; i < std::min(bodies.size(), most_bodies); ++i) {
-        story.marked_nodes.push_back(bodies[i]);
-    }
+    const std::size_t drawn = count_drawn(bodies.size(), most_bodies, "bodies", story);
+    for (std::size_t i = 0; i < drawn; ++i) story.marked_nodes.push_back(bodies[i]);
     if (story.problem) add_drawing(story);
     if (file.has_attribute("/", "reason_nodes"))
         story.fail_nodes = file.integers_attribute("/", "reason_nodes");
@@ -155,15 +171,18 @@ Json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbe
     json["arrows"] = describe_arrows(story, number);
     if (!story.problem) {
         json["bodies"] = bare_bodies(story, number);
-        json["supports"] = Json::array();
-        json["tables"] = Json::array();
-        json["rods"] = Json::array();
+        for (const char* parts : {"supports", "joints", "springs", "bushings", "tables", "rods"}) {
+            json[parts] = Json::array();
+        }
         return json;
     }
     const Model& model = story.problem->model;
     json["unknowns"] = count_unknowns(model);
     json["bodies"] = describe_bodies(model, number, most_bodies);
     json["supports"] = describe_supports(model, number, most_supports);
+    json["joints"] = describe_joints(model, number, most_joints);
+    json["springs"] = describe_springs(model, number, most_springs);
+    json["bushings"] = describe_bushings(model, number, most_springs);
     json["tables"] = describe_tables(*story.problem);
     json["rods"] = Json::array();
     for (const Rod& rod : model.rods) json["rods"].push_back(rod.name);

@@ -22,7 +22,7 @@ struct RunStory {
     std::string why_no_problem;
     std::vector<LoadArrow> arrows;         // of the problem's model
     std::vector<std::int64_t> fail_nodes;  // that the reason of a failure names
-    std::vector<int> marked_nodes;         // of supports, arrows, bodies and failure
+    std::vector<int> marked_nodes;         // of all that is drawn at nodes
     std::vector<std::string> left_out;     // of the drawing, a sentence each
 };
 

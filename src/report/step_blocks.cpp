@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "report/data_blocks.hpp"
 #include "results/tables/stage_table.hpp"
@@ -15,8 +17,43 @@ namespace {
 
 constexpr std::size_t most_rows_at_once = 4096;
 
+// Of joints and springs, as a reader asks for them: how far, how fast, what drives, what is passed on.
+constexpr std::array<std::string_view, 13> joint_quantities{"angle",
+                                                            "angle_rate",
+                                                            "slide",
+                                                            "slide_rate",
+                                                            "elongation",
+                                                            "axial_force",
+                                                            "drive",
+                                                            "friction",
+                                                            "force",
+                                                            "moment",
+                                                            "force_a",
+                                                            "moment_a",
+                                                            "gap"};
+
+std::size_t rank_of(const std::string& quantity) {
+    return static_cast<std::size_t>(std::find(joint_quantities.begin(), joint_quantities.end(), quantity) -
+                                    joint_quantities.begin());
+}
+
+// Of the history of a joint or spring in that order; else as the file has them.
+std::vector<std::string> list_quantities(const Hdf5Reader& file, const std::string& history) {
+    std::vector<std::string> names = file.members("/histories/" + history);
+    if (std::all_of(names.begin(), names.end(), [](const std::string& name) {
+            return rank_of(name) < joint_quantities.size();
+        })) {
+        std::sort(names.begin(), names.end(), [](const std::string& one, const std::string& other) {
+            return rank_of(one) < rank_of(other);
+        });
+    }
+    return names;
+}
+
 StepChart::Source find_source(const Hdf5Reader& file, const std::string& dataset, const std::string& label) {
     const std::size_t width = file.width(dataset);
+    if (width == 3 && file.text_attribute(dataset, "frame") == "joint axes of A")
+        return {dataset, {"axis", "across 1", "across 2", "magnitude"}, width};
     if (width == 3) return {dataset, {"x", "y", "z", "magnitude"}, width};
     if (width == 4) return {dataset, {"w", "x", "y", "z"}, width};
     return {dataset, std::vector<std::string>(width, label), width};
@@ -88,7 +125,7 @@ std::vector<StepChart> list_charts(const Hdf5Reader& file, bool is_static) {
     charts.push_back(make_chart(file, "energy", "Energy imbalance", {{"/ledger/energy_error", "imbalance"}}));
     for (const std::string& name : file.members("/histories")) {
         if (!is_history_name(name)) continue;
-        for (const std::string& quantity : file.members("/histories/" + name)) {
+        for (const std::string& quantity : list_quantities(file, name)) {
             const std::string dataset = fmt::format("/histories/{}/{}", name, quantity);
             charts.push_back(make_chart(file, "history", name, {{dataset, quantity}}));
             charts.back().quantity = quantity;

@@ -21,7 +21,7 @@ TESTS = os.environ["GXROD_TESTS"]
 sys.path.insert(0, str(Path(os.environ["GXROD_SOURCE"]) / "apps"))
 sys.dont_write_bytecode = True
 
-from gxrod_plot import compare, histories, results, shapes, style  # noqa: E402
+from gxrod_plot import compare, histories, mechanism, results, shapes, style  # noqa: E402
 from gxrod_plot.errors import UsageError  # noqa: E402
 
 
@@ -428,6 +428,113 @@ class Parts(PlotTest):
         self.assertEqual((thin_values.max(), thin_values.min()), (7.0, -7.0))
         self.assertEqual((thin_times[0], thin_times[-1]), (0.0, 99999.0))
 
+
+class Mechanisms(unittest.TestCase):
+    """A crank, point 0, on a hinge on the ground and with a ball that joins it to point 1; quarter turns about z."""
+
+    def setUp(self):
+        joints = mechanism.Ends(["shaft", "pin", "guide", "bar"], ["hinge", "ball", "slider", "distance"],
+                                (np.array([-1, 0, 1, 0]), np.array([0, 1, -1, 1])),
+                                (np.array([[0.0, 0, 0], [2, 0, 0], [0, 0, 0], [1, 0, 0]]),
+                                 np.array([[0.0, 0, 0], [-3, 0, 0], [5, 0, 0], [0, 0, 0]])),
+                                (np.array([[0.0, 0, 1], [1, 0, 0], [1, 0, 0], [1, 0, 0]]),) * 2)
+        springs = mechanism.Ends(["cord"], [], (np.array([-1]), np.array([1])), (np.array([[5.0, 4, 0]]), np.array([[0.0, 1, 0]])))
+        bushings = mechanism.Ends(["mount"], [], (np.array([0]), np.array([1])), (np.array([[1.0, 0, 0]]), np.zeros((1, 3))))
+        tables = {"joints": joints, "springs": springs, "bushings": bushings}
+        quarter = np.pi / 2
+        frames = [(np.array([[0.0, 0, 0], [5, 0, 0]]), np.zeros((2, 3))),
+                  (np.array([[0.0, 0, 0], [0, 5, 0]]), np.array([[0, 0, quarter], [0, 0, quarter]]))]
+        self.results = types.SimpleNamespace(
+            ends=tables.get, frame_times=np.array([0.0, 1.0]),
+            frame=lambda index, field="Points": frames[index][1 if field == "rotation_vector" else 0])
+        self.made = mechanism.make_mechanism(self.results, [0, 1], 0.4)
+
+    def test_links_go_from_points_to_joints_in_every_frame(self):
+        links = [(line.round(12).tolist(), time) for line, time in self.made.links]
+        self.assertEqual(len(links), 6)
+        for line in ([[0, 0, 0], [2, 0, 0]], [[5, 0, 0], [2, 0, 0]]):
+            self.assertIn((line, 0.0), links)
+        for line in ([[0, 0, 0], [0, 2, 0]], [[0, 5, 0], [0, 2, 0]]):
+            self.assertIn((line, 1.0), links)
+
+    def test_joints_are_drawn_where_they_are_in_the_last_frame(self):
+        marks = [(kind, place.round(12).tolist(), colour) for kind, place, colour in self.made.marks]
+        self.assertEqual(marks[0], ("hinge", [0, 0, 0], style.GREY))
+        self.assertEqual(marks[1], ("ball", [0, 2, 0], mechanism.JOINT))
+        self.assertEqual(marks[2], ("slider", [0, 5, 0], style.GREY))
+        self.assertEqual([mark[:2] for mark in marks[3:]], [("distance", [0, 1, 0]), ("distance", [0, 5, 0])])
+        np.testing.assert_allclose(self.made.bars, [[[0, 1, 0], [0, 5, 0]]], atol=1e-12)
+        lines = [line.round(12).tolist() for line, _ in self.made.axes]
+        # The slider's axis is carried by point 1, which has turned.
+        self.assertEqual(lines, [[[0, 0, -0.2], [0, 0, 0.2]], [[0, 4.8, 0], [0, 5.2, 0]]])
+
+    def test_springs_zigzag_between_their_points(self):
+        [line] = self.made.coils
+        np.testing.assert_allclose(line[[0, -1]], [[5, 4, 0], [-1, 5, 0]], atol=1e-12)
+        np.testing.assert_allclose(self.made.anchors, [[5, 4, 0]])
+        along = np.array([-6, 1, 0]) / np.sqrt(37)
+        off = line - line[0] - np.outer((line - line[0]) @ along, along)
+        self.assertAlmostEqual(np.linalg.norm(off, axis=1).max(), 0.12 * 0.4)
+        self.assertEqual((np.diff(np.sign(off[2:-2] @ [along[1], -along[0], 0])) != 0).sum(), len(off) - 5)
+        np.testing.assert_allclose(self.made.boxes, [[0, 3, 0]], atol=1e-12)
+
+    def test_zigzags_are_drawn_along_any_direction_and_without_length(self):
+        for end in ([0, 0, 3.0], [0, 0, 0.0]):
+            line = mechanism.coil(np.zeros(3), np.array(end), 0.1)
+            self.assertTrue(np.isfinite(line).all())
+            np.testing.assert_allclose(line[-1], end)
+
+    def test_signs_are_explained(self):
+        self.assertEqual(mechanism.describe(self.made),
+                         "○ hinge, ● ball, ■ slider, • distance, zigzag: spring, ochre ■ bushing, grey: on the ground")
+        self.assertEqual(mechanism.describe(mechanism.Mechanism()), "")
+
+    def test_joints_histories_have_a_readers_order_and_names(self):
+        group = dict.fromkeys(["angle", "drive", "force", "force_a", "gap", "moment", "slide"])
+        self.assertEqual(results.list_quantities(group), ["angle", "slide", "drive", "force", "moment", "force_a", "gap"])
+        self.assertEqual(results.list_quantities(dict.fromkeys(["curvature", "force"])), ["curvature", "force"])
+        self.assertEqual(histories.words("force_a"), "force")
+        named = types.SimpleNamespace(name="force_a", frame="joint axes of A")
+        self.assertEqual(histories.describe_frame(named), ", joint axes")
+
+    def test_pictures_of_results_have_them(self):
+        """From the program to the picture, in colours that nothing else has."""
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            (folder / "a.toml").write_text(MECHANISM)
+            subprocess.run([os.environ["GXROD"], "run", "a.toml", "--quiet"], cwd=folder, check=True, capture_output=True)
+            made = results.read_results(folder / "a.vtkhdf", lambda file: mechanism.make_mechanism(file, [0, 5], 0.1))
+            np.testing.assert_allclose([place for _, place, _ in made.marks], [[0, 0, 0]], atol=1e-12)
+            [(line, _), *_] = made.links
+            np.testing.assert_allclose(line, [[0.3, 0, 0], [0, 0, 0]])
+            for view in ("3d", "xy"):
+                subprocess.run([PLOT, "a.vtkhdf", "--what", "shapes", "--view", view, "-o", "a.png"], cwd=folder, check=True,
+                               capture_output=True, env=dict(os.environ, PYTHONDONTWRITEBYTECODE="1"))
+                pixels = (255 * image.imread(folder / "a.png")[..., :3]).round().astype(int)
+                ochre = [int(mechanism.SPRING[i : i + 2], 16) for i in (1, 3, 5)]
+                self.assertGreater((np.abs(pixels - ochre).max(axis=2) < 12).sum(), 100)
+
+
+# A pendulum on a hinge, held by a spring.
+MECHANISM = """[body.bob]
+mass = 1
+inertia = [0.1, 0.1, 0.1]
+at = [0.3, 0, 0]
+[joint.pivot]
+type = "hinge"
+between = ["ground", "bob"]
+at = [0, 0, 0]
+axis = [0, 0, 1]
+[spring.cord]
+between = ["ground", "bob"]
+at_a = [0.3, 0.4, 0]
+stiffness = 3
+length = 0.2
+[analysis]
+kind = "dynamic"
+end_time = 0.5
+time_step = 0.1
+"""
 
 del PlotTest  # not a test itself
 

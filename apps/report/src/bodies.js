@@ -3,19 +3,22 @@ import {
   MeshStandardMaterial, Quaternion, Vector3,
 } from "three";
 import { makeArrow } from "./arrows.js";
+import { toQuaternion } from "./ends.js";
 import { axisColours } from "./theme.js";
 
 const mostPaths = 100;
 const axes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
-const toQuaternion = ([w, x, y, z]) => new Quaternion(x, y, z, w);
 
 // Rigid bodies: the cuboid of their mass and inertia, the body axes, an arm from the node to the centre of mass, and the
-// path.
+// path. Those on joints or bushings are clear, so that these are seen in them.
 export class Bodies {
   constructor(data, motion, size) {
     this.motion = motion;
+    this.surface = makeSurface();
+    this.clear = Object.assign(makeSurface(), { transparent: true, opacity: 0.26, depthWrite: false });
     this.group = new Group();
     this.paths = new Group();
+    this.jointed = new Set([...data.info.joints, ...data.info.bushings].flatMap(({ ends }) => ends.map(({ node }) => node)));
     this.bodies = data.info.bodies.map((body) => this.makeBody(body, size));
     this.lines = this.bodies.slice(0, mostPaths).map(() => this.makePath(data.times.length));
   }
@@ -27,7 +30,8 @@ export class Bodies {
     const drawn = largest > 0 ? Math.max(largest, 0.015 * size) : 0.02 * size;
     const sides = half.map((h) => 2 * Math.max(largest > 0 ? h * (drawn / largest) : drawn, 0.04 * drawn));
     const box = new BoxGeometry(...sides);
-    const cuboid = new Mesh(box, this.surface());
+    const isClear = this.jointed.has(body.node);
+    const cuboid = new Mesh(box, isClear ? this.clear : this.surface);
     const edges = new LineSegments(new EdgesGeometry(box), new LineBasicMaterial({ transparent: true, opacity: 0.6 }));
     this.edgeMaterials = [...(this.edgeMaterials ?? []), edges.material];
     const centre = new Vector3(...body.centre);
@@ -37,7 +41,9 @@ export class Bodies {
       group.add(part);
     }
     axes.forEach((axis, i) => {
-      const arrow = makeArrow(axisColours[i], 0.9 * Math.max(...sides) + 0.02 * size, 0.0018 * size + 0.006 * Math.max(...sides));
+      const share = isClear ? 0.5 : 1; // joints have axes, too
+      const longest = Math.max(...sides);
+      const arrow = makeArrow(axisColours[i], share * (0.9 * longest + 0.02 * size), share * (0.0018 * size + 0.006 * longest));
       arrow.position.copy(centre);
       arrow.quaternion.setFromUnitVectors(axes[2], axis);
       group.add(arrow);
@@ -47,12 +53,22 @@ export class Bodies {
       group.add(new Line(arm, edges.material));
     }
     this.group.add(group);
-    return { ...body, group, centre, attitude: toQuaternion(body.attitude), reach: Math.max(...sides) };
+    return { ...body, group, centre, attitude: toQuaternion(body.attitude), sides, isClear, reach: Math.max(...sides) };
   }
 
-  surface() {
-    this.material = this.material ?? new MeshStandardMaterial({ roughness: 0.6, polygonOffset: true, polygonOffsetFactor: 1 });
-    return this.material;
+  // Distances behind and before an end of a joint at which a line along a direction of t = 0 leaves the cuboid of the body that
+  // carries the end; 0 outside it.
+  reachFrom({ node, arm }, direction) {
+    const body = this.bodies.find((candidate) => candidate.node === node);
+    if (!body) return [0, 0];
+    const back = body.attitude.clone().invert();
+    const boxBack = toQuaternion(body.axes).invert();
+    const place = arm.clone().applyQuaternion(back).sub(body.centre).applyQuaternion(boxBack).toArray();
+    const way = direction.clone().applyQuaternion(back).applyQuaternion(boxBack).toArray();
+    const half = body.sides.map((side) => 0.5 * side);
+    if (place.some((x, i) => Math.abs(x) > 1.001 * half[i])) return [0, 0];
+    const wayOut = (sign, i) => Math.max(0, (half[i] - Math.sign(sign * way[i]) * place[i]) / Math.abs(way[i]));
+    return [-1, 1].map((sign) => Math.min(...[0, 1, 2].filter((i) => way[i] !== 0).map((i) => wayOut(sign, i))));
   }
 
   move() {
@@ -107,7 +123,8 @@ export class Bodies {
     const largest = [-Infinity, -Infinity, -Infinity];
     this.lines.forEach((line, body) => {
       const { array } = line.geometry.attributes.position;
-      const room = 0.75 * this.bodies[body].reach;
+      const { sides, reach, isClear } = this.bodies[body];
+      const room = isClear ? 0.5 * Math.hypot(...sides) : 0.75 * reach;
       const include = (x, i) => {
         least[i % 3] = Math.min(least[i % 3], x - room);
         largest[i % 3] = Math.max(largest[i % 3], x + room);
@@ -119,10 +136,14 @@ export class Bodies {
   }
 
   setColours(theme) {
-    this.surface().color.set(theme.body);
+    for (const surface of [this.surface, this.clear]) surface.color.set(theme.body);
     for (const material of this.edgeMaterials ?? []) material.color.set(theme.ink);
     for (const line of this.lines) line.material.color.set(theme.path);
   }
+}
+
+function makeSurface() {
+  return new MeshStandardMaterial({ roughness: 0.6, polygonOffset: true, polygonOffsetFactor: 1 });
 }
 
 function extent(points) {

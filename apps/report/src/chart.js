@@ -2,6 +2,7 @@ import uPlot from "uplot";
 import { find, make } from "./elements.js";
 import { formatNumber, inWords } from "./format.js";
 import { axesOptions, largestSize, rangeAround, widen } from "./plot_axes.js";
+import { nameQuantity } from "./quantities.js";
 import { readTheme } from "./theme.js";
 import { unitOf } from "./units.js";
 
@@ -34,7 +35,7 @@ export class Chart {
   // Names of histories stay as the deck has them.
   makeTitle() {
     const { title, quantity } = this.chart;
-    return quantity ? `${title}: ${inWords(quantity)}` : title;
+    return quantity ? `${title}: ${nameQuantity(quantity)}` : title;
   }
 
   makeUnit() {
@@ -135,7 +136,13 @@ export class Chart {
     const left = this.plot.valToPos(this.clock.time, "x");
     if (Number.isFinite(left)) this.line.style.transform = `translateX(${left}px)`;
     const step = nearest(this.times, this.clock.time);
-    this.values.forEach((value, i) => (value.textContent = formatNumber(this.chart.columns[i][step], 4)));
+    this.values.forEach((value, i) => (value.textContent = this.write(this.chart.columns[i][step])));
+  }
+
+  // Of an angle alone also in degrees.
+  write(value) {
+    const isAngle = this.chart.dimension === "angle" && this.chart.labels.length === 1 && Number.isFinite(value);
+    return formatNumber(value, 4) + (isAngle ? ` = ${formatNumber((value * 180) / Math.PI, 4)}°` : "");
   }
 
   recolour() {
@@ -171,9 +178,10 @@ function drawParts(plot, parts) {
 // Whose magnitudes say nothing.
 const hasNoMagnitude = new Set(["position", "orientation", "quaternion", "centre_of_mass"]);
 
-// "spatial" and "material" axes, those of a point ("axes of hub.start"), or none.
+// "spatial" and "material" axes, those of a point ("axes of hub.start"), of a joint or a bushing, or none.
 function axesInWords(frame) {
   if (frame === "none") return "";
+  if (frame === "bushing") return "bushing axes";
   return frame === "spatial" || frame === "material" ? `${frame} axes` : frame;
 }
 

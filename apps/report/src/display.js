@@ -9,6 +9,8 @@ export function bindDisplay(data, picture, clock) {
   const toggles = [
     ["show-supports", [parts.supports.group], parts.supports.marks.length > 0],
     ["show-loads", [parts.loads.group], parts.loads.arrows.length > 0],
+    ["show-joints", [parts.joints.group], parts.joints.marks.length > 0],
+    ["show-springs", [parts.springs.group], parts.springs.marks.length > 0],
     ["show-bodies", [parts.bodies.group, parts.bodies.paths], parts.bodies.bodies.length > 0],
     ["show-reference", [reference], data.offsets.length > 1],
     ["show-shapes", [picture.shapes], data.offsets.length > 1 && data.times.length > 1],

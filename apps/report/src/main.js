@@ -12,6 +12,7 @@ import { shapeOf } from "./findings/modes_tab.js";
 import { describeTime, listParts, listPathStretches, listSeams } from "./findings/stages.js";
 import { Swinging } from "./findings/swinging.js";
 import { findMostMoved, Motion } from "./motion.js";
+import { Names } from "./names.js";
 import { Picture } from "./picture.js";
 import { bindPlayer } from "./player.js";
 import { showAbout, showFailure, showHeader, showModel } from "./story.js";
@@ -58,6 +59,7 @@ showAbout(data, picture);
 if (picture) {
   bindColouring(data, picture, units);
   bindDisplay(data, picture, clock);
+  new Names(picture, find("canvas"));
   showFailure(info);
   const legend = document.querySelector(".overlay.top");
   picture.stage.covered = () => (find("colouring").hidden && !swinging?.chosen ? 0 : legend.offsetTop + legend.offsetHeight);

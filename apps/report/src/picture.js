@@ -1,9 +1,12 @@
-import { Group } from "three";
+import { Group, Vector3 } from "three";
 import { Bodies } from "./bodies.js";
 import { makeReference, makeShapes, makeState } from "./centrelines.js";
 import { ColourScale } from "./colours.js";
+import { Bounds } from "./ends.js";
 import { makeGrid } from "./grid.js";
+import { Joints } from "./joints.js";
 import { rangeOf } from "./motion.js";
+import { Springs } from "./springs.js";
 import { FailMarks, Loads, Supports } from "./symbols.js";
 import { Stage } from "./stage.js";
 import { Tubes } from "./tubes.js";
@@ -14,11 +17,13 @@ export class Picture {
     this.data = data;
     this.motion = motion;
     this.stage = new Stage(canvas);
-    canvas.motion = () => motion; // for tests
+    Object.assign(canvas, { motion: () => motion, picture: () => this }); // for tests
     this.size = measure(data, motion);
+    const solid = { rods: new Tubes(data, motion, this.size), bodies: new Bodies(data, motion, this.size) };
     this.parts = {
-      rods: new Tubes(data, motion, this.size),
-      bodies: new Bodies(data, motion, this.size),
+      ...solid,
+      joints: new Joints(data, motion, this.size, solid),
+      springs: new Springs(data, motion, this.size),
       supports: new Supports(data, motion, this.size),
       loads: new Loads(data, motion, this.size),
       failure: new FailMarks(data, motion, this.size),
@@ -107,6 +112,7 @@ export class Picture {
 
   // What depends on all frames; then the picture is that of the first.
   updateBox() {
+    for (const part of [this.parts.joints, this.parts.springs]) part.survey();
     this.parts.bodies.trace();
     replaceIn(this.shapes, makeShapes(this.data, this.motion));
     this.move(0);
@@ -118,23 +124,24 @@ export class Picture {
     if (this.theme) this.colourLines();
   }
 
+  // Of all frames: nodes and points of joints and springs.
+  boundsOfPoints() {
+    return joinBounds([this.motion.bounds(), this.parts.joints.bounds, this.parts.springs.bounds]);
+  }
+
   // Of all frames; bodies, arrows of loads and thickness included.
   boxOfAll() {
-    const [least, largest] = this.motion.bounds();
+    const [least, largest] = this.boundsOfPoints();
     const margin = 0.03 * this.size;
-    const others = [this.parts.bodies.bounds(), this.parts.loads.bounds()];
-    return [
-      least.map((x, i) => Math.min(x - margin, ...others.map((bounds) => bounds[0][i]))),
-      largest.map((x, i) => Math.max(x + margin, ...others.map((bounds) => bounds[1][i]))),
-    ];
+    return joinBounds([widenBox([least, largest], margin), this.parts.bodies.bounds(), this.parts.loads.bounds()]);
   }
 
   // Along the shortest side of what is flat, else obliquely from above.
   resetView() {
-    const [least, largest] = this.isInState ? this.stateBounds : this.motion.bounds();
+    const [least, largest] = this.isInState ? this.stateBounds : this.boundsOfPoints();
     const sides = least.map((x, i) => largest[i] - x);
     const flat = sides.map((side) => side < 1e-3 * this.size);
-    const isBodyAlone = sides.every((side) => side === 0);
+    const isBodyAlone = flat.every(Boolean); // or several about one point
     if (!isBodyAlone && flat[2]) this.stage.look([0, 0, -1], [0, 1, 0]);
     else if (!isBodyAlone && flat[1]) this.stage.look([0, 1, 0], [0, 0, 1]);
     else if (!isBodyAlone && flat[0]) this.stage.look([-1, 0, 0], [0, 0, 1]);
@@ -145,6 +152,7 @@ export class Picture {
     this.theme = theme;
     this.parts.rods.plain.set(theme.rod);
     this.parts.bodies.setColours(theme);
+    this.parts.joints.setColours(theme);
     this.colourLines();
     this.paint();
   }
@@ -154,6 +162,12 @@ export class Picture {
     for (const lines of [...this.shapes.children, ...this.state.children]) lines.material.color.set(this.theme.muted);
     for (const grid of this.grid.children) grid.material.color.set(this.theme.line);
   }
+}
+
+// [least, largest] corners around boxes, of which some may be empty.
+function joinBounds(boxes) {
+  const over = (corner, choose) => [0, 1, 2].map((i) => choose(...boxes.map((box) => box[corner][i])));
+  return [over(0, Math.min), over(1, Math.max)];
 }
 
 function widenBox([least, largest], margin) {
@@ -178,10 +192,21 @@ function replaceIn(group, lines) {
   group.add(lines);
 }
 
-// The largest side of what the nodes pass through and, of bodies that turn on the spot, of themselves.
+// The largest side of what the nodes and the points of joints and springs pass through and, of bodies that turn on the spot, of
+// themselves.
 function measure(data, motion) {
-  const [least, largest] = motion.bounds();
+  const [least, largest] = joinBounds([motion.bounds(), boundsOfEnds(data)]);
   const path = Math.hypot(...least.map((x, i) => largest[i] - x));
   const bodies = data.info.bodies.map((body) => 2.5 * (Math.max(...body.half_sizes) + Math.hypot(...body.centre)));
   return Math.max(path, ...bodies) || 1;
+}
+
+// At t = 0.
+function boundsOfEnds({ info, reference }) {
+  const bounds = new Bounds();
+  for (const { node, arm } of [...info.joints, ...info.springs, ...info.bushings].flatMap(({ ends }) => ends)) {
+    const place = new Vector3(...arm);
+    bounds.include(node < 0 ? place : place.add(new Vector3().fromArray(reference, 3 * node)));
+  }
+  return bounds.corners;
 }

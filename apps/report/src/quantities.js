@@ -1,3 +1,5 @@
+import { inWords } from "./format.js";
+
 // What frames have of nodes and of elements: names of components, and dimensions.
 
 const sectionForce = ["axial", "shear y", "shear z"];
@@ -20,3 +22,5 @@ const dimensions = {
 
 export const componentsOf = (quantity) => componentNames[quantity] ?? ["x", "y", "z"];
 export const dimensionOf = (quantity) => dimensions[quantity] ?? "";
+// Of a history. "force_a" of a joint is a force, whose axes charts name beside it.
+export const nameQuantity = (quantity) => inWords(quantity.replace(/^(force|moment)_a$/, "$1"));

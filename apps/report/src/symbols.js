@@ -18,6 +18,7 @@ export class Supports {
     this.marks = data.info.supports.map((support) => {
       const mark = makeSupport(support, 0.017 * size);
       mark.node = support.node;
+      mark.name = support.name;
       this.group.add(mark);
       return mark;
     });

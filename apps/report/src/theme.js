@@ -3,6 +3,8 @@ export const axisColours = ["#d8493e", "#2f9e58", "#3b7de0"];
 export const symbolColours = {
   support: "#7b8494",
   moved: "#8e5bd0",
+  joint: "#1d8a99",
+  spring: "#b08418",
   force: "#e0722a",
   moment: "#c2407f",
   failure: "#e02d2d",

@@ -56,6 +56,24 @@ export class Tubes {
     return geometry;
   }
 
+  // The largest semi-axis that is drawn of the cells at a node; 0 without any.
+  radiusAt(node) {
+    this.largestRadii = this.largestRadii ?? this.listLargestRadii();
+    return this.largestRadii.get(node) ?? 0;
+  }
+
+  listLargestRadii() {
+    const { connectivity, offsets } = this.data;
+    const largest = new Map();
+    for (let cell = 0; cell < this.cells; cell++) {
+      const radius = Math.max(this.drawnRadii[2 * cell], this.drawnRadii[2 * cell + 1]);
+      for (let i = offsets[cell]; i < offsets[cell + 1]; i++) {
+        largest.set(connectivity[i], Math.max(radius, largest.get(connectivity[i]) ?? 0));
+      }
+    }
+    return largest;
+  }
+
   // Places all rings as the motion has them.
   move() {
     const { rings, sides } = this;

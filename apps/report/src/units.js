@@ -29,7 +29,8 @@ export function readUnits(label) {
   return units;
 }
 
-// "N·m" for "force·length", "m/s²" for "length/time²"; the dimension itself where a unit of it is not known.
+// "N·m" for "force·length", "m/s²" for "length/time²"; the dimension itself where a unit of it is not known, but for angles, which
+// are in rad.
 export function unitOf(dimension, units) {
   if (!dimension || dimension === "1") return "";
   const powers = new Map();
@@ -37,7 +38,7 @@ export function unitOf(dimension, units) {
     for (const factor of part.split("·")) {
       const isSquare = factor.endsWith("²");
       const unit = units?.[isSquare ? factor.slice(0, -1) : factor];
-      if (!unit) return dimension;
+      if (!unit) return dimension.replace("angle", "rad");
       for (const [name, power] of unit) powers.set(name, (powers.get(name) ?? 0) + power * (isSquare ? 2 : 1) * (i > 0 ? -1 : 1));
     }
   }

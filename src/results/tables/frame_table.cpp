@@ -4,6 +4,7 @@
 #include <array>
 
 #include "results/tables/frame_topology.hpp"
+#include "results/tables/link_table.hpp"
 #include "results/tables/rod_table.hpp"
 #include "rotation/rotation_map.hpp"
 
@@ -130,6 +131,7 @@ void FrameTable::create_fields(const Hdf5Handle& root) {
     link_dataset(cell_offsets_.id(), cell_data_offsets, cell_radius_label.name);
     write_rod_places({root, point_data, point_data_offsets, cell_data, cell_data_offsets, part_offsets_.id()},
                      *model_);
+    write_link_tables(root, *model_);
 }
 
 void FrameTable::append(const Snapshot& snapshot) {

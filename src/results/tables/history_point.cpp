@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "rotation/rotation_map.hpp"
+#include "state/bushing_motion.hpp"
 #include "state/spring_line.hpp"
 
 namespace gxrod {
@@ -23,6 +24,20 @@ Quat section_axes(const Model& model, const RodPlace& place, int node) {
         .triads[static_cast<std::size_t>(first - rod.element_nodes.begin() + (is_end ? rod.order : local))];
 }
 
+// Of the nodes that carry the ends of a spring or a bushing; nullptr for the ground.
+std::array<const NodeMotion*, 2> find_motions(const std::array<Anchor, 2>& ends, const Snapshot& snapshot) {
+    const auto find = [&](const Anchor& end) -> const NodeMotion* {
+        return end.is_ground() ? nullptr : &snapshot.nodes[static_cast<std::size_t>(end.node)];
+    };
+    return {find(ends[0]), find(ends[1])};
+}
+
+// Of a joint, or of a sleeve, which come behind joints and gears.
+const JointCoordinate& find_slide(const Model& model, std::size_t index) {
+    if (index < model.joints.size()) return model.joints[index].slide;
+    return model.sleeves[index - model.joints.size() - model.gears.size()].slide;
+}
+
 }  // namespace
 
 std::vector<RodPlace> list_rod_places(const std::vector<HistoryRequest>& requests) {
@@ -40,7 +55,15 @@ HistoryPoint::HistoryPoint(const Model& model, const std::vector<HistoryRequest>
     const HistoryRequest& request = requests[index];
     for (std::size_t i = 0; i < index; ++i) point_ += requests[i].place ? 1 : 0;
     if (request.spring >= 0) spring_ = &model.springs[static_cast<std::size_t>(request.spring)];
-    joint_ = request.joint;
+    if (request.bushing >= 0) bushing_ = &model.bushings[static_cast<std::size_t>(request.bushing)];
+    is_of_gear_ = request.gear >= 0;
+    joint_ = is_of_gear_ ? static_cast<int>(model.joints.size()) + request.gear : request.joint;
+    if (is_of_gear_) drives_slide_ = !model.gears[static_cast<std::size_t>(request.gear)].sides[1].is_turn;
+    if (request.joint >= 0) {
+        const JointCoordinate& slide = find_slide(model, static_cast<std::size_t>(request.joint));
+        drives_slide_ = slide.motion.has_value();
+        rubs_slide_ = slide.friction.acts();
+    }
     if (request.body >= 0) {
         body_ = &model.bodies[static_cast<std::size_t>(request.body)];
         start_axes_ = body_->attitude;
@@ -113,9 +136,14 @@ void HistoryPoint::go_on_from(Quantity quantity, std::span<const double> row) {
 }
 
 PointKind HistoryPoint::kind() const {
-    if (joint_ >= 0) return PointKind::joint;
-    if (spring_ != nullptr) return PointKind::spring;
-    return body_ != nullptr ? PointKind::body : PointKind::rod;
+    if (spring_) return PointKind::spring;
+    if (bushing_) return PointKind::bushing;
+    if (joint_ >= 0) return is_of_gear_ ? PointKind::gear : PointKind::joint;
+    return body_ ? PointKind::body : PointKind::rod;
+}
+
+bool HistoryPoint::is_force_of_slide(Quantity quantity) const {
+    return (quantity == Quantity::drive && drives_slide_) || (quantity == Quantity::friction && rubs_slide_);
 }
 
 HistoryPoint::Row HistoryPoint::joint_value(Quantity quantity, const JointValues& joint) {
@@ -147,15 +175,35 @@ HistoryPoint::Row HistoryPoint::joint_value(Quantity quantity, const JointValues
 }
 
 double HistoryPoint::spring_value(Quantity quantity, const Snapshot& snapshot) const {
-    const auto find = [&](const SpringEnd& end) {
-        return end.is_ground() ? nullptr : &snapshot.nodes[static_cast<std::size_t>(end.node)];
-    };
-    const SpringLine line = compute_spring_line(*spring_, find(spring_->ends[0]), find(spring_->ends[1]));
+    const auto [a, b] = find_motions(spring_->ends, snapshot);
+    const SpringLine line = compute_spring_line(*spring_, a, b);
     return quantity == Quantity::elongation ? line.length - spring_->length
                                             : compute_axial_force(*spring_, line);
 }
 
+Vec3 HistoryPoint::bushing_value(Quantity quantity, const Snapshot& snapshot) const {
+    const auto [a, b] = find_motions(bushing_->ends, snapshot);
+    const BushingMotion motion = compute_bushing_motion(*bushing_, a, b);
+    const Vec6 own = compute_bushing_force(*bushing_, motion);
+    switch (quantity) {
+        case Quantity::displacement:
+            return motion.strain.head<3>();
+        case Quantity::rotation_vector:
+            return motion.strain.tail<3>();
+        case Quantity::force:
+            return own.head<3>();
+        case Quantity::moment:
+            return take_to_rotation_vector(motion.turn, own.tail<3>());
+        case Quantity::force_spatial:
+            return motion.axes * own.head<3>();
+        default:
+            assert(quantity == Quantity::moment_spatial);
+            return motion.axes * take_to_rotation_vector(motion.turn, own.tail<3>());
+    }
+}
+
 HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snapshot) {
+    if (bushing_) return row(bushing_value(quantity, snapshot));
     if (spring_) return {spring_value(quantity, snapshot)};
     if (joint_ >= 0) return joint_value(quantity, snapshot.joints[static_cast<std::size_t>(joint_)]);
     const Seen seen = see_from_reference(snapshot);

@@ -23,6 +23,9 @@ class HistoryPoint {
     HistoryPoint(const Model& model, const std::vector<HistoryRequest>& requests, std::size_t index);
 
     PointKind kind() const;
+    // Whether this quantity, of a joint's motor or friction, is the force of a slide, not the moment of a
+    // turn.
+    bool is_force_of_slide(Quantity quantity) const;
     // Chooses the sign of each quaternion that is nearest to the one of the call before.
     Row compute(Quantity quantity, const Snapshot& snapshot);
     // Sets the row that signs of quaternions follow.
@@ -41,18 +44,23 @@ class HistoryPoint {
     Seen see_from_reference(const Snapshot& snapshot) const;
     static Row joint_value(Quantity quantity, const JointValues& joint);
     double spring_value(Quantity quantity, const Snapshot& snapshot) const;
+    Vec3 bushing_value(Quantity quantity, const Snapshot& snapshot) const;
     Vec3 section_value(Quantity quantity, const Snapshot& snapshot, const Quat& axes) const;
     Row continuous_quaternion(const Quat& rotation, Quat& last);
 
     Vec3 start_ = Vec3::Zero();  // of a node
     Quat start_axes_ = Quat::Identity();
-    int node_;                        // or -1
-    std::size_t point_ = 0;           // of a rod's: in Snapshot::points
-    const Body* body_ = nullptr;      // the point is a body's
-    const Spring* spring_ = nullptr;  // or a spring
-    int joint_ = -1;                  // or a joint, by index
-    int relative_node_;               // what the point is relative to, or -1
-    Quat relative_axes_;              // there, at t = 0
+    int node_;                          // or -1
+    std::size_t point_ = 0;             // of a rod's: in Snapshot::points
+    const Body* body_ = nullptr;        // the point is a body's
+    const Spring* spring_ = nullptr;    // or a spring
+    const Bushing* bushing_ = nullptr;  // or a bushing
+    int joint_ = -1;                    // or a joint, or a gear, by index in Snapshot::joints
+    bool is_of_gear_ = false;
+    bool drives_slide_ = false;  // with a motor of its slide
+    bool rubs_slide_ = false;    // with a friction of its slide
+    int relative_node_;          // what the point is relative to, or -1
+    Quat relative_axes_;         // there, at t = 0
     Vec3 relative_start_ = Vec3::Zero();
     Quat last_quaternion_ = Quat::Identity();
     Quat last_orientation_ = Quat::Identity();

@@ -64,7 +64,8 @@ void HistoryTable::add_history(const Hdf5Handle& group,
     History history{point, {}};
     std::vector<std::string> recorded;
     for (const Quantity quantity : request.quantities) {
-        const QuantityForm form = form_of(quantity, history.point.kind(), request);
+        QuantityForm form = form_of(quantity, history.point.kind(), request);
+        if (point.is_force_of_slide(quantity)) form.label.dimension = "force";
         const bool goes_on = has_link(group, form.label.name);
         history.columns.push_back(
             {quantity, form.shape.columns, AppendDataset<double>(group, form.label, form.shape, rows)});

@@ -35,6 +35,24 @@ bool is_rotation(Quantity quantity) {
            quantity == Quantity::orientation;
 }
 
+// Of a bushing.
+QuantityForm bushing_form(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::displacement:
+            return {{"displacement", "displacement of B against A", "bushing", "length"}, vector_row};
+        case Quantity::rotation_vector:
+            return {{"rotation_vector", "rotation vector of B against A", "bushing", "angle"}, vector_row};
+        case Quantity::force:
+            return {{"force", "force of the bushing", "bushing", "force"}, vector_row};
+        case Quantity::moment:
+            return {{"moment", "moment of the bushing", "bushing", "force·length"}, vector_row};
+        case Quantity::force_spatial:
+            return {{"force_spatial", "force of the bushing", "spatial", "force"}, vector_row};
+        default:
+            return {{"moment_spatial", "moment of the bushing", "spatial", "force·length"}, vector_row};
+    }
+}
+
 }  // namespace
 
 namespace {
@@ -81,10 +99,27 @@ QuantityForm joint_form(Quantity quantity) {
     }
 }
 
+// Of a gear.
+QuantityForm gear_form(Quantity quantity) {
+    if (quantity == Quantity::gap) {
+        return {{"gap", "how far the gear's equation is from being satisfied", "none", "length"}, scalar_row};
+    }
+    assert(quantity == Quantity::drive);
+    return {
+        {"drive",
+         "moment, or force, of the gear on B of its second joint along that one's coordinate; on the first "
+         "one ratio times it",
+         "none",
+         "force·length"},
+        scalar_row};
+}
+
 }  // namespace
 
 QuantityForm quantity_form(Quantity quantity, PointKind kind) {
+    if (kind == PointKind::bushing) return bushing_form(quantity);
     if (kind == PointKind::joint) return joint_form(quantity);
+    if (kind == PointKind::gear) return gear_form(quantity);
     const std::string component_order = " (axial, shear y, shear z)";
     const std::string couple_order = " (about x, y, z)";
     switch (quantity) {

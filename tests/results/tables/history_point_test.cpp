@@ -286,7 +286,7 @@ TEST_CASE("A spring's history is its elongation and its tension", "[results]") {
     Model model = sample::make_model();
     const Motion motion(0.7);
     Spring spring;
-    spring.ends = {SpringEnd{}, SpringEnd{3, Vec3(0.3, 0.2, -0.1)}};
+    spring.ends = {Anchor{}, Anchor{3, Vec3(0.3, 0.2, -0.1)}};
     spring.stiffness = 7.0;
     spring.damping = 2.0;
     spring.length = 1.5;
@@ -342,4 +342,26 @@ TEST_CASE("A joint's history is what the snapshot has of it", "[results][joint]"
     CHECK(row(Quantity::drive)[0] == 17);
     CHECK(row(Quantity::friction)[0] == 18);
     CHECK(row(Quantity::gap)[0] == 19);
+}
+
+TEST_CASE("Motors and frictions of slides have forces, those of turns moments", "[results][joint]") {
+    Model model = sample::make_model();
+    model.joints.resize(3);
+    model.joints[0].slide.motion = TimeFunction(2.0);
+    model.joints[1].slide.friction.force = 3.0;
+    model.joints[2].turn.motion = TimeFunction(2.0);
+    model.joints[2].turn.friction.force = 3.0;
+    const auto is_force = [&](int joint, Quantity quantity) {
+        HistoryRequest request;
+        request.node = -1;
+        request.joint = joint;
+        return HistoryPoint(model, {request}, 0).is_force_of_slide(quantity);
+    };
+    CHECK(is_force(0, Quantity::drive));
+    CHECK_FALSE(is_force(0, Quantity::friction));
+    CHECK_FALSE(is_force(0, Quantity::moment));
+    CHECK(is_force(1, Quantity::friction));
+    CHECK_FALSE(is_force(1, Quantity::drive));
+    CHECK_FALSE(is_force(2, Quantity::drive));
+    CHECK_FALSE(is_force(2, Quantity::friction));
 }

@@ -1,0 +1,100 @@
+#include "results/tables/link_table.hpp"
+
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/joint_name.hpp"
+
+namespace gxrod {
+namespace {
+
+// What a row of a table joins.
+struct Link {
+    const std::string& name;
+    const Anchor& a;
+    const Anchor& b;
+};
+
+Link link_of(const Joint& joint) { return {joint.name, joint.a.anchor, joint.b.anchor}; }
+Link link_of(const Spring& spring) { return {spring.name, spring.ends[0], spring.ends[1]}; }
+Link link_of(const Bushing& bushing) { return {bushing.name, bushing.ends[0], bushing.ends[1]}; }
+
+// Three numbers a row.
+void write_vectors(const Hdf5Handle& group, const DatasetLabel& label, const std::vector<double>& values) {
+    const std::array<hsize_t, 2> size{values.size() / 3, 3};
+    write_dataset(group, label, size, values);
+}
+
+void append(const Vec3& vector, std::vector<double>& values) {
+    values.insert(values.end(), vector.begin(), vector.end());
+}
+
+void write_ends(const Hdf5Handle& group, const std::string& side, std::span<const Anchor* const> ends) {
+    std::vector<std::int64_t> points;
+    std::vector<double> arms;
+    for (const Anchor* end : ends) {
+        points.push_back(end->is_ground() ? -1 : end->node);
+        append(end->arm, arms);
+    }
+    write_dataset(
+        group,
+        {"point_" + side, "point of /VTKHDF that carries " + side + "; -1 for the ground", "none", "1"},
+        std::span<const std::int64_t>(points));
+    write_vectors(group,
+                  {"arm_" + side,
+                   "from that point to the place of " + side + ", at t = 0; of the ground the place itself",
+                   "spatial",
+                   "length"},
+                  arms);
+}
+
+// The table of these parts; none without any, nor if the file has it already.
+template <class Part>
+std::optional<Hdf5Handle> write_table(const Hdf5Handle& root,
+                                      const char* table,
+                                      const std::vector<Part>& parts) {
+    // A list of more names would not be read.
+    if (parts.empty() || parts.size() > most_texts || has_link(root, table)) return std::nullopt;
+    Hdf5Handle group = require_group(root, table);
+    std::vector<std::string> names;
+    std::vector<const Anchor*> a, b;
+    for (const Part& part : parts) {
+        const Link link = link_of(part);
+        names.push_back(link.name);
+        a.push_back(&link.a);
+        b.push_back(&link.b);
+    }
+    write_dataset(
+        group, {"name", "of each, as the deck has it", "none", ""}, std::span<const std::string>(names));
+    write_ends(group, "a", a);
+    write_ends(group, "b", b);
+    return group;
+}
+
+void write_joint_columns(const Hdf5Handle& group, const Model& model) {
+    std::vector<std::string> types;
+    std::vector<double> axes;
+    std::vector<double> axes_b;
+    for (const Joint& joint : model.joints) {
+        types.emplace_back(name_of(joint.kind));
+        append(joint.a.axes.col(0), axes);
+        append(joint.b.axes.col(0), axes_b);
+    }
+    write_dataset(group, {"type", "as the deck has it", "none", ""}, std::span<const std::string>(types));
+    write_vectors(group, {"axis_a", "axis that A carries, at t = 0", "spatial", "1"}, axes);
+    write_vectors(group, {"axis_b", "axis that B carries, at t = 0", "spatial", "1"}, axes_b);
+}
+
+}  // namespace
+
+void write_link_tables(const Hdf5Handle& root, const Model& model) {
+    const std::optional<Hdf5Handle> joints = write_table(root, "joints", model.joints);
+    if (joints) write_joint_columns(*joints, model);
+    write_table(root, "springs", model.springs);
+    write_table(root, "bushings", model.bushings);
+}
+
+}  // namespace gxrod
