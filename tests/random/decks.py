@@ -5,6 +5,7 @@ from analyses import add_analysis, add_output
 from draw import Draw
 from models import add_model
 from plan import Plan, Scales
+from springs import add_springs
 from toml_text import toml_text
 
 
@@ -39,7 +40,7 @@ def add_labels(draw, deck):
 
 def ordered(deck):
     """Values before tables, tables in an order that a deck may have."""
-    keys = ["title", "units", "gravity", "parameters", "function", "section", "rod", "body", "connect", "load",
+    keys = ["title", "units", "gravity", "parameters", "function", "section", "rod", "body", "spring", "bushing", "connect", "load",
             "support", "initial", "analysis", "output", "history"]
     return {key: deck[key] for key in keys if key in deck}
 
@@ -60,6 +61,7 @@ def make_plan(seed, index):
     causes.add_loads(draw, plan)
     causes.add_velocities(draw, plan)
     add_output(draw, plan)
+    add_springs(seed, index, plan)
     if draw.chance(0.3):
         use_parameter(draw, plan.deck)
     plan.deck = draw.with_expressions(ordered(plan.deck))

@@ -1,6 +1,6 @@
 """A deck of dicts, lists, numbers and texts as TOML."""
 
-NAMED = ("section", "rod", "body", "function")
+NAMED = ("section", "rod", "body", "function", "spring", "bushing", "joint", "gear")
 
 
 def text_of(value):
