@@ -5,10 +5,9 @@
 #include "analyses/dynamic.hpp"
 #include "deck/decks.hpp"
 #include "model/evaluation_error.hpp"
-#include "results/file/hdf5_reader.hpp"
-#include "results/sample.hpp"
 #include "tools/catch.hpp"
-#include "tools/problem_run.hpp"
+#include "tools/mechanism_decks.hpp"
+#include "tools/recorded_motion.hpp"
 
 // Mechanisms whose motion is known: rigid ones from recursive Newton-Euler equations and from redundant
 // bodies with projected multipliers, both integrated by DOP853 to 1e-13; rods from shooting and spectral
@@ -19,58 +18,18 @@ using namespace gxrod::tools;
 
 namespace {
 
-using Row = std::vector<double>;
+using Row = RecordedMotion::Row;
 
-std::string read_text(const std::string& path) {
-    std::ifstream file(GXROD_SOURCE_DIR "/" + path);
+// The text of a deck of the examples, or of the tests' own.
+std::string read_deck(const std::string& name) {
+    std::ifstream file(find_mechanism_deck(name));
     std::ostringstream text;
     text << file.rdbuf();
     REQUIRE(!text.str().empty());
     return text.str();
 }
 
-std::string read_deck(const std::string& name) {
-    return read_text("tests/analyses/joints/" + name + ".toml");
-}
-
-std::string read_example(const std::string& name) {
-    return read_text("docs/examples/" + name + "/" + name + ".toml");
-}
-
-// A run's histories, and what they share.
-class Motion {
-  public:
-    Motion(const std::string& deck, const std::vector<std::string>& overrides = {}) {
-        const Problem problem = test::read(deck, overrides);
-        summary_ = run_problem(problem, folder_ / "run.vtkhdf");
-        INFO(summary_.reason);
-        REQUIRE(summary_.status == RunStatus::complete);
-        file_.emplace(folder_ / "run.vtkhdf");
-    }
-
-    // A quantity of a history at this time, or at the end.
-    Row at(double time, const std::string& name) const {
-        const std::vector<double> times = file_->numbers("/histories/time");
-        const std::vector<double> values = file_->numbers("/histories/" + name);
-        const std::size_t columns = values.size() / times.size();
-        std::size_t step = 0;
-        while (times.at(step) < time - 1e-9) ++step;
-        REQUIRE(std::abs(times[step] - time) < 1e-9);
-        const auto first = values.begin() + static_cast<std::ptrdiff_t>(step * columns);
-        return {first, first + static_cast<std::ptrdiff_t>(columns)};
-    }
-    // Any step's.
-    double largest(const std::string& name) const {
-        double largest = 0.0;
-        for (const double value : file_->numbers(name)) largest = std::max(largest, std::abs(value));
-        return largest;
-    }
-
-  private:
-    sample::ScratchFolder folder_;
-    RunSummary summary_;
-    std::optional<Hdf5Reader> file_;
-};
+using Motion = RecordedMotion;
 
 double distance(const Row& a, const Row& b) {
     REQUIRE(a.size() == b.size());
@@ -136,7 +95,7 @@ TEST_CASE("Chains of bars on hinges move at the order of every scheme, forces in
 // IFToMM's library of benchmarks, after Haug.
 TEST_CASE("A spatial slider-crank turns as two independent programs have it", "[analyses][joints]") {
     const Motion motion(
-        read_example("spatial_slider_crank"),
+        read_deck("spatial_slider_crank"),
         {"analysis.integrator=\"sdirk-4\"", "analysis.time_step=0.0025", "analysis.newton.tolerance=1e-13"});
     const std::vector<std::array<double, 3>> reference{{.1, .551866774634, .2263597501652},
                                                        {.2, 1.230383231216, .2605214773272},
@@ -171,7 +130,7 @@ TEST_CASE("Bricard's mechanism moves although one equation is redundant", "[anal
 }
 
 TEST_CASE("A gyroscope in gimbals turns its rings", "[analyses][joints]") {
-    const Motion motion(read_example("gimbals"),
+    const Motion motion(read_deck("gimbals"),
                         {"analysis.integrator=\"sdirk-4\"",
                          "analysis.end_time=1.0",
                          "analysis.time_step=0.002",
@@ -187,7 +146,7 @@ TEST_CASE("A gyroscope in gimbals turns its rings", "[analyses][joints]") {
 // Through a position where they could as well fold up; 35 equations of rank 29.
 TEST_CASE("Two four-bars pass through their toggle position", "[analyses][joints]") {
     const Motion motion(
-        read_deck("two_four_bars"),
+        read_deck("double_four_bar"),
         {"analysis.end_time=1.0", "analysis.time_step=0.005", "analysis.newton.tolerance=1e-12"});
     CHECK(distance(motion.at(.5, "top/position"), {.6952866331644, .71873256343574, 0}) < 1e-3);
     CHECK(distance(motion.at(1., "top/position"), {-.19502030194944, -.98079920566217, 0}) < 2e-3);
@@ -227,7 +186,7 @@ TEST_CASE("Beams on hinges bend as shooting has it", "[analyses][joints]") {
         CHECK(foot[1] == Approx(-.782827221175).epsilon(1e-6));
     }
     SECTION("a frame in space") {
-        const Motion frame(read_example("hinged_frame"));
+        const Motion frame(read_deck("hinged_frame"));
         CHECK(distance(frame.at(1., "hinge/position"), {.96130517605, .03693643322, -.24979870201}) < 1e-8);
         CHECK(frame.at(1., "jump/angle")[0] == Approx(-.04190717815).epsilon(0).margin(1e-8));
         CHECK(distance(frame.at(1., "clamp/force_spatial"), {.02806732441, .20974498209, -.82868640648}) <
@@ -242,8 +201,18 @@ TEST_CASE("Beams on hinges bend as shooting has it", "[analyses][joints]") {
         CHECK(distance(sprung.at(1., "tip/position"), {.901418041181, -.374032658428, 0}) < 1e-9);
         CHECK(sprung.at(1., "jump/moment")[2] == Approx(2 * .206040888107).epsilon(1e-9));
     }
+    SECTION("a hinge with a bushing") {
+        const std::string bushing =
+            "\n[bushing.spring]\nbetween = [\"first.end\", \"second.start\"]\nstiffness = { rz = \"k\" }";
+        const Motion sprung(
+            test::replaced(read_deck("sprung_hinge"), "spring = { stiffness = \"k\" }", bushing));
+        CHECK(distance(sprung.at(1., "hinge/position"), {.489336264967, -.091212341236, 0}) < 1e-9);
+        CHECK(sprung.at(1., "jump/angle")[0] == Approx(-.206040888107).epsilon(1e-9));
+        CHECK(distance(sprung.at(1., "tip/position"), {.901418041181, -.374032658428, 0}) < 1e-9);
+        CHECK(std::abs(sprung.at(1., "jump/moment")[2]) < 1e-9);
+    }
     SECTION("a four-bar linkage whose hinge is askew") {
-        const Motion linkage(read_example("askew_four_bar"));
+        const Motion linkage(read_deck("askew_four_bar"));
         CHECK(distance(linkage.at(1., "C/position"), {.317111150851, .091898029287, -.002374130366}) < 1e-8);
         CHECK(distance(linkage.at(1., "A/moment_spatial"), {10.139495594, 60.497559892, 3.815632349}) < 1e-4);
         CHECK(distance(linkage.at(1., "A/force_spatial"), {-29.27821060, 15.89846812, -280.54380717}) < 1e-3);

@@ -85,7 +85,9 @@ def draw_body(axes, deck):
     centre = place + arm
     sizes = fit_to_arm(semi_axes(deck.vector(body["inertia"]), deck.number(body["mass"])), arm)
     shape = turned * sizes
-    pen = symbols.Pen(axes, Projection(), 1.9 * max(sizes.max(), 0.5 * np.linalg.norm(arm)))
+    springs = list(deck.springs())
+    reach = max([0.5 * np.linalg.norm(arm), *(0.5 * np.linalg.norm(b - a) for a, b in springs)])
+    pen = symbols.Pen(axes, Projection(), 1.9 * max(sizes.max(), reach))
     draw_ellipsoid(pen, centre, shape)
     draw_triad(pen, centre, turned, shape)
     spin = initial_spin(deck, body, turned)
@@ -95,6 +97,10 @@ def draw_body(axes, deck):
         pen.line(np.array([place, centre]), color=style.BLACK, lw=2.2, zorder=4)
         pen.text(pen.projection(0.35 * centre + 0.65 * place) + [0.0, 0.07 * pen.size],
                  f"l = {number_text(np.linalg.norm(arm))}")
+    for ends in springs:
+        symbols.spring(pen, ends)
+    for ground in deck.grounds():
+        symbols.hinge(pen, ground, down=(0.0, 1.0))
     for _ in deck.supports():
         symbols.hinge(pen, place)
     low, high = pen.box()

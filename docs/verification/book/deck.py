@@ -81,7 +81,8 @@ class Deck:
     def place(self, at):
         """Position and tangent of `rod.start`, `rod.end`, `rod@0.5` or a body."""
         if at in self.tree.get("body", {}):
-            return self.vector(self.tree["body"][at].get("at", [0, 0, 0])), np.zeros(3)
+            node = self.tree["body"][at].get("at", [0, 0, 0])
+            return (self.place(node)[0] if isinstance(node, str) else self.vector(node)), np.zeros(3)
         if at in self.tree.get("joint", {}):
             return self.joint_place(self.tree["joint"][at]), np.zeros(3)
         rod, where = re.fullmatch(r"(\w+)(\.start|\.end|@.*)", at).groups()
@@ -145,7 +146,7 @@ class Deck:
         """Where it is at the start: `at`, else the point that is not the ground, of a rod rather than of a body."""
         if "at" in joint:
             return self.vector(joint["at"])
-        points = [point for point in joint["between"] if point != "ground"]
+        points = [point for point in joint["between"] if point != "ground" and point not in self.rods]
         return self.place(min(points, key=lambda point: point in self.tree.get("body", {})))[0]
 
     def joints(self):
@@ -167,7 +168,7 @@ class Deck:
         return [self.place(points[name])[0] for name in sorted(names)]
 
     def gravity(self):
-        return self.vector(self.tree.get("gravity", [0, 0, 0]))
+        return self.largest(self.tree.get("gravity", [0, 0, 0]))[0]
 
 
 def held_components(fix):

@@ -56,6 +56,28 @@ def draw_bodies(pen, deck):
             pen.axes.plot(*flat.T, color=style.BLUE, lw=2.6, solid_capstyle="round", zorder=2)
 
 
+def disc_axis(deck, name, body):
+    """Across which a body is drawn as a disc: the first axis of one that shares a rod's node, the hinge of a wheel; else None."""
+    if isinstance(body.get("at"), str):
+        return rotation(deck.vector(body.get("rotation_vector", [0, 0, 0])))[:, 0]
+    held = [(joint, place) for joint, place in deck.joints() if name in joint["between"]]
+    if len(held) == 1 and held[0][0]["type"] == "hinge" and np.allclose(held[0][1], deck.place(name)[0]):
+        return axis_of(deck, held[0][0])
+    return None
+
+
+def draw_discs(pen, deck):
+    for name, body in deck.tree.get("body", {}).items():
+        axis = disc_axis(deck, name, body)
+        if axis is None:
+            continue
+        first = np.cross(axis, np.eye(3)[np.abs(axis).argmin()])
+        first /= np.linalg.norm(first)
+        circle = deck.place(name)[0] + 0.1 * pen.size * (np.cos(CIRCLE) * first + np.sin(CIRCLE) * np.cross(axis, first))
+        pen.line(circle, color=style.BLUE, lw=2.0, zorder=4)
+        pen.axes.fill(*pen.projection(circle).T, fc=BODY, alpha=0.7, zorder=2)
+
+
 def draw_rings(pen, deck):
     """Bodies whose joints are all at one place: rings that hold their two axes, the last a wheel across its axis."""
     held = {name: [axis_of(deck, joint) for joint, _ in deck.joints() if name in joint["between"]]
@@ -111,7 +133,10 @@ def draw_motors(pen, deck):
     """What drives the coordinates of joints, and the fastest spin at the start."""
     for joint, place in deck.joints():
         if "move" in joint and joint["type"] == "hinge":
-            symbols.moment(pen, place, axis_of(deck, joint), move_text("rz", 1.0, deck.is_static), colour=symbols.MOVE)
+            axis = axis_of(deck, joint)
+            is_along = deck.rods and np.linalg.norm(pen.projection(axis)) > 0.05  # then a rod can be where the words would be
+            symbols.moment(pen, place, axis, move_text("rz", 1.0, deck.is_static), colour=symbols.MOVE,
+                           apart=(0.1, 1.2) if is_along else None)
         if "drive" in joint and joint["type"] == "hinge":
             symbols.moment(pen, place, axis_of(deck, joint), f"M = {number_text(deck.number(joint['drive']))}")
     spins = {}
@@ -134,6 +159,7 @@ def draw_mechanism(axes, deck, measured):
     else:
         draw_bodies(pen, deck)
         draw_rods(pen, deck)
+        draw_discs(pen, deck)
         for joint, place in deck.joints():
             draw_joint(pen, deck, joint, place)
     for ends in deck.springs():
