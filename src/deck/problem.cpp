@@ -9,6 +9,7 @@
 #include "deck/build/acting.hpp"
 #include "deck/build/build_analysis.hpp"
 #include "deck/build/build_bodies.hpp"
+#include "deck/build/build_bushings.hpp"
 #include "deck/build/build_connections.hpp"
 #include "deck/build/build_initial.hpp"
 #include "deck/build/build_loads.hpp"
@@ -25,7 +26,9 @@
 #include "deck/checks/check_points.hpp"
 #include "deck/checks/check_velocities.hpp"
 #include "deck/expressions/function_files.hpp"
+#include "deck/joints/build_gears.hpp"
 #include "deck/joints/build_joints.hpp"
+#include "deck/joints/build_sleeves.hpp"
 #include "deck/reading/overrides.hpp"
 #include "deck/reading/resumption.hpp"
 #include "deck/reading/text_file.hpp"
@@ -38,10 +41,10 @@
 namespace gxrod {
 namespace {
 
-// Points, springs and joints go by their names.
+// Points, springs, bushings, joints and gears go by their names.
 void check_names(const CheckedTable& deck, FaultList& faults) {
     std::vector<const CheckedTable*> tables;
-    for (const char* kind : {"rod", "body", "spring", "joint"}) {
+    for (const char* kind : {"rod", "body", "spring", "bushing", "joint", "gear"}) {
         for (const CheckedTable& table : deck.tables(kind)) tables.push_back(&table);
     }
     std::ranges::sort(tables, {}, &CheckedTable::place);
@@ -66,6 +69,7 @@ void build_actions(BuildContext& context) {
         build_supports(context);
         check_velocities(context);
         build_joint_actions(context);
+        build_sleeve_actions(context);
         build_loads(context);
         check_functions(context);
         if (i == 0) continue;
@@ -112,7 +116,10 @@ Problem build_problem(const CheckedTable& deck, const MeshFiles& files, FaultLis
     build_connections(context);
     build_bodies(context);
     build_springs(context);
+    build_bushings(context);
     build_joints(context);
+    build_gears(context);
+    build_sleeves(context);
     build_plane(context);
     build_initial(context);
     build_actions(context);

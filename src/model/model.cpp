@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+
+#include "model/spring_law.hpp"
 
 namespace gxrod {
 
@@ -9,6 +12,16 @@ const Quat& Rod::triad_at(int position) const {
     const auto found = std::find(element_nodes.begin(), element_nodes.end(), nodes[position]);
     assert(found != element_nodes.end());
     return triads[found - element_nodes.begin()];
+}
+
+std::vector<double> arc_lengths_of_nodes(const Rod& rod) {
+    std::vector<double> of_nodes(rod.nodes.size());
+    std::size_t position = 0;
+    for (std::size_t i = 0; i < rod.element_nodes.size(); ++i) {
+        if (rod.element_nodes[i] != rod.nodes[position]) ++position;
+        of_nodes[position] = rod.arc_length[i];
+    }
+    return of_nodes;
 }
 
 void set_line_elements(Rod& rod,
@@ -24,6 +37,11 @@ void set_line_elements(Rod& rod,
             rod.triads.push_back(triads_of_nodes[position]);
         }
     }
+}
+
+double find_stiffness(const Spring& spring) {
+    if (!spring.law) return spring.stiffness;
+    return std::abs(spring.stiffness + spring.law->differentiate_by_length(spring.law->start(), 0.0));
 }
 
 Vec3 find_place(const Model& model, const Anchor& anchor) {

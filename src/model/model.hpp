@@ -1,12 +1,15 @@
 #pragma once
 
 #include <array>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "model/anchor.hpp"
+#include "model/gear.hpp"
 #include "model/joint.hpp"
 #include "model/time_function.hpp"
 #include "model/turning_frame.hpp"
@@ -58,6 +61,9 @@ struct Rod {
     const Quat& triad_at(int position) const;
 };
 
+// By index in Rod::nodes, of a rod that is one line from start to end.
+std::vector<double> arc_lengths_of_nodes(const Rod& rod);
+
 // Where a rod's line of nodes, `order` + 1 an element, leaves element_nodes: each node but the corners of
 // elements once, those twice. For rods that are one smooth line, all data given node by node.
 void set_line_elements(Rod& rod,
@@ -81,16 +87,30 @@ struct Body {
     Quat attitude = Quat::Identity();    // body axes at t = 0: columns are x, y, z
 };
 
-using SpringEnd = Anchor;
+class SpringLaw;
 
 // A spring and a damper along the line between two points, the first of them A, the second B: at most one is
-// fixed. Their force is stiffness (ℓ − length) + damping ℓ̇, tension positive.
+// fixed. Their force is stiffness (ℓ − length) + damping ℓ̇ + law(ℓ, ℓ̇), tension positive.
 struct Spring {
     std::string name;
-    std::array<SpringEnd, 2> ends;
+    std::array<Anchor, 2> ends;
     double stiffness = 0.0;
     double damping = 0.0;
-    double length = 0.0;  // at which it pulls and pushes nothing
+    double length = 0.0;                     // at which the stiffness pulls and pushes nothing
+    std::shared_ptr<const SpringLaw> law{};  // nullptr without one
+
+    bool has_ground() const { return ends[0].is_ground() || ends[1].is_ground(); }
+};
+
+// Resists displacements and rotations of B against A, its two ends, in every direction. Components of the
+// displacement and of the rotation vector, and of the force and the moment that B exerts on it, are in axes
+// half way between those that A and B carry, in the order (x y z | rx ry rz).
+struct Bushing {
+    std::string name;
+    std::array<Anchor, 2> ends{};   // at most one is the ground
+    Quat axes = Quat::Identity();   // at t = 0, carried by A and by B: columns are x, y, z
+    Mat6 stiffness = Mat6::Zero();  // symmetric; forces are zero at t = 0
+    Mat6 damping = Mat6::Zero();    // symmetric
 
     bool has_ground() const { return ends[0].is_ground() || ends[1].is_ground(); }
 };
@@ -102,6 +122,10 @@ enum class Frame {
     body       // components in the axes of the section or body
 };
 
+// A force by time and by the position and the velocity of the point at which it acts, global. Not for two
+// threads at once.
+using MotionForce = std::function<Vec3(double time, const Vec3& position, const Vec3& velocity)>;
+
 struct NodalLoad {
     std::string key;  // where the deck states it, "load[0]"
     int node = 0;
@@ -109,6 +133,9 @@ struct NodalLoad {
     std::array<TimeFunction, 3> moment;
     Frame frame = Frame::spatial;
     Quat axes = Quat::Identity();  // section or body axes at t = 0, for Frame::body
+    MotionForce motion_force{};    // in addition to force; empty without one
+
+    bool has_force() const { return !is_zero(force) || motion_force; }
 };
 
 // Force and moment per unit reference length along a rod.
@@ -158,13 +185,19 @@ struct Model {
     std::vector<Rod> rods;
     std::vector<Body> bodies;
     std::vector<Spring> springs;
+    std::vector<Bushing> bushings;
     std::vector<Joint> joints;
+    std::vector<Gear> gears;
+    std::vector<Sleeve> sleeves;
     std::vector<NodalLoad> loads;
     std::vector<DistributedLoad> distributed_loads;
     std::vector<Support> supports;
 };
 
-// Where a point of a spring or joint is at t = 0.
+// The force per length of a spring, with its law's at t = 0; not negative.
+double find_stiffness(const Spring& spring);
+
+// Where a point of a spring, a bushing or a joint is at t = 0.
 Vec3 find_place(const Model& model, const Anchor& anchor);
 
 }  // namespace gxrod

@@ -178,10 +178,11 @@ enum class Quantity {
 // Names a point and what to record there at every accepted step.
 struct HistoryRequest {
     std::string name;
-    std::string at;   // as the deck has it
-    int node = 0;     // -1: between nodes, a spring or a joint
-    int body = -1;    // index in Model::bodies if the point is a body's
-    int spring = -1;  // index in Model::springs if it is of a spring, which has no node
+    std::string at;    // as the deck has it
+    int node = 0;      // -1: between nodes, a spring, a bushing, a joint or a gear
+    int body = -1;     // index in Model::bodies if the point is a body's
+    int spring = -1;   // index in Model::springs if it is of a spring, which has no node
+    int bushing = -1;  // index in Model::bushings if it is of a bushing, likewise
     // If the point is a rod's; where elements meet, in the first of them.
     std::optional<RodPlace> place = {};
     std::vector<Quantity> quantities = {};
@@ -190,6 +191,7 @@ struct HistoryRequest {
     int relative_node = -1;
     Quat relative_axes = Quat::Identity();  // of section or body there at t = 0
     int joint = -1;                         // index in Model::joints if it is of a joint, which has no node
+    int gear = -1;                          // index in Model::gears if it is of a gear, likewise
 };
 
 // Of frames, in the file; lossless.

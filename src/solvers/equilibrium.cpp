@@ -1,5 +1,6 @@
 #include "solvers/equilibrium.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -48,6 +49,12 @@ void add_accelerations(const System& system, SolverWorkspace& workspace, State& 
     system.joints().advance_multipliers(increments, workspace.vector, workspace.values, state);
 }
 
+bool has_friction_by_multipliers(const Model& model) {
+    return std::ranges::any_of(model.joints, [](const Joint& joint) {
+        return joint.turn.friction.lever > 0.0 || joint.slide.friction.lever > 0.0;
+    });
+}
+
 }  // namespace
 
 EquilibriumReport solve_accelerations(
@@ -68,12 +75,19 @@ EquilibriumReport solve_accelerations(
     Eigen::VectorXd residual = gather_residual(system, workspace.residual, workspace.values);
     if (!solve_increment(system, residual, workspace, report)) return report;
     add_accelerations(system, workspace, state);
-    // What the regularization of JointAssembly leaves of the equations of joints; nodes are in balance.
-    constexpr int corrections = 2;
+    // What the regularization of JointAssembly leaves of the equations of joints; nodes are in balance,
+    // unless friction follows the multipliers, which are found here.
+    const bool rubs = has_friction_by_multipliers(system.model());
+    const int corrections = rubs ? 12 : 2;
     for (int i = 0; i < corrections && !system.joints().empty(); ++i) {
-        residual.setZero();
-        system.joints().compute_rows(state, time, request, workspace.residual.rows);
-        system.joints().set_rows(workspace.residual.rows, workspace.values, residual);
+        if (rubs) {
+            system.compute_residual(state, time, workspace.residual, request);
+            residual = gather_residual(system, workspace.residual, workspace.values);
+        } else {
+            residual.setZero();
+            system.joints().compute_rows(state, time, request, workspace.residual.rows);
+            system.joints().set_rows(workspace.residual.rows, workspace.values, residual);
+        }
         if (!solve_increment(system, residual, workspace, report)) return report;
         add_accelerations(system, workspace, state);
     }

@@ -47,7 +47,7 @@ struct Snapshot {
     int branch = 0;            // of a path: 0 of the main one
     // Of a stage that follows limit points, of the limit point; of others, t, too.
     double limit_load_factor = 0.0;
-    std::span<const JointValues> joints = {};  // in the order of Model::joints
+    std::span<const JointValues> joints = {};  // in the order of Model::joints, then of Model::gears
 };
 
 }  // namespace gxrod

@@ -46,12 +46,16 @@ TEST_CASE("The sections and rods of the guide are a deck", "[deck]") {
 
 TEST_CASE("The mechanisms of the guide are decks", "[deck][joint]") {
     const std::vector<std::string> decks = decks_of("mechanisms.md");
-    REQUIRE(decks.size() == 4);
+    REQUIRE(decks.size() == 7);
     const Model crank = read(decks[0]).model;
     REQUIRE(crank.joints.size() == 4);
     CHECK(crank.joints[1].a.anchor.arm == Vec3(0.15, 0, 0));
     CHECK(crank.joints[0].turn.motion);
-    CHECK(read(decks[2]).model.joints.size() == 4);
+    const Model shaft = read(decks[2]).model;
+    CHECK(shaft.joints.at(1).kind == JointKind::free);
+    CHECK(read(decks[3]).model.sleeves.at(0).place == Approx(0.25));
+    CHECK(read(decks[4]).model.gears.at(0).ratio == 5.0);
+    CHECK(read(decks[5]).model.joints.size() == 4);
     const std::string hinge =
         "[joint.j]\ntype = \"hinge\"\nbetween = [\"ground\", \"top\"]\naxis = [0, 0, 1]\n";
     const std::string actions = replaced(decks[1], "drive    =", "# drive =");

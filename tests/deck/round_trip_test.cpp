@@ -5,6 +5,7 @@
 #include "deck/decks.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema.hpp"
+#include "model/spring_law.hpp"
 #include "tools/catch.hpp"
 
 // Every key of the schema, set to a value that is not its default, is seen in the problem that the reader
@@ -63,9 +64,53 @@ std::vector<RoundTrip> spring_trips() {
             {"spring.NAME.damping",
              with(between + "damping = 7\n"),
              [=](const Problem& p) { return spring(p).damping == 7.0; }},
+            {"spring.NAME.force",
+             with(between + "force = \"length + 7*rate\"\n"),
+             [=](const Problem& p) {
+                 return spring(p).law && spring(p).law->has_rate() && (*spring(p).law)(2.0, 3.0) == 23.0;
+             }},
             {"spring.NAME.length", with(between + "stiffness = 1\nlength = 7\n"), [=](const Problem& p) {
                  return spring(p).length == 7.0;
              }}};
+}
+
+std::vector<RoundTrip> bushing_trips() {
+    const auto with = [](const std::string& lines) { return body_deck + "[bushing.b]\n" + lines; };
+    const auto bushing = [](const Problem& p) { return p.model.bushings[0]; };
+    const std::string between = "between = [\"ground\", \"top\"]\n";
+    const std::string matrix =
+        "_matrix = [[1,0,0,0,0,0],[0,2,0,0,0,1],[0,0,3,0,0,0],[0,0,0,4,0,0],[0,0,0,0,5,0],[0,1,0,0,0,6]]\n";
+    std::vector<RoundTrip> trips{
+        {"bushing.NAME.between",
+         with(between + "stiffness = { x = 1 }\n"),
+         [=](const Problem& p) { return bushing(p).ends[0].is_ground() && bushing(p).ends[1].node == 0; }},
+        {"bushing.NAME.at",
+         with(between + "at = [1, 2, 3]\nstiffness = { x = 1 }\n"),
+         [=](const Problem& p) { return bushing(p).ends[0].arm == Vec3(1, 2, 3); }},
+        {"bushing.NAME.axes",
+         with(between + "axes = [[0, 1, 0], [0, 0, 1], [1, 0, 0]]\nstiffness = { x = 1 }\n"),
+         [=](const Problem& p) { return (bushing(p).axes * Vec3::UnitX() - Vec3::UnitY()).norm() < 1e-15; }},
+        {"bushing.NAME.stiffness_matrix",
+         with(between + "stiffness" + matrix),
+         [=](const Problem& p) {
+             return bushing(p).stiffness(1, 5) == 1.0 && bushing(p).stiffness(4, 4) == 5.0;
+         }},
+        {"bushing.NAME.damping_matrix", with(between + "damping" + matrix), [=](const Problem& p) {
+             return bushing(p).damping(1, 5) == 1.0 && bushing(p).damping(4, 4) == 5.0;
+         }}};
+    for (int i = 0; i < 6; ++i) {
+        const std::string name(component_names[i]);
+        for (const bool is_stiffness : {true, false}) {
+            const std::string key = is_stiffness ? "stiffness" : "damping";
+            trips.push_back({"bushing.NAME." + key + "." + name,
+                             with(between + key + " = { " + name + " = 7 }\n"),
+                             [=](const Problem& p) {
+                                 const Bushing b = bushing(p);
+                                 return (is_stiffness ? b.stiffness : b.damping)(i, i) == 7.0;
+                             }});
+        }
+    }
+    return trips;
 }
 
 // body_deck with a joint of this type from the ground to its body.
@@ -123,6 +168,20 @@ std::vector<RoundTrip> joint_trips() {
          }}};
 }
 
+std::vector<RoundTrip> gear_trips() {
+    const std::string hinge = "\nbetween = [\"ground\", \"top\"]\naxis = [0, 2, 0]\n";
+    const std::string deck = body_deck + "[joint.j]\ntype = \"hinge\"" + hinge +
+                             "[joint.k]\ntype = \"cylinder\"" + hinge +
+                             "[gear.g]\njoints = [\"j\", \"k.slide\"]\nratio = -3\n";
+    return {{"gear.NAME.joints",
+             deck,
+             [](const Problem& p) {
+                 const auto& [first, second] = p.model.gears.at(0).sides;
+                 return first.joint == 0 && first.is_turn && second.joint == 1 && !second.is_turn;
+             }},
+            {"gear.NAME.ratio", deck, [](const Problem& p) { return p.model.gears.at(0).ratio == -3.0; }}};
+}
+
 // Of one coordinate.
 using SeesCoordinate = std::function<bool(const JointCoordinate&)>;
 
@@ -144,7 +203,17 @@ std::vector<CoordinateKey> coordinate_keys() {
              "\"7*t\"",
              [](const JointCoordinate& c) { return c.rest(2.0) == 14.0; }},
             {"friction", "", "moment", "7", friction},
-            {"friction", "", "force", "7", friction},
+            {"friction", "stick = 0.5, ", "force", "7", friction},
+            {"friction",
+             "PIN",
+             "coefficient",
+             "7",
+             [](const JointCoordinate& c) { return c.friction.lever == 7.0; }},
+            {"friction",
+             "coefficient = 3.5, ",
+             "radius",
+             "2",
+             [](const JointCoordinate& c) { return c.friction.lever == 7.0; }},
             {"friction",
              "SIZE = 7, ",
              "stick",
@@ -175,8 +244,9 @@ std::vector<RoundTrip> coordinate_trips() {
     std::vector<RoundTrip> trips;
     for (const CoordinateKey& tried : coordinate_keys()) {
         for (const bool is_turn : {true, false}) {
-            if (tried.key == (is_turn ? "force" : "moment")) continue;
+            if (tried.key == (is_turn ? "force" : "moment") || (tried.key == "radius" && !is_turn)) continue;
             std::string keys = tried.keys + tried.key + " = " + tried.value;
+            if (tried.keys == "PIN") keys.replace(0, 3, is_turn ? "radius = 1, " : "stick = 0.5, ");
             const std::size_t size = keys.find("SIZE");
             if (size != std::string::npos) keys.replace(size, 4, is_turn ? "moment" : "force");
             const auto is_seen = [=](const Problem& p) {
@@ -861,7 +931,9 @@ std::vector<RoundTrip> all_trips() {
                               rod_trips(),
                               body_trips(),
                               spring_trips(),
+                              bushing_trips(),
                               joint_trips(),
+                              gear_trips(),
                               coordinate_trips(),
                               load_trips(),
                               action_trips(),
@@ -913,7 +985,8 @@ TEST_CASE("The values that round trips see are not there by default", "[deck]") 
         const bool has_loads = trip.key.starts_with("load") || trip.key.starts_with("function");
         const bool has_others = trip.key.starts_with("support") || trip.key.starts_with("history") ||
                                 trip.key.starts_with("connect") || trip.key.starts_with("spring") ||
-                                trip.key.starts_with("joint") || trip.key.starts_with("initial") ||
+                                trip.key.starts_with("bushing") || trip.key.starts_with("joint") ||
+                                trip.key.starts_with("initial") || trip.key.starts_with("gear") ||
                                 trip.key.starts_with("rotation");
         if (has_loads || has_others) continue;  // not there at all without their table
         const bool of_rod = trip.key.starts_with("rod") || trip.key.starts_with("section");

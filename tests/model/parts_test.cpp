@@ -70,9 +70,9 @@ TEST_CASE("a chain numbered backwards is one part", "[model]") {
 TEST_CASE("springs tie parts, if asked", "[model]") {
     Model model = make_model();
     Spring spring;
-    spring.ends = {SpringEnd{4}, SpringEnd{6}};
+    spring.ends = {Anchor{4}, Anchor{6}};
     model.springs = {spring, spring};
-    model.springs[1].ends[1] = SpringEnd{};  // the ground ties nothing
+    model.springs[1].ends[1] = Anchor{};  // the ground ties nothing
     const std::vector<ModelPart> parts = find_parts(model);
     REQUIRE(parts.size() == 3);
     CHECK(parts[1].nodes == std::vector{4, 5, 6});
@@ -84,6 +84,20 @@ TEST_CASE("springs tie parts, if asked", "[model]") {
     CHECK(by_rods[1].nodes == std::vector{4});
     CHECK(by_rods[1].springs == std::vector{0, 1});
     CHECK(by_rods[2].springs == std::vector{0});
+}
+
+TEST_CASE("bushings tie parts, if asked", "[model]") {
+    Model model = make_model();
+    Bushing bushing;
+    bushing.ends = {Anchor{4}, Anchor{6}};
+    model.bushings = {bushing, bushing};
+    model.bushings[1].ends[1] = Anchor{};  // the ground ties nothing
+    const std::vector<ModelPart> parts = find_parts(model);
+    REQUIRE(parts.size() == 3);
+    CHECK(parts[1].nodes == std::vector{4, 5, 6});
+    CHECK(parts[1].bushings == std::vector{0, 1});
+    CHECK(parts[0].bushings.empty());
+    CHECK(find_parts(model, Ties::rods).size() == 4);
 }
 
 TEST_CASE("joints tie parts, if asked", "[model][joint]") {

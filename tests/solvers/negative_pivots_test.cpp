@@ -2,6 +2,7 @@
 // whatever order it is eliminated.
 #include <Eigen/Eigenvalues>
 
+#include "assembly/sample_model.hpp"
 #include "solvers/sparse_samples.hpp"
 #include "tools/catch.hpp"
 #include "tools/random_values.hpp"
@@ -10,13 +11,6 @@ using namespace gxrod;
 using namespace gxrod::tools;
 
 namespace {
-
-Eigen::MatrixXd make_dense(const SparsePattern& pattern, const std::vector<double>& values) {
-    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(pattern.size(), pattern.size());
-    pattern.visit_entries(
-        [&](std::int64_t row, std::int64_t column, std::int64_t slot) { dense(row, column) = values[slot]; });
-    return dense;
-}
 
 // Subtracts shift × identity.
 std::vector<double> shift(const SparsePattern& pattern, std::vector<double> values, double by) {

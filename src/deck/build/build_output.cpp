@@ -79,14 +79,39 @@ bool is_of_springs(Quantity quantity) {
     return quantity == Quantity::elongation || quantity == Quantity::axial_force;
 }
 
+bool is_of_bushings(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::displacement:
+        case Quantity::rotation_vector:
+        case Quantity::force:
+        case Quantity::moment:
+        case Quantity::force_spatial:
+        case Quantity::moment_spatial:
+            return true;
+        default:
+            return false;
+    }
+}
+
 // Where a history looks.
 struct HistoryPlace {
-    int node;  // -1: between nodes, a spring or a joint
-    int body;  // -1: of a rod, a spring or a joint
+    int node;  // -1: between nodes, a spring, a bushing or a joint
+    int body;  // -1: of a rod, a spring, a bushing or a joint
     std::optional<RodPlace> place;
     int spring = -1;
+    int bushing = -1;
     int joint = -1;
+    int gear = -1;
+    int sleeve = -1;
 };
+
+// The index of what has the name, as the model is built; nullopt without it.
+template <class Tie>
+std::optional<int> find_tie(const std::vector<Tie>& ties, const std::string& name) {
+    const auto found = std::ranges::find(ties, name, &Tie::name);
+    if (found == ties.end()) return std::nullopt;
+    return static_cast<int>(found - ties.begin());
+}
 
 // A node's place in the rod; where elements meet, in the first of them.
 RodPlace place_in_rod(const PlacedPoint& point, const Rod& rod) {
@@ -136,23 +161,34 @@ RodPlace place_between_nodes(const RodPoint& point, const Rod& rod) {
     return {point.rod, element, low + high - 1.0};
 }
 
-// The index of the spring or joint of this name; −1 if it could not be built.
-template <class Tie>
-int find_tie(const std::string& name, const std::vector<Tie>& ties) {
-    const auto found = std::ranges::find(ties, name, &Tie::name);
-    return found == ties.end() ? -1 : static_cast<int>(found - ties.begin());
-}
-
 std::optional<HistoryPlace> find_place(const std::string& text, const BuildContext& context) {
     if (find_index(context.deck.tables("spring"), text)) {
-        const int spring = find_tie(text, context.model.springs);
-        if (spring < 0) return std::nullopt;
-        return HistoryPlace{-1, -1, std::nullopt, spring};
+        const std::optional<int> spring = find_tie(context.model.springs, text);
+        if (!spring) return std::nullopt;
+        return HistoryPlace{-1, -1, std::nullopt, *spring};
+    }
+    if (find_index(context.deck.tables("bushing"), text)) {
+        const std::optional<int> bushing = find_tie(context.model.bushings, text);
+        if (!bushing) return std::nullopt;
+        return HistoryPlace{-1, -1, std::nullopt, -1, *bushing};
     }
     if (find_index(context.deck.tables("joint"), text)) {
-        const int joint = find_tie(text, context.model.joints);
-        if (joint < 0) return std::nullopt;
-        return HistoryPlace{-1, -1, std::nullopt, -1, joint};
+        HistoryPlace place{-1, -1, std::nullopt};
+        if (const std::optional<int> joint = find_tie(context.model.joints, text)) {
+            place.joint = *joint;
+        } else if (const std::optional<int> sleeve = find_tie(context.model.sleeves, text)) {
+            place.sleeve = *sleeve;
+        } else {
+            return std::nullopt;
+        }
+        return place;
+    }
+    if (find_index(context.deck.tables("gear"), text)) {
+        const std::optional<int> gear = find_tie(context.model.gears, text);
+        if (!gear) return std::nullopt;
+        HistoryPlace place{-1, -1, std::nullopt};
+        place.gear = *gear;
+        return place;
     }
     const std::optional<PlacedPoint> placed = context.place(text);
     if (!placed) return std::nullopt;
@@ -166,7 +202,7 @@ std::optional<HistoryPlace> find_place(const std::string& text, const BuildConte
 std::string explain_missing(Quantity quantity, const Joint& joint) {
     const auto count = [&](const auto& has) { return int(has(joint.turn)) + int(has(joint.slide)); };
     const int motors = count([](const JointCoordinate& one) { return one.motion.has_value(); });
-    const int frictions = count([](const JointCoordinate& one) { return one.friction.force > 0.0; });
+    const int frictions = count([](const JointCoordinate& one) { return one.friction.acts(); });
     switch (quantity) {
         case Quantity::angle:
         case Quantity::angle_rate:
@@ -188,10 +224,24 @@ std::string explain_missing(Quantity quantity, const Joint& joint) {
     }
 }
 
+std::string explain_missing(Quantity quantity, const Sleeve& sleeve) {
+    Joint joint;
+    joint.kind = JointKind::sleeve;
+    joint.slide = sleeve.slide;
+    return explain_missing(quantity, joint);
+}
+
 // Why the point has no such quantity, or "".
 std::string explain_missing(Quantity quantity, const HistoryPlace& point, const Model& model) {
+    if (point.gear >= 0) {
+        const bool has_it = quantity == Quantity::drive || quantity == Quantity::gap;
+        return has_it ? "" : "a gear has drive and gap only; its joints have the rest";
+    }
+    if (point.bushing >= 0) return is_of_bushings(quantity) ? "" : "a bushing does not have it";
     if (point.joint >= 0)
         return explain_missing(quantity, model.joints[static_cast<std::size_t>(point.joint)]);
+    if (point.sleeve >= 0)
+        return explain_missing(quantity, model.sleeves[static_cast<std::size_t>(point.sleeve)]);
     if (point.spring >= 0) return is_of_springs(quantity) ? "" : "only points have it; this is a spring";
     if (is_of_springs(quantity)) return "only springs have it; this is a point";
     if (is_of_joints(quantity) && !is_of_rods(quantity)) return "only joints have it; this is a point";
@@ -241,8 +291,15 @@ HistoryRequest build_history(const CheckedTable& table,
                            .node = point.node,
                            .body = point.body,
                            .spring = point.spring,
+                           .bushing = point.bushing,
                            .place = point.place,
-                           .joint = point.joint};
+                           .joint = point.joint,
+                           .gear = point.gear};
+    // Values of sleeves come behind those of joints and gears.
+    if (point.sleeve >= 0) {
+        const std::size_t before = context.model.joints.size() + context.model.gears.size();
+        request.joint = static_cast<int>(before) + point.sleeve;
+    }
     set_reference(table, request, context);
     for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("quantities")) {
         const Quantity quantity = value_of(quantity_choices, word.word);
@@ -252,7 +309,7 @@ HistoryRequest build_history(const CheckedTable& table,
             continue;
         }
         std::string reason = explain_missing(quantity, point, context.model);
-        if (table.gives("relative_to") && !can_be_relative(quantity)) {
+        if (table.gives("relative_to") && (point.bushing >= 0 || !can_be_relative(quantity))) {
             reason = "cannot be relative to a point; write another history for it";
         }
         if (!reason.empty()) {

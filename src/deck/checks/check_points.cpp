@@ -29,7 +29,7 @@ class PointCheck {
         if (table.gives(key)) check(table.get<std::string>(key), table.place_of(key), table.path_of(key));
     }
 
-    // An end of a spring or joint that is not the ground.
+    // An end of a spring, a bushing or a joint that is not the ground.
     void check_end(const CheckedWord& word) {
         const std::string ground = did_you_mean(word.word, {ground_word});
         const auto found = context_.names.find(word.word);
@@ -67,6 +67,22 @@ class PointCheck {
     std::vector<RodPoint> of_rods_;
 };
 
+// What a sleeve slides along.
+void check_rod(const CheckedWord& word, const BuildContext& context) {
+    const auto& rods = context.deck.tables("rod");
+    if (find_index(rods, word.word)) return;
+    std::vector<std::string> names;
+    for (const CheckedTable& rod : rods) names.push_back(rod.name);
+    const std::string part = word.word.substr(0, word.word.find_first_of(".@"));
+    const std::string hint = did_you_mean(part, names);
+    context.faults.add(
+        word.place,
+        word.path,
+        fmt::format("no rod \"{}\"{}; a sleeve is between a rod and the point that slides along it",
+                    word.word,
+                    hint));
+}
+
 }  // namespace
 
 std::vector<RodPoint> check_points(const BuildContext& context) {
@@ -80,10 +96,16 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
             points.check_of_rod(word.word, word.place, word.path, "; a body's `at` puts it on one");
         }
     }
-    for (const char* key : {"spring", "joint"}) {
+    for (const char* key : {"spring", "bushing", "joint"}) {
         for (const CheckedTable& table : context.deck.tables(key)) {
+            const bool slides =
+                key == std::string_view("joint") && table.get<std::string>("type") == "sleeve";
             for (const CheckedWord& word : ends_of(table)) {
-                if (word.word != ground_word) points.check_end(word);
+                if (slides && &word == &ends_of(table).front()) {
+                    check_rod(word, context);
+                } else if (word.word != ground_word) {
+                    points.check_end(word);
+                }
             }
         }
     }
@@ -92,9 +114,11 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
     }
     for (const CheckedTable& table : context.deck.tables("history")) {
         const std::string& at = table.get<std::string>("at");
-        const bool is_tie =
-            find_index(context.deck.tables("spring"), at) || find_index(context.deck.tables("joint"), at);
-        if (!is_tie) points.check_place(table, "at");
+        const auto is_tie = [&](const char* key) {
+            return find_index(context.deck.tables(key), at).has_value();
+        };
+        if (!is_tie("spring") && !is_tie("bushing") && !is_tie("joint") && !is_tie("gear"))
+            points.check_place(table, "at");
         points.check_key(table, "relative_to");
     }
     for (const char* key : {"analysis", "stage"}) {

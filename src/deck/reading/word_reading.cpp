@@ -104,7 +104,7 @@ std::optional<std::vector<CheckedWord>> read_points(const DeckNode& node,
                                                     const KeySpec& key,
                                                     const ReadingContext& context) {
     const std::size_t count = node.array() == nullptr ? 0 : node.array()->size();
-    if (count < 2 || (key.type == ValueType::ends && count > 2)) {
+    if (count < 2 || (key.type != ValueType::points && count > 2)) {
         expect(node, path, key, context);
         return std::nullopt;
     }
@@ -115,9 +115,11 @@ std::optional<std::vector<CheckedWord>> read_points(const DeckNode& node,
         if (element.text() != nullptr) {
             points.push_back({*element.text(), element.place, element_path});
         } else {
+            const char* word =
+                key.type == ValueType::joints ? "joint, such as \"wheel\"" : "point, such as \"rod.end\"";
             context.faults.add(element.place,
                                element_path,
-                               "expected a point, such as \"rod.end\", found " + describe_found(element));
+                               fmt::format("expected a {}, found {}", word, describe_found(element)));
         }
     }
     return points.size() == count ? std::optional(std::move(points)) : std::nullopt;

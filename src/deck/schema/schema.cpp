@@ -56,7 +56,9 @@ TableSpec make_root() {
         {.name = "rod", .type = ValueType::named_tables, .table = &rod_table()},
         {.name = "body", .type = ValueType::named_tables, .table = &body_table()},
         {.name = "spring", .type = ValueType::named_tables, .table = &spring_table()},
+        {.name = "bushing", .type = ValueType::named_tables, .table = &bushing_table()},
         {.name = "joint", .type = ValueType::named_tables, .table = &joint_table()},
+        {.name = "gear", .type = ValueType::named_tables, .table = &gear_table()},
         {.name = "connect", .type = ValueType::table_list, .table = &connect_table()},
         {.name = "load", .type = ValueType::table_list, .table = &load_table()},
         {.name = "support", .type = ValueType::table_list, .table = &support_table()},
@@ -142,6 +144,10 @@ std::string variables_of(ValueType type) {
             return "t and s";
         case ValueType::place_vector:
             return "x, y, z and s";
+        case ValueType::motion_vector:
+            return "t, x, y, z, vx, vy and vz";
+        case ValueType::spring_expression:
+            return "length and rate";
         default:
             return "t";
     }
@@ -161,6 +167,9 @@ std::string describe_expected(const KeySpec& key) {
             return "an array of points, two at least, such as [\"leg.end\", \"beam.start\"]";
         case ValueType::ends:
             return "an array of 2 points, such as [\"arm.end\", \"body\"], or of one and \"ground\"";
+        case ValueType::joints:
+            return "an array of 2 joints, such as [\"motor\", \"wheel\"], or of their coordinates, such as "
+                   "\"nut.slide\"";
         case ValueType::choice:
             return (key.choices.size() > 1 ? "one of " : "") + quoted_list(key.choices);
         case ValueType::choices:
@@ -190,6 +199,7 @@ std::string describe_expected(const KeySpec& key) {
         case ValueType::mesh_group:
             return "the name or the number of a physical group";
         case ValueType::time_expression:
+        case ValueType::spring_expression:
             return "a number or an expression in " + variables_of(key.type);
         case ValueType::stage_functions:
             return "a number or an expression in t, or a table of one for each stage, such as "
@@ -199,6 +209,7 @@ std::string describe_expected(const KeySpec& key) {
         case ValueType::time_vector:
         case ValueType::line_vector:
         case ValueType::place_vector:
+        case ValueType::motion_vector:
             return "an array of 3 numbers or expressions in " + variables_of(key.type);
         case ValueType::time_table:
             return "an array of rows [t, value]";

@@ -20,6 +20,7 @@ enum class ValueType {
     point,      // a named point: flyer.start, flyer.end, flyer@0.25, gyroscope
     points,     // a list of named points, two at least
     ends,       // 2 named points, or one and "ground"
+    joints,     // 2 named joints, or coordinates of joints: wheel, nut.slide
     choice,     // one of the key's words
     choices,    // one of the key's words, or a list of them that is not empty
     names,      // the name of a table elsewhere in the deck, or a list of them that is not empty
@@ -40,6 +41,8 @@ enum class ValueType {
     time_vector,           // 3 f(t)
     line_vector,           // 3 f(t, s), s the arc length along a rod
     place_vector,          // 3 f(x, y, z, s) of the reference position
+    motion_vector,         // 3 f(t, x, y, z, vx, vy, vz) of a point's position and velocity
+    spring_expression,     // f(length, rate) of a spring
     time_table,            // rows of 2 numbers, the first of each increasing
     columns,               // 2 names or numbers of columns
     table,                 // keys of its own

@@ -311,7 +311,7 @@ const TableSpec& history_table() {
     static const TableSpec table{
         .path = "history",
         .heading = "[[history]]",
-        .sentence = "Quantities of a point, a spring or a joint, recorded at every step.",
+        .sentence = "Quantities of a point, a spring, a bushing, a joint or a gear, recorded at every step.",
         .keys =
             {{.name = "name",
               .type = ValueType::text,
@@ -320,7 +320,8 @@ const TableSpec& history_table() {
              {.name = "at",
               .type = ValueType::point,
               .presence = Presence::required,
-              .sentence = "A point of a rod, between nodes too, a body, a spring or a joint."},
+              .sentence =
+                  "A point of a rod, between nodes too, a body, a spring, a bushing, a joint or a gear."},
              {.name = "relative_to",
               .type = ValueType::point,
               .default_text = "the global axes and the origin",
@@ -335,11 +336,13 @@ const TableSpec& history_table() {
                   "attitude of a body; orientation is that of section or body axes for both. force, "
                   "moment (section axes), force_spatial, moment_spatial, strain and curvature are a rod's, "
                   "centre_of_mass is a body's, reactions are a support's. elongation (length less that of "
-                  "the free spring) and axial_force (tension positive, with damping) are a spring's. A joint "
-                  "has angle, slide and their rates since t = 0, force and moment (what A exerts on B, "
-                  "moment "
-                  "about the joint, global), force_a and moment_a (in the joint's axes on A, along its axis "
-                  "first), drive (moment or force of its motor), friction and gap.",
+                  "the free spring) and axial_force (tension positive, with damping) are a spring's. Of a "
+                  "bushing displacement and rotation_vector are those of B against A, force and moment what "
+                  "the bushing resists them with, all in its axes; force_spatial and moment_spatial are "
+                  "global. A joint has angle, slide and their rates since t = 0, force and moment (what A "
+                  "exerts on B, moment about the joint, global), force_a and moment_a (in the joint's axes "
+                  "on A, along its axis first), drive (moment or force of its motor), friction and gap. A "
+                  "gear has drive (moment or force on its second joint) and gap.",
               .choices = words_of(quantity_choices)}},
         .example =
             "[[history]]\n"

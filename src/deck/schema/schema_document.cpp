@@ -66,6 +66,8 @@ std::string describe_type(const KeySpec& key) {
             return "points";
         case ValueType::ends:
             return "2 points, or a point and `\"ground\"`";
+        case ValueType::joints:
+            return "2 joints, or `\"NAME.turn\"`, `\"NAME.slide\"`";
         case ValueType::choice:
             return code_list(key.choices);
         case ValueType::choices:
@@ -106,6 +108,10 @@ std::string describe_type(const KeySpec& key) {
             return "3 f(t, s)";
         case ValueType::place_vector:
             return "3 f(x, y, z, s)";
+        case ValueType::motion_vector:
+            return "3 f(t, x, y, z, vx, vy, vz)";
+        case ValueType::spring_expression:
+            return "f(length, rate)";
         case ValueType::time_table:
             return "rows [t, value]";
         case ValueType::columns:

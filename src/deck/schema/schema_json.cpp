@@ -61,6 +61,7 @@ Json make_type(const KeySpec& key) {
         case ValueType::points:
             return {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}};
         case ValueType::ends:
+        case ValueType::joints:
             return {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 2}, {"maxItems", 2}};
         case ValueType::choice:
             return {{"enum", key.choices}};
@@ -78,6 +79,7 @@ Json make_type(const KeySpec& key) {
         case ValueType::time_vector:
         case ValueType::line_vector:
         case ValueType::place_vector:
+        case ValueType::motion_vector:
             return array_of(reference("number"), 3);
         case ValueType::matrix:
             return array_of(array_of(reference("number"), 3), 3);
@@ -96,6 +98,7 @@ Json make_type(const KeySpec& key) {
         case ValueType::mesh_group:
             return {{"type", {"string", "integer"}}};
         case ValueType::time_expression:
+        case ValueType::spring_expression:
             return reference("number");
         case ValueType::stage_functions:
             return any_of({reference("number"), named_tables("^[A-Za-z0-9_-]+$", reference("number"))});

@@ -8,6 +8,8 @@
 namespace gxrod::test {
 namespace {
 
+using Catch::Contains;
+
 // A rod from x = 0 to 10, and bodies at (0, 0, 2) and (4, 0, 2); lines 1 to 20.
 const std::string parts = rod_deck +
                           "[body.b]\nmass = 1\ninertia = [1, 1, 1]\nat = [0, 0, 2]\n"
@@ -87,6 +89,28 @@ TEST_CASE("The axes of a universal joint's sides begin with what each carries", 
         "unit vectors, is 0.8");
 }
 
+TEST_CASE("A free joint does something", "[deck][joint]") {
+    const std::string free = from_ground("free") + "axis = [0, 0, 1]\n";
+    CHECK(faults(free) ==
+          "x.toml:22:8: joint.j.type: a free joint on which nothing acts does nothing; expected move, drive, "
+          "spring, friction or limits");
+    CHECK(faults(free + "move = \"t\"\n") ==
+          "x.toml:25:8: joint.j.move: a free joint has a turn and a slide; expected move = { turn = … }, { "
+          "slide "
+          "= … } or both");
+    for (const char* action : {"move = { turn = \"t^2\", slide = \"t^2\" }",
+                               "drive = { slide = 2 }",
+                               "spring = { turn = { damping = 1 } }",
+                               "friction = { slide = { force = 1 } }",
+                               "limits = { turn = { lower = -1, stiffness = 2 } }"}) {
+        INFO(action);
+        const Joint built = read_joint(free + action + "\n");
+        CHECK(built.kind == JointKind::free);
+        CHECK(built.has_turn());
+        CHECK(built.has_slide());
+    }
+}
+
 TEST_CASE("Sides that cannot move against each other are errors", "[deck][joint]") {
     const auto of = [](const std::string& between) {
         return faults("type = \"ball\"\nbetween = [" + between + "]\n");
@@ -133,11 +157,11 @@ TEST_CASE("A type has its own keys", "[deck][joint]") {
     CHECK(
         faults(from_ground("ball") + axis) ==
         "x.toml:24:1: joint.j.axis: type \"ball\" does not use this key; it is for hinge, cylinder, slider, "
-        "universal, screw, plane");
+        "universal, screw, plane, free");
     CHECK(
         faults(from_ground("ball") + "move = \"t\"\n") ==
         "x.toml:24:1: joint.j.move: type \"ball\" does not use this key; it is for hinge, cylinder, slider, "
-        "universal, screw, plane");
+        "universal, screw, plane, free, sleeve");
     CHECK(faults(from_ground("universal") + axis) ==
           "x.toml:21:1: joint.j.axis_b: missing; expected an array of 3 numbers or expressions; the axis "
           "that B "
@@ -223,6 +247,18 @@ TEST_CASE("Frictions and limits that cannot be are errors", "[deck][joint]") {
           "x.toml:25:22: joint.j.friction.force: the friction of a turn is a moment");
     CHECK(hinge("friction = { moment = 1, stick = 0 }\n") ==
           "x.toml:25:34: joint.j.friction.stick: expected a number greater than 0, found 0");
+    CHECK(hinge("friction = { coefficient = 0.2 }\n") ==
+          "x.toml:25:12: joint.j.friction.radius: missing; expected the radius of the pin, a number greater "
+          "than "
+          "0 or an expression");
+    CHECK(hinge("friction = { moment = 1, radius = 2 }\n") ==
+          "x.toml:25:26: joint.j.friction.radius: goes with coefficient, and this table has moment");
+    CHECK(
+        faults(from_ground("slider") + "axis = [0, 0, 1]\nfriction = { coefficient = 0.2, radius = 1 }\n") ==
+        "x.toml:25:42: joint.j.friction.radius: only the friction of a turn has a radius");
+    CHECK(faults(from_ground("free") + "axis = [0, 0, 1]\nfriction = { slide = { coefficient = 0.2 } }\n") ==
+          "x.toml:25:38: joint.j.friction.slide.coefficient: a free joint holds no force; expected moment or "
+          "force");
     CHECK(hinge("limits = { lower = 2, upper = 1, stiffness = 1 }\n") ==
           "x.toml:25:20: joint.j.limits.lower: 2 is above upper, 1");
     CHECK(
@@ -297,6 +333,65 @@ TEST_CASE("Histories of joints have their quantities", "[deck][joint]") {
         parts + joint(from_ground("cylinder") + "axis = [0, 0, 1]\nmove = { turn = \"t\", slide = \"t\" }\n");
     const std::string text = faults_of(moved + history("j", "\"drive\""));
     CHECK(text.find("this joint has two motors") != std::string::npos);
+}
+
+TEST_CASE("A sleeve has its place on the rod", "[deck][joint][sleeve]") {
+    const Problem problem = read(
+        parts + joint("type = \"sleeve\"\nbetween = [\"r\", \"b\"]\nat = [2.5, 0, 0]\nmove = \"t^2\"\n"));
+    CHECK(problem.model.joints.empty());
+    const Sleeve& sleeve = problem.model.sleeves.at(0);
+    CHECK(sleeve.name == "j");
+    CHECK(sleeve.rod == 0);
+    CHECK(sleeve.place == Approx(2.5));
+    CHECK(sleeve.point.node == problem.model.bodies[0].node);
+    CHECK((sleeve.point.arm - Vec3(2.5, 0, -2)).norm() < 1e-14);
+    CHECK((*sleeve.slide.motion)(0.5) == 0.25);
+    const Sleeve eye =
+        read(parts + joint("type = \"sleeve\"\nbetween = [\"r\", \"ground\"]\nat = [4, 0, 0]\n"))
+            .model.sleeves.at(0);
+    CHECK(eye.point.is_ground());
+    CHECK((eye.point.arm - Vec3(4, 0, 0)).norm() < 1e-14);
+    CHECK(eye.place == Approx(4.0));
+}
+
+TEST_CASE("A sleeve is between a rod and a point of another part", "[deck][joint][sleeve]") {
+    const auto message = [](const std::string& between, const std::string& more = "") {
+        const std::string text = faults("type = \"sleeve\"\nbetween = [" + between + "]\n" + more);
+        return text.substr(text.find(": ", 20) + 2);
+    };
+    CHECK(message("\"r\", \"b\"") ==
+          "the point is 2 from rod r; expected a point on it: the nearest is [0, 0, 0]");
+    CHECK(message("\"r\", \"b\"", "at = [0, 1, 0]\n") ==
+          "the point is 1 from rod r; expected a point on it: the nearest is [0, 0, 0]");
+    const std::string what = "; a sleeve is between a rod and the point that slides along it";
+    CHECK_THAT(message("\"b\", \"r.end\""), Contains("no rod \"b\"") && Contains(what));
+    CHECK_THAT(message("\"r.end\", \"b\""), Contains("no rod \"r.end\"; did you mean \"r\"?" + what));
+    CHECK_THAT(message("\"r\", \"r.end\""),
+               Contains("\"r.end\" is a point of rod r, which cannot slide along itself; expected a point of "
+                        "another part"));
+    CHECK_THAT(message("\"r\", \"ground\""),
+               Contains("the ground has no place of its own; expected at = [x, y, z]"));
+    const std::string friction = "at = [1, 0, 0]\nfriction = { coefficient = 0.1 }\n";
+    CHECK_THAT(
+        message("\"r\", \"b\"", friction),
+        Contains("the friction of a sleeve does not depend on the force that it holds; expected force"));
+    const std::string gear =
+        "at = [1, 0, 0]\n[joint.k]\ntype = \"hinge\"\nbetween = [\"ground\", \"c\"]\naxis = [1, 0, 0]\n"
+        "[gear.g]\njoints = [\"j\", \"k\"]\nratio = 1\n";
+    CHECK_THAT(message("\"r\", \"b\"", gear), Contains("a gear cannot tie the slide of a sleeve"));
+}
+
+TEST_CASE("A sleeve slides along a rod that is one line", "[deck][joint][sleeve]") {
+    const std::string ring =
+        "[section.s]\nstiffness = { EA = 1, GAy = 1, GAz = 1, GJ = 1, EIy = 1, EIz = 1 }\n"
+        "inertia = { rhoA = 1, rhoIy = 1, rhoIz = 1 }\n"
+        "[rod.r]\nsection = \"s\"\narc = { centre = [0, 0, 0], axis = [0, 0, 1], from = [1, 0, 0], angle = "
+        "\"2*pi\" "
+        "}\nelements = 8\n[[connect]]\npoints = [\"r.start\", \"r.end\"]\n"
+        "[joint.j]\ntype = \"sleeve\"\nbetween = [\"r\", \"ground\"]\nat = [-1, 0, 0]\n"
+        "[analysis]\nkind = \"dynamic\"\nend_time = 1\nsteps = 10\n";
+    CHECK_THAT(faults_of(ring),
+               Contains("rod r branches or comes back to its start; expected a rod that is one line"));
 }
 
 TEST_CASE("A joint's name is no point's", "[deck][joint]") {

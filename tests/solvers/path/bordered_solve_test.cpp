@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include "assembly/sample_model.hpp"
 #include "solvers/sparse_samples.hpp"
 #include "tools/catch.hpp"
 #include "tools/random_values.hpp"
@@ -18,14 +19,6 @@ struct Soft {
     std::vector<double> values = make_stiffness_values(pattern, 5);
     Eigen::MatrixXd dense;
 };
-
-Eigen::MatrixXd make_dense(const SparsePattern& pattern, const std::vector<double>& values) {
-    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(pattern.size(), pattern.size());
-    pattern.visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t slot) {
-        dense(row, column) = values[static_cast<std::size_t>(slot)];
-    });
-    return dense;
-}
 
 Soft make_soft(double lowest) {
     Soft soft;
