@@ -203,7 +203,7 @@ TEST_CASE("friction at the start holds what rests and brakes what moves", "[cons
         const double slip = compute_first_slip(laws.friction, {5.0, rate, 0.0}, 10.0);
         CHECK(force_of(laws, 5.0, rate, slip) == Approx(rate == 0.0 ? 0.0 : std::copysign(3.0, -rate)));
     }
-    // A rate that is round-off of the two sides' is none.
+    // A rate within the round-off of both sides' speeds counts as rest.
     for (const double rate : {1e-15, -1e-15}) {
         CHECK(compute_first_slip(laws.friction, {5.0, rate, 0.0}, 10.0) == 5.0);
         CHECK(compute_first_slip(laws.friction, {5.0, rate, 0.0}, 0.0) != 5.0);

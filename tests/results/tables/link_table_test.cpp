@@ -20,7 +20,7 @@ Hdf5Reader write_results(const sample::ScratchFolder& folder, const Model& model
 
 }  // namespace
 
-TEST_CASE("Results tell what joints, springs and bushings join", "[results][joint]") {
+TEST_CASE("Results say what joints, springs and bushings join", "[results][joint]") {
     Model model = sample::make_model();
     model.joints.resize(2);
     Joint& joint = model.joints[1];
