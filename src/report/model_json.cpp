@@ -61,13 +61,14 @@ Json describe_joint(const Joint& joint, const NodeNumbers& number) {
     return json;
 }
 
-// At its point, on both sides.
-Json describe_sleeve(const Sleeve& sleeve, const NodeNumbers& number) {
+// At its point, on both sides; around a rod, one of whose nodes has the size.
+Json describe_sleeve(const Model& model, const Sleeve& sleeve, const NodeNumbers& number) {
     return {{"name", sleeve.name},
             {"type", name_of(JointKind::sleeve)},
             {"ends", describe_ends(sleeve.point, sleeve.point, number)},
             {"axes", to_json(Quat(Quat::Identity()))},
-            {"moved", sleeve.slide.motion.has_value()}};
+            {"moved", sleeve.slide.motion.has_value()},
+            {"around", number(model.rods[sleeve.rod].nodes.front())}};
 }
 
 // Of the first `most` of these parts.
@@ -99,7 +100,7 @@ Json describe_joints(const Model& model, const NodeNumbers& number, std::size_t 
         describe_first(model.joints, most, [&](const Joint& joint) { return describe_joint(joint, number); });
     for (const Sleeve& sleeve : model.sleeves) {
         if (joints.size() == most) break;
-        joints.push_back(describe_sleeve(sleeve, number));
+        joints.push_back(describe_sleeve(model, sleeve, number));
     }
     return joints;
 }

@@ -70,8 +70,8 @@ void add_drawing(RunStory& story) {
     for (std::size_t i = 0; i < std::min(joints, model.joints.size()); ++i)
         mark_ends(model.joints[i].a.anchor, model.joints[i].b.anchor, story);
     for (std::size_t i = model.joints.size(); i < joints; ++i) {
-        const Anchor& point = model.sleeves[i - model.joints.size()].point;
-        mark_ends(point, point, story);
+        const Sleeve& sleeve = model.sleeves[i - model.joints.size()];
+        mark_ends(sleeve.point, {.node = model.rods[sleeve.rod].nodes.front()}, story);
     }
     const std::size_t springs = count_drawn(model.springs.size(), most_springs, "springs", story);
     for (std::size_t i = 0; i < springs; ++i)

@@ -96,6 +96,7 @@ TEST_CASE("Joints are described by their ends, places and axes", "[report][joint
 TEST_CASE("A sleeve is described as a joint at its point", "[report][joint]") {
     Model model;
     model.nodes.resize(2);
+    model.rods.emplace_back().nodes = {0};
     model.sleeves.push_back({.name = "collar", .rod = 0, .point = {.node = 1, .arm = Vec3(0, 0.5, 0)}});
     const Json joints = describe_joints(model, number, 10);
     REQUIRE(joints.size() == 1);
@@ -105,6 +106,7 @@ TEST_CASE("A sleeve is described as a joint at its point", "[report][joint]") {
         CHECK(end["node"] == number(1));
         CHECK(vector(end["arm"]) == Vec3(0, 0.5, 0));
     }
+    CHECK(joints[0]["around"] == number(0));
     CHECK(describe_joints(model, number, 0).empty());
 }
 

@@ -27,7 +27,8 @@ export class Joints {
     const axes = toQuaternion(joint.axes);
     const axis = x.clone().applyQuaternion(axes);
     const reach = joinReaches(ends.map((end) => this.bodies.reachFrom(end, axis)));
-    const symbolSize = Math.max(0.016 * this.size, ...ends.map(({ node }) => 1.3 * this.rods.radiusAt(node)));
+    const nodes = [...ends.map(({ node }) => node), joint.around ?? -1];
+    const symbolSize = Math.max(0.016 * this.size, ...nodes.map((node) => 1.3 * this.rods.radiusAt(node)));
     // Of two sides the one with the rail: the ground, or A.
     const railEnd = slides.has(joint.type) && ends[1].isGround ? 1 : 0;
     const symbol = makeSymbol(joint, material, symbolSize, reach);
