@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 
@@ -18,6 +17,7 @@
 #include "model/body_moments.hpp"
 #include "model/newton_choice.hpp"
 #include "model/parts.hpp"
+#include "numerics/symmetric_eigen.hpp"
 #include "state/spring_line.hpp"
 
 namespace gxrod {
@@ -217,8 +217,7 @@ void find_missing_causes(const Model& model,
 // Moments that are rounded or roughly known; others are refused by the reader.
 void find_odd_bodies(const Model& model, std::vector<Finding>& findings) {
     for (const Body& body : model.bodies) {
-        const Eigen::SelfAdjointEigenSolver<Mat3> solver(body.inertia, Eigen::EigenvaluesOnly);
-        const Vec3& moments = solver.eigenvalues();
+        const Vec3 moments = find_symmetric_eigen(body.inertia).values;
         if (!exceed_sum(moments)) continue;
         findings.push_back(
             {Severity::warning,

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
 
@@ -15,6 +14,7 @@
 #include "model/analysis_traits.hpp"
 #include "model/frame_interval.hpp"
 #include "model/spring_law.hpp"
+#include "numerics/symmetric_eigen.hpp"
 #include "state/spring_line.hpp"
 
 namespace gxrod {
@@ -24,12 +24,11 @@ namespace {
 std::string describe(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]); }
 
 std::string describe_body(const Model& model, const Body& body) {
-    const Eigen::SelfAdjointEigenSolver<Mat3> principal(body.inertia, Eigen::EigenvaluesOnly);
     return fmt::format(
         "body {}: mass {:.6g}, principal inertia {}, node {} at {}, centre of mass {} from it\n",
         body.name,
         body.mass,
-        describe(principal.eigenvalues()),
+        describe(find_symmetric_eigen(body.inertia).values),
         model.nodes[body.node].name,
         describe(model.nodes[body.node].position),
         describe(body.attitude * body.centre_of_mass));

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
 
 #include "model/stiffness_ratio.hpp"
+#include "numerics/symmetric_eigen.hpp"
 
 namespace gxrod {
 namespace {
@@ -29,12 +29,10 @@ double find_shortest_element(const Rod& rod) {
 }
 
 // The largest and the smallest principal stiffness.
-template <int Size>
-std::pair<double, double> find_extremes(const Eigen::Matrix<double, Size, Size>& stiffness) {
+std::pair<double, double> find_extremes(const Eigen::MatrixXd& stiffness) {
     if (stiffness.isDiagonal(0.0)) return {stiffness.diagonal().maxCoeff(), stiffness.diagonal().minCoeff()};
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Size, Size>> principal(stiffness,
-                                                                                     Eigen::EigenvaluesOnly);
-    return {principal.eigenvalues()[Size - 1], principal.eigenvalues()[0]};
+    const Eigen::VectorXd values = find_symmetric_eigen(stiffness).values;
+    return {values[values.size() - 1], values[0]};
 }
 
 // Of a rod whose sizes these are: what round-off makes of no strain in the shortest element, and what bends
@@ -48,9 +46,9 @@ RodForces compute_forces(const Model& model, const Rod& rod, double size) {
     const Mat6& stiffness = stiffness_of(model, rod);
     const Mat3 turning = compute_turning_stiffness(stiffness).value_or(stiffness.bottomRightCorner<3, 3>());
     const double rounding = std::numeric_limits<double>::epsilon() / find_shortest_element(rod);
-    const auto [stiffest, softest] = find_extremes<3>(turning);
-    return {find_extremes<3>(stiffness.topLeftCorner<3, 3>()).first * (rounding * size),
-            find_extremes<2>(turning.bottomRightCorner<2, 2>()).second / (rod.length * rod.length),
+    const auto [stiffest, softest] = find_extremes(turning);
+    return {find_extremes(stiffness.topLeftCorner<3, 3>()).first * (rounding * size),
+            find_extremes(turning.bottomRightCorner<2, 2>()).second / (rod.length * rod.length),
             stiffest * rounding,
             softest / rod.length};
 }

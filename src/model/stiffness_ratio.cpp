@@ -1,9 +1,10 @@
 #include "model/stiffness_ratio.hpp"
 
+#include "numerics/symmetric_eigen.hpp"
+
 #include <fmt/format.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 namespace gxrod {
 
@@ -25,12 +26,12 @@ int find_axis(const Vec3& direction) {
 std::optional<StiffnessRatio> measure(const Section& section) {
     const std::optional<Mat3> stiffness = compute_turning_stiffness(section.stiffness);
     if (!stiffness) return std::nullopt;
-    const Eigen::SelfAdjointEigenSolver<Mat3> principal(*stiffness);
-    const Vec3& values = principal.eigenvalues();  // they rise
+    const SymmetricEigen principal = find_symmetric_eigen(*stiffness);
+    const Eigen::VectorXd& values = principal.values;
     if (!(values[0] > 0.0)) return std::nullopt;
     return StiffnessRatio{.ratio = values[2] / values[0],
-                          .stiff_axis = find_axis(principal.eigenvectors().col(2)),
-                          .soft_axis = find_axis(principal.eigenvectors().col(0))};
+                          .stiff_axis = find_axis(principal.vectors.col(2)),
+                          .soft_axis = find_axis(principal.vectors.col(0))};
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 #include "report/model_json.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "model/joint_name.hpp"
+#include "numerics/symmetric_eigen.hpp"
 
 namespace gxrod {
 
@@ -29,12 +29,12 @@ Vec3 half_sizes(double mass, const Vec3& moments) {
 }
 
 Json describe_body(const Body& body, const NodeNumbers& number) {
-    const Eigen::SelfAdjointEigenSolver<Mat3> principal(body.inertia);
+    const SymmetricEigen principal = find_symmetric_eigen(body.inertia);
     // A diagonal tensor keeps its order, so that equal moments do not turn the cuboid.
     const bool is_diagonal = body.inertia.isDiagonal(1e-12);
-    Mat3 axes = is_diagonal ? Mat3(Mat3::Identity()) : principal.eigenvectors();
+    Mat3 axes = is_diagonal ? Mat3(Mat3::Identity()) : Mat3(principal.vectors);
     if (axes.determinant() < 0.0) axes.col(2) *= -1.0;
-    const Vec3 moments = is_diagonal ? Vec3(body.inertia.diagonal()) : principal.eigenvalues();
+    const Vec3 moments = is_diagonal ? Vec3(body.inertia.diagonal()) : Vec3(principal.values);
     return {{"name", body.name},
             {"node", number(body.node)},
             {"centre", to_json(body.centre_of_mass)},

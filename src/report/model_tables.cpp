@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -9,6 +8,7 @@
 #include "model/analysis_traits.hpp"
 #include "model/joint_name.hpp"
 #include "model/newton_choice.hpp"
+#include "numerics/symmetric_eigen.hpp"
 #include "report/model_json.hpp"
 
 namespace gxrod {
@@ -73,11 +73,10 @@ Json describe_rods(const Model& model) {
 Json describe_body_table(const Model& model) {
     Json rows = Json::array();
     for (const Body& body : first_of(model.bodies)) {
-        const Eigen::SelfAdjointEigenSolver<Mat3> principal(body.inertia, Eigen::EigenvaluesOnly);
         rows.push_back({body.name,
                         model.nodes[body.node].name,
                         body.mass,
-                        vector(principal.eigenvalues()),
+                        vector(find_symmetric_eigen(body.inertia).values),
                         vector(body.centre_of_mass)});
     }
     return {{"title", "Rigid bodies"},

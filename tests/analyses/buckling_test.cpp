@@ -1,12 +1,12 @@
 // Linear buckling of continuous rods: closed forms, and spectral elements and shooting where there are none.
 #include "analyses/shapes/buckling.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <numbers>
 
 #include "assembly/sample_model.hpp"
 #include "rotation/rotation_map.hpp"
 #include "tools/catch.hpp"
+#include "tools/dense_algebra.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/static_run.hpp"
 
@@ -217,7 +217,7 @@ TEST_CASE("following loads make linear buckling a matter of their symmetric part
     const Eigen::MatrixXd change = compute_stiffness(1.0) - K;
     const Eigen::MatrixXd S = 0.5 * (change + change.transpose());
     // −S φ = φ/λ K.
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> dense(-S, K);
-    CHECK(record.factors[0].factor == Approx(1.0 / dense.eigenvalues().maxCoeff()).epsilon(1e-7));
+    const Eigen::VectorXd inverse_factors = find_symmetric_eigenvalues(-S, K);
+    CHECK(record.factors[0].factor == Approx(1.0 / inverse_factors.maxCoeff()).epsilon(1e-7));
     CHECK((change - S).norm() > 1e-3 * S.norm());
 }

@@ -1,12 +1,12 @@
 // Eigenvalues as such; compared with references in eigenvalue_benchmarks_test.cpp.
 #include "analyses/shapes/eigenvalues.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <complex>
 
 #include "analyses/shapes/modes.hpp"
 #include "tools/catch.hpp"
+#include "tools/dense_algebra.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/static_run.hpp"
 
@@ -24,26 +24,11 @@ Section make_flexible_section() {
     return section;
 }
 
-Eigen::MatrixXd make_dense(const SparsePattern& pattern, const std::vector<double>& values) {
-    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(pattern.size(), pattern.size());
-    pattern.visit_entries([&](auto row, auto column, auto slot) { dense(row, column) = values[slot]; });
-    return dense;
-}
-
 // With Im λ ≥ 0, by |λ|.
 std::vector<Complex> find_all(const SparsePattern& pattern, const StateMatrices& matrices) {
-    const Eigen::Index n = pattern.size();
-    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(2 * n, 2 * n), B = Eigen::MatrixXd::Identity(2 * n, 2 * n);
-    A.topRightCorner(n, n).setIdentity();
-    A.bottomLeftCorner(n, n) = -make_dense(pattern, matrices.stiffness);
-    A.bottomRightCorner(n, n) = -make_dense(pattern, matrices.damping);
-    B.bottomRightCorner(n, n) = make_dense(pattern, matrices.mass);
-    const Eigen::GeneralizedEigenSolver<Eigen::MatrixXd> solver(A, B, false);
-    std::vector<Complex> all;
-    for (Eigen::Index i = 0; i < 2 * n; ++i) {
-        const Complex lambda = solver.eigenvalues()[i];
-        if (lambda.imag() >= 0.0) all.push_back(lambda);
-    }
+    std::vector<Complex> all = find_quadratic_eigenvalues(make_dense(pattern, matrices.stiffness),
+                                                          make_dense(pattern, matrices.damping),
+                                                          make_dense(pattern, matrices.mass));
     std::sort(all.begin(), all.end(), [](Complex a, Complex b) { return std::abs(a) < std::abs(b); });
     return all;
 }

@@ -5,6 +5,7 @@
 #include "analyses/shapes/mode_tracking.hpp"
 #include "analyses/shapes/onset.hpp"
 #include "tools/catch.hpp"
+#include "tools/dense_algebra.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/steady_run.hpp"
 
@@ -24,18 +25,15 @@ std::vector<double> make_values(double from, double to, int count) {
 // Two oscillators by their matrices at a value of the parameter.
 std::vector<Complex> find_pair(double damping, double coupling, double value) {
     // λ² + damping λ + [[1, −c v], [c v, 2]]: the undamped ones merge at c v = 1/2.
-    Eigen::Matrix4d A = Eigen::Matrix4d::Zero();
-    A.topRightCorner<2, 2>().setIdentity();
+    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(4, 4);
+    A.topRightCorner(2, 2).setIdentity();
     A(2, 0) = -1.0;
     A(3, 1) = -2.0;
     A(2, 1) = coupling * value;
     A(3, 0) = -coupling * value;
     A(2, 2) = A(3, 3) = -damping;
-    const Eigen::Vector4cd all = Eigen::EigenSolver<Eigen::Matrix4d>(A).eigenvalues();
-    std::vector<Complex> lambdas;
-    for (const Complex& lambda : all) {
-        if (lambda.imag() >= 0.0) lambdas.push_back(lambda);
-    }
+    std::vector<Complex> lambdas = find_eigenvalues(A);
+    std::erase_if(lambdas, [](Complex lambda) { return lambda.imag() < 0.0; });
     return lambdas;
 }
 

@@ -5,6 +5,7 @@
 #include "integrators/steady_rotation.hpp"
 #include "state/increment.hpp"
 #include "tools/catch.hpp"
+#include "tools/dense_algebra.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

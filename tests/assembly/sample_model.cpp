@@ -161,11 +161,4 @@ State make_sample_state(const System& system, unsigned seed) {
     return state;
 }
 
-Eigen::MatrixXd make_dense(const SparsePattern& pattern, const std::vector<double>& values) {
-    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(pattern.size(), pattern.size());
-    pattern.visit_entries(
-        [&](std::int64_t row, std::int64_t column, std::int64_t slot) { dense(row, column) = values[slot]; });
-    return dense;
-}
-
 }  // namespace gxrod::tools

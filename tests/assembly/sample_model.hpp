@@ -23,6 +23,4 @@ State make_sample_state(const System& system, unsigned seed);
 State make_turned_state(const System& system, unsigned seed);
 
 // The matrix that values on a pattern stand for.
-Eigen::MatrixXd make_dense(const SparsePattern& pattern, const std::vector<double>& values);
-
 }  // namespace gxrod::tools

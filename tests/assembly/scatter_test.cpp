@@ -4,6 +4,7 @@
 #include "assembly/node_groups.hpp"
 #include "assembly/sample_model.hpp"
 #include "tools/catch.hpp"
+#include "tools/dense_algebra.hpp"
 
 using namespace gxrod;
 using namespace gxrod::tools;

@@ -4,6 +4,7 @@
 #include "assembly/scatter.hpp"
 #include "state/increment.hpp"
 #include "tools/catch.hpp"
+#include "tools/dense_algebra.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

@@ -10,6 +10,7 @@
 #include "solvers/trial_rates.hpp"
 #include "state/increment.hpp"
 #include "tools/catch.hpp"
+#include "tools/dense_algebra.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

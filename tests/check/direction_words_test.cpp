@@ -10,6 +10,7 @@
 #include "solvers/mechanisms.hpp"
 #include "state/increment.hpp"
 #include "tools/catch.hpp"
+#include "tools/dense_algebra.hpp"
 #include "tools/tops.hpp"
 
 using namespace gxrod;
@@ -60,7 +61,7 @@ TEST_CASE("a rod with one free displacement is described by it", "[check]") {
     add_support(model, 0, {1, 2, 3, 4, 5});
     CHECK(find_mechanism(model) == "the whole model moves along x");
     // In the support's own axes, whose x is the rod's.
-    model.supports[0].axes = Quat::FromTwoVectors(Vec3::UnitX(), tip);
+    model.supports[0].axes = turn_x_to(tip);
     CHECK(find_mechanism(model) == "the whole model moves along (0, 0.6, 0.8)");
 }
 

@@ -1,12 +1,12 @@
 #include "check/mesh_frequencies.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
 #include <numbers>
 
 #include "assembly/system.hpp"
 #include "integrators/load_stepping.hpp"
 #include "tools/catch.hpp"
+#include "tools/dense_algebra.hpp"
 #include "tools/rod_models.hpp"
 
 using namespace gxrod;
@@ -24,23 +24,20 @@ Section make_steel() {
                         {rho * A, rho * A, rho * A, rho * (Iy + Iz), rho * Iy, rho * Iz});
 }
 
-Eigen::MatrixXd make_dense(const System& system, const std::vector<NodeLinearization>& linearizations) {
+Eigen::MatrixXd compute_dense_tangent(const System& system,
+                                      const std::vector<NodeLinearization>& linearizations) {
     std::vector<double> values;
     system.compute_tangent(system.initial_state(), 0.0, linearizations, values);
-    const SparsePattern& pattern = system.pattern();
-    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(pattern.size(), pattern.size());
-    pattern.visit_entries(
-        [&](std::int64_t row, std::int64_t column, std::int64_t slot) { dense(row, column) = values[slot]; });
-    return dense;
+    return make_dense(system.pattern(), values);
 }
 
 Eigen::VectorXd compute_all(const Model& model) {
     const System system(model);
     std::vector<NodeLinearization> linearizations(model.nodes.size());
     LoadStepping().linearize(system.initial_state(), {}, linearizations);
-    const Eigen::MatrixXd K = make_dense(system, linearizations);
-    const Eigen::MatrixXd M = make_dense(system, mass_linearizations(model.nodes.size()));
-    return Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(K, M).eigenvalues();
+    const Eigen::MatrixXd K = compute_dense_tangent(system, linearizations);
+    const Eigen::MatrixXd M = compute_dense_tangent(system, mass_linearizations(model.nodes.size()));
+    return find_symmetric_eigenvalues(K, M);
 }
 
 }  // namespace

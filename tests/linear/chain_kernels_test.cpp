@@ -1,9 +1,9 @@
 #include "linear/chains/chain_kernels.hpp"
 
-#include <Eigen/LU>
 #include <numeric>
 
 #include "tools/catch.hpp"
+#include "tools/dense_algebra.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 
@@ -118,7 +118,8 @@ TEST_CASE("A block of any size is eliminated as by a dense LU, in the same bits 
         const Eigen::MatrixXd& A = problem.matrix;
         const auto rest = Eigen::seq(n, Eigen::last);
         const auto own = Eigen::seq(0, n - 1);
-        const Eigen::MatrixXd expected = A(rest, rest) - A(rest, own) * A(own, own).lu().solve(A(own, rest));
+        const Eigen::MatrixXd expected =
+            A(rest, rest) - A(rest, own) * solve_dense(A(own, own), A(own, rest));
         std::vector<double> first;
         for (const ChainKernels& kernels : all_kernels()) {
             std::vector<double> blocks = problem.make_blocks();
@@ -135,7 +136,7 @@ TEST_CASE("A step's solution is that of a dense LU, in the same bits by all sets
     for_each_step([](const OneStep& problem, int n) {
         const Eigen::MatrixXd& A = problem.matrix;
         const Eigen::VectorXd load = make_random(static_cast<int>(A.rows()), 1, 9);
-        const Eigen::VectorXd expected = A.lu().solve(load);
+        const Eigen::VectorXd expected = solve_dense(A, load);
         Eigen::VectorXd first;
         for (const ChainKernels& kernels : all_kernels()) {
             std::vector<double> blocks = problem.make_blocks();
@@ -152,8 +153,7 @@ TEST_CASE("A step's solution is that of a dense LU, in the same bits by all sets
             CHECK(y.tail(A.rows() - n) == load.tail(A.rows() - n));
             CHECK((y.tail(A.rows() - n) + apart - x.tail(A.rows() - n)).norm() <= 1e-14 * x.norm());
             const Eigen::MatrixXd remainder = problem.remainder(blocks);
-            if (remainder.size() > 0)
-                x.tail(A.rows() - n) = remainder.lu().solve(x.tail(A.rows() - n)).eval();
+            if (remainder.size() > 0) x.tail(A.rows() - n) = solve_dense(remainder, x.tail(A.rows() - n));
             kernels.go_backward(problem.chain(), blocks.data(), x.data());
             CHECK(relative_difference(x, expected) < 1e-14);
             if (first.size() == 0) first = x;

@@ -1,12 +1,12 @@
 #include "linear/fronts/front_solver.hpp"
 
-#include <Eigen/LU>
 #include <limits>
 #include <set>
 
 #include "assembly/node_groups.hpp"
 #include "solvers/sparse_samples.hpp"
 #include "tools/catch.hpp"
+#include "tools/dense_algebra.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
 
@@ -14,13 +14,6 @@ using namespace gxrod;
 using namespace gxrod::tools;
 
 namespace {
-
-Eigen::MatrixXd make_dense(const SparsePattern& pattern, const std::vector<double>& values) {
-    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(pattern.size(), pattern.size());
-    pattern.visit_entries(
-        [&](std::int64_t row, std::int64_t column, std::int64_t slot) { dense(row, column) = values[slot]; });
-    return dense;
-}
 
 // Nodes joined by chance, about `per_node` elements at each.
 std::vector<NodeGroup> make_random_graph(int nodes, double per_node, unsigned seed) {
@@ -55,7 +48,7 @@ SparsePattern make_pattern_with_supports(int nodes,
 void check_against_dense(const SparsePattern& pattern) {
     const std::vector<double> values = make_unsymmetric_values(pattern, 5);
     const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(pattern.size(), 1.0, 2.0);
-    const Eigen::VectorXd expected = make_dense(pattern, values).partialPivLu().solve(load);
+    const Eigen::VectorXd expected = solve_dense(make_dense(pattern, values), load);
     FrontSolver solver(pattern);
     REQUIRE(solver.factorize(values));
     Eigen::VectorXd x = load;

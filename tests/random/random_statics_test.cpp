@@ -6,6 +6,7 @@
 #include "analyses/dynamic.hpp"
 #include "rotation/rotation_map.hpp"
 #include "tools/catch.hpp"
+#include "tools/dense_algebra.hpp"
 #include "tools/random_values.hpp"
 #include "tools/rod_models.hpp"
 #include "tools/static_run.hpp"
@@ -47,7 +48,7 @@ void add_member(Model& model, const Vec3& along, double length, const Section& s
                 {rod.name + " node " + std::to_string(i), start + arc_length.back() * along});
         rod.nodes.push_back(static_cast<int>(model.nodes.size()) - 1);
     }
-    const Quat axes = Quat::FromTwoVectors(Vec3::UnitX(), along);
+    const Quat axes = turn_x_to(along);
     set_line_elements(rod, arc_length, std::vector<Quat>(count, axes));
     model.rods.push_back(rod);
 }

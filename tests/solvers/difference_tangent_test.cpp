@@ -6,6 +6,7 @@
 #include "integrators/scheme_samples.hpp"
 #include "solvers/trial_rates.hpp"
 #include "tools/catch.hpp"
+#include "tools/dense_algebra.hpp"
 #include "tools/difference.hpp"
 
 using namespace gxrod;

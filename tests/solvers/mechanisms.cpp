@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "integrators/load_stepping.hpp"
+#include "tools/dense_algebra.hpp"
 
 namespace gxrod::tools {
 
@@ -16,7 +17,7 @@ Rod& add_rod(Model& model, const RodSpec& spec) {
     rod.section = static_cast<int>(model.sections.size()) - 1;
     rod.order = spec.order;
     rod.length = (spec.end - spec.start).norm();
-    const Quat axes = Quat::FromTwoVectors(Vec3::UnitX(), spec.end - spec.start);
+    const Quat axes = turn_x_to(spec.end - spec.start);
     const int last = spec.elements * spec.order;
     std::vector<double> arc_length;
     for (int i = 0; i <= last; ++i) {

@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
-
 #include "deck/schema/schema_tables.hpp"
 #include "model/body_moments.hpp"
+#include "numerics/symmetric_eigen.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
@@ -72,8 +71,8 @@ std::optional<Mat3> find_inertia(const CheckedTable& body, const BuildContext& c
         return std::nullopt;
     }
     const Mat3 inertia = 0.5 * (given + given.transpose());
-    const Eigen::SelfAdjointEigenSolver<Mat3> principal(inertia, Eigen::EigenvaluesOnly);
-    const std::string reason = explain_moments(principal.eigenvalues(), find_need(body, context));
+    const std::string reason =
+        explain_moments(find_symmetric_eigen(inertia).values, find_need(body, context));
     if (reason.empty()) return inertia;
     context.add_fault(body, "inertia", reason);
     return std::nullopt;

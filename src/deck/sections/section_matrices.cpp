@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
-
 #include "deck/schema/choices.hpp"
+#include "numerics/symmetric_eigen.hpp"
 
 namespace gxrod {
 namespace {
@@ -61,9 +60,9 @@ std::string describe_direction(Vec6 direction) {
 std::optional<MatrixFault> check_definiteness(const Mat6& matrix, const char* what) {
     const Vec6 scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
     const Mat6 scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Mat6> solver(scaled);
-    if (solver.eigenvalues()[0] > zero_eigenvalue) return std::nullopt;
-    const Vec6 direction = scale.cwiseProduct(solver.eigenvectors().col(0));
+    const SymmetricEigen eigen = find_symmetric_eigen(scaled);
+    if (eigen.values[0] > zero_eigenvalue) return std::nullopt;
+    const Vec6 direction = scale.cwiseProduct(eigen.vectors.col(0));
     return MatrixFault{"",
                        fmt::format("expected a positive definite matrix; this one gives no energy to {} {}",
                                    what,
@@ -121,9 +120,9 @@ std::optional<MatrixFault> check_semidefinite_matrix(Mat6& matrix) {
     const Vec6 scale =
         matrix.diagonal().unaryExpr([](double x) { return x > 0.0 ? 1.0 / std::sqrt(x) : 1.0; });
     const Mat6 scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Mat6> solver(scaled);
-    if (solver.eigenvalues()[0] >= -zero_eigenvalue) return std::nullopt;
-    const Vec6 direction = scale.cwiseProduct(solver.eigenvectors().col(0));
+    const SymmetricEigen eigen = find_symmetric_eigen(scaled);
+    if (eigen.values[0] >= -zero_eigenvalue) return std::nullopt;
+    const Vec6 direction = scale.cwiseProduct(eigen.vectors.col(0));
     return MatrixFault{
         "", "this matrix gives a negative energy to the displacement " + describe_direction(direction)};
 }

@@ -1,12 +1,12 @@
 #include "solvers/path/soft_modes.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
 
+#include "numerics/symmetric_eigen.hpp"
 #include "solvers/path/bordered_solve.hpp"
 
 namespace gxrod {
@@ -91,9 +91,9 @@ SoftModes find_soft_modes(LinearSolver& solver,
         Eigen::MatrixXd image(x.rows(), x.cols());
         for (Eigen::Index j = 0; j < x.cols(); ++j) image.col(j) = multiply(pattern, values, x.col(j));
         const Eigen::MatrixXd projected = x.transpose() * image;
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(0.5 * (projected + projected.transpose()));
-        x = (x * ritz.eigenvectors()).eval();
-        modes = select(ritz.eigenvalues(), x, static_cast<int>(std::min<Eigen::Index>(count, columns)));
+        const SymmetricEigen ritz = find_symmetric_eigen(0.5 * (projected + projected.transpose()));
+        x = (x * ritz.vectors).eval();
+        modes = select(ritz.values, x, static_cast<int>(std::min<Eigen::Index>(count, columns)));
         const double scale = modes.values.cwiseAbs().maxCoeff();
         if (before.size() == modes.values.size() &&
             (modes.values - before).cwiseAbs().maxCoeff() <= settled * scale)

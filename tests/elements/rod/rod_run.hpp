@@ -7,6 +7,7 @@
 #include "elements/rod/rod_element.hpp"
 #include "rotation/rotation_map.hpp"
 #include "state/increment.hpp"
+#include "tools/dense_algebra.hpp"
 #include "tools/rod_models.hpp"
 
 // Rods without a model: elements of one kind along a line.
@@ -87,7 +88,7 @@ struct RodRun {
                 const double s = (e + 0.5 * (1.0 + rule[p].xi)) * piece_length;
                 wanted.row(p) = 0.5 * piece_length * (section_axes(s) * (Vec3::UnitX() + Gamma));
             }
-            const Eigen::Matrix<double, order, 3> from_start = slopes.partialPivLu().solve(wanted);
+            const Eigen::Matrix<double, order, 3> from_start = solve_dense(slopes, wanted);
             for (int i = 0; i < node_count; ++i) {
                 const int node = e * order + i;
                 const Vec3 r = i == 0 ? start : Vec3(start + from_start.row(i - 1).transpose());

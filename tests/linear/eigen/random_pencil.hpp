@@ -1,11 +1,10 @@
 #pragma once
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <numeric>
 #include <random>
 
 #include "linear/sparse_pattern.hpp"
+#include "tools/dense_algebra.hpp"
 
 // Symmetric pencils whose eigenvalues are given.
 namespace gxrod::tools {
@@ -35,7 +34,7 @@ inline RandomPencil make_pencil(const Eigen::VectorXd& eigenvalues) {
     std::mt19937_64 generator(7);
     const Eigen::Index size = eigenvalues.size();
     // Φᵀ K Φ and Φᵀ M Φ diagonal for Φ = Q⁻¹.
-    const Eigen::MatrixXd turned = make_random_matrix(generator, size, size).householderQr().householderQ();
+    const Eigen::MatrixXd turned = make_orthonormal(make_random_matrix(generator, size, size));
     const Eigen::MatrixXd Q =
         turned + 0.3 / std::sqrt(static_cast<double>(size)) * make_random_matrix(generator, size, size);
     Eigen::VectorXd k = eigenvalues, m = Eigen::VectorXd::Ones(size);

@@ -1,11 +1,9 @@
 #include "solvers/path/bordered_solve.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
-
 #include "assembly/sample_model.hpp"
 #include "solvers/sparse_samples.hpp"
 #include "tools/catch.hpp"
+#include "tools/dense_algebra.hpp"
 #include "tools/random_values.hpp"
 
 using namespace gxrod;
@@ -23,7 +21,7 @@ struct Soft {
 Soft make_soft(double lowest) {
     Soft soft;
     soft.dense = make_dense(soft.pattern, soft.values);
-    const double shift = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(soft.dense).eigenvalues()[0] - lowest;
+    const double shift = find_symmetric_eigenvalues(soft.dense)[0] - lowest;
     for (std::int64_t i = 0; i < soft.pattern.size(); ++i)
         soft.values[static_cast<std::size_t>(soft.pattern.slot(i, i))] -= shift;
     soft.dense = make_dense(soft.pattern, soft.values);

@@ -1,10 +1,10 @@
 #include "solvers/path/soft_modes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "solvers/sparse_samples.hpp"
 #include "tools/catch.hpp"
+#include "tools/dense_algebra.hpp"
 
 using namespace gxrod;
 using namespace gxrod::tools;
@@ -12,24 +12,17 @@ using namespace gxrod::tools;
 TEST_CASE("the eigenvalues closest to zero and their vectors are those of a dense solver", "[solvers]") {
     const SparsePattern pattern = make_net_pattern(2, 4);
     std::vector<double> values = make_stiffness_values(pattern, 7);
-    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(pattern.size(), pattern.size());
-    const auto fill = [&] {
-        pattern.visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t slot) {
-            dense(row, column) = values[static_cast<std::size_t>(slot)];
-        });
-    };
-    fill();
-    const Eigen::VectorXd spectrum = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dense).eigenvalues();
+    Eigen::MatrixXd dense = make_dense(pattern, values);
+    const Eigen::VectorXd spectrum = find_symmetric_eigenvalues(dense);
     // Two negative ones.
     const double shift = 0.5 * (spectrum[1] + spectrum[2]);
     for (std::int64_t i = 0; i < pattern.size(); ++i)
         values[static_cast<std::size_t>(pattern.slot(i, i))] -= shift;
-    fill();
+    dense = make_dense(pattern, values);
     Eigen::VectorXd weights(pattern.size());
     for (Eigen::Index i = 0; i < weights.size(); ++i) weights[i] = 0.5 + 0.1 * static_cast<double>(i % 7);
     const Eigen::MatrixXd mass = weights.asDiagonal();
-    const Eigen::VectorXd all =
-        Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(dense, mass).eigenvalues();
+    const Eigen::VectorXd all = find_symmetric_eigenvalues(dense, mass);
     std::vector<double> nearest(all.begin(), all.end());
     std::sort(nearest.begin(), nearest.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
     nearest.resize(3);

@@ -1,0 +1,76 @@
+#include "tools/dense_algebra.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+namespace gxrod::tools {
+
+using Complex = std::complex<double>;
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+MatrixXd make_dense(const SparsePattern& pattern, const std::vector<double>& values) {
+    MatrixXd dense = MatrixXd::Zero(pattern.size(), pattern.size());
+    pattern.visit_entries(
+        [&](std::int64_t row, std::int64_t column, std::int64_t slot) { dense(row, column) = values[slot]; });
+    return dense;
+}
+
+Quat turn_x_to(const Vec3& direction) { return Quat::FromTwoVectors(Vec3::UnitX(), direction); }
+
+MatrixXd solve_dense(const MatrixXd& A, const MatrixXd& B) { return A.partialPivLu().solve(B); }
+
+MatrixXd invert(const MatrixXd& A) { return A.inverse(); }
+
+double find_determinant(const MatrixXd& A) { return A.determinant(); }
+
+MatrixXd make_orthonormal(const MatrixXd& A) { return A.householderQr().householderQ(); }
+
+VectorXd find_symmetric_eigenvalues(const MatrixXd& A) {
+    return Eigen::SelfAdjointEigenSolver<MatrixXd>(A, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+VectorXd find_symmetric_eigenvalues(const MatrixXd& A, const MatrixXd& B) {
+    return Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(A, B, Eigen::EigenvaluesOnly | Eigen::Ax_lBx)
+        .eigenvalues();
+}
+
+std::vector<Complex> find_eigenvalues(const MatrixXd& A) {
+    const Eigen::VectorXcd values = Eigen::EigenSolver<MatrixXd>(A, false).eigenvalues();
+    return {values.begin(), values.end()};
+}
+
+std::vector<Complex> find_eigenvalues(const MatrixXd& A, const MatrixXd& B) {
+    const Eigen::GeneralizedEigenSolver<MatrixXd> solver(A, B, false);
+    std::vector<Complex> finite;
+    for (Eigen::Index i = 0; i < A.rows(); ++i) {
+        const Complex alpha = solver.alphas()[i];
+        const double beta = solver.betas()[i];
+        if (std::abs(beta) > 1e-12 * std::abs(alpha)) finite.push_back(alpha / beta);
+    }
+    return finite;
+}
+
+std::vector<Complex> find_quadratic_eigenvalues(const MatrixXd& K, const MatrixXd& D, const MatrixXd& M) {
+    const Eigen::Index n = K.rows();
+    MatrixXd A = MatrixXd::Zero(2 * n, 2 * n), B = MatrixXd::Identity(2 * n, 2 * n);
+    A.topRightCorner(n, n).setIdentity();
+    A.bottomLeftCorner(n, n) = -K;
+    A.bottomRightCorner(n, n) = -D;
+    B.bottomRightCorner(n, n) = M;
+    std::vector<Complex> upper = find_eigenvalues(A, B);
+    std::erase_if(upper, [](Complex lambda) { return lambda.imag() < 0.0; });
+    return upper;
+}
+
+Eigen::Index SingularValues::rank(double tolerance) const {
+    return values.size() == 0 ? 0 : (values.array() > tolerance * values[0]).count();
+}
+
+SingularValues find_singular_values(const MatrixXd& A) {
+    const Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeFullV);
+    return {svd.singularValues(), svd.matrixV()};
+}
+
+}  // namespace gxrod::tools
