@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "assembly/scatter.hpp"
 #include "constraints/joints/joint_motors.hpp"
@@ -90,6 +91,10 @@ std::vector<NodeGroup> JointAssembly::node_groups() const {
     for (const Joint& joint : model_->joints) groups.push_back(list_nodes(joint));
     wide_.add_groups(groups);
     return groups;
+}
+
+bool JointAssembly::have_friction_by_multipliers() const {
+    return std::ranges::any_of(forces_, [](const JointForces& forces) { return forces.follows_held(); });
 }
 
 void JointAssembly::lay_out(const EquationNumbers& equations, const SparsePattern& pattern, double length) {
@@ -346,22 +351,11 @@ void JointAssembly::add_matrix(std::size_t index, Matrix& matrix, std::vector<do
     const Places& places = places_[index];
     const int count = joints_[index].count();
     if (!places.slots.empty()) {
-        for (int side = 0; side < 2; ++side) {
-            const int node = nodes_of(model_->joints[index])[side];
-            if (node < 0 || !equations_->supports().has_own_axes(node)) continue;
-            const Mat3& Q = equations_->supports().axes(node);
-            for (int first = 6 * side; first < 6 * side + 6; first += 3) {
-                matrix.middleRows<3>(first) = (Q.transpose() * matrix.middleRows<3>(first)).eval();
-                matrix.middleCols<3>(first) = (matrix.middleCols<3>(first) * Q).eval();
-            }
-        }
-        const int size = 12 + count;
-        auto slot = places.slots.begin();
-        for (int column = 0; column < size; ++column) {
-            for (int row = 0; row < size; ++row, ++slot) {
-                if (*slot >= 0) values[*slot] += matrix(row, column);
-            }
-        }
+        turn_to_own_axes(nodes_of(model_->joints[index]), *equations_, matrix);
+        auto slots = std::span(places.slots);
+        const auto size = static_cast<std::size_t>(12 + count);
+        for (int column = 0; column < 12 + count; ++column, slots = slots.subspan(size))
+            add_to_values(&matrix.coeffRef(0, column), slots.first(size), values);
         return;
     }
     for (int pair = 0; pair < 9; ++pair) {

@@ -104,6 +104,8 @@ class JointAssembly {
     // What friction takes in that step.
     double compute_slip_dissipation(const State& state) const;
     bool is_damped() const { return is_damped_; }
+    // Whether friction follows the force that a joint holds.
+    bool have_friction_by_multipliers() const;
     // At the start of a run: friction slips where the joint moves.
     void start(State& state) const;
 

@@ -51,11 +51,12 @@ ElementPlaces<Nodes> find_places(const std::array<int, Nodes>& nodes,
     return places;
 }
 
-// Turns the rows and columns of nodes whose supports have their own axes into those.
+// Turns the rows and columns of nodes whose supports have their own axes into those. A node below 0 is the
+// ground.
 template <class Matrix>
 void turn_to_own_axes(std::span<const int> nodes, const EquationNumbers& equations, Matrix& matrix) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        if (!equations.supports().has_own_axes(nodes[i])) continue;
+        if (nodes[i] < 0 || !equations.supports().has_own_axes(nodes[i])) continue;
         const Mat3& Q = equations.supports().axes(nodes[i]);
         for (std::size_t part = 2 * i; part < 2 * i + 2; ++part) {
             auto rows = matrix.template middleRows<3>(static_cast<Eigen::Index>(3 * part));

@@ -26,7 +26,7 @@ Mat3 differentiate_X(const HalfRotation<double>& turn, const Vec3& v) {
 
 template <int Nodes>
 BushingElement<Nodes>::BushingElement(const Bushing& bushing) : bushing_(bushing), points_(bushing.ends) {
-    nodes = points_.nodes();
+    this->nodes = points_.nodes();
 }
 
 template <int Nodes>

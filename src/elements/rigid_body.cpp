@@ -3,9 +3,10 @@
 namespace gxrod {
 
 RigidBody::RigidBody(const Body& body, bool has_inertia)
-    : nodes{body.node},
-      inertia_(compute_rigid_inertia(body.mass, body.inertia, body.centre_of_mass, body.attitude)),
-      has_inertia_(has_inertia) {}
+    : inertia_(compute_rigid_inertia(body.mass, body.inertia, body.centre_of_mass, body.attitude)),
+      has_inertia_(has_inertia) {
+    nodes = {body.node};
+}
 
 NodeMotion RigidBody::take_motion(const NodeMotion& motion) const {
     if (has_inertia_) return motion;

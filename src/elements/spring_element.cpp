@@ -12,7 +12,7 @@ namespace gxrod {
 
 template <int Nodes>
 SpringElement<Nodes>::SpringElement(const Spring& spring) : spring_(spring), points_(spring.ends) {
-    nodes = points_.nodes();
+    this->nodes = points_.nodes();
 }
 
 template <int Nodes>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "elements/plain_element.hpp"
 #include "elements/point_pair.hpp"
 #include "model/spring_law.hpp"
 #include "state/spring_line.hpp"
@@ -9,16 +10,10 @@ namespace gxrod {
 // A spring and damper along the line between two points, each carried by a node or fixed: of one node between
 // the ground and its node. No inertia.
 template <int Nodes>
-class SpringElement {
+class SpringElement : public PlainElement<Nodes> {
     static_assert(Nodes == 1 || Nodes == 2);
 
   public:
-    static constexpr int node_count = Nodes;
-    static constexpr int history_count = 0;
-    static constexpr int point_count = 0;
-    static constexpr bool has_section = false;
-    std::array<int, Nodes> nodes;
-
     // One of the spring's ends is the ground if this has one node.
     explicit SpringElement(const Spring& spring);
 
@@ -35,15 +30,6 @@ class SpringElement {
                            NodalMatrix<Nodes>& tangent) const {
         add_internal_tangent(motions, histories, linearizations, tangent);
     }
-    void advance_resultants(const Motions<Nodes>&,
-                            Histories,
-                            const NodalVector<Nodes>&,
-                            std::span<Vec6>) const {}
-    void add_inertial_force(const Motions<Nodes>&, const Vec3&, NodalVector<Nodes>&) const {}
-    void add_inertial_tangent(const Motions<Nodes>&,
-                              const Vec3&,
-                              const Linearizations<Nodes>&,
-                              NodalMatrix<Nodes>&) const {}
     bool is_damped() const { return spring_.damping > 0.0 || (spring_.law && spring_.law->has_rate()); }
     void add_damping_force(const Motions<Nodes>& motions, Histories, NodalVector<Nodes>& force) const;
     void add_damping_tangent(const Motions<Nodes>& motions,
@@ -51,13 +37,7 @@ class SpringElement {
                              const Linearizations<Nodes>& linearizations,
                              NodalMatrix<Nodes>& tangent) const;
     double damping_action(const Motions<Nodes>& before, const Motions<Nodes>& after, Histories) const;
-    void start(std::span<SectionHistory>) const {}
-    void commit(const Motions<Nodes>&, std::span<SectionHistory>) const {}
-    double largest_relative_rotation(const Motions<Nodes>&) const { return 0.0; }
     double strain_energy(const Motions<Nodes>& motions, Histories) const;
-    double kinetic_energy(const Motions<Nodes>&) const { return 0.0; }
-    double gravity_potential(const Motions<Nodes>&, const Vec3&) const { return 0.0; }
-    Momentum momentum(const Motions<Nodes>&) const { return {}; }
 
   private:
     using Columns = typename PointPair<Nodes>::Columns;

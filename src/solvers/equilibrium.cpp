@@ -49,12 +49,6 @@ void add_accelerations(const System& system, SolverWorkspace& workspace, State& 
     system.joints().advance_multipliers(increments, workspace.vector, workspace.values, state);
 }
 
-bool has_friction_by_multipliers(const Model& model) {
-    return std::ranges::any_of(model.joints, [](const Joint& joint) {
-        return joint.turn.friction.lever > 0.0 || joint.slide.friction.lever > 0.0;
-    });
-}
-
 }  // namespace
 
 EquilibriumReport solve_accelerations(
@@ -77,7 +71,7 @@ EquilibriumReport solve_accelerations(
     add_accelerations(system, workspace, state);
     // What the regularization of JointAssembly leaves of the equations of joints; nodes are in balance,
     // unless friction follows the multipliers, which are found here.
-    const bool rubs = has_friction_by_multipliers(system.model());
+    const bool rubs = system.joints().have_friction_by_multipliers();
     const int corrections = rubs ? 12 : 2;
     for (int i = 0; i < corrections && !system.joints().empty(); ++i) {
         if (rubs) {
