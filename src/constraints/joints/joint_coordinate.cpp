@@ -29,9 +29,21 @@ JointFrames turn_frames(const JointMotions& motions, ConstraintLevel level) { re
 JointArms arms_of(const Joint& joint) { return {joint.a.anchor.arm, joint.b.anchor.arm}; }
 
 JointTurn::JointTurn(const Joint& joint)
-    : axis_(joint.a.axes.col(0)), hand_(choose_hand(joint)), across_(axis_.cross(hand_)) {
-    x_ = LinkProduct({Kind::on_a, hand_}, {Kind::on_b, hand_});
-    y_ = LinkProduct({Kind::on_a, across_}, {Kind::on_b, hand_});
+    : is_twist_(joint.kind == JointKind::free), axis_(joint.a.axes.col(0)) {
+    hands_[0] = choose_hand(joint);
+    hands_[1] = axis_.cross(hands_[0]);
+    for (std::size_t i = 0; i < hands().size(); ++i) {
+        across_[i] = axis_.cross(hands_[i]);
+        x_[i] = LinkProduct({Kind::on_a, hands_[i]}, {Kind::on_b, hands_[i]});
+        y_[i] = LinkProduct({Kind::on_a, across_[i]}, {Kind::on_b, hands_[i]});
+    }
+}
+
+Jet<Complex> JointTurn::compute_z(const JointFrames& frames) const {
+    Jet<Complex> z = combine(x_[0].compute_jet(frames), y_[0].compute_jet(frames));
+    if (!is_twist_) return z;
+    const Jet<Complex> other = combine(x_[1].compute_jet(frames), y_[1].compute_jet(frames));
+    return {z.value + other.value, z.rate + other.rate, z.acceleration + other.acceleration};
 }
 
 double JointTurn::guess(const JointMotions& motions, double turn_before) const {
@@ -39,7 +51,7 @@ double JointTurn::guess(const JointMotions& motions, double turn_before) const {
 }
 
 ScalarJet JointTurn::compute_jet(const JointFrames& frames, double turn_before) const {
-    const auto [z, z_rate, z_acceleration] = combine(x_.compute_jet(frames), y_.compute_jet(frames));
+    const auto [z, z_rate, z_acceleration] = compute_z(frames);
     const double within = std::arg(z);
     const double turns = std::nearbyint((guess(frames.motions, turn_before) - within) / whole_turn);
     const Complex growth = z_rate / z;
@@ -60,24 +72,37 @@ PairRow JointTurn::compute_gradient(const JointMotions& motions) const {
     return gradient;
 }
 
-JointTurn::Place JointTurn::find_place(const JointFrames& frames) const {
-    const Vec3 w = frames.R_b * hand_, e1 = frames.R_a * hand_, e2 = frames.R_a * across_;
-    const double x = w.dot(e1), y = w.dot(e2), square = x * x + y * y;
-    return {(x * e2 - y * e1) / square, (x * e1 + y * e2) / square, w};
+std::array<JointTurn::Place, 2> JointTurn::find_places(const JointFrames& frames) const {
+    std::array<Vec3, 2> w{}, e1{}, e2{};
+    double x = 0.0, y = 0.0;
+    for (std::size_t i = 0; i < hands().size(); ++i) {
+        w[i] = frames.R_b * hands_[i];
+        e1[i] = frames.R_a * hands_[i];
+        e2[i] = frames.R_a * across_[i];
+        x += w[i].dot(e1[i]);
+        y += w[i].dot(e2[i]);
+    }
+    const double square = x * x + y * y;
+    std::array<Place, 2> places{};
+    for (std::size_t i = 0; i < hands().size(); ++i)
+        places[i] = {(x * e2[i] - y * e1[i]) / square, (x * e1[i] + y * e2[i]) / square, w[i]};
+    return places;
 }
 
 void JointTurn::add_gradient(const JointFrames& frames, double factor, PairRow& row) const {
-    const auto [u, v, w] = find_place(frames);
-    const Vec3 moment = factor * u.cross(w);
-    row.segment<3>(3) += moment;
-    row.segment<3>(9) -= moment;
+    const std::array<Place, 2> places = find_places(frames);
+    for (std::size_t i = 0; i < hands().size(); ++i) {
+        const Vec3 moment = factor * places[i].u.cross(places[i].w);
+        row.segment<3>(3) += moment;
+        row.segment<3>(9) -= moment;
+    }
 }
 
 void JointTurn::add_change(const JointFrames& frames,
                            const JointLinearizations& linearizations,
                            const ScalarJet& weights,
                            PairRow& row) const {
-    const auto [z, z_rate, z_acceleration] = combine(x_.compute_jet(frames), y_.compute_jet(frames));
+    const auto [z, z_rate, z_acceleration] = compute_z(frames);
     const Complex inverse = 1.0 / z;
     const Complex growth = z_rate * inverse;
     const Complex curvature = 2.0 * growth * growth - z_acceleration * inverse;
@@ -86,14 +111,24 @@ void JointTurn::add_change(const JointFrames& frames,
     const Complex of_rate = (weights.rate - 2.0 * weights.acceleration * growth) * inverse;
     const Complex of_value =
         (weights.value - weights.rate * growth + weights.acceleration * curvature) * inverse;
-    x_.add_change(frames, linearizations, {of_value.imag(), of_rate.imag(), of_acceleration.imag()}, row);
-    y_.add_change(frames, linearizations, {of_value.real(), of_rate.real(), of_acceleration.real()}, row);
+    const ScalarJet of_x{of_value.imag(), of_rate.imag(), of_acceleration.imag()};
+    const ScalarJet of_y{of_value.real(), of_rate.real(), of_acceleration.real()};
+    for (std::size_t i = 0; i < hands().size(); ++i) {
+        x_[i].add_change(frames, linearizations, of_x, row);
+        y_[i].add_change(frames, linearizations, of_y, row);
+    }
 }
 
 void JointTurn::add_reaction(const JointFrames& frames, double multiplier, JointReaction& reaction) const {
-    const auto [u, v, w] = find_place(frames);
-    reaction.moments += multiplier * u * w.transpose();
-    const Mat3 bend = multiplier * u.cross(w) * v.cross(w).transpose();
+    const std::array<Place, 2> places = find_places(frames);
+    Vec3 of_turn = Vec3::Zero(), of_size = Vec3::Zero();
+    for (std::size_t i = 0; i < hands().size(); ++i) {
+        const auto& [u, v, w] = places[i];
+        reaction.moments += multiplier * u * w.transpose();
+        of_turn += u.cross(w);
+        of_size += v.cross(w);
+    }
+    const Mat3 bend = multiplier * of_turn * of_size.transpose();
     reaction.bends += bend + bend.transpose();
 }
 

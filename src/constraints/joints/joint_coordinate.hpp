@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <complex>
 #include <optional>
+#include <span>
 
 #include "constraints/joints/link_product.hpp"
 #include "model/joint.hpp"
@@ -12,8 +15,9 @@ namespace gxrod {
 JointArms arms_of(const Joint& joint);
 
 // The right-hand turn ψ of B against A about A's axis: of a direction w on B as it is seen between e₁ and e₂
-// on A, across the axis, tan ψ = (w · e₂)/(w · e₁), (J9), (J12); of any number of turns. Of the frames, only
-// rotations and their rates count.
+// on A, across the axis, tan ψ = (w · e₂)/(w · e₁), (J9), (J12); of a joint that holds nothing the twist
+// about the axis, (J12b), which is the same for all directions across it. Of any number of turns. Of the
+// frames, only rotations and their rates count.
 class JointTurn {
   public:
     explicit JointTurn(const Joint& joint);
@@ -35,15 +39,22 @@ class JointTurn {
     void add_reaction(const JointFrames& frames, double multiplier, JointReaction& reaction) const;
 
   private:
-    // Where it is: ∇ψ is that of u · w at constant u = (x e₂ − y e₁)/ρ², ∇lnρ that with v = (x e₁ + y e₂)/ρ².
+    // A direction on B: ∇ψ is the sum of those of u · w at constant u = (x e₂ − y e₁)/ρ², ∇lnρ that with
+    // v = (x e₁ + y e₂)/ρ².
     struct Place {
         Vec3 u, v, w;
     };
-    Place find_place(const JointFrames& frames) const;
+    // w, of a twist w and its like across the axis.
+    std::span<const Vec3> hands() const { return std::span(hands_).first(is_twist_ ? 2 : 1); }
+    Jet<std::complex<double>> compute_z(const JointFrames& frames) const;
+    std::array<Place, 2> find_places(const JointFrames& frames) const;
     double guess(const JointMotions& motions, double turn_before) const;
 
-    Vec3 axis_, hand_, across_;  // of A, w and e₂, in the global axes of t = 0, where e₁ is w
-    LinkProduct x_, y_;          // w · e₁, w · e₂
+    bool is_twist_;
+    Vec3 axis_;                         // of A, in the global axes of t = 0, as all
+    std::array<Vec3, 2> hands_;         // on B; of A, e₁
+    std::array<Vec3, 2> across_;        // e₂ of each
+    std::array<LinkProduct, 2> x_, y_;  // w · e₁, w · e₂
 };
 
 // From A's point to B's along A's axis.

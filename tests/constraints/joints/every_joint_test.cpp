@@ -1,11 +1,11 @@
 // Properties that the equations of every kind of joint have: rates and gradients are derivatives, forces
 // balance and do no work, kinematics closes them.
 
-#include <Eigen/SVD>
 #include <numbers>
 
 #include "constraints/joints/joint_samples.hpp"
 #include "tools/catch.hpp"
+#include "tools/dense_algebra.hpp"
 #include "tools/difference.hpp"
 #include "tools/node_paths.hpp"
 
@@ -105,7 +105,7 @@ Joint exchange_sides(const Joint& joint) {
 // The projector on the forces that a joint can exert.
 PairMatrix project_on_rows(const JointMatrix& gradient) {
     const Eigen::MatrixXd G = gradient;
-    return G.transpose() * (G * G.transpose()).inverse() * G;
+    return G.transpose() * solve_dense(G * G.transpose(), G);
 }
 
 }  // namespace
@@ -261,7 +261,7 @@ TEST_CASE("what a joint leaves free closes it", "[constraints][joints]") {
 TEST_CASE("joints leave as many freedoms as their kinds should", "[constraints][joints]") {
     for_each_closed_joint([](const JointSample& sample, const JointRows& rows) {
         const Eigen::MatrixXd gradient = rows.compute_gradient(sample.motions());
-        const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(gradient).singularValues();
+        const Eigen::VectorXd values = find_singular_values(gradient).values;
         CHECK(values.minCoeff() > 1e-2 * values.maxCoeff());
         const int motors = bool(sample.joint.turn.motion) + bool(sample.joint.slide.motion);
         CHECK(rows.count() == 6 - count_freedoms(sample.joint.kind) + motors);
@@ -296,6 +296,28 @@ TEST_CASE("coordinates change their signs with the sides of a joint", "[constrai
                   Approx(-rows.coordinates().slide->compute_jet(sample.motions()).value).margin(1e-13));
         }
     });
+}
+
+TEST_CASE("the turn of a free joint is the twist about its axis", "[constraints][joints]") {
+    RandomValues random(617);
+    for (int i = 0; i < 20; ++i) {
+        Joint joint = make_joint(JointKind::free, random);
+        NodeMotion a, b;
+        a.Lambda = exp_quaternion(random.vector(2.0));
+        b.Lambda = a.Lambda * exp_quaternion(random.vector(1.5));
+        const Quat relative = a.Lambda.conjugate() * b.Lambda;
+        const Vec3 axis = joint.a.axes.col(0);
+        const double twist = 2.0 * std::atan2(relative.vec().dot(axis), relative.w());
+        CHECK(JointTurn(joint).compute_jet({a, b}, twist).value == Approx(twist).margin(1e-13));
+        // For all directions across.
+        const Mat3 turned = Eigen::AngleAxisd(random.number(-3.0, 3.0), axis).toRotationMatrix();
+        joint.a.axes = turned * joint.a.axes;
+        joint.b.axes = turned * joint.b.axes;
+        CHECK(JointTurn(joint).compute_jet({a, b}, twist).value == Approx(twist).margin(1e-13));
+        // As seen from the other side.
+        CHECK(JointTurn(exchange_sides(joint)).compute_jet({b, a}, -twist).value ==
+              Approx(-twist).margin(1e-13));
+    }
 }
 
 TEST_CASE("turns are counted, whatever both sides do", "[constraints][joints]") {
