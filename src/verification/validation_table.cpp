@@ -31,7 +31,8 @@ std::string name_entry(const Check& check, std::size_t entry) {
     constexpr std::array axes{"x", "y", "z"};
     constexpr std::array quaternion{"w", "x", "y", "z"};
     if (check.reference.size() == 1) return check.what;
-    return check.what + ": " + (check.reference.size() == 4 ? quaternion[entry] : axes[entry]);
+    if (check.reference.size() == 4) return check.what + ": " + quaternion[entry];
+    return check.what + ": " + (check.reference.size() <= 3 ? axes[entry] : std::to_string(entry + 1));
 }
 
 // Pads text to a width in characters; a UTF-8 letter counts as one.
