@@ -1,4 +1,4 @@
-"""Joints, springs and bushings in the page of gxrod report, in a browser."""
+"""Joints, sleeves, springs and bushings in the page of gxrod report, in a browser."""
 
 import pathlib
 import subprocess
@@ -91,7 +91,59 @@ def make_kinds_deck():
     return deck + '[analysis]\nkind = "dynamic"\nend_time = 0.2\ntime_step = 0.01\n'
 
 
-DECKS = {"crank": CRANK, "kinds": make_kinds_deck()}
+# Points that slide along the second of two rods that start at one node.
+BEADS = """units = "m kg s"
+gravity = [0, -9.81, 0]
+[section.bar]
+stiffness = { EA = 1e3, GAy = 500, GAz = 500, GJ = 4, EIy = 5, EIz = 5 }
+inertia = { rhoA = 1, rhoJ = 0.02, rhoIy = 0.01, rhoIz = 0.01 }
+[rod.first]
+section = "bar"
+line = { from = [0, 0, 0], to = [0, 1, 0] }
+elements = 4
+[rod.second]
+section = "bar"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 8
+[rod.mast]
+section = "bar"
+line = { from = [0.6, 0, -0.3], to = [0.6, 0, 0.3] }
+elements = 4
+[[connect]]
+points = ["first.start", "second.start"]
+[[support]]
+at = "first.start"
+fix = "all"
+[body.bead]
+mass = 0.3
+inertia = [1e-3, 1e-3, 1e-3]
+at = [0.3, -0.1, 0]
+[joint.ring]
+type = "sleeve"
+between = ["second", "bead"]
+at = [0.3, 0, 0]
+[joint.middle]
+type = "sleeve"
+between = ["second", "mast@0.5"]
+[joint.eye]
+type = "sleeve"
+between = ["second", "ground"]
+at = [0.9, 0, 0]
+move = "0.01*t^3"
+[analysis]
+kind = "dynamic"
+end_time = 0.1
+time_step = 0.01
+[[history]]
+name = "pull" # of the "ring"
+at = 'ring'
+quantities = ["slide", "force"]
+[[history]]
+name = "ring"
+at = "middle"
+quantities = "force"
+"""
+DECKS = {"crank": CRANK, "kinds": make_kinds_deck(), "beads": BEADS}
 PICTURE = "const { parts, stage } = document.getElementById('canvas').picture();"
 FIND = ("const chart = [...document.querySelectorAll('.chart')].find((c) => "
         "c.querySelector('h3')?.textContent.startsWith(arguments[0]));")
@@ -258,6 +310,53 @@ class Charts(MechanismTest):
         angle, degrees = value.rstrip("°").split(" = ")
         self.assertAlmostEqual(float(angle), 40 * 0.3**2, delta=1e-3)
         self.assertAlmostEqual(float(degrees), np.degrees(40 * 0.3**2), delta=0.1)
+
+
+class Tables(MechanismTest):
+    FREE = {"ball": "all turns", "hinge": "turn about the axis", "cylinder": "turn about the axis, slide along it", "weld": "nothing",
+            "slider": "slide along the axis", "universal": "turns about both axes", "screw": "turn about the axis, and a slide with it",
+            "plane": "slides across the axis, turn about it", "distance": "all but the distance"}
+
+    def tables(self):
+        """{title: its rows, the heading first} of the model."""
+        return dict(self.browser.run("""
+            const cells = (row) => [...row.children].map((cell) => cell.textContent);
+            const sections = [...document.querySelectorAll('#model section')];
+            return sections.map((s) => [s.querySelector('h2').textContent, [...s.querySelectorAll('tr')].map(cells)]);"""))
+
+    def largest(self, name, dataset):
+        with h5py.File(self.folder / f"{name}.vtkhdf") as file:
+            return np.linalg.norm(file[f"histories/{dataset}"][()], axis=1).max()
+
+    def test_sleeves_are_among_the_joints(self):
+        self.open("beads")
+        tables = self.tables()
+        self.assertEqual(list(tables)[-2:], ["Joints", "Supports"])
+        heading, *rows = tables["Joints"]
+        self.assertEqual(heading, ["", "type", "from", "to", "at", "axis", "leaves free", "largest force, N"])
+        free = "all turns, slide along the rod"
+        self.assertEqual([row[:-1] for row in rows], [["ring", "sleeve", "second", "bead", "(0.3, 0, 0)", "", free],
+                                                      ["middle", "sleeve", "second", "mast@0.5", "(0.6, 0, 0)", "", free],
+                                                      ["eye", "sleeve", "second", "ground", "(0.9, 0, 0)", "", f"{free}; moved by a motor"]])
+        self.assertAlmostEqual(float(rows[0][-1]), self.largest("beads", "pull/force"), delta=1e-5)
+        self.assertAlmostEqual(float(rows[1][-1]), self.largest("beads", "ring/force"), delta=1e-5)
+        self.assertEqual(rows[2][-1], "")
+
+    def test_joints_have_what_they_leave_free(self):
+        self.open("kinds")
+        heading, *rows = self.tables()["Joints"]
+        self.assertEqual(heading[-1], "leaves free")
+        self.assertEqual({row[0]: row[-1] for row in rows}, self.FREE)
+
+    def test_joints_have_their_largest_forces(self):
+        self.open("crank")
+        heading, *rows = self.tables()["Joints"]
+        self.assertEqual(heading[-3:], ["leaves free", "largest force, N", "largest moment, N·m"])
+        self.assertEqual([row[0] for row in rows], ["shaft", "pin", "wrist", "guide"])
+        self.assertEqual(rows[0][-3], "turn about the axis; moved by a motor")
+        for text, dataset in zip(rows[0][-2:], ("shaft/force", "shaft/moment_a")):
+            self.assertAlmostEqual(float(text) / self.largest("crank", dataset), 1.0, delta=1e-5)
+        self.assertEqual([row[-2:] for row in rows[1:]], [["", ""]] * 3)
 
 
 if __name__ == "__main__":

@@ -47,7 +47,7 @@ function makePicture() {
 
 showHeader(info);
 showDeck(info);
-showModel(data);
+showModel(data, units);
 const picture = makePicture();
 const swinging = picture && [...found.modes, ...found.paths].some(({ shapes }) => shapes) ? new Swinging(picture, clock) : null;
 const foundCharts = addFoundTabs(found, { clock, swinging, units, timeName });

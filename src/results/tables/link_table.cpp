@@ -88,6 +88,30 @@ void write_joint_columns(const Hdf5Handle& group, const Model& model) {
     write_vectors(group, {"axis_b", "axis that B carries, at t = 0", "spatial", "1"}, axes_b);
 }
 
+void write_sleeves(const Hdf5Handle& root, const Model& model) {
+    if (model.sleeves.empty() || model.sleeves.size() > most_texts || has_link(root, "sleeves")) return;
+    const Hdf5Handle group = require_group(root, "sleeves");
+    std::vector<std::string> names;
+    std::vector<std::int64_t> rods;
+    std::vector<double> places;
+    std::vector<const Anchor*> points;
+    for (const Sleeve& sleeve : model.sleeves) {
+        names.push_back(sleeve.name);
+        rods.push_back(sleeve.rod);
+        places.push_back(sleeve.place);
+        points.push_back(&sleeve.point);
+    }
+    write_dataset(
+        group, {"name", "of each, as the deck has it", "none", ""}, std::span<const std::string>(names));
+    write_dataset(group,
+                  {"rod", "on which the point slides: row of /rods", "none", "1"},
+                  std::span<const std::int64_t>(rods));
+    write_dataset(group,
+                  {"place", "of the sleeve on the rod at t = 0, arc length", "none", "length"},
+                  std::span<const double>(places));
+    write_ends(group, "b", points);
+}
+
 }  // namespace
 
 void write_link_tables(const Hdf5Handle& root, const Model& model) {
@@ -95,6 +119,7 @@ void write_link_tables(const Hdf5Handle& root, const Model& model) {
     if (joints) write_joint_columns(*joints, model);
     write_table(root, "springs", model.springs);
     write_table(root, "bushings", model.bushings);
+    write_sleeves(root, model);
 }
 
 }  // namespace gxrod
