@@ -1,11 +1,11 @@
-# What `cmake --install` and CPack's Debian package hold: the program, gxrod-plot, examples; the library, its headers and
+# What `cmake --install` and CPack's Debian package hold: the program, gxrod-plot, the Python package, examples; the library, its headers and
 # a CMake package by which other programs find it.
 include(CMakePackageConfigHelpers)
 
 set(gxrod_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/gxrod")
 install(TARGETS gxrod RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(PROGRAMS apps/gxrod-plot DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY apps/gxrod_plot DESTINATION ${CMAKE_INSTALL_DATADIR}/gxrod
+install(DIRECTORY apps/python/gxrod DESTINATION ${CMAKE_INSTALL_DATADIR}/gxrod/python
   FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY docs/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/gxrod)
 install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -18,11 +18,11 @@ from matplotlib import image  # noqa: E402
 
 PLOT = os.environ["GXROD_PLOT"]
 TESTS = os.environ["GXROD_TESTS"]
-sys.path.insert(0, str(Path(os.environ["GXROD_SOURCE"]) / "apps"))
+sys.path.insert(0, str(Path(os.environ["GXROD_SOURCE"]) / "apps" / "python"))
 sys.dont_write_bytecode = True
 
-from gxrod_plot import compare, histories, mechanism, results, shapes, style  # noqa: E402
-from gxrod_plot.errors import UsageError  # noqa: E402
+from gxrod.plot import compare, histories, mechanism, results, shapes, style  # noqa: E402
+from gxrod.plot.errors import UsageError  # noqa: E402
 
 
 def write_sample(path, killed_at=None):

@@ -9,11 +9,11 @@ import h5py
 import numpy as np
 from program import GXROD_PLOT, SOURCE, ProgramTest
 
-sys.path.insert(0, str(SOURCE / "apps"))
+sys.path.insert(0, str(SOURCE / "apps" / "python"))
 sys.dont_write_bytecode = True
 
-from gxrod_plot.path import split_by_stability  # noqa: E402
-from gxrod_plot.results import read_results  # noqa: E402
+from gxrod.plot.path import split_by_stability  # noqa: E402
+from gxrod.plot.results import read_results  # noqa: E402
 
 DECK = SOURCE / "docs/examples/sway/sway.toml"
 BIFURCATION, LIMIT, SWAYED_LIMIT = 327.6277845, 946.3035197, 411.0760129733

@@ -2,13 +2,10 @@
 
 import textwrap
 from dataclasses import dataclass
-from pathlib import Path
 
-import h5py
 import numpy as np
 from mpl_toolkits.mplot3d.art3d import Line3DCollection
 
-from .errors import FileFault
 from .shapes import AZIMUTH, ELEVATION, PLANES, Scene, best_view, limits
 from .style import BLUE, GREY
 
@@ -31,38 +28,24 @@ class FoundShapes:
     shapes: np.ndarray  # [n,N,3] displacements, scaled for drawing
 
 
-def stages_of_shapes(file):
-    """Names of the stages that found shapes, in their order."""
-    stages = file.get("stages", {})
-    found = [(int(stages[name].attrs["number"][0]), name) for name in stages
-             if "words" in stages[name] and "value" not in stages[name]]
-    return [name for _, name in sorted(found)]
+def read_found(results):
+    """FoundShapes of each stage of results, whose shapes are in files beside theirs."""
+    return [read_stage(stage) for stage in results.stages.values() if "words" in stage and "values" not in stage]
 
 
-def read_found(path, file):
-    """FoundShapes of each stage of the results file at `path`, whose shapes are in files beside it."""
-    return [read_stage(path, file["stages"][name], name) for name in stages_of_shapes(file)]
+def read_stage(stage):
+    labels = [f"{number}   {value}   {text}" for number, (value, text) in enumerate(zip(values_of(stage), stage.words), 1)]
+    shapes = stage.shapes
+    return FoundShapes(stage.name, stage.kind, labels, shapes.position, np.real(shapes.displacement))
 
 
-def read_stage(path, table, name):
-    beside = Path(path).with_name(f"{Path(path).stem}.{name}.vtkhdf")
-    if not beside.exists():
-        raise FileFault(f"{beside}: there is no such file; it holds the shapes of stage {name}")
-    words = table["words"].asstr()[()]
-    labels = [f"{number}   {value}   {text}" for number, (value, text) in enumerate(zip(values_of(table), words), 1)]
-    with h5py.File(beside, "r") as shapes:
-        points = shapes["VTKHDF/Points"][()]
-        moves = shapes["VTKHDF/PointData/displacement"][()].reshape(len(labels), len(points), 3)
-    return FoundShapes(name, str(table.attrs["kind"]), labels, points, moves)
-
-
-def values_of(table):
-    if "factor" in table:
-        return [f"factor {factor:.6g}" for factor in table["factor"][()]]
-    rows = zip(table["frequency"][()], table["growth"][()])
-    if "damping_ratio" in table:
+def values_of(stage):
+    if "factors" in stage:
+        return [f"factor {factor:.6g}" for factor in stage.factors]
+    rows = zip(stage.frequencies, stage.growth_rates)
+    if "damping_ratios" in stage:
         return [describe_eigenvalue(frequency, growth, ratio)
-                for (frequency, growth), ratio in zip(rows, table["damping_ratio"][()])]
+                for (frequency, growth), ratio in zip(rows, stage.damping_ratios)]
     return [f"grows by exp({growth:.4g} t)" if growth > 0.0 else f"f = {frequency:.6g}" for frequency, growth in rows]
 
 

@@ -17,6 +17,7 @@ class Column:
     label: str  # "tip: displacement z"
     values: np.ndarray  # [S]
     dimension: str
+    unit: str = ""
 
 
 def read_columns(results, name):
@@ -26,7 +27,8 @@ def read_columns(results, name):
     if name == "limit-load-factor" and results.follows_limits:
         return [Column("load factor of the limit point", results.limit_load_factors(), "1")]
     if name in ("time", "load-factor"):
-        return [Column(results.time_label, results.times, "1" if results.is_static else "time")]
+        dimension = "1" if results.is_static else "time"
+        return [Column(results.time_label, results.times, dimension, results.unit_of(dimension))]
     group, _, rest = name.partition("/")
     quantity, _, component = rest.partition("/")
     if group == "ledger":
@@ -51,11 +53,11 @@ def components(start, series, component):
     if values.shape[1] == 1:
         if component:
             raise UsageError(f"{series.name!r} is one number, without a component {component!r}")
-        return [Column(name, values[:, 0], series.dimension)]
+        return [Column(name, values[:, 0], series.dimension, series.unit)]
     letters = "wxyz" if values.shape[1] == 4 else "xyz"
-    columns = {letter: Column(f"{name} {letter}", values[:, i], series.dimension) for i, letter in enumerate(letters)}
+    columns = {letter: Column(f"{name} {letter}", values[:, i], series.dimension, series.unit) for i, letter in enumerate(letters)}
     if component == MAGNITUDE:
-        return [Column(f"{name}, {MAGNITUDE}", np.linalg.norm(values, axis=1), series.dimension)]
+        return [Column(f"{name}, {MAGNITUDE}", np.linalg.norm(values, axis=1), series.dimension, series.unit)]
     if component and component not in columns:
         raise UsageError(f"{series.name!r} has no component {component!r}; it has {', '.join([*columns, MAGNITUDE])}")
     return [columns[component]] if component else list(columns.values())

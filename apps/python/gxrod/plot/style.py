@@ -1,12 +1,9 @@
 """Colours and panels that all pictures share."""
 
 import matplotlib
-
-matplotlib.use("Agg")
-
-import matplotlib.pyplot as plt  # noqa: E402 — after the choice of backend
-import numpy as np  # noqa: E402
-from matplotlib.colors import ListedColormap  # noqa: E402
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import ListedColormap
 
 BLUE, ORANGE, GREEN, PURPLE, GREY, BLACK = "#0066b3", "#e0641b", "#12946a", "#a0479c", "#8a8f98", "#22262b"
 RED = "#c2272d"
@@ -14,6 +11,7 @@ AXIS_COLOURS = {"x": "#d1373f", "y": GREEN, "z": BLUE}
 # Dark to bright with time, without the pale end, which is invisible on paper.
 TIME_COLOURS = ListedColormap(matplotlib.colormaps["plasma"](np.linspace(0.0, 0.88, 256)), "time")
 MOST_POINTS = 20000  # of a drawn curve
+TITLE_LETTER, LEGEND_LETTER, LEGEND_HANDLE, PANEL_SIDES = 0.075, 0.062, 0.26, 0.65  # widths, inches
 
 SETTINGS = {
     "font.size": 9.0,
@@ -66,8 +64,17 @@ def draw_curves(axes, times, curves, title, label):
     axes.set_ylabel(label)
     axes.margins(x=0.01)
     axes.ticklabel_format(axis="x", scilimits=(-3, 6))
-    if len(curves) > 1:
+    if len(curves) > 1 and fits_above(axes, title, curves):
         legend_above(axes, len(curves))
+    elif len(curves) > 1:
+        axes.legend(loc="best", ncol=len(curves))
+
+
+def fits_above(axes, title, names):
+    """Whether a title and the legend of these names fit side by side above a panel."""
+    columns = axes.get_subplotspec().get_gridspec().ncols
+    width = axes.figure.bbox.width / axes.figure.dpi / columns - PANEL_SIDES
+    return TITLE_LETTER * len(title) + sum(LEGEND_LETTER * len(name) + LEGEND_HANDLE for name in names) < width
 
 
 def draw_panel(axes, curves, title, across, label, has_legend):

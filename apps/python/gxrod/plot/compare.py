@@ -109,10 +109,9 @@ def draw_curves_of(axes, curves, runs):
         drawn.append((run.across.values, column.values, colour, column.label))
     across, column = curves[0][0].across, curves[0][1]
     title = column.label if is_by_run or len(curves) == 1 else ""
-    draw_panel(axes, drawn, title, with_unit(across), "" if column.dimension == "1" else column.dimension,
+    draw_panel(axes, drawn, title, with_unit(across), column.unit,
                has_legend=not is_by_run and len(curves) > 1)
 
 
 def with_unit(column):
-    plain = column.dimension in ("1", "time") and ":" not in column.label
-    return column.label if plain or column.dimension == "1" else f"{column.label} ({column.dimension})"
+    return f"{column.label} ({column.unit})" if column.unit not in ("", column.label) else column.label

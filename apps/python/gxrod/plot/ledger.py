@@ -16,11 +16,11 @@ def draw_ledger(figure, results, columns=1):
     panels = list(grid.flat)
     draw_energies(panels[0], results, ledger)
     error = {"energy error": (ledger["energy_error"].values, BLACK)}
-    draw_curves(panels[1], results.times, error, "Energy error", ledger["energy_error"].dimension)
+    draw_curves(panels[1], results.times, error, "Energy error", ledger["energy_error"].unit)
     for axes, name in zip(panels[2:], MOMENTA):
         series = ledger[name]
         curves = {letter: (series.values[:, i], AXIS_COLOURS[letter]) for i, letter in enumerate("xyz")}
-        draw_curves(axes, results.times, curves, name.replace("_", " ").capitalize(), series.dimension)
+        draw_curves(axes, results.times, curves, name.replace("_", " ").capitalize(), series.unit)
     for axes in grid[-1]:
         axes.set_xlabel(results.time_label)
 
@@ -36,4 +36,4 @@ def draw_energies(axes, results, ledger):
         curves["dissipated by the scheme"] = (ledger["numerical_dissipation"].values, AXIS_COLOURS["x"])
     always = "strain" if results.is_static else "kinetic"
     shown = {name: curve for name, curve in curves.items() if name == always or curve[0].any()}
-    draw_curves(axes, results.times, shown, "Energies", ledger["kinetic_energy"].dimension)
+    draw_curves(axes, results.times, shown, "Energies", ledger["kinetic_energy"].unit)

@@ -27,15 +27,11 @@ class Sweep:
     onsets: list  # (value, omega, text)
 
 
-def read_sweep(table, name):
-    onsets = []
-    if "onset" in table:
-        rows = table["onset"]
-        for value, omega, begins, kind in zip(rows["value"][()], rows["omega"][()], rows["begins"][()],
-                                              rows["kind"].asstr()[()]):
-            onsets.append((value, omega, f"{kind} {'begins' if begins else 'ends'} at {value:.6g}"))
-    return Sweep(name, str(table.attrs["key"]), table["value"][()], table["speed"][()], table["omega"][()],
-                 table["growth"][()], list(table["words"].asstr()[()]), onsets)
+def read_sweep(stage):
+    onsets = [(row["value"], row["omega"], f"{row['kind']} {'begins' if row['begins'] else 'ends'} at {row['value']:.6g}")
+              for row in stage.onsets]
+    return Sweep(stage.name, stage.key, stage.values, stage.speeds, stage.angular_frequencies, stage.growth_rates,
+                 list(stage.words), onsets)
 
 
 def draw_sweep(figure, sweep):

@@ -82,8 +82,8 @@ def make_scene(results, frames):
 
 
 def nodes_on_joints(results):
-    joints = results.ends("joints")
-    return set() if joints is None else {int(node) for numbers in joints.points for node in numbers}
+    tables = filter(None, (results.ends("joints"), results.ends("sleeves")))
+    return {int(node) for ends in tables for numbers in ends.points for node in numbers}
 
 
 def steadiest_axis(results, node, stride):
@@ -188,7 +188,7 @@ def draw_in_plane(axes, scene, norm, plane, view):
             ends = np.array([origin, tip])[:, plane]
             axes.plot(*ends.T, color=AXIS_COLOURS[axis], linewidth=1.6, solid_capstyle="round")
         axes.plot(*origin[list(plane)], "o", color=GREY, markersize=4)
-    draw_mechanism(axes, scene.mechanism, lambda points: points[:, plane])
+    draw_mechanism(axes, scene.mechanism, lambda points: points[:, plane], lambda time: TIME_COLOURS(norm(time)))
     low, high = limits(scene)
     for set_limits, direction in zip((axes.set_xlim, axes.set_ylim), plane):
         set_limits(low[direction], high[direction])
@@ -212,7 +212,7 @@ def draw_in_space(axes, scene, norm, zoom):
         for axis, tip in tips.items():
             axes.plot(*np.array([origin, tip]).T, color=AXIS_COLOURS[axis], linewidth=1.8)
         axes.plot(*origin[:, None], "o", color=GREY, markersize=4)
-    draw_mechanism(axes, scene.mechanism, lambda points: points)
+    draw_mechanism(axes, scene.mechanism, lambda points: points, lambda time: TIME_COLOURS(norm(time)))
     low, high = limits(scene)
     for set_limits, a, b in zip((axes.set_xlim, axes.set_ylim, axes.set_zlim), low, high):
         set_limits(a, b)

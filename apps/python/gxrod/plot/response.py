@@ -21,20 +21,19 @@ class Response:
     curves: dict  # {name: complex amplitudes over the frequencies}
 
 
-def read_response(table, name, quantity_names):
+def read_response(stage, quantity_names):
     """Components of the quantities that the deck's histories record, as far as they move at all."""
     curves = {}
-    for point in table["histories"]:
+    for point, answers in stage.histories.items():
         for quantity in QUANTITIES:
             if quantity not in quantity_names.get(point, QUANTITIES):
                 continue
-            values = table["histories"][point][quantity][()]
-            amplitudes = values[..., 0] + 1j * values[..., 1]
+            amplitudes = answers[quantity]
             largest = np.nanmax(np.abs(amplitudes), initial=0.0)
             for letter, curve in zip("xyz", amplitudes.T):
                 if np.nanmax(np.abs(curve), initial=0.0) > LEAST * largest:
                     curves[f"{point} {quantity.replace('_', ' ')} {letter}"] = curve
-    return Response(name, table["omega"][()], curves)
+    return Response(stage.name, stage.angular_frequencies, curves)
 
 
 def draw_response(figure, response):

@@ -41,8 +41,7 @@ def draw_series(axes, times, history, series):
     if values.shape[1] == 1:
         curves = {words(series.name): (values[:, 0], BLACK)}
     frame = describe_frame(series)
-    label = series.dimension.replace("angle", "rad") if series.dimension != "1" else ""
-    draw_curves(axes, times, curves, f"{history.name}: {words(series.name)}{frame}", label)
+    draw_curves(axes, times, curves, f"{history.name}: {words(series.name)}{frame}", series.unit)
 
 
 def describe_frame(series):

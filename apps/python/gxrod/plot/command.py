@@ -4,12 +4,15 @@ import argparse
 import sys
 from pathlib import Path
 
+import h5py  # noqa: F401 — gxrod-plot says that it is missing before anything else
+import matplotlib
+
+from ..seal import doubt_of
 from .compare import draw_runs, read_run, short_names
 from .errors import FileFault, PlotError, UsageError
 from .page import draw_page
 from .results import read_results
 from .rubin2007 import draw_figures
-from .seal import doubt_of
 
 FORMATS = (".png", ".svg", ".pdf")
 EPILOG = """\
@@ -26,6 +29,7 @@ exit codes: 0 done, 2 usage, 4 a file could not be read or written"""
 
 def main(arguments):
     request = parse(arguments)
+    matplotlib.use("Agg")
     try:
         if request.figures:
             written = draw_figures(Path(request.figures), request.format, save)

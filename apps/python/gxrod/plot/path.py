@@ -34,48 +34,38 @@ class PathStage:
     points: list  # pairs of kind and row
 
 
-def read_paths(file, steps):
+def read_paths(results):
     """A PathStage for each stage that goes along a path; of a run that was killed, without points."""
-    histories = file["histories"]
-    if "load_factor" not in histories:
+    columns = results.columns
+    if "load_factor" not in columns:
         return []
     # Where limit points are followed, those of them; of other stages both are the same.
-    loads = histories["limit_load_factor" if "limit_load_factor" in histories else "load_factor"][:steps]
-    branches = histories["branch"][:steps]
-    pivots = file["solver/negative_pivots"][:steps]
-    stages = histories["stage"][:steps] if "stage" in histories else np.zeros(len(loads), dtype=int)
-    found = []
-    for name, group in file["stages"].items():
-        if text(group.attrs["kind"]) == "path":
-            number = int(group.attrs["number"][0])
-            found.append((number, read_stage(name, group, loads, branches, pivots, stages == number)))
-    return [stage for _, stage in sorted(found, key=lambda pair: pair[0])]
+    loads = columns.get("limit_load_factor", columns["load_factor"])
+    pivots = results.solver.negative_pivots
+    return [read_stage(stage, loads, columns["branch"], pivots) for stage in results.stages.values() if stage.kind == "path"]
 
 
-def read_stage(name, group, loads, branches, pivots, is_of_stage):
-    points = group.get("critical_points")
-    table = group.get("branches")
-    points = list(zip(points["kind"].asstr()[()], points["row"][()])) if points is not None else []
+def read_stage(stage, loads, branches, pivots):
+    points = [(row["kind"], row["row"]) for row in stage.critical_points]
+    table = list(stage.branches)
+    own = np.arange(len(loads))[stage.rows]
     paths = []
-    for number in np.unique(branches[is_of_stage]):
-        rows = np.flatnonzero(is_of_stage & (branches == number))
+    for number in np.unique(branches[own]):
+        rows = own[branches[own] == number]
         beyond = pivots[rows]
-        label = name
-        if table is not None:
-            label = table["name"].asstr()[number]
-            if table["parent"][number] >= 0:
-                rows = np.concatenate([[points[table["critical_point"][number]][1]], rows])
+        label = stage.name
+        if table:
+            branch = table[number]
+            label = branch["name"]
+            if branch["parent"] >= 0:
+                rows = np.concatenate([[points[branch["critical_point"]][1]], rows])
                 beyond = np.concatenate([[beyond[0]], beyond])
         paths.append(Path(label, rows, beyond[:-1] <= 0))
-    return PathStage(name, loads, paths, points)
-
-
-def text(value):
-    return value.decode() if isinstance(value, bytes) else str(value)
+    return PathStage(stage.name, loads, paths, points)
 
 
 def path_curves(panels):
-    """Label, values and dimension of each component of these histories that changes."""
+    """Label, values, dimension and unit of each component of these histories that changes."""
     curves = []
     for history, series in panels:
         values = series.values.reshape(len(series.values), -1)
@@ -84,7 +74,7 @@ def path_curves(panels):
         for letter, column, change in zip(letters, values.T, spread):
             if change > STILL * spread.max():
                 label = f"{history.name}: {series.name.replace('_', ' ')}{letter}"
-                curves.append((label, column, series.dimension))
+                curves.append((label, column, series.dimension, series.unit))
     return curves
 
 
@@ -112,7 +102,7 @@ def draw_paths(figure, stages, curves):
     keys.legend(handles=handles, loc="center", ncol=len(handles), handlelength=2.2)
 
 
-def draw_path(axes, stage, label, values, dimension):
+def draw_path(axes, stage, label, values, dimension, unit):
     for number, path in enumerate(stage.paths):
         for rows, is_stable in split_by_stability(path):
             axes.plot(*break_turns(values[rows], stage.load_factors[rows], dimension), color=colour_of(number),
@@ -120,7 +110,7 @@ def draw_path(axes, stage, label, values, dimension):
     for kind, row in stage.points:
         axes.plot(values[row], stage.load_factors[row], MARKERS[kind][0], color=BLACK, markersize=5, zorder=3)
     axes.set_title(label)
-    axes.set_xlabel(dimension if dimension != "1" else "")
+    axes.set_xlabel(unit)
     axes.set_ylabel("load factor")
 
 

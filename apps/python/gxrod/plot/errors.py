@@ -1,7 +1,9 @@
 """Faults that end gxrod-plot with a message and one of gxrod's exit codes."""
 
+from ..errors import Error
 
-class PlotError(Exception):
+
+class PlotError(Error):
     """Ends the program with `exit_code` and one line on stderr."""
 
     exit_code = 1

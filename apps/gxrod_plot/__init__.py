@@ -1,1 +1,0 @@
-"""Pictures of gxrod's results: shapes, histories, the energy ledger, the figures of rubin2007."""

@@ -1,0 +1,76 @@
+"""What gxrod raises. All are `gxrod.Error`, and all can be pickled, so that they come back from other processes."""
+
+import difflib
+from typing import NamedTuple
+
+
+class Error(Exception):
+    """Anything that gxrod reports; its text is a sentence or more for the user."""
+
+
+class Fault(NamedTuple):
+    """One error in a deck or plan."""
+
+    file: str = ""  # as it was named; "" if the fault is in no file
+    line: int = 0  # from 1; 0 for a value that is in no file
+    column: int = 0  # from 1, in characters
+    key: str = ""  # its full path, as "rod.flyer.section" or "load[0].force[1]"; "" of an error of syntax
+    message: str = ""
+
+    def __str__(self):
+        place = f"{self.file}:{self.line}:{self.column}" if self.line else self.file
+        return ": ".join(filter(None, (place, self.key, self.message)))
+
+
+class DeckError(Error):
+    """A deck or plan that cannot be run. `faults`: a tuple of all `Fault`s, in the order of the deck."""
+
+    def __init__(self, faults):
+        super().__init__(tuple(Fault(message=fault) if isinstance(fault, str) else Fault(*fault) for fault in faults))
+
+    @property
+    def faults(self):
+        return self.args[0]
+
+    def __str__(self):
+        return "\n".join(map(str, self.faults))
+
+
+class ConvergenceError(Error):
+    """A step that failed. The simulation keeps the last accepted state.
+
+    `time`: where the step starts, in statics the load factor. `time_step`: the shortest that was tried. `outcome`: what
+    became of it, as "out of iterations". `places`: where, the worst first, as "flyer.end (ry)". `advice`: what to try,
+    the likeliest first. Unknown numbers are NaN.
+    """
+
+    def __init__(self, message, time=float("nan"), time_step=float("nan"), outcome="", places=(), advice=()):
+        super().__init__(message)
+        self.time, self.time_step, self.outcome = time, time_step, outcome
+        self.places, self.advice = tuple(places), tuple(advice)
+
+
+class FileError(Error):
+    """A file could not be read or written. Its text begins with the path."""
+
+
+class EvaluationError(Error):
+    """An expression or function of the deck gave something that is not a finite number."""
+
+
+class UnknownNameError(Error, KeyError, AttributeError):
+    """A name that is not there: as a key, `r["tpi"]`, or as an attribute, `r["tip"].positoin`."""
+
+    def __str__(self):
+        return str(self.args[0])
+
+
+def unknown_name(what, name, names):
+    """An UnknownNameError that says which name was likely meant, and which there are: of `what`, as "history"."""
+    names = [str(each) for each in names]
+    meant = difflib.get_close_matches(str(name), names, n=1)
+    most_named = 20
+    more = f" and {len(names) - most_named} more" if len(names) > most_named else ""
+    there_are = f"there are {', '.join(names[:most_named])}{more}" if len(names) > 1 else \
+        f"there is {names[0]}" if names else "there are none"
+    return UnknownNameError(f"there is no {what} {name!r}; " + (f"did you mean {meant[0]!r}? " if meant else "") + there_are)

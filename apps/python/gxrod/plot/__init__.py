@@ -1,0 +1,43 @@
+"""Pictures of gxrod's results: shapes, histories, the energy ledger, what stages find. The program gxrod-plot draws by this."""
+
+from types import SimpleNamespace
+
+
+def draw(results, what="shapes", history=(), times=None, frames=None, view=None, size=None, title=None):
+    """A matplotlib Figure of opened results, as gxrod-plot draws it.
+
+    what: "shapes", "histories", "ledger", "found" (modes, buckling, answers) or "all". history: names, "tip" or
+    "tip/position"; all if left out. times: of the shapes, in statics load factors; or frames: how many of them. view:
+    "xy", "xz", "yz" or "3d"; by default the plane that holds everything, or space. size: width and height in inches.
+    title: a heading; False: none.
+    """
+    try:
+        import matplotlib
+        import matplotlib.pyplot
+    except ImportError as missing:
+        raise ImportError("pictures of gxrod need matplotlib: python3 -m pip install matplotlib") from missing
+    from .errors import UsageError
+    from .page import draw_page
+    from .results import Results
+
+    kinds = ("shapes", "histories", "ledger", "found", "all")
+    if what not in kinds:
+        raise UsageError(f"there is no picture {what!r}; there are {', '.join(kinds)}")
+    history = [history] if isinstance(history, str) else list(history)
+    request = SimpleNamespace(results=[str(results.path)], what=what, history=history, times=times, frames=frames, view=view,
+                              size=size, title=title or "", no_title=title is False)
+    # Settings of the caller are as before afterwards.
+    with matplotlib.rc_context():
+        figure = draw_page(Results(results), request)
+    if "inline" in matplotlib.get_backend().lower():
+        matplotlib.pyplot.close(figure)  # a notebook shows what a cell returns; it would show open figures once more
+    return figure
+
+
+def main():
+    """The program gxrod-plot."""
+    import sys
+
+    from .command import main as run
+
+    sys.exit(run(sys.argv[1:]))

@@ -1,0 +1,209 @@
+"""What was recorded at each step: histories, the ledger, the solver's record, inputs."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import numpy as np
+
+from ..errors import unknown_name
+from .display import Shown, shape_text
+from .source import plain
+from .tabular import import_pandas, import_xarray
+
+
+class Quantity(NamedTuple):
+    """What an array is."""
+
+    name: str
+    description: str
+    frame: str  # "spatial": global axes; "material": section or body axes; "axes of POINT"; "none"
+    dimension: str  # as "force·length"; "1" of plain numbers
+    unit: str  # as "N·m", if the deck's `units` name units that are known; else ""
+    shape: tuple
+
+
+class Record(Mapping, Shown):
+    """Quantities over the steps, as attributes and by name: `r.ledger.energy_error`, `r.ledger["energy_error"]`.
+
+    Each is an array with a row for each accepted step, the state at t = 0 included: [S] of numbers, [S,3] of vectors
+    (x, y, z), [S,4] of quaternions (w, x, y, z). Arrays are read when asked for, and not kept.
+    """
+
+    def __init__(self, source, path, what):
+        self._source, self._path, self._what = source, path, what
+
+    @property
+    def time(self):
+        """Time at the end of each step [S]; in statics the load factor, along a path its arc length."""
+        return self._source.times
+
+    @property
+    def names(self):
+        """Names of the quantities."""
+        return list(self._quantities)
+
+    def describe(self, name):
+        """What a quantity is: a `Quantity` with description, frame, dimension, unit and shape."""
+        return self._quantities[self._check(name)]
+
+    def to_pandas(self):
+        """A pandas.DataFrame with the time as index; columns as in `gxrod export --csv`: position_x, position_y, position_z."""
+        pandas = import_pandas()
+        columns = {}
+        for name, values in self.items():
+            columns.update(split_components(name, values))
+        return pandas.DataFrame(columns, index=pandas.Index(self.time, name=self._source.time_name))
+
+    def to_xarray(self):
+        """An xarray.Dataset with the dimensions time and component (x, y, z) or quaternion (w, x, y, z).
+
+        Attributes of each array: long_name, units (where the deck's label names them), frame, dimension.
+        """
+        xarray = import_xarray()
+        along = self._source.time_name
+        arrays = {name: variable_of(values, along, self.describe(name)) for name, values in self.items()}
+        coordinates = {along: (along, self.time, {"units": self._source.time_unit} if self._source.time_unit else {})}
+        used = {dims[1] for dims, *_ in arrays.values() if len(dims) > 1}
+        coordinates.update({name: list(letters) for name, letters in AXES.items() if name in used})
+        return xarray.Dataset(arrays, coordinates, self._attributes())
+
+    def _attributes(self):
+        return {}
+
+    @property
+    def _quantities(self):
+        return self._source.once(("quantities", self._path), self._read_quantities)
+
+    def _read_quantities(self, file):
+        found = {}
+        for name, dataset in file[self._path].items():
+            if name != "time":
+                text = lambda key, dataset=dataset: plain(dataset.attrs.get(key, ""))
+                shape = (len(self._source.times), *dataset.shape[1:])
+                found[name] = Quantity(name, text("description"), text("frame"), text("dimension"),
+                                       self._source.unit(text("dimension")), shape)
+        return found
+
+    def _check(self, name):
+        if name not in self._quantities:
+            raise unknown_name(f"quantity of {self._what}", name, self._quantities)
+        return name
+
+    def __getitem__(self, name):
+        self._check(name)
+        return self._source.read(lambda file: file[self._path][name][: len(self._source.times)])
+
+    def __getattr__(self, name):
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return self[name]
+
+    def __dir__(self):
+        return [*super().__dir__(), *(name for name in self._quantities if name.isidentifier())]
+
+    def __iter__(self):
+        return iter(self._quantities)
+
+    def __len__(self):
+        return len(self._quantities)
+
+    def __contains__(self, name):
+        return name in self._quantities
+
+    def __eq__(self, other):
+        return self is other
+
+    __hash__ = object.__hash__
+
+    def _ipython_key_completions_(self):
+        return self.names
+
+    def _headline(self):
+        return f"{self._what}: {len(self.time)} steps"
+
+    def _rows(self):
+        return [(each.name, shape_text(each.shape), each.unit or each.dimension, each.frame, each.description)
+                for each in self._quantities.values()]
+
+
+class History(Record):
+    """What the deck's `[[history]]` records at a point, joint or spring: `r["tip"].position` [S,3]."""
+
+    def __init__(self, source, name):
+        super().__init__(source, f"histories/{name}", f"history {name}")
+        self.name = name
+
+    @property
+    def at(self):
+        """The point, as the deck names it: "arm.end"."""
+        return self._group_attributes.get("at", "")
+
+    @property
+    def relative_to(self):
+        """The point in whose axes it is recorded; "" for the global axes."""
+        return self._group_attributes.get("relative_to", "")
+
+    @property
+    def _group_attributes(self):
+        return self._source.once(("attributes", self._path),
+                                 lambda file: {name: plain(value) for name, value in file[self._path].attrs.items()})
+
+    def _attributes(self):
+        return {key: value for key, value in (("at", self.at), ("relative_to", self.relative_to)) if value}
+
+    def _headline(self):
+        return f"{super()._headline()}, at {self.at}" + (f" relative to {self.relative_to}" if self.relative_to else "")
+
+
+AXES = {"component": "xyz", "quaternion": "wxyz"}
+
+
+def split_components(name, values):
+    """{name: column} of numbers, {name_x: …} of vectors and quaternions."""
+    if values.ndim == 1:
+        return {name: values}
+    letters = "wxyz" if values.shape[1] == 4 else "xyz"
+    return {f"{name}_{letter}": values[:, i] for i, letter in enumerate(letters)}
+
+
+def variable_of(values, along, quantity):
+    """Dimensions, values and attributes of an array of xarray."""
+    dims = (along,) if values.ndim == 1 else (along, "quaternion" if values.shape[1] == 4 else "component")
+    return dims, np.asarray(values), attributes_of(quantity)
+
+
+def attributes_of(quantity):
+    """Of an array of xarray: those that are known."""
+    attributes = {"long_name": quantity.description, "units": quantity.unit, "frame": quantity.frame,
+                  "dimension": quantity.dimension}
+    return {key: text for key, text in attributes.items() if text}
+
+
+PLURALS = {"history": "histories"}
+
+
+class Named(Mapping, Shown):
+    """Things by their names, with the nearest name if there is none so: `r.histories["tip"]`."""
+
+    def __init__(self, what, names, make):
+        self._what, self._list, self._make = what, list(names), make
+
+    def __getitem__(self, name):
+        if name not in self._list:
+            raise unknown_name(self._what, name, self._list)
+        return self._make(name)
+
+    def __iter__(self):
+        return iter(self._list)
+
+    def __len__(self):
+        return len(self._list)
+
+    def _ipython_key_completions_(self):
+        return self._list
+
+    def _headline(self):
+        return f"{len(self)} {self._what}" if len(self) == 1 else f"{len(self)} {PLURALS.get(self._what, self._what + 's')}"
+
+    def _rows(self):
+        return [(name, self[name]._headline()) for name in self._list]
