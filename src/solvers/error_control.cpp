@@ -29,15 +29,24 @@ ErrorControl::ErrorControl(double end_time, double first_step, int order, const 
 
 void ErrorControl::plan(double step) {
     wanted_ = step_ = std::clamp(step, shortest_, longest_);
-    const double left = end_time_ - time_;
+    const double goal = landing_.value_or(end_time_);
+    const double left = goal - time_;
     // Never a sliver before the end: the last two steps share what is left.
     if (step_ >= left * (1.0 - 1e-10)) {
         step_ = left;
-        next_time_ = end_time_;
+        next_time_ = goal;
         return;
     }
     if (2.0 * step_ > left) step_ = 0.5 * left;
     next_time_ = time_ + step_;
+}
+
+std::optional<double> ErrorControl::land_on(double time) {
+    if (time < time_ || time > end_time_) return std::nullopt;
+    landing_.reset();
+    if (time > time_) landing_ = time;
+    plan(wanted_);
+    return time;
 }
 
 bool ErrorControl::admits(double error) {
@@ -56,7 +65,12 @@ void ErrorControl::accept() {
     error_before_ = std::max(error, smallest_error_before);
     error_ = -1.0;
     just_rejected_ = false;
-    plan(step_ * std::clamp(factor, largest_cut, growth));
+    double next = step_ * std::clamp(factor, largest_cut, growth);
+    if (landing_ && time_ >= *landing_) {
+        landing_.reset();
+        next = std::max(next, wanted_);  // a step that had to end there says little about the next one
+    }
+    plan(next);
     remember();
 }
 
@@ -72,6 +86,7 @@ bool ErrorControl::reject() {
 
 bool ErrorControl::resume(const StepMemory& memory) {
     if (memory.time > end_time_) return false;
+    landing_.reset();
     time_ = memory.time;
     error_before_ = memory.error_before;
     just_rejected_ = memory.just_rejected;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "model/settings.hpp"
 #include "solvers/step_sequence.hpp"
 
@@ -24,6 +26,7 @@ class ErrorControl : public StepSequence {
 
     bool needs_error() const override { return true; }
     bool admits(double error) override;
+    std::optional<double> land_on(double time) override;
     void accept() override;
     bool reject() override;
 
@@ -39,7 +42,7 @@ class ErrorControl : public StepSequence {
   private:
     // Sets the next step to this length, or to what fits before the end.
     void plan(double step);
-    void remember() { memory_ = {false, time_, wanted_, error_before_, just_rejected_, accepted_}; }
+    void remember() { memory_ = {false, time_, false, wanted_, error_before_, just_rejected_, accepted_}; }
 
     double end_time_;
     double order_;
@@ -49,6 +52,7 @@ class ErrorControl : public StepSequence {
     double step_ = 0.0;
     double wanted_ = 0.0;  // step_ before it was fitted to what is left
     double next_time_ = 0.0;
+    std::optional<double> landing_;  // a time ahead at which a step is to end
     // Relative to the tolerance: of the step tried last, negative if not known, and of the step accepted
     // before.
     double error_ = -1.0;

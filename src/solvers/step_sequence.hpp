@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "model/settings.hpp"
 #include "state/step_memory.hpp"
@@ -23,6 +24,10 @@ class StepSequence {
     // with this estimate of it.
     virtual bool needs_error() const { return false; }
     virtual bool admits(double /*error*/) { return true; }
+    // Has a step end at this time, once; steps go on from there as before. The time that it will be, which is
+    // this one but for rounding: one at which steps end anyway, or the accepted time. nullopt if it is before
+    // that or after the end, or steps are not of time.
+    virtual std::optional<double> land_on(double /*time*/) { return std::nullopt; }
     // The step was accepted.
     virtual void accept() = 0;
     // The step failed, or was not admitted: a shorter one comes next. False if it is already as short as it

@@ -6,8 +6,9 @@ namespace gxrod {
 
 // The place in a sequence of steps, enough to resume it.
 struct StepMemory {
-    bool has_failed = false;  // even with the shortest step after `time`
-    double time = 0.0;        // of the last accepted step's end
+    bool has_failed = false;   // even with the shortest step after `time`
+    double time = 0.0;         // of the last accepted step's end
+    bool is_off_grid = false;  // whether that is between the times of equal steps: a step was to land there
     // Of steps chosen by their error:
     double step = 0.0;           // to try next, before it is fitted to what is left; 0: not known
     double error_before = -1.0;  // of the last accepted step relative to its tolerance; negative: not known

@@ -127,3 +127,79 @@ TEST_CASE("steps resume at a time that they meet", "[solvers]") {
     CHECK_FALSE(StepControl(1.0, 7).resume(first.memory()));
     CHECK_FALSE(StepControl(0.1, 1).resume(first.memory()));
 }
+
+TEST_CASE("steps land on a time and go on to the next nominal one", "[solvers]") {
+    StepControl control(1.0, 10);
+    CHECK_FALSE(control.land_on(-0.1));
+    CHECK_FALSE(control.land_on(1.1));
+    SECTION("between nominal times") {
+        REQUIRE(control.land_on(0.15));
+        control.accept();
+        CHECK(control.time() == 0.1);
+        CHECK(control.next_time() == 0.15);
+        CHECK(control.time_step() == Approx(0.05));
+        control.accept();
+        CHECK(control.time() == 0.15);
+        CHECK_FALSE(control.at_nominal_step());
+        CHECK(control.next_time() == 0.2);
+        control.accept();
+        CHECK(control.time() == 0.2);
+        CHECK(control.at_nominal_step());
+        CHECK(control.time_step() == 0.1);
+    }
+    SECTION("off the finest grid, and a step that fails there") {
+        const double time = 0.1234567;
+        REQUIRE(control.land_on(time));
+        control.accept();
+        REQUIRE(control.reject());
+        CHECK(control.next_time() < time);
+        control.accept();
+        CHECK(control.next_time() == time);
+        control.accept();
+        CHECK(control.time() == time);
+        REQUIRE(control.reject());
+        CHECK(control.next_time() > time);
+        CHECK(control.next_time() < 0.2);
+        while (!control.finished()) control.accept();
+        CHECK(control.time() == 1.0);
+    }
+    SECTION("without slivers next to nominal times") {
+        REQUIRE(control.land_on(0.100001));
+        CHECK(control.next_time() == 0.100001);
+        control.accept();
+        CHECK(control.next_time() == 0.2);
+        REQUIRE(control.land_on(0.199999));
+        control.accept();
+        CHECK(control.next_time() == Approx(0.3));
+    }
+    SECTION("a nominal time but for rounding is that time") {
+        CHECK(control.land_on(0.1 + 0.2) == 0.3);
+        for (int i = 0; i < 3; ++i) control.accept();
+        CHECK(control.time() == 0.3);
+        CHECK(control.at_nominal_step());
+        CHECK(control.land_on(0.1 + 0.2) == 0.3);
+        CHECK(control.next_time() == Approx(0.4));
+    }
+    SECTION("a time of the finest grid but for rounding is that time") {
+        CHECK(control.land_on(0.15000000000000002) == 0.15);
+        control.accept();
+        control.accept();
+        CHECK(control.time() == 0.15);
+        CHECK(control.land_on(0.15000000000000002) == 0.15);
+        CHECK(control.next_time() == 0.2);
+    }
+    SECTION("the end") {
+        REQUIRE(control.land_on(1.0));
+        while (!control.finished()) control.accept();
+        CHECK(control.time() == 1.0);
+    }
+    SECTION("and are resumed there") {
+        REQUIRE(control.land_on(0.1234567));
+        control.accept();
+        control.accept();
+        StepControl other(1.0, 10);
+        REQUIRE(other.resume(control.memory()));
+        CHECK(other.time() == 0.1234567);
+        CHECK(other.next_time() == control.next_time());
+    }
+}
