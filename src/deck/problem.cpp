@@ -12,6 +12,7 @@
 #include "deck/build/build_bushings.hpp"
 #include "deck/build/build_connections.hpp"
 #include "deck/build/build_initial.hpp"
+#include "deck/build/build_inputs.hpp"
 #include "deck/build/build_loads.hpp"
 #include "deck/build/build_output.hpp"
 #include "deck/build/build_path.hpp"
@@ -110,6 +111,7 @@ Problem build_problem(const CheckedTable& deck, const MeshFiles& files, FaultLis
     check_names(deck, faults);
     context.stages = build_stages(context);
     check_stage_names(context);
+    build_inputs(context);
     const std::vector<RodPoint> points = check_points(context);
     build_sections(context);
     build_rods(points, nets, context);
@@ -275,11 +277,13 @@ Problem rebuild_problem(const DeckRecord& record, const std::vector<std::string>
                        overrides);
 }
 
-DeckTemplate::DeckTemplate(const std::filesystem::path& deck)
-    : file_(deck.string()),
-      text_(read_deck_file(deck)),
+DeckTemplate::DeckTemplate(const std::filesystem::path& deck) : DeckTemplate(read_deck_file(deck), deck) {}
+
+DeckTemplate::DeckTemplate(std::string text, const std::filesystem::path& file)
+    : file_(file.string()),
+      text_(std::move(text)),
       tree_(read_toml(text_, file_)),
-      meshes_(deck.parent_path()) {}
+      meshes_(file.parent_path()) {}
 
 Problem DeckTemplate::build(const std::vector<std::string>& overrides) const {
     return build_tree(tree_,

@@ -39,6 +39,8 @@ class DeckTemplate {
   public:
     // Throws DeckError if the text is not TOML, and FileError if it cannot be read.
     explicit DeckTemplate(const std::filesystem::path& deck);
+    // The same for a text; `file` is what faults name, and meshes are relative to its folder.
+    DeckTemplate(std::string text, const std::filesystem::path& file);
 
     // As read_problem does.
     Problem build(const std::vector<std::string>& overrides) const;

@@ -10,6 +10,7 @@
 
 #include "model/anchor.hpp"
 #include "model/gear.hpp"
+#include "model/input.hpp"
 #include "model/joint.hpp"
 #include "model/time_function.hpp"
 #include "model/turning_frame.hpp"
@@ -192,6 +193,8 @@ struct Model {
     std::vector<NodalLoad> loads;
     std::vector<DistributedLoad> distributed_loads;
     std::vector<Support> supports;
+    // Of expressions above; not const, as whoever drives a run changes them.
+    std::vector<std::shared_ptr<Input>> inputs;
 };
 
 // The force per length of a spring, with its law's at t = 0; not negative.

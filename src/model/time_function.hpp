@@ -29,12 +29,15 @@ using Switches = std::vector<Switch>;
 class TimeFunction {
   public:
     TimeFunction(double constant = 0.0) : constant_(constant) {}
+    // `has_time`: whether its form has t; a number that changes otherwise, as an input does, may not.
     explicit TimeFunction(std::function<double(double)> function,
-                          std::shared_ptr<const Switches> switches = nullptr)
-        : function_(std::move(function)), switches_(std::move(switches)) {}
+                          std::shared_ptr<const Switches> switches = nullptr,
+                          bool has_time = true)
+        : function_(std::move(function)), switches_(std::move(switches)), has_time_(has_time) {}
 
     double operator()(double time) const { return function_ ? function_(time) : constant_; }
     bool is_constant() const { return !function_; }
+    bool has_time() const { return function_ && has_time_; }
     // Whether the value is the constant 0, so that a load of it need not be evaluated.
     bool is_zero() const { return !function_ && constant_ == 0.0; }
     // nullptr if it is smooth everywhere.
@@ -44,6 +47,7 @@ class TimeFunction {
     double constant_ = 0.0;
     std::function<double(double)> function_;
     std::shared_ptr<const Switches> switches_;
+    bool has_time_ = false;
 };
 
 // How a function of time and place follows the time.

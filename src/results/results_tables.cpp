@@ -39,6 +39,7 @@ ResultsTables::ResultsTables(const Hdf5Handle& root,
       histories_(histories_group_, model, output.histories, steps),
       ledger_(ledger_group_, ledger_columns, deck.has_statics, steps),
       solver_(solver_group_, solver_columns, deck.has_statics, steps),
+      inputs_(root, model.inputs, steps),
       frames_(root, model, output, frames),
       restart_(root),
       step_count_(steps),
@@ -55,6 +56,7 @@ void ResultsTables::append_step(const Snapshot& snapshot, const LedgerRow& ledge
     histories_.append(snapshot);
     ledger_.append(ledger);
     solver_.append(solver);
+    inputs_.append(snapshot.inputs);
     ++step_count_;
 }
 
@@ -72,6 +74,7 @@ void ResultsTables::flush_rows() {
     histories_.flush();
     ledger_.flush();
     solver_.flush();
+    inputs_.flush();
     frames_.flush_frames();
 }
 
@@ -95,6 +98,7 @@ void ResultsTables::trim() {
     histories_.trim();
     ledger_.trim();
     solver_.trim();
+    inputs_.trim();
     frames_.trim();
 }
 

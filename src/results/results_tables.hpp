@@ -3,6 +3,7 @@
 #include "model/deck_record.hpp"
 #include "results/tables/frame_table.hpp"
 #include "results/tables/history_table.hpp"
+#include "results/tables/input_table.hpp"
 #include "results/tables/restart_table.hpp"
 #include "results/tables/stage_table.hpp"
 #include "results/tables/step_table.hpp"
@@ -56,6 +57,7 @@ class ResultsTables {
     HistoryTable histories_;
     StepTable<LedgerRow> ledger_;
     StepTable<SolverRow> solver_;
+    InputTable inputs_;
     FrameTable frames_;
     RestartTable restart_;
     hsize_t step_count_, frame_count_;

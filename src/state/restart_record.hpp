@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/input.hpp"
 #include "state/energy_jump.hpp"
 #include "state/state.hpp"
 #include "state/step_memory.hpp"
@@ -64,6 +65,7 @@ struct RestartRecord {
     double axis_start = 0.0;            // of its t, on the axis that the stages share
     PathMemory path;                    // of a path, or empty
     std::vector<double> stage_ends;     // t where each stage ended, or will as far as is known
+    std::vector<InputState> inputs;     // of Model::inputs
 };
 
 // Where in a results file a restart record belongs.

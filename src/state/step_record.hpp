@@ -48,6 +48,7 @@ struct Snapshot {
     // Of a stage that follows limit points, of the limit point; of others, t, too.
     double limit_load_factor = 0.0;
     std::span<const JointValues> joints = {};  // in the order of Model::joints, then of Model::gears
+    std::span<const double> inputs = {};       // of Model::inputs
 };
 
 }  // namespace gxrod

@@ -279,6 +279,14 @@ std::vector<RoundTrip> top_level_trips() {
         {"parameters",
          replaced(body_deck, "mass = 1.0", "mass = \"2*m\"") + "[parameters]\nm = 4\n",
          [](const Problem& p) { return p.model.bodies[0].mass == 8.0; }},
+        {"input.NAME.value",
+         body_deck + "[input.u]\nvalue = \"3*t\"\n",
+         [](const Problem& p) { return !p.model.inputs.empty() && (*p.model.inputs[0])(2.0) == 6.0; }},
+        {"input.NAME.hold",
+         body_deck + "[input.u]\nhold = \"linear\"\n",
+         [](const Problem& p) {
+             return !p.model.inputs.empty() && p.model.inputs[0]->hold() == InputHold::linear;
+         }},
         {"function.NAME.table",
          body_deck +
              "[function.f]\ntable = [[0, 0], [2, 6]]\n[[load]]\nat = \"top\"\nforce = [\"f(t)\", 0, 0]\n",

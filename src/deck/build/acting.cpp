@@ -32,8 +32,8 @@ TimeFunction hold(const TimeFunction& value, const Acting& acting) {
     const std::shared_ptr<const double>& end = acting.held_at;
     if (factor)
         return TimeFunction([value, factor = *factor, end](double) { return value(*end) * factor(*end); });
-    if (!value.is_constant() || value.is_zero()) return value;
-    return TimeFunction([size = value(0.0), end](double) { return *end * size; });
+    if (value.has_time() || value.is_zero()) return value;
+    return TimeFunction([value, end](double t) { return *end * value(t); });
 }
 
 // What switches with the arc length alone stays where it is at that time.

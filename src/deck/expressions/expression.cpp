@@ -64,6 +64,12 @@ struct Values {
     double rate = 0.0;
 };
 
+// An input as an expression reads it.
+struct InputValue {
+    std::shared_ptr<const Input> input;
+    double value = 0.0;
+};
+
 // One expression as bytecode.
 class CompiledExpression {
   public:
@@ -73,6 +79,7 @@ class CompiledExpression {
 
     double operator()(const Values& values) {
         values_ = values;
+        for (InputValue& input : inputs_) input.value = (*input.input)(*clock_);
         return parser_.Eval();
     }
 
@@ -81,6 +88,8 @@ class CompiledExpression {
 
     mu::Parser parser_;
     Values values_;
+    std::vector<InputValue> inputs_;
+    std::shared_ptr<const double> clock_;  // the time, which is not t in a function that is called
 };
 
 // One [function.NAME], as the expressions of one TimeFunction call it.
@@ -125,9 +134,16 @@ class CompiledFunctions {
 
     std::map<std::string, std::unique_ptr<CompiledFunction>> release() { return std::move(functions_); }
 
+    // The time, of all expressions compiled with these; set before they are evaluated.
+    const std::shared_ptr<double>& clock() const { return clock_; }
+    bool have_inputs() const { return have_inputs_; }
+    void note_inputs() { have_inputs_ = true; }
+
   private:
     const Symbols& symbols_;
     std::map<std::string, std::unique_ptr<CompiledFunction>> functions_;
+    std::shared_ptr<double> clock_ = std::make_shared<double>(0.0);
+    bool have_inputs_ = false;
 };
 
 double* CompiledExpression::find(const std::string& variable) {
@@ -139,7 +155,8 @@ double* CompiledExpression::find(const std::string& variable) {
     return &values_.position["xyz"s.find(variable)];
 }
 
-CompiledExpression::CompiledExpression(const Formula& formula, CompiledFunctions& functions) {
+CompiledExpression::CompiledExpression(const Formula& formula, CompiledFunctions& functions)
+    : clock_(functions.clock()) {
     const ExpressionNames names = check_expression(formula.text, formula.symbols, formula.variables);
     try {
         // muParser 2.3 folds constant && and || through integers: 0.5 && 1 becomes 0. Unfolded they are
@@ -149,6 +166,12 @@ CompiledExpression::CompiledExpression(const Formula& formula, CompiledFunctions
         for (const std::string& name : names.variables) parser_.DefineVar(name, find(name));
         for (const std::string& name : names.parameters) {
             parser_.DefineConst(name, *formula.symbols.parameters.find(name)->second);
+        }
+        inputs_.reserve(names.inputs.size());
+        for (const std::string& name : names.inputs) {
+            inputs_.push_back({formula.symbols.inputs.find(name)->second});
+            parser_.DefineVar(name, &inputs_.back().value);
+            functions.note_inputs();
         }
         for (const std::string& name : names.functions) {
             parser_.DefineFunUserData(name, call_function, functions.find(name), false);
@@ -163,12 +186,21 @@ CompiledExpression::CompiledExpression(const Formula& formula, CompiledFunctions
 // An expression, the functions that it calls, and where it is.
 struct Program {
     Program(const Formula& formula, CompiledFunctions compiled)
-        : text(formula.text), main(formula, compiled), functions(compiled.release()) {}
+        : text(formula.text),
+          main(formula, compiled),
+          clock(compiled.clock()),
+          has_inputs(compiled.have_inputs()),
+          functions(compiled.release()) {}
+
+    double evaluate(const Values& values) {
+        *clock = values.t;
+        return main(values);
+    }
 
     // The value; throws EvaluationError if that is not finite. `where` says so: "t = 0.5".
     template <class Where>
     double evaluate(const Values& values, const Where& where) {
-        const double value = main(values);
+        const double value = evaluate(values);
         if (!std::isfinite(value)) {
             throw EvaluationError(
                 fmt::format("{}: \"{}\" is {} at {}", key, text, describe_non_finite(value), where()));
@@ -179,6 +211,8 @@ struct Program {
     std::string text;
     std::string key;
     CompiledExpression main;
+    std::shared_ptr<double> clock;
+    bool has_inputs;
     std::map<std::string, std::unique_ptr<CompiledFunction>> functions;
 };
 
@@ -214,6 +248,8 @@ Symbols with_placeholders(const ExpressionNames& names) {
 struct Compiled {
     std::shared_ptr<Program> program;
     std::set<std::string> variables;
+
+    bool is_constant() const { return variables.empty() && !program->has_inputs; }
 };
 
 Compiled compile(const Formula& formula, const std::string& key = "") {
@@ -251,6 +287,7 @@ struct SwitchProgram {
     }
 
     double operator()(double time, double s) {
+        *compiled.clock() = time;
         Values values{.t = time, .s = s};
         for (const auto& expression : chain) values.t = (*expression)(values);
         return values.t;
@@ -301,11 +338,11 @@ std::optional<TimeFunction> compile_time_function(const std::string& expression,
     const Formula formula{expression, symbols, Variables::time};
     const Compiled compiled = compile(formula, key);
     if (!compiled.program) return std::nullopt;
-    if (compiled.variables.empty()) return TimeFunction(constant_value(*compiled.program));
+    if (compiled.is_constant()) return TimeFunction(constant_value(*compiled.program));
     const auto evaluate = [program = compiled.program](double time) {
         return program->evaluate({.t = time}, [=] { return fmt::format("t = {}", time); });
     };
-    return TimeFunction(evaluate, compile_switches(formula));
+    return TimeFunction(evaluate, compile_switches(formula), compiled.variables.contains("t"));
 }
 
 std::optional<LineExpression> compile_line_function(const std::string& expression,
@@ -314,12 +351,13 @@ std::optional<LineExpression> compile_line_function(const std::string& expressio
     const Formula formula{expression, symbols, Variables::line};
     const Compiled compiled = compile(formula, key);
     if (!compiled.program) return std::nullopt;
-    if (compiled.variables.empty()) return LineExpression{LineFunction(constant_value(*compiled.program))};
+    if (compiled.is_constant()) return LineExpression{LineFunction(constant_value(*compiled.program))};
     const auto evaluate = [program = compiled.program](double time, double s) {
         return program->evaluate({.t = time, .s = s}, [=] { return fmt::format("t = {}, s = {}", time, s); });
     };
     const bool has_time = compiled.variables.contains("t");
-    const LineForm form{has_time ? InTime::varying : InTime::constant, !compiled.variables.contains("s")};
+    const bool is_varying = has_time || compiled.program->has_inputs;
+    const LineForm form{is_varying ? InTime::varying : InTime::constant, !compiled.variables.contains("s")};
     return LineExpression{LineFunction(evaluate, compile_switches(formula), form), has_time};
 }
 
@@ -328,7 +366,7 @@ std::optional<PlaceExpression> compile_place_function(const std::string& express
                                                       const Symbols& symbols) {
     const Compiled compiled = compile({expression, symbols, Variables::place}, key);
     if (!compiled.program) return std::nullopt;
-    if (compiled.variables.empty()) {
+    if (compiled.is_constant()) {
         const double constant = constant_value(*compiled.program);
         return PlaceExpression{[constant](const Vec3&, double) { return constant; }};
     }
@@ -355,7 +393,7 @@ std::optional<MotionExpression> compile_motion_function(const std::string& expre
     }
     const auto evaluate = [program = compiled.program](
                               double time, const Vec3& position, const Vec3& velocity) {
-        return program->main({.t = time, .position = position, .velocity = velocity});
+        return program->evaluate({.t = time, .position = position, .velocity = velocity});
     };
     return MotionExpression{.by_time = {}, .by_motion = evaluate, .has_time = has_time};
 }
@@ -366,7 +404,7 @@ std::optional<SpringExpression> compile_spring_function(const std::string& expre
     const Compiled compiled = compile({expression, symbols, Variables::spring}, key);
     if (!compiled.program) return std::nullopt;
     const auto evaluate = [program = compiled.program](double length, double rate) {
-        return program->main({.length = length, .rate = rate});
+        return program->evaluate({.length = length, .rate = rate});
     };
     return SpringExpression{evaluate, compiled.variables.contains("rate")};
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "deck/expressions/table_function.hpp"
+#include "model/input.hpp"
 #include "model/time_function.hpp"
 #include "rotation/types.hpp"
 
@@ -38,6 +39,7 @@ struct FunctionDefinition {
 struct Symbols {
     std::map<std::string, std::optional<double>, std::less<>> parameters;
     std::map<std::string, std::optional<FunctionDefinition>, std::less<>> functions;
+    std::map<std::string, std::shared_ptr<Input>, std::less<>> inputs;  // those of the problem
 };
 
 // The value of an expression in the parameters; nullopt if it rests on a wrong one. Throws ExpressionError.

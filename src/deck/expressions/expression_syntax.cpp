@@ -153,12 +153,32 @@ class ExpressionCheck {
             names_.parameters.insert(name);
             return;
         }
+        if (symbols_.inputs.contains(name)) return use_input(name);
         if (is_function(name))
             throw ExpressionError(fmt::format("\"{0}\" is a function; write {0}(…)", name));
         std::vector<std::string> known{"pi"};
         for (const std::string& variable : names_of(variables_)) known.push_back(variable);
         for (const auto& [parameter, value] : symbols_.parameters) known.push_back(parameter);
+        if (can_change()) {
+            for (const auto& [input, value] : symbols_.inputs) known.push_back(input);
+        }
         throw_unknown("name", did_you_mean(name, known), known);
+    }
+
+    // Whether the value is looked at again while a run goes on.
+    bool can_change() const {
+        return variables_ == Variables::time || variables_ == Variables::line ||
+               variables_ == Variables::motion;
+    }
+
+    void use_input(const std::string& name) {
+        if (!can_change()) {
+            throw ExpressionError(
+                fmt::format("\"{}\" is an input, which changes during a run; values that cannot have t "
+                            "cannot have it either",
+                            name));
+        }
+        names_.inputs.insert(name);
     }
 
     void use_variable(const std::string& name) {
@@ -184,7 +204,8 @@ class ExpressionCheck {
         if (has(built_in, name)) return;
         if (symbols_.functions.contains(name)) return check_deck_function(name);
         const bool is_variable = name == "t" || has(names_of(variables_), name);
-        if (is_variable || name == "pi" || symbols_.parameters.contains(name)) {
+        if (is_variable || name == "pi" || symbols_.parameters.contains(name) ||
+            symbols_.inputs.contains(name)) {
             throw ExpressionError(fmt::format("\"{0}\" is not a function; write {0}*(…)", name));
         }
         std::vector<std::string> known = built_in;

@@ -23,6 +23,7 @@ enum class Variables {
 struct ExpressionNames {
     std::set<std::string> parameters;
     std::set<std::string> functions;
+    std::set<std::string> inputs;
     std::set<std::string> variables;
     double operations = 0.0;  // of one evaluation at most, with those of the functions it calls
     int depth = 0;            // of functions that call functions

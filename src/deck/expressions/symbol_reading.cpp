@@ -175,12 +175,46 @@ void read_functions(const DeckNode& deck, Symbols& symbols, FaultList& faults) {
     }
 }
 
+// An input whose course rests on inputs could rest on itself.
+void check_course(const DeckEntry& input, const Symbols& symbols, FaultList& faults) {
+    const DeckEntry* value = input.node.table() == nullptr ? nullptr : input.node.find("value");
+    if (value == nullptr || value->node.text() == nullptr) return;
+    try {
+        const ExpressionNames names = check_expression(*value->node.text(), symbols, Variables::time);
+        if (names.inputs.empty()) return;
+        faults.add(
+            value->node.place,
+            fmt::format("input.{}.value", input.key),
+            fmt::format("\"{}\" is an input; the value of an input can have t, parameters and functions",
+                        *names.inputs.begin()));
+    } catch (const ExpressionError&) {
+        return;  // reported with the other keys
+    }
+}
+
+void read_inputs(const DeckNode& deck, Symbols& symbols, FaultList& faults) {
+    const DeckNode::Table& entries = entries_of(deck, "input");
+    for (const DeckEntry& entry : entries) {
+        const bool is_parameter = symbols.parameters.contains(entry.key);
+        if (is_parameter || symbols.functions.contains(entry.key)) {
+            faults.add(entry.place,
+                       "input." + entry.key,
+                       fmt::format("a {} has this name too; choose another one",
+                                   is_parameter ? "parameter" : "function"));
+        } else if (explain_unusable_name(entry.key).empty()) {
+            symbols.inputs[entry.key] = std::make_shared<Input>(entry.key);
+        }
+    }
+    for (const DeckEntry& entry : entries) check_course(entry, symbols, faults);
+}
+
 }  // namespace
 
 Symbols read_symbols(const DeckNode& deck, FaultList& faults) {
     Symbols symbols;
     for (const DeckEntry& entry : entries_of(deck, "function")) symbols.functions[entry.key] = std::nullopt;
     read_parameters(deck, symbols, faults);
+    read_inputs(deck, symbols, faults);
     read_functions(deck, symbols, faults);
     return symbols;
 }

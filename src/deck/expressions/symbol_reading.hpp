@@ -5,9 +5,9 @@
 
 namespace gxrod {
 
-// The parameters and functions of a deck. What is wrong with a parameter goes to the fault list, as do
-// cycles; the keys of a [function.NAME] are checked with the other tables, so that here a wrong one is only
-// marked as such.
+// The parameters, functions and inputs of a deck. What is wrong with a parameter goes to the fault list, as
+// do cycles and names that are given twice; the keys of a [function.NAME] are checked with the other tables,
+// so that here a wrong one is only marked as such. Inputs have no course yet (deck/build/build_inputs.hpp).
 Symbols read_symbols(const DeckNode& deck, FaultList& faults);
 
 }  // namespace gxrod

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cassert>
+#include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -86,6 +88,8 @@ struct CheckedTable {
     std::string path;  // "rod.flyer", "load[0]"
     Place place;
     std::vector<CheckedValue> values;  // those that are given or have a default
+    std::map<std::string, std::shared_ptr<Input>> inputs =
+        {};  // of a whole deck: those that expressions read
 
     // nullptr if the key is neither given nor has a default.
     const CheckedValue* find(std::string_view key) const;

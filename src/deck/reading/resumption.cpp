@@ -12,7 +12,7 @@ namespace {
 // Differences of no matter to the state of a run.
 const ComparisonRules& rules() {
     static const ComparisonRules rules = [] {
-        ComparisonRules made{{"title", "units", "output", "history"}, "the run to be resumed has "};
+        ComparisonRules made{{"title", "units", "output", "history", "input"}, "the run to be resumed has "};
         for (const char* key : {"end_time",
                                 "time_step",
                                 "steps",

@@ -122,7 +122,7 @@ class Validator {
     }
 
     static std::string explain_name(const std::string& name, const KeySpec& key) {
-        if (key.table == &function_table()) return explain_unusable_name(name);
+        if (is_for_expressions(key)) return explain_unusable_name(name);
         return is_plain_name(name) ? "" : "a name has letters, digits, _ and - only";
     }
 
@@ -306,7 +306,9 @@ class Validator {
 
 CheckedTable check_deck(const DeckNode& deck, FaultList& faults) {
     const Symbols symbols = read_symbols(deck, faults);
-    return Validator(deck_schema(), symbols, faults).check_table(deck, "", deck_schema());
+    CheckedTable checked = Validator(deck_schema(), symbols, faults).check_table(deck, "", deck_schema());
+    checked.inputs.insert(symbols.inputs.begin(), symbols.inputs.end());
+    return checked;
 }
 
 CheckedTable check_text(const DeckNode& text, const TableSpec& root, FaultList& faults) {

@@ -34,6 +34,9 @@ inline constexpr std::array<Choice<JointKind>, 11> joint_kind_choices{{{"ball", 
                                                                        {"free", JointKind::free},
                                                                        {"sleeve", JointKind::sleeve}}};
 
+inline constexpr std::array<Choice<InputHold>, 2> input_hold_choices{
+    {{"step", InputHold::step}, {"linear", InputHold::linear}}};
+
 inline constexpr std::array<Choice<Frame>, 3> frame_choices{
     {{"spatial", Frame::spatial}, {"follower", Frame::follower}, {"body", Frame::body}}};
 

@@ -52,6 +52,7 @@ TableSpec make_root() {
          .choices = words_of(plane_choices)},
         {.name = "parameters", .type = ValueType::parameters, .table = &parameters_table()},
         {.name = "function", .type = ValueType::named_tables, .table = &function_table()},
+        {.name = "input", .type = ValueType::named_tables, .table = &input_table()},
         {.name = "section", .type = ValueType::named_tables, .table = &section_table()},
         {.name = "rod", .type = ValueType::named_tables, .table = &rod_table()},
         {.name = "body", .type = ValueType::named_tables, .table = &body_table()},

@@ -38,7 +38,7 @@ that the reader itself checks a deck with; `gxrod schema` writes the same as a J
 |---|---|
 | operators, tightest first | `^`, sign, `* /`, `+ -`, `< <= > >= == !=`, `&&`, `\|\|`, `condition ? a : b` |
 | functions | {functions} |
-| names | `pi`, the parameters; in f(…) also its variables and the functions of the deck |
+| names | `pi`, the parameters; in f(…) also its variables and the functions of the deck; where there is t, inputs |
 
 A sign binds less than a power: `-2^2` is −4 and `2^-1` is 0.5; powers go from the right: `2^3^2` is 512. Comparisons
 are 1 or 0. `log` is the natural logarithm; `min` and `max` take any number of arguments. An expression that would

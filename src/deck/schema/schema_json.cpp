@@ -115,9 +115,8 @@ Json make_type(const KeySpec& key) {
         case ValueType::table:
             return make_table(*key.table);
         case ValueType::named_tables:
-            return named_tables(
-                key.table == &function_table() ? "^[A-Za-z_][A-Za-z0-9_]*$" : "^[A-Za-z0-9_-]+$",
-                make_table(*key.table));
+            return named_tables(is_for_expressions(key) ? "^[A-Za-z_][A-Za-z0-9_]*$" : "^[A-Za-z0-9_-]+$",
+                                make_table(*key.table));
         case ValueType::table_list:
             return {{"type", "array"}, {"items", make_table(*key.table)}};
         case ValueType::parameters:

@@ -1,7 +1,7 @@
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 
-// [function.NAME] and [body.NAME].
+// [function.NAME], [input.NAME] and [body.NAME].
 namespace gxrod {
 
 const TableSpec& function_table() {
@@ -45,6 +45,33 @@ const TableSpec& function_table() {
             "\n"
             "[function.push]\n"
             "expression = \"t < 2.5 ? 8*sin(pi*t/2.5)^2 : 0\"\n"};
+    return table;
+}
+
+const TableSpec& input_table() {
+    static const TableSpec table{
+        .path = "input.NAME",
+        .heading = "[input.NAME]",
+        .sentence =
+            "A number that whoever drives the run can change while it goes on: values given as f(t) read it "
+            "by "
+            "its name, as in \"0.1*NAME\". Results record it in /inputs.",
+        .keys = {{.name = "value",
+                  .type = ValueType::time_expression,
+                  .default_text = "0",
+                  .sentence = "What it is until it is set: a number, or f(t), so also the rows of a file, "
+                              "through a function."},
+                 {.name = "hold",
+                  .type = ValueType::choice,
+                  .default_text = "`\"step\"`",
+                  .sentence = "How it goes from one value to the next. step: at once. linear: on a straight "
+                              "line over the time that is advanced next.",
+                  .choices = words_of(input_hold_choices)}},
+        .groups = {},
+        .example =
+            "[input.tendon]\n"
+            "value = 0\n"
+            "hold = \"linear\"\n"};
     return table;
 }
 

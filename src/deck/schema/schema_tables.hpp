@@ -6,6 +6,7 @@
 namespace gxrod {
 
 const TableSpec& function_table();
+const TableSpec& input_table();
 const TableSpec& section_table();
 const TableSpec& rod_table();
 const TableSpec& body_table();
@@ -33,6 +34,11 @@ std::vector<KeySpec> response_keys();
 // Of a table of numbers: from … to, so many of them, or a list; and the group that says so.
 std::vector<KeySpec> value_keys(const char* dimension, const Range& range, long count);
 KeyGroup value_group();
+
+// Whether expressions use the names of these tables.
+inline bool is_for_expressions(const KeySpec& key) {
+    return key.table == &function_table() || key.table == &input_table();
+}
 
 inline constexpr Range positive{.lower = 0.0, .at_lower = Bound::open};
 

@@ -14,7 +14,7 @@
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t form_version = 10;  // of /restart; raise it with every change
+inline constexpr std::int64_t form_version = 11;  // of /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 using Vec1 = Eigen::Matrix<double, 1, 1>;
@@ -39,6 +39,9 @@ void visit_vectors(Row& row, Visitor&& visit) {
     } else if constexpr (std::is_same_v<Kind, JointState>) {
         visit(Eigen::Map<std::conditional_t<std::is_const_v<Row>, const Vec6, Vec6>>(row.multipliers.data()));
         for (auto* number : {&row.turn, &row.slide, &row.turn_slip, &row.slide_slip})
+            visit_vectors(*number, visit);
+    } else if constexpr (std::is_same_v<Kind, InputState>) {
+        for (auto* number : {&row.is_set, &row.planned, &row.from_time, &row.from, &row.to_time, &row.to})
             visit_vectors(*number, visit);
     } else if constexpr (std::is_same_v<Kind, double>) {
         visit(Eigen::Map<std::conditional_t<std::is_const_v<Row>, const Vec1, Vec1>>(&row));
@@ -94,6 +97,7 @@ void visit_numbers(Place& place, Visitor&& visit) {
     visit("frames", frames);
     visit("time", record.steps.time);
     visit("has_failed", record.steps.has_failed);
+    visit("is_off_grid", record.steps.is_off_grid);
     visit("next_step", record.steps.step);
     visit("error_before", record.steps.error_before);
     visit("just_rejected", record.steps.just_rejected);
@@ -164,6 +168,13 @@ inline const DatasetLabel path_tangent_label{
 inline const DatasetLabel stage_ends_label{
     "stage_ends", "t where each stage ended, or is to end as far as that is known", "none", ""};
 
+inline const DatasetLabel inputs_label{
+    "inputs",
+    "of each input: whether it was set (1) or has the deck's course, the deck's value at t = 0, and the line "
+    "on which it goes: time and value at its start and its end",
+    "none",
+    ""};
+
 // Calls visit(label, rows) for each list of a record. Some are empty in some stages and not in others.
 template <class Record, class Visitor>
 void visit_lists(Record& record, Visitor&& visit) {
@@ -176,6 +187,7 @@ void visit_lists(Record& record, Visitor&& visit) {
     visit(movement_label, record.ledger.movement);
     visit(path_tangent_label, record.path.tangent);
     visit(stage_ends_label, record.stage_ends);
+    visit(inputs_label, record.inputs);
 }
 
 inline DatasetLabel numbers_label() {

@@ -10,7 +10,8 @@ namespace {
 const Symbols symbols{{{"a", 2.0}},
                       {{"table", FunctionDefinition{{{0.0, 0.0}, {1.0, 2.0}, {4.0, 0.0}}, ""}},
                        {"ramp", FunctionDefinition{{}, "max(0, t - 3)"}},
-                       {"nested", FunctionDefinition{{}, "ramp(2*t) + table(t)"}}}};
+                       {"nested", FunctionDefinition{{}, "ramp(2*t) + table(t)"}}},
+                      {}};
 
 // "argument [knots]; …"
 std::string list(const std::string& expression) {

@@ -84,6 +84,37 @@ force = ["g(t)", 0, 0])x") ==
           "x.toml:9:18: function.f.table[1]: t must increase from row to row: 0 follows 1");
 }
 
+TEST_CASE("What is wrong with an input is an error", "[deck]") {
+    CHECK(faults_of(body_deck + R"([parameters]
+u = 1
+[input.u]
+value = 2)") == "x.toml:10:8: input.u: a parameter has this name too; choose another one");
+    CHECK(faults_of(body_deck + R"([function.u]
+expression = "t"
+[input.u]
+value = 2)") == "x.toml:10:8: input.u: a function has this name too; choose another one");
+    CHECK(faults_of(body_deck + R"([input.t]
+value = 2)") == "x.toml:8:8: input.t: t is time in expressions; choose another name");
+    CHECK(faults_of(body_deck + R"([input.u]
+value = "2*v"
+[input.v]
+value = 1)") ==
+          "x.toml:9:9: input.u.value: \"v\" is an input; the value of an input can have t, parameters and "
+          "functions");
+    CHECK(faults_of(replaced(body_deck, "mass = 1.0", "mass = \"u\"") + R"([input.u]
+value = 1)") ==
+          "x.toml:2:8: body.top.mass: \"u\": \"u\" is an input, which changes during a run; values that "
+          "cannot have t "
+          "cannot have it either");
+    CHECK(faults_of(body_deck + R"([input.motor]
+[[load]]
+at = "top"
+force = ["motr", 0, 0])") ==
+          "x.toml:11:10: load[0].force[0]: \"motr\": unknown name \"motr\"; did you mean \"motor\"? "
+          "available: pi, "
+          "t, x, y, z, vx, vy, vz, motor");
+}
+
 TEST_CASE("Time does not belong in a parameter", "[deck]") {
     CHECK(faults_of(body_deck + R"([parameters]
 a = "t")") == R"(x.toml:9:5: parameters.a: "t": "t" (time) is not allowed here: this value is a constant)");

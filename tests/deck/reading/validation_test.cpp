@@ -15,6 +15,7 @@ colour = 3)")) ==
           "rotation_vector, velocity, angular_velocity, angular_velocity_material");
     CHECK(faults_of(rod_deck + "[zone.a]") ==
           "x.toml:13:2: zone: unknown key; known here: title, units, gravity, plane, parameters, function, "
+          "input, "
           "section, rod, body, spring, bushing, joint, gear, connect, load, support, initial, rotation, "
           "analysis, "
           "stage, output, history");

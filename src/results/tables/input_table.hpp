@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "model/input.hpp"
+#include "results/file/append_dataset.hpp"
+
+namespace gxrod {
+
+// /inputs/<name>: the value of each input at each step. Throws Hdf5Error.
+class InputTable {
+  public:
+    // After the `rows` that exist. No group without inputs.
+    InputTable(const Hdf5Handle& root, const std::vector<std::shared_ptr<Input>>& inputs, hsize_t rows);
+
+    void append(std::span<const double> values);
+    void flush();
+    void trim();
+
+  private:
+    std::vector<AppendDataset<double>> values_;
+};
+
+}  // namespace gxrod
