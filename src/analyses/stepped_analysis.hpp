@@ -34,6 +34,8 @@ class SteppedAnalysis {
     // says why and the state is the last accepted one.
     EquilibriumReport advance();
     bool finished() const { return steps_->finished(); }
+    // As StepSequence::land_on.
+    std::optional<double> land_on(double time) { return steps_->land_on(time); }
 
     // The last accepted step, to resume from later; totals are left to the caller.
     RestartRecord restart_record() const;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "analyses/static.hpp"
+#include "check/failure_advice.hpp"
 #include "model/deck_record.hpp"
 #include "model/settings.hpp"
 #include "model/stage.hpp"
@@ -50,6 +51,7 @@ struct RunSummary {
     RunStatus status = RunStatus::running;
     std::string reason;                      // of a failure
     std::vector<std::int64_t> reason_nodes;  // that it names
+    std::optional<Failure> failure;          // of a step
     std::string cuts;                        // if steps were cut more than a few times: how often and why
     std::string newton_limit;                // that Newton's tolerance bounds the accuracy, or ""
     bool deck_fault = false;                 // whether the deck is to blame: a load without a finite value

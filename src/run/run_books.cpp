@@ -1,0 +1,126 @@
+#include "run/run_books.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "check/shape_report.hpp"
+#include "model/analysis_traits.hpp"
+#include "model/newton_choice.hpp"
+
+namespace gxrod {
+
+namespace {
+
+EnergyPoint point_of(const StageSequence& stages, const LedgerRow& ledger) {
+    return {stages.axis(), ledger.strain_energy, ledger.external_work, ledger.work_uncertainty};
+}
+
+// To those of earlier stages.
+void add_sentence(const std::string& sentence, const std::string& prefix, std::string& text) {
+    if (!text.empty()) text += "; ";
+    text += prefix + sentence;
+}
+
+}  // namespace
+
+std::string name_stage(const StageSequence& stages, std::int64_t stage_count) {
+    return stage_count > 1 ? "stage " + stages.name() + ": " : "";
+}
+
+void RunBooks::fail(const std::string& reason) {
+    summary_.status = RunStatus::failed;
+    summary_.reason = reason;
+}
+
+void RunBooks::fail(const Failure& failure) {
+    fail(describe_failure(failure));
+    summary_.reason_nodes = failure.nodes;
+    summary_.failure = failure;
+}
+
+void RunBooks::begin(const StageSequence& stages) {
+    first_step_ = stages.analysis().steps().steps_done();
+    begin_branch(stages);
+}
+
+void RunBooks::begin_branch(const StageSequence& stages) {
+    last_point_ = point_of(stages, stages.analysis().ledger_row());
+}
+
+void RunBooks::watch_energy(const StageSequence& stages, const LedgerRow& ledger, bool is_first) {
+    const double energy = ledger.kinetic_energy + ledger.strain_energy;
+    RunTotals& totals = summary_.totals;
+    totals.largest_energy = std::max({totals.largest_energy, energy, std::abs(ledger.external_work)});
+    totals.largest_energy_error = std::max(totals.largest_energy_error, std::abs(ledger.energy_error));
+    if (is_timed(stages.settings()) || stages.analysis().frame() != nullptr) return;
+    const EnergyPoint point = point_of(stages, ledger);
+    if (!is_first) {
+        const std::optional<EnergyJump> jump = find_jump(last_point_, point, totals.largest_energy);
+        if (jump) add_jump(*jump, totals.jumps);
+    }
+    last_point_ = point;
+}
+
+void RunBooks::sum_up_stage(const StageSequence& stages, std::int64_t stage_count) {
+    const std::string prefix = name_stage(stages, stage_count);
+    sum_up_cuts(stages, prefix);
+    compare_errors(stages, prefix);
+}
+
+// Of this part of a run that was resumed.
+void RunBooks::sum_up_cuts(const StageSequence& stages, const std::string& prefix) {
+    const CutTally& tally = stages.analysis().cuts();
+    const StepCuts cuts = tally.count(stages.analysis().steps().steps_done() - first_step_);
+    if (!are_worth_telling(cuts)) return;
+    add_sentence(count_cuts(cuts) + ": " + tally.describe_reasons(model_) +
+                     advise_on_cuts(stages.model(), stages.settings()),
+                 prefix,
+                 summary_.cuts);
+}
+
+// Equal steps that are so short that the scheme's error is below what Newton's method leaves.
+void RunBooks::compare_errors(const StageSequence& stages, const std::string& prefix) {
+    const auto* dynamic = std::get_if<DynamicSettings>(&stages.settings());
+    const double error = stages.analysis().largest_error();
+    const double tolerance = stages.analysis().newton().tolerance.value_or(usual_newton_tolerance);
+    if (dynamic == nullptr || dynamic->adaptive || error <= 0.0 || tolerance <= tolerable_newton_part * error)
+        return;
+    add_sentence(
+        fmt::format(
+            "the estimated errors of the steps, at most {:.2g}, are near what newton.tolerance, {:.2g}, "
+            "leaves: "
+            "shorter steps may gain nothing. newton.tolerance = {:.0e} would do",
+            error,
+            tolerance,
+            newton_part * error),
+        prefix,
+        summary_.newton_limit);
+}
+
+void RunBooks::add_paths(const PathRecord& paths) {
+    summary_.paths.push_back(paths);
+    for (const FollowedPath& path : paths) {
+        for (const std::string& finding : path.findings)
+            summary_.findings.push_back(path.name + ": " + finding);
+        if (!path.cause.empty()) add_warning(path.name + " was given up: " + path.cause);
+    }
+}
+
+void RunBooks::close(const StageSequence& stages, std::int64_t stage_count) {
+    summary_.warnings = stages.list_warnings();
+    summary_.warnings.insert(summary_.warnings.end(), warnings_.begin(), warnings_.end());
+    summary_.is_unstable = stages.is_unstable();
+    sum_up_stage(stages, stage_count);
+}
+
+std::string RunBooks::join_warnings() const {
+    std::vector<std::string> lines = summary_.warnings;
+    for (const std::string& line : {summary_.cuts, summary_.newton_limit}) {
+        if (!line.empty()) lines.push_back(line);
+    }
+    return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
+}  // namespace gxrod

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
+#include "results/energy_warning.hpp"
+#include "run/run.hpp"
+#include "run/stage_sequence.hpp"
+
+namespace gxrod {
+
+// What a run sums up about itself: its summary, while it goes on.
+class RunBooks {
+  public:
+    explicit RunBooks(const Model& model) : model_(model) {}
+
+    RunSummary& summary() { return summary_; }
+    const RunSummary& summary() const { return summary_; }
+
+    void fail(const std::string& reason);
+    void fail(const Failure& failure);
+    // At the start of a stage after the first, or where the run was resumed.
+    void begin(const StageSequence& stages);
+    void begin_branch(const StageSequence& stages);
+    // Of an accepted state; in statics work that parts from the strain energy counts as a jump.
+    void watch_energy(const StageSequence& stages, const LedgerRow& ledger, bool is_first);
+    // At the end of the stage at hand, or of the run: often cut steps, steps shorter than Newton's method
+    // bears.
+    void sum_up_stage(const StageSequence& stages, std::int64_t stage_count);
+    void add_paths(const PathRecord& paths);
+    void add_warning(std::string warning) { warnings_.push_back(std::move(warning)); }
+    // The run is over.
+    void close(const StageSequence& stages, std::int64_t stage_count);
+    // For the file, a line each.
+    std::string join_warnings() const;
+
+  private:
+    void sum_up_cuts(const StageSequence& stages, const std::string& prefix);
+    void compare_errors(const StageSequence& stages, const std::string& prefix);
+
+    const Model& model_;
+    RunSummary summary_;
+    std::vector<std::string> warnings_;  // of shapes and paths
+    long first_step_ = 0;                // steps done where the stage was begun or resumed
+    EnergyPoint last_point_;             // in statics, of the last step
+};
+
+// Before a sentence about the stage at hand.
+std::string name_stage(const StageSequence& stages, std::int64_t stage_count);
+
+}  // namespace gxrod

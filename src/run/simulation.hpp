@@ -1,0 +1,116 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "results/results_file.hpp"
+#include "run/run.hpp"
+#include "run/run_books.hpp"
+#include "run/stage_sequence.hpp"
+
+namespace gxrod {
+
+// An accepted state that a simulation of the same deck returns to, to the last bit.
+struct Checkpoint {
+    RestartRecord record;
+    std::int64_t rows = 0;
+};
+
+// A run that whoever holds it drives, step by step, through all stages of its deck; into a results file if
+// the request has one. run_analysis drives one to its end.
+class Simulation {
+  public:
+    // Builds the system, and creates the file or takes it over. What the request refers to must outlive this;
+    // of the request itself a copy is kept. Throws FileError as run_analysis does.
+    explicit Simulation(RunRequest request);
+    ~Simulation();
+
+    // The start: the state at t = 0, accepted; before anything else, also of a run that is resumed. False if
+    // there is none, and the summary has the reason.
+    bool start();
+    // The next accepted step. On the way stages without steps find their shapes, and branches of paths are
+    // begun. False if the run has come to its end, or failed: then the state is the last accepted one.
+    bool step();
+    // Whether no step comes any more.
+    bool has_ended() const { return phase_ == Phase::ended; }
+    // The run ends here, as one that was interrupted. Nothing if it has ended.
+    void interrupt();
+    // Completes the summary and closes the file; nothing comes after it.
+    void close();
+    const RunSummary& summary() const { return books_.summary(); }
+
+    // As StepSequence::land_on, for the stage at hand, on the axis that stages share. nullopt on a path.
+    std::optional<double> land_on(double time);
+
+    // Sets an input of the deck; at the start, or between steps. One that changes linearly is there at
+    // `until` on the axis that stages share. Throws std::invalid_argument if the deck has none of this name.
+    void set_input(const std::string& name, double value, double until);
+
+    // To return to. Throws std::logic_error on a path that has met critical points.
+    Checkpoint save() const;
+    // Of a run without a file. Throws std::logic_error if it has one, std::invalid_argument if the state is
+    // of another model.
+    void restore(const Checkpoint& checkpoint);
+
+    const RunRequest& request() const { return request_; }
+    const SteppedAnalysis& analysis() const { return stages_->analysis(); }
+    const StageSequence& stages() const { return *stages_; }
+    // On the axis that stages share, of the last accepted step.
+    double time() const { return stages_->axis(); }
+    // Of the last accepted state; valid until the next step.
+    Snapshot take_snapshot(bool with_elements = true);
+
+  private:
+    enum class Phase { new_run, started, stepping, ended };
+
+    std::unique_ptr<StageSequence> build();
+    StageSequence::Plan make_plan() const;
+    std::int64_t stage_count() const { return static_cast<std::int64_t>(request_.stages.size()); }
+    long frame_interval() const;
+    // Calls what may throw; of an error that ends the run the summary has the reason, and the result is
+    // false.
+    template <class Action>
+    bool guard(const Action& action);
+
+    bool take_first();
+    bool find_next_step();
+    void note_end();
+    bool enter_next_stage();
+    void begin_path();
+    bool enter_next_branch();
+    bool find_shapes();
+    // False if it failed; of a branch, cause_ says why it cannot be followed further.
+    bool take_step();
+    void show_last();
+    void write_paths();
+    StagePlace place_of_stage() const;
+    void resume();
+    bool take_over(const RestartRecord& record);
+    [[noreturn]] void explain_no_step(const std::filesystem::path& path, double time) const;
+    void record();
+    bool is_frame_due() const;
+    RestartRecord restart_record() const;
+    std::string describe_place() const;
+    void leave_path();
+    void write_end();
+
+    RunRequest request_;
+    RunBooks books_;
+    double setup_seconds_ = 0.0;
+    double output_seconds_ = 0.0;
+    std::unique_ptr<StageSequence> stages_;
+    std::unique_ptr<ResultsFile> file_;
+    Phase phase_ = Phase::new_run;
+    bool is_closed_ = false;
+    std::string cause_;              // why a branch of a path was given up
+    std::size_t written_paths_ = 0;  // number of the last stage whose paths were written, from 1
+    std::int64_t rows_ = 0;          // of the histories
+    RunTotals accepted_totals_;      // without what a step that failed has cost
+    bool has_started_ = false;       // has recorded an accepted state
+    bool last_framed_ = false;
+    double recorded_time_ = 0.0;  // of the last step that is a row of the results
+    std::vector<double> input_values_;
+};
+
+}  // namespace gxrod
