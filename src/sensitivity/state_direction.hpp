@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "state/state.hpp"
+
+namespace gxrod {
+
+// How an accepted state changes with a number: the derivatives of what State keeps from step to step.
+// Rotations change by spins: Λ ← exp(δφ) Λ.
+struct StateDirection {
+    struct OfNode {
+        Vec3 r = Vec3::Zero(), phi = Vec3::Zero();
+        Vec3 v = Vec3::Zero(), omega = Vec3::Zero();
+        Vec3 a = Vec3::Zero(), alpha = Vec3::Zero();
+    };
+    struct OfSection {
+        Vec3 phi = Vec3::Zero(), K = Vec3::Zero();
+    };
+
+    std::vector<OfNode> nodes;
+    std::vector<OfSection> sections;
+    std::vector<AlgorithmicAcceleration> algorithmic;
+    std::vector<JointState> joints;
+};
+
+// Moves the accepted state along a direction, by so much.
+void move_along(const StateDirection& direction, double amount, State& state);
+
+// (up − down)/(2 step), of their accepted states.
+StateDirection differentiate(const State& up, const State& down, double step);
+// (4 near − far)/3: differences of a step and of twice the step, extrapolated.
+StateDirection extrapolate(StateDirection near, const StateDirection& far);
+
+}  // namespace gxrod
