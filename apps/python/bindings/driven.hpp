@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model.hpp"
+#include "results/tables/history_point.hpp"
+#include "run/simulation.hpp"
+#include "sensitivity/forward_sensitivity.hpp"
+#include "state_views.hpp"
+
+namespace gxrod::python {
+
+// A simulation with all that it refers to.
+class Driven {
+  public:
+    // What is kept in memory of each accepted step.
+    struct Kept {
+        bool ledger = true;
+        std::vector<std::size_t> histories = {};
+    };
+
+    // Models for the derivatives by a number: for it plus and minus a step, plus and minus twice the step.
+    struct Varied {
+        std::array<const BuiltModel*, 4> models;
+        double step;
+    };
+
+    // Writes to a results file if `results` is not empty.
+    Driven(const BuiltModel& model,
+           const std::string& results,
+           int threads,
+           Kept kept,
+           const std::vector<Varied>& varied);
+
+    Simulation& simulation() { return *simulation_; }
+    const Simulation& simulation() const { return *simulation_; }
+    const Problem& problem() const { return problem_; }
+    StateViews& views() { return views_; }
+    const std::vector<NodeMotion>& nodes() const { return simulation_->analysis().state().previous; }
+
+    bool start();
+    bool step();
+    // Until the time is reached exactly, or so many steps are done, or the run ends; the number of steps.
+    long advance(std::optional<double> until, long most_steps);
+    void restore(const Checkpoint& checkpoint);
+
+    // A quantity of a history at the accepted state: so many numbers.
+    std::vector<double> compute_history(std::size_t history, std::size_t quantity);
+    // Names of the quantities of a history.
+    std::vector<std::string> list_quantities(std::size_t history) const;
+
+    // The derivative of a quantity of a history by a number. Throws std::logic_error if it is not known:
+    // after a return to an earlier state.
+    std::vector<double> differentiate_history(std::size_t number, std::size_t history, std::size_t quantity);
+
+    // Of each accepted step, the start included: times, quantities of a history, ledgers.
+    const std::vector<double>& times() const { return times_; }
+    const std::vector<double>& records(std::size_t history, std::size_t quantity) const {
+        return histories_.at(history).records.at(quantity);
+    }
+    int width(std::size_t history, std::size_t quantity) const {
+        return histories_.at(history).widths.at(quantity);
+    }
+    const std::vector<LedgerRow>& ledgers() const { return ledgers_; }
+
+  private:
+    struct Recorded {
+        HistoryPoint point;
+        std::vector<int> widths;                   // of its quantities
+        std::vector<std::vector<double>> records;  // of its quantities
+    };
+
+    // One step, with what is carried along; false if there is none.
+    bool take_step();
+    // The accepted state is one of the run.
+    void note();
+    void compute(std::size_t history,
+                 std::size_t quantity,
+                 const Snapshot& snapshot,
+                 std::vector<double>& to);
+
+    Problem problem_;
+    std::unique_ptr<Simulation> simulation_;
+    StateViews views_;
+    std::vector<Recorded> histories_;
+    Kept kept_;
+    std::vector<std::unique_ptr<const Problem>> varied_;
+    std::unique_ptr<Sensitivities> sensitivities_;
+    bool has_derivatives_ = true;  // of the state at hand
+    std::vector<double> times_;
+    std::vector<LedgerRow> ledgers_;
+};
+
+}  // namespace gxrod::python

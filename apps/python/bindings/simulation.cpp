@@ -1,0 +1,302 @@
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
+#include <nlohmann/json.hpp>
+
+#include "assembly/state_matrices.hpp"
+#include "driven.hpp"
+#include "module.hpp"
+#include "results/tables/restart_form.hpp"
+#include "results/tables/step_columns.hpp"
+#include "run/summary_json.hpp"
+
+namespace gxrod::python {
+
+namespace {
+
+using nb::literals::operator""_a;
+using ReleaseGil = nb::call_guard<nb::gil_scoped_release>;
+
+nb::object copy_array(std::vector<double>&& values, std::size_t columns) {
+    auto* kept = new std::vector<double>(std::move(values));
+    const nb::capsule owner(kept, [](void* p) noexcept { delete static_cast<std::vector<double>*>(p); });
+    const std::size_t rows = columns == 0 ? kept->size() : kept->size() / columns;
+    if (columns == 0) return nb::cast(nb::ndarray<nb::numpy, double>(kept->data(), {rows}, owner));
+    return nb::cast(nb::ndarray<nb::numpy, double>(kept->data(), {rows, columns}, owner));
+}
+
+nb::object copy_whole(const std::vector<std::int64_t>& values) {
+    std::vector<double> numbers(values.begin(), values.end());
+    return copy_array(std::move(numbers), 0).attr("astype")("int64");
+}
+
+const char* name_of(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::out_of_iterations:
+            return "out of iterations";
+        case Outcome::singular:
+            return "singular";
+        case Outcome::not_finite:
+            return "not finite";
+        case Outcome::rotation_too_large:
+            return "rotation too large";
+        case Outcome::element_too_turned:
+            return "element too turned";
+        case Outcome::error_too_large:
+            return "error too large";
+        case Outcome::joints_open:
+            return "joints open";
+        case Outcome::control_turned:
+            return "control turned";
+        case Outcome::lost_stability:
+            return "lost stability";
+        default:
+            return "converged";
+    }
+}
+
+nb::object describe_step_failure(const Driven& driven) {
+    const std::optional<Failure>& failure = driven.simulation().summary().failure;
+    if (!failure) return nb::none();
+    return nb::make_tuple(
+        failure->time, failure->time_step, name_of(failure->outcome), failure->places, advise(*failure));
+}
+
+nb::dict make_ledger(const Driven& driven) {
+    const LedgerRow row = driven.simulation().analysis().ledger_row();
+    nb::dict ledger;
+    for (const LedgerColumn& column : ledger_columns) {
+        if (column.is_of_statics) continue;
+        const std::array<double, 3> numbers = numbers_of(column, row);
+        if (column.width() == 1)
+            ledger[column.name] = numbers[0];
+        else
+            ledger[column.name] = copy_array({numbers.begin(), numbers.end()}, 0);
+    }
+    return ledger;
+}
+
+// Of all steps.
+nb::dict make_ledgers(const Driven& driven) {
+    nb::dict ledgers;
+    for (const LedgerColumn& column : ledger_columns) {
+        if (column.is_of_statics) continue;
+        const auto width = static_cast<std::size_t>(column.width());
+        std::vector<double> values;
+        for (const LedgerRow& row : driven.ledgers()) {
+            const std::array<double, 3> numbers = numbers_of(column, row);
+            values.insert(values.end(), numbers.begin(), numbers.begin() + column.width());
+        }
+        ledgers[column.name] = copy_array(std::move(values), width == 1 ? 0 : width);
+    }
+    return ledgers;
+}
+
+nb::dict make_elements(Driven& driven) {
+    const Snapshot snapshot = driven.simulation().take_snapshot(true);
+    nb::dict elements;
+    const auto add = [&](const char* name, Vec3 SectionValues::*member) {
+        std::vector<double> values;
+        for (const SectionValues& element : snapshot.elements)
+            values.insert(values.end(), (element.*member).begin(), (element.*member).end());
+        elements[name] = copy_array(std::move(values), 3);
+    };
+    add("force", &SectionValues::force);
+    add("moment", &SectionValues::moment);
+    add("strain", &SectionValues::strain);
+    add("curvature", &SectionValues::curvature);
+    return elements;
+}
+
+// (values, rows, columns) of a matrix on the system's pattern.
+nb::tuple make_matrix(const System& system, const std::vector<double>& values) {
+    std::vector<double> entries;
+    std::vector<std::int64_t> rows, columns;
+    system.pattern().visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t slot) {
+        entries.push_back(values[static_cast<std::size_t>(slot)]);
+        rows.push_back(row);
+        columns.push_back(column);
+    });
+    return nb::make_tuple(
+        copy_array(std::move(entries), 0), copy_whole(rows), copy_whole(columns), system.equations().count());
+}
+
+nb::tuple make_matrices(const Driven& driven) {
+    const SteppedAnalysis& analysis = driven.simulation().analysis();
+    State state = analysis.state();
+    undo_trial(state);
+    const StateMatrices matrices = compute_state_matrices(analysis.system(), state, state.time);
+    return nb::make_tuple(make_matrix(analysis.system(), matrices.stiffness),
+                          make_matrix(analysis.system(), matrices.damping),
+                          make_matrix(analysis.system(), matrices.mass));
+}
+
+// Of each unknown its node and component, 0 … 5; the latter −1 of multipliers.
+nb::object list_unknowns(const Driven& driven) {
+    const EquationNumbers& equations = driven.simulation().analysis().system().equations();
+    std::vector<double> unknowns;
+    for (std::int64_t i = 0; i < equations.count(); ++i) {
+        const EquationNumbers::Unknown unknown = equations.unknown(i);
+        unknowns.insert(unknowns.end(),
+                        {static_cast<double>(unknown.node), static_cast<double>(unknown.component)});
+    }
+    return copy_array(std::move(unknowns), 2).attr("astype")("int64");
+}
+
+// The numbers of a checkpoint, and its lists of rows, in the order of the restart table.
+nb::tuple freeze(const Checkpoint& checkpoint) {
+    RestartPlace place{checkpoint.record, static_cast<std::uint64_t>(checkpoint.rows), 0};
+    std::vector<double> numbers;
+    visit_numbers(place, [&](const char*, auto& number) { numbers.push_back(static_cast<double>(number)); });
+    nb::list lists;
+    visit_lists(place.record, [&](const DatasetLabel&, auto& rows) {
+        using Row = typename std::remove_cvref_t<decltype(rows)>::value_type;
+        Table table = table_of<Row>(rows);
+        lists.append(copy_array(std::move(table.values), 0).attr("tobytes")());
+    });
+    return nb::make_tuple(numbers, lists);
+}
+
+void thaw(Checkpoint& checkpoint, const nb::tuple& frozen) {
+    new (&checkpoint) Checkpoint();
+    const auto numbers = nb::cast<std::vector<double>>(frozen[0]);
+    const auto lists = nb::cast<nb::list>(frozen[1]);
+    RestartPlace place;
+    auto next = numbers.begin();
+    visit_numbers(place, [&](const char*, auto& number) {
+        number = static_cast<std::remove_cvref_t<decltype(number)>>(*next++);
+    });
+    std::size_t index = 0;
+    visit_lists(place.record, [&](const DatasetLabel&, auto& rows) {
+        using Row = typename std::remove_cvref_t<decltype(rows)>::value_type;
+        const auto bytes = nb::cast<nb::bytes>(lists[index++]);
+        Table table{count_columns<Row>()};
+        const auto* first = static_cast<const double*>(bytes.data());
+        table.values.assign(first, first + bytes.size() / sizeof(double));
+        rows = rows_of<Row>(table);
+    });
+    checkpoint = {std::move(place.record), static_cast<std::int64_t>(place.steps)};
+}
+
+void bind_views(nb::class_<Driven>& type) {
+    const auto add = [&](const char* name, StateViews::Quantity quantity) {
+        type.def_prop_ro(name, [quantity](nb::handle_t<Driven> self) {
+            auto& driven = nb::cast<Driven&>(self);
+            return driven.views().get(quantity, driven.nodes(), self);
+        });
+    };
+    add("position", StateViews::position);
+    add("velocity", StateViews::velocity);
+    add("acceleration", StateViews::acceleration);
+    add("angular_velocity", StateViews::angular_velocity);
+    add("angular_acceleration", StateViews::angular_acceleration);
+    add("rotation_vector", StateViews::rotation_vector);
+    add("orientation", StateViews::orientation);
+}
+
+}  // namespace
+
+void bind_simulation(nb::module_& module) {
+    nb::class_<Checkpoint>(module, "Checkpoint", "An accepted state to return to.")
+        .def("__getstate__", &freeze)
+        .def("__setstate__", &thaw)
+        .def_prop_ro("time", [](const Checkpoint& checkpoint) {
+            return checkpoint.record.axis_start + checkpoint.record.steps.time;
+        });
+    nb::class_<Driven> type(module, "Simulation", "A run that is driven from outside.");
+    type.def(
+            "__init__",
+            [](Driven* place,
+               const BuiltModel& model,
+               const std::string& results,
+               int threads,
+               bool keeps_ledger,
+               std::vector<std::size_t> histories,
+               const std::vector<std::tuple<std::array<const BuiltModel*, 4>, double>>& varied) {
+                const nb::gil_scoped_release release;
+                std::vector<Driven::Varied> pairs;
+                for (const auto& [models, step] : varied) pairs.push_back({models, step});
+                new (place) Driven(model, results, threads, {keeps_ledger, std::move(histories)}, pairs);
+            },
+            "model"_a,
+            "results"_a,
+            "threads"_a,
+            "keeps_ledger"_a,
+            "histories"_a,
+            "varied"_a)
+        .def("start", &Driven::start, ReleaseGil())
+        .def("step", &Driven::step, ReleaseGil())
+        .def("advance", &Driven::advance, "until"_a.none(), "most_steps"_a, ReleaseGil())
+        .def(
+            "close", [](Driven& driven) { driven.simulation().close(); }, ReleaseGil())
+        .def("interrupt", [](Driven& driven) { driven.simulation().interrupt(); })
+        .def("save", [](const Driven& driven) { return driven.simulation().save(); })
+        .def("restore", &Driven::restore, "checkpoint"_a)
+        .def(
+            "set_input",
+            [](Driven& driven, const std::string& name, double value, double until) {
+                driven.simulation().set_input(name, value, until);
+            },
+            "name"_a,
+            "value"_a,
+            "until"_a)
+        .def("input",
+             [](const Driven& driven, std::size_t index) {
+                 return (*driven.problem().model.inputs.at(index))(
+                     driven.simulation().analysis().state().time);
+             })
+        .def("history", &Driven::compute_history, "history"_a, "quantity"_a)
+        .def("derivative", &Driven::differentiate_history, "number"_a, "history"_a, "quantity"_a)
+        .def("quantities", &Driven::list_quantities, "history"_a)
+        .def("ledger", &make_ledger)
+        .def("times", [](const Driven& driven) { return copy_array(std::vector(driven.times()), 0); })
+        .def(
+            "records",
+            [](const Driven& driven, std::size_t history, std::size_t quantity) {
+                const int width = driven.width(history, quantity);
+                return copy_array(std::vector(driven.records(history, quantity)),
+                                  width == 1 ? 0 : static_cast<std::size_t>(width));
+            },
+            "history"_a,
+            "quantity"_a)
+        .def("ledgers", &make_ledgers)
+        .def("elements", &make_elements)
+        .def("matrices", &make_matrices)
+        .def("unknowns", &list_unknowns)
+        .def("failure", &describe_step_failure)
+        .def("summary",
+             [](const Driven& driven) {
+                 return describe_summary(driven.simulation().summary(), driven.problem().record.name, "")
+                     .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+             })
+        .def_prop_ro("time", [](const Driven& driven) { return driven.simulation().time(); })
+        .def_prop_ro("next_time",
+                     [](const Driven& driven) {
+                         const SteppedAnalysis& analysis = driven.simulation().analysis();
+                         return driven.simulation().stages().axis_start() + analysis.steps().next_time();
+                     })
+        .def_prop_ro("ended", [](const Driven& driven) { return driven.simulation().has_ended(); })
+        .def_prop_ro(
+            "status",
+            [](const Driven& driven) { return gxrod::name_of(driven.simulation().summary().status); })
+        .def_prop_ro("reason", [](const Driven& driven) { return driven.simulation().summary().reason; })
+        .def_prop_ro("is_deck_fault",
+                     [](const Driven& driven) { return driven.simulation().summary().deck_fault; })
+        .def_prop_ro(
+            "last_step",
+            [](const Driven& driven) {
+                const SolverRow& row = driven.simulation().analysis().solver_row();
+                return nb::make_tuple(
+                    driven.simulation().time(), row.time_step, row.newton_iterations, row.rejected_steps);
+            })
+        .def_prop_ro("part_done",
+                     [](const Driven& driven) { return driven.simulation().stages().part_done(); })
+        .def_prop_ro("stage", [](const Driven& driven) { return driven.simulation().stages().name(); });
+    bind_views(type);
+}
+
+}  // namespace gxrod::python

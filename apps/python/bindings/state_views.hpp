@@ -1,0 +1,38 @@
+#pragma once
+
+#include <nanobind/ndarray.h>
+
+#include <array>
+#include <vector>
+
+#include "module.hpp"
+#include "state/motion.hpp"
+
+namespace gxrod::python {
+
+// Vectors of all nodes as arrays that NumPy reads without a copy. Each exists from when it was first asked
+// for and then follows the simulation.
+class StateViews {
+  public:
+    enum Quantity {
+        position,
+        velocity,
+        acceleration,
+        angular_velocity,
+        angular_acceleration,
+        rotation_vector,
+        orientation,  // quaternion w x y z
+        count
+    };
+
+    void follow(const std::vector<NodeMotion>& nodes);
+    // [N, 3], or [N, 4] of orientations; read-only, owned by `owner`.
+    nb::object get(Quantity quantity, const std::vector<NodeMotion>& nodes, nb::handle owner);
+
+  private:
+    void fill(int quantity, const std::vector<NodeMotion>& nodes);
+
+    std::array<std::vector<double>, count> values_;
+};
+
+}  // namespace gxrod::python

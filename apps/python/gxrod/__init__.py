@@ -1,0 +1,58 @@
+"""gxrod: geometrically exact rods and rigid bodies in motion.
+
+    r = gxrod.open_results("arm.vtkhdf")        what a run has written
+    table = gxrod.read_batch("sweep")           the table of a batch; gxrod.batch("plan.toml") runs it
+    sim = gxrod.Simulation(gxrod.Deck("arm.toml").build())
+    gxrod.map(deck, cases, collect)             many runs, a row each
+    gxrod.gym.RodEnv("arm.toml", …)             an environment to learn in
+
+NumPy is needed; h5py by results; pandas, xarray, matplotlib and gymnasium by what is named after them.
+"""
+
+import importlib as _importlib
+import importlib.util as _util
+
+from .errors import ConvergenceError, DeckError, Error, EvaluationError, Fault, FileError, UnknownNameError
+
+__version__ = "0.1.0"
+
+# Where names are that are imported when they are asked for.
+_HOMES = {"open_results": "results", "Results": "results", "batch": "batches", "read_batch": "batches", "map": "mapping"}
+_MODULES = ("batches", "gym", "mapping", "plot", "program", "results")
+# What needs the compiled part, and where it is.
+_COMPILED = dict.fromkeys(("Checkpoint", "Deck", "Model", "Simulation", "Step", "Summary", "check_gradient", "schema"), "simulation")
+
+__all__ = ["ConvergenceError", "DeckError", "Error", "EvaluationError", "Fault", "FileError", "UnknownNameError", *_HOMES, "gym", *_COMPILED]
+
+
+def __getattr__(name):
+    if name in _HOMES:
+        return _keep(name, getattr(_importlib.import_module(f"{__name__}.{_HOMES[name]}"), name))
+    if name in _MODULES:
+        return _importlib.import_module(f"{__name__}.{name}")
+    if name in _COMPILED:
+        return _keep(name, getattr(_import_compiled(name), name))
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def _keep(name, value):
+    globals()[name] = value
+    return value
+
+
+def _import_compiled(name):
+    """The module of a name that needs the compiled part."""
+    try:
+        return _importlib.import_module(f"{__name__}.{_COMPILED[name]}")
+    except ImportError as missing:
+        raise ImportError(f"gxrod.{name} needs the compiled part of the Python module, gxrod._core, which cannot be imported ({missing}); "
+                          "`python3 -m pip install .` in the source tree of gxrod builds it. Results and batches work without it") from missing
+
+
+def _has_core():
+    return _util.find_spec(f"{__name__}._core") is not None
+
+
+def __dir__():
+    names = [*globals(), *_HOMES, *_MODULES, *(_COMPILED if _has_core() else ())]
+    return sorted(name for name in set(names) if not name.startswith("_") or name in ("__version__", "__doc__", "__all__"))

@@ -1,0 +1,179 @@
+"""Decks and the models that are built from them."""
+
+import copy
+import json
+import math
+import os
+from collections.abc import Mapping, Sequence
+from functools import cached_property
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+
+from . import _core
+from .errors import Error, unknown_name
+from .results.display import Shown
+
+
+def schema():
+    """The JSON Schema of decks, as a dict."""
+    return json.loads(_core.schema())
+
+
+class Deck:
+    """A deck, read once and built as often as wanted.
+
+    path: of the file; meshes and tables are found from its folder. Faults of its syntax are a `DeckError`, a file that
+    cannot be read a `FileError`.
+    """
+
+    def __init__(self, path):
+        self._core = _core.Deck(Path(path))
+
+    @classmethod
+    def from_text(cls, text, folder=".", name="deck.toml"):
+        """A deck of a text in TOML; files that it names are found from `folder`, and faults say that they are in `name`."""
+        deck = cls.__new__(cls)
+        deck._core = _core.Deck(text, Path(folder) / name)
+        return deck
+
+    @classmethod
+    def from_dict(cls, tree, folder=".", name="deck.toml"):
+        """A deck of tables as dicts: {"body": {"top": {"mass": 1.0, …}}, "load": [{"at": "top", …}], …}; NumPy's numbers and arrays, too."""
+        return cls.from_text("\n".join(f"{write_key(key)} = {write_value(value)}" for key, value in tree.items()) + "\n", folder, name)
+
+    @property
+    def text(self):
+        """The deck as it was read."""
+        return self._core.text
+
+    @property
+    def file(self):
+        """The path by which faults name it."""
+        return self._core.file
+
+    def tree(self):
+        """The deck's tables as a dict."""
+        return copy.deepcopy(self._tables)
+
+    @cached_property
+    def _tables(self):
+        """The same, to be read only."""
+        try:
+            import tomllib
+        except ImportError:  # before Python 3.11
+            import tomli as tomllib
+        return tomllib.loads(self.text)
+
+    def build(self, overrides=None):
+        """The deck checked and built as a `Model`. overrides: {key: value} as of `--set`, {"parameters.E": 2e7, "load[0].force": [0, 0, 1]}.
+
+        Throws a `DeckError` with all that is wrong.
+        """
+        return Model(self, overrides or {})
+
+    def __reduce__(self):
+        folder, name = os.path.split(self.file)
+        return Deck.from_text, (self.text, folder, name)
+
+    def __repr__(self):
+        return f"gxrod.Deck({self.file!r})"
+
+
+class Model(Shown):
+    """A deck that was checked and built; it never changes. `deck.build` makes it."""
+
+    def __init__(self, deck, overrides=None):
+        self.deck, self.overrides = deck, dict(overrides or {})
+        self._core = _core.Model(deck._core, [f"{key}={write_value(value)}" for key, value in self.overrides.items()])
+
+    @property
+    def notes(self):
+        """Choices that the reader made, a sentence each."""
+        return list(self._core.notes)
+
+    @property
+    def nodes(self):
+        """The number of nodes, N in shapes of a state."""
+        return self._core.nodes
+
+    @property
+    def elements(self):
+        """The number of rod elements, E in shapes of sim.elements."""
+        return sum(len(rod.cells) for rod in self.rods.values())
+
+    @property
+    def rods(self):
+        """{name: rod}: rod.nodes [n], the rows of its nodes in states from start to end; rod.arc_length [n] there; rod.cells [e,order+1], those of each element."""
+        return {name: SimpleNamespace(nodes=np.array(nodes), arc_length=np.array(lengths), cells=np.reshape(cells, (-1, order + 1)))
+                for name, (nodes, lengths, cells, order) in self._core.rods.items()}
+
+    @property
+    def bodies(self):
+        """{name: row of the body's node in states}."""
+        return dict(self._core.bodies)
+
+    @property
+    def inputs(self):
+        """Names of the deck's inputs."""
+        return list(self._core.inputs)
+
+    @property
+    def histories(self):
+        """Names of the deck's histories."""
+        return list(self._core.histories)
+
+    def check(self):
+        """What `gxrod check` finds about the model: a sentence each, warnings and errors."""
+        return list(self._core.examine())
+
+    def node(self, point):
+        """The row in states of a point that has a node: "arm.end", "arm.start", "arm@0.5", or a body."""
+        if point in self.bodies:
+            return self.bodies[point]
+        name, separator, fraction = point.partition("@")
+        if not separator:
+            name, _, end = point.rpartition(".")
+            fraction = {"start": 0.0, "end": 1.0}.get(end, math.nan)
+        if name not in self.rods:
+            raise unknown_name("point", point, [*self.bodies, *(f"{rod}.{end}" for rod in self.rods for end in ("start", "end"))])
+        rod = self.rods[name]
+        wanted = float(fraction) * rod.arc_length[-1]
+        nearest = int(np.abs(rod.arc_length - wanted).argmin())
+        if not abs(rod.arc_length[nearest] - wanted) <= 1e-9 * rod.arc_length[-1]:
+            raise Error(f"{point} is between nodes; nodes of {name} are at the fractions {(rod.arc_length / rod.arc_length[-1]).round(6).tolist()}")
+        return int(rod.nodes[nearest])
+
+    def __reduce__(self):
+        return Model, (self.deck, self.overrides)
+
+    def _headline(self):
+        return f"gxrod.Model of {self.deck.file}: {self.nodes} nodes, {self.elements} elements"
+
+    def _rows(self):
+        return [(key, value) for key, value in self.overrides.items()]
+
+
+def write_key(key):
+    return key if key.replace("_", "").replace("-", "").isalnum() else json.dumps(key)
+
+
+def write_value(value):
+    """A value in TOML: numbers to the last bit, texts in quotes."""
+    if isinstance(value, (np.generic, np.ndarray)):
+        value = value.tolist()
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, int):
+        return str(value)
+    if isinstance(value, float):
+        text = repr(value)
+        return text if "e" not in text or "." in text.split("e")[0] else text.replace("e", ".0e")
+    if isinstance(value, (str, os.PathLike)):
+        return json.dumps(str(value), ensure_ascii=False)
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join(f"{write_key(str(key))} = {write_value(each)}" for key, each in value.items()) + " }"
+    if isinstance(value, Sequence):
+        return "[" + ", ".join(map(write_value, value)) + "]"
+    raise TypeError(f"a deck has numbers, booleans, texts, lists and tables; {value!r} is a {type(value).__name__}")
