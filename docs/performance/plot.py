@@ -12,8 +12,8 @@ import sys
 import numpy as np
 
 FOLDER = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(FOLDER.parents[1] / "apps"))
-from gxrod_plot import style  # noqa: E402 — after the path to it
+sys.path.insert(0, str(FOLDER.parents[1] / "apps" / "python"))
+from gxrod.plot import style  # noqa: E402 — after the path to it
 
 STEPS = 1000  # of the whole motion
 SPAN = 10  # elements between two crossings of a net

@@ -8,9 +8,9 @@ import sys
 
 from book import cases
 
-sys.path.insert(0, str(cases.SOURCE / "apps"))
+sys.path.insert(0, str(cases.SOURCE / "apps" / "python"))
 
-from book.check import find_faults  # noqa: E402 — after the path to gxrod_plot
+from book.check import find_faults  # noqa: E402 — after the path to gxrod.plot
 from book.figures import draw_figures  # noqa: E402
 from book.pages import write_pages  # noqa: E402
 from book.results import read_kept, run_book, write_kept  # noqa: E402

@@ -24,9 +24,9 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 SOURCE = FOLDER.parents[1]
 RECORD = SOURCE / "tests" / "data" / "long_runs.json"
 PAGE, PICTURE = FOLDER / "long_runs.md", FOLDER / "figures" / "long_runs.png"
-sys.path.insert(0, str(SOURCE / "apps"))
+sys.path.insert(0, str(SOURCE / "apps" / "python"))
 from book.figures import KEYWORD, is_current  # noqa: E402 — after the path to it
-from gxrod_plot import style  # noqa: E402
+from gxrod.plot import style  # noqa: E402
 
 STEPS = 1_000_000
 SHORT = 100_000  # steps of a run whose memory is compared with that of the long one

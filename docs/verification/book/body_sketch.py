@@ -1,7 +1,7 @@
 """The sketch of a rigid body: its inertia ellipsoid, its fixed point and arm, its spin and what turns it."""
 
 import numpy as np
-from gxrod_plot import style
+from gxrod.plot import style
 
 from . import symbols
 from .projection import Projection

@@ -1,7 +1,7 @@
 """Errors against unknowns or steps, a line for each refinement or scheme, with its slope in the legend."""
 
 import numpy as np
-from gxrod_plot import style
+from gxrod.plot import style
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
 from .cases import refinements_of

@@ -1,7 +1,7 @@
 """The sketch of a mechanism at the start: bodies as bars between their joints, rods, joints and what moves it."""
 
 import numpy as np
-from gxrod_plot import style
+from gxrod.plot import style
 
 from . import symbols
 from .body_sketch import initial_spin, rotation

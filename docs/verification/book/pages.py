@@ -2,12 +2,13 @@
 
 import re
 
-from .cases import PAGES
+from .cases import EXAMPLES, PAGES
+from .gallery import make_gallery
 from .index import make_index
 from .tables import make_results, make_runs
 
-BLOCK = re.compile(r"(<!-- (results|runs|index) -->\n)(.*?)(<!-- end -->)", re.DOTALL)
-BLOCKS_OF_CASE = ["results", "runs"]
+BLOCK = re.compile(r"(<!-- (results|runs|index|gallery) -->\n)(.*?)(<!-- end -->)", re.DOTALL)
+OTHER_PAGES = {"index": PAGES / "README.md", "gallery": EXAMPLES / "README.md"}
 
 
 class PageFault(Exception):
@@ -15,7 +16,7 @@ class PageFault(Exception):
 
 
 def page_of(name):
-    return PAGES / ("README.md" if name is None else f"{name}.md")
+    return OTHER_PAGES.get(name, PAGES / f"{name}.md")
 
 
 def renew_text(text, blocks):
@@ -27,16 +28,18 @@ def renew_text(text, blocks):
 
 
 def blocks_of(name, kept):
-    """{block: lines} of a page; that of the index for None."""
-    if name is None:
+    """{block: lines} of a page: of a case, or of those that show all cases."""
+    if name == "index":
         return {"index": make_index(kept)}
+    if name == "gallery":
+        return {"gallery": make_gallery(kept)}
     case = kept["cases"][name]
     return {"results": make_results(case), "runs": make_runs(name, case)}
 
 
 def renewed_pages(kept):
     """(page, its text, the text as it should be) of each page; the latter is the fault where there is one."""
-    for name in [None, *kept["cases"]]:
+    for name in [*OTHER_PAGES, *kept["cases"]]:
         page = page_of(name)
         text = page.read_text(encoding="utf-8") if page.exists() else None
         if text is None:

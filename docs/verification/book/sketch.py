@@ -1,7 +1,7 @@
 """The sketch of a problem of rods, from its deck."""
 
 import numpy as np
-from gxrod_plot import style
+from gxrod.plot import style
 
 from . import symbols
 from .deck import FREE_AXES, Deck

@@ -1,7 +1,7 @@
 """What sketches are drawn of: supports, arrows, dimensions, axes. Lengths are parts of the picture's size."""
 
 import numpy as np
-from gxrod_plot import style
+from gxrod.plot import style
 
 FORCE, MOVE, HELD, QUIET = style.ORANGE, style.PURPLE, style.BLACK, style.GREY
 TURN = np.radians(290.0)  # of a round arrow
