@@ -16,7 +16,7 @@ DIRECT = {
     "parallel": [],
     "machine": [],
     "rotation": [],
-    "model": ["rotation"],
+    "model": ["rotation", "numerics"],
     "state": ["model"],
     "elements": ["state", "numerics", "machine"],
     "loads": ["state", "numerics"],
@@ -31,12 +31,13 @@ DIRECT = {
     "deck": ["state", "mesh"],
     "results": ["state", "machine"],
     "analyses": ["check"],
+    "sensitivity": ["analyses"],
     "run": ["analyses", "results"],
     "batch": ["run", "deck"],
     "report": ["loads", "results", "deck"],
     "study": ["run", "deck"],
     "verification": ["study"],
-    "apps": ["verification", "report"],
+    "apps": ["verification", "report", "sensitivity"],
 }
 # Rooms that a room may include without what those include.
 ALONE = {"report": ["batch"]}

@@ -11,7 +11,7 @@ import numpy as np
 
 SOURCE = pathlib.Path(os.environ["GXROD_SOURCE"])
 sys.path.insert(0, str(SOURCE / "docs" / "verification"))
-sys.path.insert(0, str(SOURCE / "apps"))
+sys.path.insert(0, str(SOURCE / "apps" / "python"))
 
 from book import body_sketch, cases, convergence, deck, figures, projection, results, sketch  # noqa: E402
 
