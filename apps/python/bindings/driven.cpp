@@ -18,6 +18,7 @@ Driven::Driven(const BuiltModel& model,
     request.stages = problem_.stages;
     request.threads = threads;
     if (!results.empty()) request.results = ResultsFileOptions{results};
+    request.observe = [this](const Snapshot& snapshot, const LedgerRow& ledger) { note(snapshot, ledger); };
     simulation_ = std::make_unique<Simulation>(request);
     const std::vector<HistoryRequest>& requests = problem_.output.histories;
     for (std::size_t i = 0; i < requests.size(); ++i) {
@@ -69,7 +70,6 @@ std::vector<double> Driven::differentiate_history(std::size_t number,
 bool Driven::start() {
     if (!simulation_->start()) return false;
     if (sensitivities_) sensitivities_->start(simulation_->analysis());
-    note();
     return true;
 }
 
@@ -77,7 +77,6 @@ bool Driven::take_step() {
     if (sensitivities_) sensitivities_->note_before(simulation_->analysis());
     if (!simulation_->step()) return false;
     if (sensitivities_ && has_derivatives_) sensitivities_->advance(simulation_->analysis());
-    note();
     return true;
 }
 
@@ -99,11 +98,9 @@ long Driven::advance(std::optional<double> until, long most_steps) {
     return steps;
 }
 
-void Driven::note() {
-    times_.push_back(simulation_->time());
-    if (kept_.ledger) ledgers_.push_back(simulation_->analysis().ledger_row());
-    if (kept_.histories.empty()) return;
-    const Snapshot snapshot = simulation_->take_snapshot(false);
+void Driven::note(const Snapshot& snapshot, const LedgerRow& ledger) {
+    times_.push_back(snapshot.time);
+    if (kept_.ledger) ledgers_.push_back(ledger);
     for (const std::size_t history : kept_.histories) {
         for (std::size_t quantity = 0; quantity < histories_.at(history).widths.size(); ++quantity)
             compute(history, quantity, snapshot, histories_[history].records[quantity]);

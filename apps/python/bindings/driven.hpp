@@ -76,8 +76,8 @@ class Driven {
 
     // One step, with what is carried along; false if there is none.
     bool take_step();
-    // The accepted state is one of the run.
-    void note();
+    // An accepted state, as the run records it.
+    void note(const Snapshot& snapshot, const LedgerRow& ledger);
     void compute(std::size_t history,
                  std::size_t quantity,
                  const Snapshot& snapshot,
