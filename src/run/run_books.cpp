@@ -29,6 +29,18 @@ std::string name_stage(const StageSequence& stages, std::int64_t stage_count) {
     return stage_count > 1 ? "stage " + stages.name() + ": " : "";
 }
 
+void RunBooks::complete() {
+    if (summary_.status == RunStatus::running) summary_.status = RunStatus::complete;
+}
+
+void RunBooks::reopen() {
+    summary_.status = RunStatus::running;
+    summary_.reason.clear();
+    summary_.reason_nodes.clear();
+    summary_.failure.reset();
+    summary_.deck_fault = summary_.out_of_memory = false;
+}
+
 void RunBooks::fail(const std::string& reason) {
     summary_.status = RunStatus::failed;
     summary_.reason = reason;

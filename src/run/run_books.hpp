@@ -18,6 +18,10 @@ class RunBooks {
     RunSummary& summary() { return summary_; }
     const RunSummary& summary() const { return summary_; }
 
+    // Nothing comes any more, though nothing failed. Nothing if that is known.
+    void complete();
+    // Back at an earlier state: what ended the run is no longer so.
+    void reopen();
     void fail(const std::string& reason);
     void fail(const Failure& failure);
     // At the start of a stage after the first, or where the run was resumed.

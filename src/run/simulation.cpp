@@ -61,6 +61,7 @@ bool Simulation::guard(const Action& action) {
     RunSummary& summary = books_.summary();
     try {
         if (action()) return true;
+        books_.complete();
     } catch (const EvaluationError& error) {
         books_.fail(error.what());
         summary.deck_fault = true;
@@ -119,8 +120,10 @@ bool Simulation::find_next_step() {
 // Whether nothing can follow the last accepted step.
 void Simulation::note_end() {
     if (stages_->is_last() && has_steps(stages_->settings()) && !is_path(stages_->settings()) &&
-        analysis().finished())
+        analysis().finished()) {
         phase_ = Phase::ended;
+        books_.complete();
+    }
 }
 
 // Where the main path at hand begins.
@@ -281,9 +284,7 @@ void Simulation::restore(const Checkpoint& checkpoint) {
         std::swap(stages, stages_);
         throw;
     }
-    RunSummary& summary = books_.summary();
-    summary.status = RunStatus::running;
-    summary.reason.clear();
+    books_.reopen();
     cause_.clear();
     rows_ = checkpoint.rows;
     phase_ = Phase::started;
@@ -424,7 +425,6 @@ void Simulation::close() {
     is_closed_ = true;
     interrupt();
     RunSummary& summary = books_.summary();
-    if (summary.status == RunStatus::running) summary.status = RunStatus::complete;
     summary.place = describe_place();
     leave_path();
     books_.close(*stages_, stage_count());

@@ -108,8 +108,9 @@ TEST_CASE("A run driven step by step is the run", "[analyses][simulation]") {
 
 TEST_CASE("A simulation knows its end after the last step", "[analyses][simulation]") {
     Driven driven(with_push("3"));
-    while (!driven.simulation.has_ended()) REQUIRE((driven.simulation.step() || false));
+    while (!driven.simulation.has_ended()) REQUIRE(driven.simulation.step());
     CHECK(driven.simulation.time() == 0.5);
+    CHECK(driven.simulation.summary().status == RunStatus::complete);
 }
 
 TEST_CASE("A simulation that is closed before its end was interrupted", "[analyses][simulation]") {
@@ -207,6 +208,24 @@ TEST_CASE("A simulation returns to a saved state to the last bit", "[analyses][s
     CHECK(bits_of(other.simulation) == end);
     Driven foreign(replaced(with_push("3"), "elements = 4", "elements = 5"));
     CHECK_THROWS_AS(foreign.simulation.restore(checkpoint), std::invalid_argument);
+}
+
+TEST_CASE("What ended a run is forgotten where it returns to before that", "[analyses][simulation]") {
+    Driven driven(with_push("\"abs(t - 0.0801) < 1e-9 ? 1/(t - t) : 3\""));
+    REQUIRE(driven.simulation.start());
+    const Checkpoint checkpoint = driven.simulation.save();
+    REQUIRE(driven.simulation.land_on(0.0801));
+    while (driven.simulation.step()) {
+    }
+    CHECK(driven.simulation.summary().status == RunStatus::failed);
+    CHECK(driven.simulation.summary().deck_fault);
+    driven.simulation.restore(checkpoint);
+    CHECK(driven.simulation.summary().status == RunStatus::running);
+    CHECK_FALSE(driven.simulation.summary().deck_fault);
+    CHECK(driven.simulation.summary().reason.empty());
+    while (driven.simulation.step()) {
+    }
+    CHECK(driven.simulation.summary().status == RunStatus::complete);
 }
 
 TEST_CASE("A simulation that writes results does not go back", "[analyses][simulation]") {

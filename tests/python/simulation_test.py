@@ -6,6 +6,7 @@ import pickle
 import signal
 import threading
 import time
+import tomllib
 
 import numpy as np
 import pytest
@@ -95,8 +96,8 @@ def test_overrides_keep_their_types(deck):
     numbers = {"parameters.EI": np.float64(2e7), "rod.arm.elements": np.int64(6), "gravity": np.array([0, 0, -1.5]), "title": "a = \"b\""}
     model = deck.build(numbers)
     assert model.nodes == 7 and model.elements == 6
-    for text in ("EI = 2.0e+07", "title = 'a = \"b\"'"):
-        assert text.split(" = ")[0] in model._core.text
+    set_to = tomllib.loads(model._core.text)
+    assert set_to["parameters"]["EI"] == 2e7 and set_to["title"] == "a = \"b\"" and set_to["gravity"] == [0, 0, -1.5]
     tiny = run_to_end(deck, {"parameters.EI": 6.0 + 1e-15}).state.position[-1]
     assert not (tiny == run_to_end(deck).state.position[-1]).all()
     with pytest.raises(TypeError, match="a deck has numbers"):
@@ -107,7 +108,7 @@ def test_faults_of_a_deck_are_all_there(deck):
     with pytest.raises(gxrod.DeckError) as caught:
         gxrod.Deck.from_text(SWING.replace("elements = 4", "elemnts = 4").replace('fix = "all"', 'fix = "al"')).build()
     faults = caught.value.faults
-    assert [fault.key for fault in faults][:2] == ["rod.arm", "rod.arm.elemnts"] or "rod.arm.elemnts" in [fault.key for fault in faults]
+    assert {fault.key for fault in faults} >= {"rod.arm.elemnts", "support[0].fix"}
     assert any("did you mean" in fault.message for fault in faults)
     assert all(fault.line > 0 and fault.file.endswith("deck.toml") for fault in faults)
     with pytest.raises(gxrod.DeckError, match="parameter"):

@@ -1,11 +1,9 @@
-#include <nanobind/ndarray.h>
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include "check/model_examination.hpp"
-#include "check/model_summary.hpp"
 #include "model.hpp"
 #include "module.hpp"
 
@@ -52,10 +50,7 @@ void bind_deck(nb::module_& module) {
         .def_prop_ro("file", &DeckTemplate::file);
     nb::class_<BuiltModel>(module, "Model", "A deck that was checked and built.")
         .def(nb::init<std::shared_ptr<DeckTemplate>, std::vector<std::string>>(), "deck"_a, "overrides"_a)
-        .def_prop_ro("overrides", [](const BuiltModel& model) { return model.overrides; })
         .def_prop_ro("text", [](const BuiltModel& model) { return model.problem.record.text; })
-        .def_prop_ro("file", [](const BuiltModel& model) { return model.deck->file(); })
-        .def_prop_ro("deck_text", [](const BuiltModel& model) { return model.deck->text(); })
         .def_prop_ro("notes", [](const BuiltModel& model) { return model.problem.notes; })
         .def_prop_ro("nodes", [](const BuiltModel& model) { return model.problem.model.nodes.size(); })
         .def_prop_ro("rods", &describe_rods)

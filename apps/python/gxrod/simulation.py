@@ -130,8 +130,7 @@ class Simulation(Shown):
                 if on_step is None:
                     self.advance(steps=64 if shown else 1 << 30)
                 else:
-                    self.step()
-                    if is_false(on_step(self)):
+                    if self.step() is not None and is_false(on_step(self)):
                         self._core.interrupt()
                 if shown:
                     shown(self._core.part_done)
@@ -160,8 +159,6 @@ class Simulation(Shown):
         """What the run has done so far, as `gxrod run --summary` says it."""
         summary = Summary(json.loads(self._core.summary()))
         summary["time"] = self.time
-        if self.finished and summary["status"] == "running":  # the file, if there is one, is still open
-            summary["status"] = "complete"
         summary["wall_seconds"]["total"] = time.perf_counter() - self._wall
         return summary
 
