@@ -4,7 +4,7 @@
 
 namespace gxrod {
 
-// A x = λ x of a symmetric matrix, of which the lower triangle is read.
+// A x = λ x of a symmetric matrix, whose lower triangle is read.
 struct SymmetricEigen {
     Eigen::VectorXd values;   // ascending
     Eigen::MatrixXd vectors;  // columns, of length 1, at right angles
