@@ -18,7 +18,7 @@ import gxrod
 if not gxrod._has_core():
     pytest.skip("gxrod has no compiled part here: it is built with -DGXROD_PYTHON_MODULE=ON", allow_module_level=True)
 
-from gxrod.simulation import find_number, vary  # noqa: E402 — after it is known to be there
+from gxrod.variations import find_number, vary  # noqa: E402 — after it is known to be there
 
 SWING = """title = "A rod that swings, with a tendon"
 gravity = [0, 0, -9.81]

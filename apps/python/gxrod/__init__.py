@@ -20,7 +20,7 @@ __version__ = "0.1.0"
 _HOMES = {"open_results": "results", "Results": "results", "batch": "batches", "read_batch": "batches", "map": "mapping"}
 _MODULES = ("batches", "gym", "mapping", "plot", "program", "results")
 # What needs the compiled part, and where it is.
-_COMPILED = dict.fromkeys(("Checkpoint", "Deck", "Model", "Simulation", "Step", "Summary", "check_gradient", "schema"), "simulation")
+_COMPILED = {**dict.fromkeys(("Checkpoint", "Deck", "Model", "Simulation", "Step", "Summary", "schema"), "simulation"), "check_gradient": "gradients"}
 
 __all__ = ["ConvergenceError", "DeckError", "Error", "EvaluationError", "Fault", "FileError", "UnknownNameError", *_HOMES, "gym", *_COMPILED]
 

@@ -2,10 +2,8 @@
 
 import json
 import math
-import re
 import time
-import warnings
-from collections.abc import Mapping, MutableMapping, Sequence
+from collections.abc import Mapping, MutableMapping
 from types import SimpleNamespace
 from typing import NamedTuple
 
@@ -15,8 +13,9 @@ from . import _core
 from .decks import Deck, Model, schema
 from .errors import ConvergenceError, Error, EvaluationError, unknown_name
 from .results.display import Shown
+from .variations import vary
 
-__all__ = ["Checkpoint", "Deck", "Model", "Simulation", "Step", "Summary", "check_gradient", "schema"]
+__all__ = ["Checkpoint", "Deck", "Model", "Simulation", "Step", "Summary", "schema"]
 
 Checkpoint = _core.Checkpoint
 LONGEST_CALL = 0.05  # seconds in which Python is not asked whether Ctrl-C was pressed
@@ -421,87 +420,6 @@ def is_false(result):
 def list_names(names):
     """A list, of one name alone too."""
     return [names] if isinstance(names, str) else list(names)
-
-
-RELATIVE_STEP = 3e-4  # of differences along derivatives that are carried along, whose errors are its fourth power
-
-
-def vary(model, name):
-    """Models for a number of the deck plus and minus a step, plus and minus twice the step; and the step."""
-    key = key_of(model, name)
-    value = find_number(model, key, name)
-    step = RELATIVE_STEP * (abs(value) or 1.0)
-    return [change(model, key, value + steps * step) for steps in (1, -1, 2, -2)], step
-
-
-def key_of(model, name):
-    return f"parameters.{name}" if name in model.deck._tables.get("parameters", {}) else name
-
-
-def change(model, key, value):
-    """The model with another value, whatever overrides it has."""
-    return Model(model.deck, {**{each: kept for each, kept in model.overrides.items() if each != key}, key: value})
-
-
-def split_key(key):
-    return re.findall(r"[^.\[\]]+", key)
-
-
-def find_number(model, key, name):
-    """The value of a key, from the overrides, that of a list or table with it too, or from the deck."""
-    path, value, parts = split_key(key), model.deck._tables, split_key(key)
-    for changed, new in model.overrides.items():
-        above = split_key(changed)
-        if path[: len(above)] == above:
-            value, parts = new, path[len(above) :]
-    for part in parts:
-        try:
-            value = value[int(part)] if isinstance(value, (Sequence, np.ndarray)) else value[part]
-        except (KeyError, IndexError, TypeError, ValueError):
-            raise unknown_name("number of the deck", name, model.deck._tables.get("parameters", {})) from None
-    if isinstance(value, np.generic):
-        value = value.item()
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise Error(f"{name} is {value!r}, not a number; take derivatives by the parameters in it")
-    return float(value)
-
-
-def check_gradient(deck, names, quantity, step=1e-4):
-    """Derivatives of a quantity at the end, "tip.position", against differences of whole runs: a row for each name.
-
-    deck: a `Deck`, a `Model`, or the path of a deck. Each row: the name; `derivative` and `difference`, numbers or
-    arrays; `distance`, relative. The difference is extrapolated from runs with steps of `step` and half of it, relative
-    to the number.
-    """
-    history, _, what = quantity.partition(".")
-    names = list_names(names)
-    sim = Simulation(deck, sensitivities=names, record=())
-    sim.run()
-    model = sim.model
-    rows = []
-    for name in names:
-        key = key_of(model, name)
-        value = find_number(model, key, name)
-        counts = {len(sim.records.time)}
-
-        def end(number, key=key, counts=counts):
-            other = Simulation(change(model, key, number), record=())
-            other.run()
-            counts.add(len(other.records.time))
-            return np.asarray(other[history][what])
-
-        def difference(h, value=value, end=end):
-            return (end(value + h) - end(value - h)) / (2 * h)
-
-        h = step * (abs(value) or 1.0)
-        expected = (4 * difference(h / 2) - difference(h)) / 3
-        if len(counts) > 1:
-            warnings.warn(f"{name}: runs for the differences take other steps than the one with derivatives, so that they cannot "
-                          "be compared; a shorter time step, or more steps, may avoid that any is cut", stacklevel=2)
-        derivative = np.asarray(sim[history].derivative(name)[what])
-        distance = float(np.linalg.norm(derivative - expected) / (np.linalg.norm(expected) or 1.0))
-        rows.append({"parameter": name, "derivative": derivative, "difference": expected, "distance": distance})
-    return rows
 
 
 def as_value(numbers):

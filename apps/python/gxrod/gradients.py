@@ -1,0 +1,46 @@
+"""Derivatives that a simulation carries along, against differences of whole runs."""
+
+import warnings
+
+import numpy as np
+
+from .simulation import Simulation, list_names
+from .variations import change, find_number, key_of
+
+
+def check_gradient(deck, names, quantity, step=1e-4):
+    """Derivatives of a quantity at the end, "tip.position", against differences of whole runs: a row for each name.
+
+    deck: a `Deck`, a `Model`, or the path of a deck. Each row: the name; `derivative` and `difference`, numbers or
+    arrays; `distance`, relative. The difference is extrapolated from runs with steps of `step` and half of it, relative
+    to the number.
+    """
+    history, _, what = quantity.partition(".")
+    names = list_names(names)
+    sim = Simulation(deck, sensitivities=names, record=())
+    sim.run()
+    model = sim.model
+    rows = []
+    for name in names:
+        key = key_of(model, name)
+        value = find_number(model, key, name)
+        counts = {len(sim.records.time)}
+
+        def end(number, key=key, counts=counts):
+            other = Simulation(change(model, key, number), record=())
+            other.run()
+            counts.add(len(other.records.time))
+            return np.asarray(other[history][what])
+
+        def difference(h, value=value, end=end):
+            return (end(value + h) - end(value - h)) / (2 * h)
+
+        h = step * (abs(value) or 1.0)
+        expected = (4 * difference(h / 2) - difference(h)) / 3
+        if len(counts) > 1:
+            warnings.warn(f"{name}: runs for the differences take other steps than the one with derivatives, so that they cannot "
+                          "be compared; a shorter time step, or more steps, may avoid that any is cut", stacklevel=2)
+        derivative = np.asarray(sim[history].derivative(name)[what])
+        distance = float(np.linalg.norm(derivative - expected) / (np.linalg.norm(expected) or 1.0))
+        rows.append({"parameter": name, "derivative": derivative, "difference": expected, "distance": distance})
+    return rows
