@@ -53,14 +53,15 @@ void bind_deck(nb::module_& module) {
         .def_prop_ro("text", [](const BuiltModel& model) { return model.problem.record.text; })
         .def_prop_ro("notes", [](const BuiltModel& model) { return model.problem.notes; })
         .def_prop_ro("nodes", [](const BuiltModel& model) { return model.problem.model.nodes.size(); })
-        .def_prop_ro("rods", &describe_rods)
-        .def_prop_ro("bodies",
-                     [](const BuiltModel& model) {
-                         nb::dict bodies;
-                         for (const Body& body : model.problem.model.bodies)
-                             bodies[body.name.c_str()] = body.node;
-                         return bodies;
-                     })
+        .def_prop_ro("rods", &describe_rods, "{name: (nodes, arc lengths, nodes of each element, order)}.")
+        .def_prop_ro(
+            "bodies",
+            [](const BuiltModel& model) {
+                nb::dict bodies;
+                for (const Body& body : model.problem.model.bodies) bodies[body.name.c_str()] = body.node;
+                return bodies;
+            },
+            "{name: node}.")
         .def_prop_ro("inputs", &list_inputs)
         .def_prop_ro("histories", &list_histories)
         .def("examine", &list_findings);

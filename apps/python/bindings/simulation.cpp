@@ -5,6 +5,7 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "assembly/state_matrices.hpp"
@@ -184,10 +185,17 @@ void thaw(Checkpoint& checkpoint, const nb::tuple& frozen) {
 
 void bind_views(nb::class_<Driven>& type) {
     const auto add = [&](const char* name, StateViews::Quantity quantity) {
-        type.def_prop_ro(name, [quantity](nb::handle_t<Driven> self) {
-            auto& driven = nb::cast<Driven&>(self);
-            return driven.views().get(quantity, driven.nodes(), self);
-        });
+        const std::string signature =
+            fmt::format("def {}(self, /) -> numpy.typing.NDArray[numpy.float64]", name);
+        type.def_prop_ro(
+            name,
+            [quantity](nb::handle_t<Driven> self) {
+                auto& driven = nb::cast<Driven&>(self);
+                return driven.views().get(quantity, driven.nodes(), self);
+            },
+            nb::for_getter(nb::sig(signature.c_str())),
+            quantity == StateViews::orientation ? "A read-only view [N,4]: w x y z."
+                                                : "A read-only view [N,3], global components.");
     };
     add("position", StateViews::position);
     add("velocity", StateViews::velocity);
@@ -201,12 +209,18 @@ void bind_views(nb::class_<Driven>& type) {
 }  // namespace
 
 void bind_simulation(nb::module_& module) {
-    nb::class_<Checkpoint>(module, "Checkpoint", "An accepted state to return to.")
+    nb::class_<Checkpoint>(module,
+                           "Checkpoint",
+                           "An accepted state to return to: `sim.save()` makes it, `sim.restore` returns to "
+                           "it; it can be pickled.")
         .def("__getstate__", &freeze)
         .def("__setstate__", &thaw)
-        .def_prop_ro("time", [](const Checkpoint& checkpoint) {
-            return checkpoint.record.axis_start + checkpoint.record.steps.time;
-        });
+        .def_prop_ro(
+            "time",
+            [](const Checkpoint& checkpoint) {
+                return checkpoint.record.axis_start + checkpoint.record.steps.time;
+            },
+            "Of the state, on the axis of sim.time.");
     nb::class_<Driven> type(module, "Simulation", "A run that is driven from outside.");
     type.def(
             "__init__",
@@ -228,9 +242,14 @@ void bind_simulation(nb::module_& module) {
             "keeps_ledger"_a,
             "histories"_a,
             "varied"_a)
-        .def("start", &Driven::start, ReleaseGil())
-        .def("step", &Driven::step, ReleaseGil())
-        .def("advance", &Driven::advance, "until"_a.none(), "most_steps"_a, ReleaseGil())
+        .def("start", &Driven::start, ReleaseGil(), "To the accepted state at t = 0; False if there is none.")
+        .def("step", &Driven::step, ReleaseGil(), "False if no step was accepted.")
+        .def("advance",
+             &Driven::advance,
+             "until"_a.none(),
+             "most_steps"_a,
+             ReleaseGil(),
+             "The number of steps that were accepted.")
         .def(
             "close", [](Driven& driven) { driven.simulation().close(); }, ReleaseGil())
         .def("interrupt", [](Driven& driven) { driven.simulation().interrupt(); })
@@ -244,16 +263,22 @@ void bind_simulation(nb::module_& module) {
             "name"_a,
             "value"_a,
             "until"_a)
-        .def("input",
-             [](const Driven& driven, std::size_t index) {
-                 return (*driven.problem().model.inputs.at(index))(
-                     driven.simulation().analysis().state().time);
-             })
+        .def(
+            "input",
+            [](const Driven& driven, std::size_t index) {
+                return (*driven.problem().model.inputs.at(index))(
+                    driven.simulation().analysis().state().time);
+            },
+            "input"_a)
         .def("history", &Driven::compute_history, "history"_a, "quantity"_a)
         .def("derivative", &Driven::differentiate_history, "number"_a, "history"_a, "quantity"_a)
         .def("quantities", &Driven::list_quantities, "history"_a)
-        .def("ledger", &make_ledger)
-        .def("times", [](const Driven& driven) { return copy_array(std::vector(driven.times()), 0); })
+        .def("ledger", &make_ledger, "{name: number or array [3]}.")
+        .def(
+            "times",
+            [](const Driven& driven) { return copy_array(std::vector(driven.times()), 0); },
+            nb::sig("def times(self) -> numpy.typing.NDArray[numpy.float64]"),
+            "Of each accepted step [S].")
         .def(
             "records",
             [](const Driven& driven, std::size_t history, std::size_t quantity) {
@@ -262,17 +287,29 @@ void bind_simulation(nb::module_& module) {
                                   width == 1 ? 0 : static_cast<std::size_t>(width));
             },
             "history"_a,
-            "quantity"_a)
-        .def("ledgers", &make_ledgers)
-        .def("elements", &make_elements)
-        .def("matrices", &make_matrices)
-        .def("unknowns", &list_unknowns)
-        .def("failure", &describe_step_failure)
-        .def("summary",
-             [](const Driven& driven) {
-                 return describe_summary(driven.simulation().summary(), driven.problem().record.name, "")
-                     .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-             })
+            "quantity"_a,
+            nb::sig("def records(self, history: int, quantity: int) -> numpy.typing.NDArray[numpy.float64]"),
+            "[S], [S,3] or [S,4].")
+        .def("ledgers", &make_ledgers, "{name: array [S] or [S,3]}.")
+        .def("elements", &make_elements, "{name: array [E,3]}, in section axes at the middles.")
+        .def("matrices",
+             &make_matrices,
+             "(values, rows, columns, size) of the tangent, the damping matrix and the mass matrix.")
+        .def("unknowns",
+             &list_unknowns,
+             nb::sig("def unknowns(self) -> numpy.typing.NDArray[numpy.int64]"),
+             "Node and component of each [n,2].")
+        .def("failure",
+             &describe_step_failure,
+             nb::sig("def failure(self) -> tuple[float, float, str, list[str], list[str]] | None"),
+             "(time, time_step, outcome, places, advice) of the step that failed.")
+        .def(
+            "summary",
+            [](const Driven& driven) {
+                return describe_summary(driven.simulation().summary(), driven.problem().record.name, "")
+                    .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+            },
+            "As JSON.")
         .def_prop_ro("time", [](const Driven& driven) { return driven.simulation().time(); })
         .def_prop_ro("next_time",
                      [](const Driven& driven) {
@@ -292,7 +329,9 @@ void bind_simulation(nb::module_& module) {
                 const SolverRow& row = driven.simulation().analysis().solver_row();
                 return nb::make_tuple(
                     driven.simulation().time(), row.time_step, row.newton_iterations, row.rejected_steps);
-            })
+            },
+            nb::for_getter(nb::sig("def last_step(self, /) -> tuple[float, float, int, int]")),
+            "Its time, time step, Newton iterations and rejected steps.")
         .def_prop_ro("part_done",
                      [](const Driven& driven) { return driven.simulation().stages().part_done(); })
         .def_prop_ro("stage", [](const Driven& driven) { return driven.simulation().stages().name(); });

@@ -11,6 +11,7 @@ NumPy is needed; h5py by results; pandas, xarray, matplotlib and gymnasium by wh
 
 import importlib as _importlib
 import importlib.util as _util
+import typing as _typing
 
 from .errors import ConvergenceError, DeckError, Error, EvaluationError, Fault, FileError, UnknownNameError
 
@@ -22,17 +23,28 @@ _MODULES = ("batches", "gym", "mapping", "plot", "program", "results")
 # What needs the compiled part, and where it is.
 _COMPILED = {**dict.fromkeys(("Checkpoint", "Deck", "Model", "Simulation", "Step", "Summary", "schema"), "simulation"), "check_gradient": "gradients"}
 
+if _typing.TYPE_CHECKING:  # the same names, for editors and type checkers
+    from . import batches as batches, gym as gym, mapping as mapping, plot as plot, program as program, results as results
+    from .batches import batch as batch, read_batch as read_batch
+    from .decks import Deck as Deck, Model as Model, schema as schema
+    from .gradients import check_gradient as check_gradient
+    from .mapping import map as map
+    from .results import Results as Results, open_results as open_results
+    from .simulation import Checkpoint as Checkpoint, Simulation as Simulation, Step as Step, Summary as Summary
+
 __all__ = ["ConvergenceError", "DeckError", "Error", "EvaluationError", "Fault", "FileError", "UnknownNameError", *_HOMES, "gym", *_COMPILED]
 
 
-def __getattr__(name):
-    if name in _HOMES:
-        return _keep(name, getattr(_importlib.import_module(f"{__name__}.{_HOMES[name]}"), name))
-    if name in _MODULES:
-        return _importlib.import_module(f"{__name__}.{name}")
-    if name in _COMPILED:
-        return _keep(name, getattr(_import_compiled(name), name))
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+if not _typing.TYPE_CHECKING:
+
+    def __getattr__(name):
+        if name in _HOMES:
+            return _keep(name, getattr(_importlib.import_module(f"{__name__}.{_HOMES[name]}"), name))
+        if name in _MODULES:
+            return _importlib.import_module(f"{__name__}.{name}")
+        if name in _COMPILED:
+            return _keep(name, getattr(_import_compiled(name), name))
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def _keep(name, value):

@@ -1,20 +1,31 @@
 """Batches: many variants of a deck, run by the program, and their table."""
 
+from __future__ import annotations
+
 import csv
 import json
+import os
+from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
 from .errors import FileError
 from .program import NOT_CONVERGED, run_program
 from .results.tabular import as_objects, import_pandas
+from .typed import AnyPath
+
+if TYPE_CHECKING:
+    import pandas
+    from numpy.typing import NDArray
 
 TEXTS = ("status", "reason", "results", "warning", "deck")  # columns that are texts even if all of them are empty
 WHOLE = ("case", "steps", "newton_iterations", "rejected_steps")
 
 
-def batch(plan, folder=None, jobs=None, only=None, retry_failed=False, force=False, quiet=False):
+def batch(plan: AnyPath | Sequence[AnyPath], folder: AnyPath | None = None, jobs: int | None = None, only: tuple[int, int] | None = None, retry_failed: bool = False, force: bool = False,
+          quiet: bool = False) -> Path:
     """Runs the batch of a plan by the program `gxrod batch`; returns the folder with its table, for `read_batch`.
 
     plan: a TOML file, or a list of decks. folder: of the batch; by default the plan's name, in the current folder. jobs: how many cases run at
@@ -24,7 +35,7 @@ def batch(plan, folder=None, jobs=None, only=None, retry_failed=False, force=Fal
     A batch that was stopped is resumed. Cases that fail are rows of the table with their status and reason; no exception
     is raised for them. Raises DeckError for faults in the plan or its decks, FileError, or KeyboardInterrupt.
     """
-    plans = [plan] if isinstance(plan, (str, Path)) else list(plan)
+    plans = [plan] if isinstance(plan, (str, os.PathLike)) else list(plan)
     arguments = ["batch", *plans, "--summary", "-"]
     for option, value in (("--output", folder), ("--jobs", jobs), ("--only", f"{only[0]}..{only[1]}" if only else None)):
         arguments += [option, value] if value is not None else []
@@ -34,7 +45,11 @@ def batch(plan, folder=None, jobs=None, only=None, retry_failed=False, force=Fal
     return Path(json.loads(printed[printed.index("{"):])["folder"])
 
 
-def read_batch(folder, as_arrays=False):
+@overload
+def read_batch(folder: AnyPath, as_arrays: Literal[False] = False) -> pandas.DataFrame: ...
+@overload
+def read_batch(folder: AnyPath, as_arrays: Literal[True]) -> dict[str, NDArray[Any]]: ...
+def read_batch(folder: AnyPath, as_arrays: bool = False) -> pandas.DataFrame | dict[str, NDArray[Any]]:
     """The table of a batch: a pandas.DataFrame with a row for each case.
 
     folder: of the batch, or its index.csv. Columns: `case`, the parameters by their keys, `status`, `reason`, what the

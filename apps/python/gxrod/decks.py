@@ -1,23 +1,25 @@
 """Decks and the models that are built from them."""
 
+from __future__ import annotations
+
 import copy
 import json
-import math
 import os
 from collections.abc import Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
-from types import SimpleNamespace
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from . import _core
 from .errors import Error, unknown_name
 from .results.display import Shown
+from .typed import AnyPath, Array, Overrides, WholeArray
 
 
-def schema():
-    """The JSON Schema of decks, as a dict."""
+def schema() -> dict[str, Any]:
+    """The JSON Schema of decks, as a dict; [every key of a deck](deck.md) is the same as a page."""
     return json.loads(_core.schema())
 
 
@@ -28,37 +30,37 @@ class Deck:
     cannot be read a `FileError`.
     """
 
-    def __init__(self, path):
+    def __init__(self, path: AnyPath) -> None:
         self._core = _core.Deck(Path(path))
 
     @classmethod
-    def from_text(cls, text, folder=".", name="deck.toml"):
+    def from_text(cls, text: str, folder: AnyPath = ".", name: str = "deck.toml") -> Deck:
         """A deck of a text in TOML; files that it names are found from `folder`, and faults say that they are in `name`."""
         deck = cls.__new__(cls)
         deck._core = _core.Deck(text, Path(folder) / name)
         return deck
 
     @classmethod
-    def from_dict(cls, tree, folder=".", name="deck.toml"):
+    def from_dict(cls, tree: Mapping[str, Any], folder: AnyPath = ".", name: str = "deck.toml") -> Deck:
         """A deck of tables as dicts: {"body": {"top": {"mass": 1.0, …}}, "load": [{"at": "top", …}], …}; NumPy's numbers and arrays, too."""
         return cls.from_text("\n".join(f"{write_key(key)} = {write_value(value)}" for key, value in tree.items()) + "\n", folder, name)
 
     @property
-    def text(self):
+    def text(self) -> str:
         """The deck as it was read."""
         return self._core.text
 
     @property
-    def file(self):
+    def file(self) -> str:
         """The path by which faults name it."""
         return self._core.file
 
-    def tree(self):
-        """The deck's tables as a dict."""
+    def tree(self) -> dict[str, Any]:
+        """The deck's tables as a dict, a copy; `from_dict` takes it back."""
         return copy.deepcopy(self._tables)
 
     @cached_property
-    def _tables(self):
+    def _tables(self) -> dict[str, Any]:
         """The same, to be read only."""
         try:
             import tomllib
@@ -66,10 +68,10 @@ class Deck:
             import tomli as tomllib
         return tomllib.loads(self.text)
 
-    def build(self, overrides=None):
+    def build(self, overrides: Overrides | None = None) -> Model:
         """The deck checked and built as a `Model`. overrides: {key: value} as of `--set`, {"parameters.E": 2e7, "load[0].force": [0, 0, 1]}.
 
-        Throws a `DeckError` with all that is wrong.
+        Raises DeckError with all that is wrong.
         """
         return Model(self, overrides or {})
 
@@ -81,61 +83,79 @@ class Deck:
         return f"gxrod.Deck({self.file!r})"
 
 
-class Model(Shown):
-    """A deck that was checked and built; it never changes. `deck.build` makes it."""
+class RodPlaces(NamedTuple):
+    """Where a rod is in a model. `nodes` [n]: the rows of its nodes in states, from start to end. `arc_length` [n]: of these along it, at t = 0.
+    `cells` [e,order+1]: the nodes of each element, likewise."""
 
-    def __init__(self, deck, overrides=None):
+    nodes: WholeArray
+    arc_length: Array
+    cells: WholeArray
+
+
+class Model(Shown):
+    """A deck that was checked and built; it never changes, any number of simulations may share it, and it can be pickled.
+
+    `deck.build` makes it. `deck`: the Deck; `overrides`: what it was built with.
+    """
+
+    deck: Deck
+    overrides: dict[str, Any]
+
+    def __init__(self, deck: Deck, overrides: Overrides | None = None) -> None:
         self.deck, self.overrides = deck, dict(overrides or {})
         self._core = _core.Model(deck._core, [f"{key}={write_value(value)}" for key, value in self.overrides.items()])
 
     @property
-    def notes(self):
+    def notes(self) -> list[str]:
         """Choices that the reader made, a sentence each."""
         return list(self._core.notes)
 
     @property
-    def nodes(self):
+    def nodes(self) -> int:
         """The number of nodes, N in shapes of a state."""
         return self._core.nodes
 
     @property
-    def elements(self):
+    def elements(self) -> int:
         """The number of rod elements, E in shapes of sim.elements."""
         return sum(len(rod.cells) for rod in self.rods.values())
 
     @property
-    def rods(self):
-        """{name: rod}: rod.nodes [n], the rows of its nodes in states from start to end; rod.arc_length [n] there; rod.cells [e,order+1], those of each element."""
-        return {name: SimpleNamespace(nodes=np.array(nodes), arc_length=np.array(lengths), cells=np.reshape(cells, (-1, order + 1)))
+    def rods(self) -> dict[str, RodPlaces]:
+        """{name: where it is}: model.rods["arm"].nodes [n], the rows of its nodes in states."""
+        return {name: RodPlaces(nodes=np.array(nodes), arc_length=np.array(lengths), cells=np.reshape(cells, (-1, order + 1)))
                 for name, (nodes, lengths, cells, order) in self._core.rods.items()}
 
     @property
-    def bodies(self):
+    def bodies(self) -> dict[str, int]:
         """{name: row of the body's node in states}."""
         return dict(self._core.bodies)
 
     @property
-    def inputs(self):
+    def inputs(self) -> list[str]:
         """Names of the deck's inputs."""
         return list(self._core.inputs)
 
     @property
-    def histories(self):
+    def histories(self) -> list[str]:
         """Names of the deck's histories."""
         return list(self._core.histories)
 
-    def check(self):
+    def check(self) -> list[str]:
         """What `gxrod check` finds about the model: a sentence each, warnings and errors."""
         return list(self._core.examine())
 
-    def node(self, point):
-        """The row in states of a point that has a node: "arm.end", "arm.start", "arm@0.5", or a body."""
+    def node(self, point: str) -> int:
+        """The row in states of a point that has a node: "arm.end", "arm.start", "arm@0.5", or a body.
+
+        Raises Error for a point between nodes.
+        """
         if point in self.bodies:
             return self.bodies[point]
         name, separator, fraction = point.partition("@")
         if not separator:
             name, _, end = point.rpartition(".")
-            fraction = {"start": 0.0, "end": 1.0}.get(end, math.nan)
+            fraction = {"start": "0", "end": "1"}.get(end, "nan")
         if name not in self.rods:
             raise unknown_name("point", point, [*self.bodies, *(f"{rod}.{end}" for rod in self.rods for end in ("start", "end"))])
         rod = self.rods[name]

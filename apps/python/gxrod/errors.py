@@ -1,7 +1,10 @@
 """What gxrod raises. All are `gxrod.Error`, and all can be pickled, so that they come back from other processes."""
 
+from __future__ import annotations
+
 import difflib
-from typing import NamedTuple
+from collections.abc import Iterable
+from typing import Any, NamedTuple
 
 
 class Error(Exception):
@@ -17,7 +20,7 @@ class Fault(NamedTuple):
     key: str = ""  # its full path, as "rod.flyer.section" or "load[0].force[1]"; "" of an error of syntax
     message: str = ""
 
-    def __str__(self):
+    def __str__(self) -> str:
         place = f"{self.file}:{self.line}:{self.column}" if self.line else self.file
         return ": ".join(filter(None, (place, self.key, self.message)))
 
@@ -25,14 +28,14 @@ class Fault(NamedTuple):
 class DeckError(Error):
     """A deck or plan that cannot be run. `faults`: a tuple of all `Fault`s, in the order of the deck."""
 
-    def __init__(self, faults):
+    def __init__(self, faults: Iterable[Any]) -> None:
         super().__init__(tuple(Fault(message=fault) if isinstance(fault, str) else Fault(*fault) for fault in faults))
 
     @property
-    def faults(self):
+    def faults(self) -> tuple[Fault, ...]:
         return self.args[0]
 
-    def __str__(self):
+    def __str__(self) -> str:
         return "\n".join(map(str, self.faults))
 
 
@@ -44,7 +47,7 @@ class ConvergenceError(Error):
     the likeliest first. Unknown numbers are NaN.
     """
 
-    def __init__(self, message, time=float("nan"), time_step=float("nan"), outcome="", places=(), advice=()):
+    def __init__(self, message: str, time: float = float("nan"), time_step: float = float("nan"), outcome: str = "", places: Iterable[str] = (), advice: Iterable[str] = ()) -> None:
         super().__init__(message)
         self.time, self.time_step, self.outcome = time, time_step, outcome
         self.places, self.advice = tuple(places), tuple(advice)
@@ -61,16 +64,16 @@ class EvaluationError(Error):
 class UnknownNameError(Error, KeyError, AttributeError):
     """A name that is not there: as a key, `r["tpi"]`, or as an attribute, `r["tip"].positoin`."""
 
-    def __str__(self):
+    def __str__(self) -> str:
         return str(self.args[0])
 
 
-def unknown_name(what, name, names):
+def unknown_name(what: str, name: object, names: Iterable[object]) -> UnknownNameError:
     """An UnknownNameError that says which name was likely meant, and which there are: of `what`, as "history"."""
-    names = [str(each) for each in names]
-    meant = difflib.get_close_matches(str(name), names, n=1)
+    there = [str(each) for each in names]
+    meant = difflib.get_close_matches(str(name), there, n=1)
     most_named = 20
-    more = f" and {len(names) - most_named} more" if len(names) > most_named else ""
-    there_are = f"there are {', '.join(names[:most_named])}{more}" if len(names) > 1 else \
-        f"there is {names[0]}" if names else "there are none"
+    more = f" and {len(there) - most_named} more" if len(there) > most_named else ""
+    there_are = f"there are {', '.join(there[:most_named])}{more}" if len(there) > 1 else \
+        f"there is {there[0]}" if there else "there are none"
     return UnknownNameError(f"there is no {what} {name!r}; " + (f"did you mean {meant[0]!r}? " if meant else "") + there_are)

@@ -1,14 +1,19 @@
 """Derivatives that a simulation carries along, against differences of whole runs."""
 
+from __future__ import annotations
+
 import warnings
+from typing import Any
 
 import numpy as np
 
+from .decks import Deck, Model
 from .simulation import Simulation, list_names
+from .typed import AnyPath, Names
 from .variations import change, find_number, key_of
 
 
-def check_gradient(deck, names, quantity, step=1e-4):
+def check_gradient(deck: Model | Deck | AnyPath, names: Names, quantity: str, step: float = 1e-4) -> list[dict[str, Any]]:
     """Derivatives of a quantity at the end, "tip.position", against differences of whole runs: a row for each name.
 
     deck: a `Deck`, a `Model`, or the path of a deck. Each row: the name; `derivative` and `difference`, numbers or

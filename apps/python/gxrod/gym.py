@@ -1,11 +1,20 @@
 """A rod as an environment to learn in, with the interface of gymnasium."""
 
+from __future__ import annotations
+
 import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from .errors import ConvergenceError, Error, EvaluationError
 from .mapping import evaluate
+from .typed import AnyPath, Array
+
+if TYPE_CHECKING:
+    from .decks import Deck, Model
+    from .simulation import Simulation
 
 try:
     import gymnasium
@@ -13,7 +22,7 @@ except ImportError as missing:
     raise ImportError("gxrod.gym needs gymnasium: python3 -m pip install gymnasium") from missing
 
 
-class RodEnv(gymnasium.Env):
+class RodEnv(gymnasium.Env[Any, Any]):
     """An environment of one deck: actions set its inputs, observations are what its histories record.
 
         env = gxrod.gym.RodEnv("arm.toml", actions={"tendon": (-0.1, 0.1)}, observations=["tip.position", "tip.velocity"],
@@ -33,10 +42,12 @@ class RodEnv(gymnasium.Env):
     `gxrod.Simulation`; further options are handed to it.
     """
 
-    metadata = {"render_modes": []}
+    metadata: dict[str, Any] = {"render_modes": []}
 
-    def __init__(self, deck, actions, observations, control_step, reward, terminated=None, on_reset=None, failure_reward=0.0,
-                 simulation=None, **options):
+    def __init__(self, deck: Model | Deck | AnyPath, actions: Mapping[str, tuple[float, float]], observations: Sequence[str], control_step: float,
+                 reward: Callable[[Simulation, Array], float], terminated: Callable[[Simulation], object] | None = None,
+                 on_reset: Callable[[Simulation, np.random.Generator, dict[str, Any]], object] | None = None, failure_reward: float = 0.0,
+                 simulation: Callable[..., Any] | None = None, **options: Any) -> None:
         if not control_step > 0.0:
             raise Error(f"control_step is {control_step}; expected a time greater than 0")
         if simulation is None:
@@ -58,7 +69,7 @@ class RodEnv(gymnasium.Env):
         self.action_space = gymnasium.spaces.Box(limits[:, 0], limits[:, 1], dtype=np.float64)
         self.observation_space = gymnasium.spaces.Box(-np.inf, np.inf, (len(self.observation_names),), dtype=np.float64)
 
-    def reset(self, *, seed=None, options=None):
+    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Array, dict[str, Any]]:
         """Back to t = 0: (observation [n], info)."""
         super().reset(seed=seed)
         self.sim.restore(self._start)
@@ -67,7 +78,7 @@ class RodEnv(gymnasium.Env):
             self._on_reset(self.sim, self.np_random, options or {})
         return self._observe(), {"time": float(self.sim.time)}
 
-    def step(self, action):
+    def step(self, action: Any) -> tuple[Array, float, bool, bool, dict[str, Any]]:
         """Holds an action [inputs] for a control step: (observation [n], reward, terminated, truncated, info)."""
         if self._has_ended:
             raise Error("the episode has ended; reset() begins the next one")
@@ -84,23 +95,23 @@ class RodEnv(gymnasium.Env):
         self._has_ended = terminated or truncated
         return self._observe(), float(self._reward(self.sim, action)), terminated, truncated, {"time": float(self.sim.time)}
 
-    def close(self):
+    def close(self) -> None:
         """Ends the simulation."""
         close = getattr(self.sim, "close", None)
         if close:
             close()
 
-    def _next_time(self):
+    def _next_time(self) -> float:
         """The end of the control step, at a multiple of it, so that round-off of many steps does not add up."""
         steps = math.floor(self.sim.time / self.control_step + 1e-9) + 1
         return steps * self.control_step
 
-    def _observe(self):
+    def _observe(self) -> Array:
         parts = [np.ravel(evaluate(self.sim, what)) for what in self._observations]
         return np.concatenate(parts).astype(np.float64)
 
 
-def build(deck):
+def build(deck: Model | Deck | AnyPath) -> Model:
     """A model of the path of a deck, of a Deck, or the Model itself."""
     if isinstance(deck, str) or hasattr(deck, "__fspath__"):
         from . import Deck
@@ -109,7 +120,7 @@ def build(deck):
     return deck.build() if hasattr(deck, "build") else deck
 
 
-def component_names(what, values):
+def component_names(what: str, values: Any) -> list[str]:
     """ "tip.position[0]" …, or the name itself of a number."""
     count = np.size(values)
     return [what] if np.ndim(values) == 0 else [f"{what}[{i}]" for i in range(count)]

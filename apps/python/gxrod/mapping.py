@@ -1,19 +1,41 @@
 """Many runs of a deck: a row of numbers for each."""
 
+from __future__ import annotations
+
 import os
 import pickle
 import sys
 import warnings
-from concurrent.futures import CancelledError, ThreadPoolExecutor, as_completed
+from collections.abc import Callable, Iterable, Mapping
+from concurrent.futures import CancelledError, Executor, ThreadPoolExecutor, as_completed
+from typing import TYPE_CHECKING, Any, Literal, TypeAlias, overload
 
 import numpy as np
 
 from .errors import Error
 from .results.tabular import as_objects, import_pandas
+from .typed import AnyPath, Overrides
+
+if TYPE_CHECKING:
+    import pandas
+    from numpy.typing import NDArray
+
+    from .decks import Deck
 
 ERROR = "error"
 
 
+Collected: TypeAlias = "Mapping[str, str | Callable[[Any], Any]] | Callable[[Any], Mapping[str, Any]]"
+
+
+@overload
+def map(deck: Deck | AnyPath, cases: Iterable[Overrides] | pandas.DataFrame, collect: Collected, executor: Executor | None = None,
+        on_error: Literal["record", "raise"] = "record", progress: bool | Callable[[int, int], object] = False, *,
+        as_arrays: Literal[True], simulation: Callable[..., Any] | None = None, **options: Any) -> dict[str, NDArray[Any]]: ...
+@overload
+def map(deck: Deck | AnyPath, cases: Iterable[Overrides] | pandas.DataFrame, collect: Collected, executor: Executor | None = None,
+        on_error: Literal["record", "raise"] = "record", progress: bool | Callable[[int, int], object] = False,
+        as_arrays: Literal[False] = False, simulation: Callable[..., Any] | None = None, **options: Any) -> pandas.DataFrame: ...
 def map(deck, cases, collect, executor=None, on_error="record", progress=False, as_arrays=False, simulation=None, **options):
     """Runs a deck once for each case and collects numbers of each: a pandas.DataFrame with a row for each case, in their order.
 

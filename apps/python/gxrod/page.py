@@ -1,11 +1,14 @@
 """The page of `gxrod report`, in a notebook or in the browser."""
 
+from __future__ import annotations
+
 import html
 import tempfile
 import webbrowser
 from pathlib import Path
 
 from .program import run_program
+from .typed import AnyPath
 
 
 class Page:
@@ -14,22 +17,22 @@ class Page:
     `html`: its text.
     """
 
-    def __init__(self, text, height=720):
+    def __init__(self, text: str, height: int = 720) -> None:
         self.html, self.height = text, height
-        self._folder = None
+        self._folder: tempfile.TemporaryDirectory[str] | None = None
 
-    def save(self, path):
+    def save(self, path: AnyPath) -> None:
         """Writes the page, which needs no other file."""
         Path(path).write_text(self.html, encoding="utf-8")
 
-    def open(self):
+    def open(self) -> None:
         """Shows the page in the browser, from a temporary file that is there as long as this object."""
         self._folder = self._folder or tempfile.TemporaryDirectory(prefix="gxrod_")
         path = Path(self._folder.name) / "report.html"
         self.save(path)
         webbrowser.open(path.as_uri())
 
-    def _repr_html_(self):
+    def _repr_html_(self) -> str:
         # The page is the document of a frame of its own, so that its styles and scripts do not meet those of the notebook.
         return f'<iframe srcdoc="{html.escape(self.html)}" width="100%" height="{self.height}" style="border:0"></iframe>'
 
@@ -37,7 +40,7 @@ class Page:
         return f"a page of {len(self.html) / 1e6:.1f} MB: open() shows it in the browser, save(path) writes it"
 
 
-def make_page(results, height=720):
+def make_page(results: AnyPath, height: int = 720) -> Page:
     """The page of a results file. Needs the program gxrod."""
     with tempfile.TemporaryDirectory(prefix="gxrod_") as folder:
         path = Path(folder) / "report.html"

@@ -1,11 +1,13 @@
 """Runs that are driven from Python."""
 
+from __future__ import annotations
+
 import json
 import math
 import time
-from collections.abc import Mapping, MutableMapping
+from collections.abc import Callable, Iterator, Mapping, MutableMapping
 from types import SimpleNamespace
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -13,7 +15,11 @@ from . import _core
 from .decks import Deck, Model, schema
 from .errors import ConvergenceError, Error, EvaluationError, unknown_name
 from .results.display import Shown
+from .typed import AnyPath, Array, Names, WholeArray
 from .variations import vary
+
+if TYPE_CHECKING:
+    import scipy.sparse
 
 __all__ = ["Checkpoint", "Deck", "Model", "Simulation", "Step", "Summary", "schema"]
 
@@ -22,7 +28,7 @@ LONGEST_CALL = 0.05  # seconds in which Python is not asked whether Ctrl-C was p
 
 
 class Step(NamedTuple):
-    """An accepted step: the time at its end, its length, its Newton iterations, and how many shorter ones were tried before."""
+    """An accepted step. `time`: at its end, on the axis of `sim.time`. `time_step`: its length. `newton_iterations`: that it took. `rejected`: how many trials failed before it."""
 
     time: float
     time_step: float
@@ -30,16 +36,32 @@ class Step(NamedTuple):
     rejected: int
 
 
-class Summary(dict):
-    """What `gxrod run --summary` writes: summary["steps"], or as attributes, summary.steps."""
+class Elements(NamedTuple):
+    """Of each rod element at its middle, in section axes [E,3]: (axial, shear y, shear z), (about x, y, z).
 
-    def __getattr__(self, name):
+    `force` and `moment`, in the deck's units; `strain`, of plain numbers, and `curvature`, one by a length: both since the reference shape.
+    """
+
+    force: Array
+    moment: Array
+    strain: Array
+    curvature: Array
+
+
+class Summary(dict):
+    """What `gxrod run --summary` writes: summary["steps"], or as attributes, summary.steps.
+
+    `status` ("complete", "failed", "interrupted"), `reason`, `time`, `steps`, `newton_iterations`, `rejected_steps`,
+    `unknowns`, `wall_seconds`, `found` by stages, and more.
+    """
+
+    def __getattr__(self, name: str) -> Any:
         try:
             return self[name]
         except KeyError:
             raise unknown_name("entry of the summary", name, self) from None
 
-    def __dir__(self):
+    def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self]
 
 
@@ -57,36 +79,42 @@ class Simulation(Shown):
     keys of numbers, by which derivatives are carried along: sim["tip"].derivative("EI").position.
 
     It begins at t = 0, with the accepted state there. Simulations share nothing: each may be driven by a thread of its
-    own. One that cannot start is a ConvergenceError or an EvaluationError.
+    own. One that cannot start is a ConvergenceError or an EvaluationError; faults of a deck are a DeckError.
     """
 
-    def __init__(self, model, results=None, threads=1, record=None, sensitivities=()):
+    model: Model
+
+    def __init__(self, model: Model | Deck | AnyPath, results: AnyPath | None = None, threads: int = 1, record: Names | None = None,
+                 sensitivities: Names = ()) -> None:
         if not isinstance(model, (Deck, Model)):
             model = Deck(model)
         self.model = model.build() if isinstance(model, Deck) else model
         self._names = self.model.histories
-        record = ["ledger", *self._names] if record is None else list_names(record)
-        for name in record:
+        self._recorded = ["ledger", *self._names] if record is None else list_names(record)
+        for name in self._recorded:
             if name != "ledger" and name not in self._names:
                 raise unknown_name("history", name, ["ledger", *self._names])
-        self._recorded = record
-        histories = [self._names.index(name) for name in record if name != "ledger"]
+        histories = [self._names.index(name) for name in self._recorded if name != "ledger"]
         self._varied = list_names(sensitivities)
         varied = [vary(self.model, name) for name in self._varied]
         try:
-            self._core = _core.Simulation(self.model._core, "" if results is None else str(results), threads, "ledger" in record, histories,
+            self._core = _core.Simulation(self.model._core, "" if results is None else str(results), threads, "ledger" in self._recorded, histories,
                                           [([model._core for model in models], step) for models, step in varied])
         except ValueError as error:
             raise Error(f"sensitivities by {', '.join(self._varied)}: {error}") from error
-        self._pending = {}
+        self._pending: dict[str, float] = {}
         self._wall = time.perf_counter()
         if not self._core.start():
             raise self._failure()
 
     # Stepping.
 
-    def step(self):
-        """One accepted step, as a `Step`. What fails is a ConvergenceError; the state stays the last accepted one."""
+    def step(self) -> Step | None:
+        """One accepted step, as a `Step`; None if the run ends without one, as a last stage of modes does.
+
+        Raises ConvergenceError, or EvaluationError where an expression of the deck gives no number; the state stays the last
+        accepted one.
+        """
         self._check_open()
         self._set_inputs(self._core.next_time)
         if not self._core.step():
@@ -94,11 +122,11 @@ class Simulation(Shown):
             return None  # a stage without steps was the last
         return Step(*self._core.last_step)
 
-    def advance(self, until=None, steps=None):
+    def advance(self, until: float | None = None, steps: int | None = None) -> Step:
         """Steps until a time, which is reached exactly, or so many steps; or to the end of the run, if that is sooner. The last `Step`.
 
         until: on the axis of sim.time. An input that changes linearly has its new value there. Other threads of Python
-        run in the meantime, and Ctrl-C ends it after the step at hand.
+        run in the meantime, and Ctrl-C ends it after the step at hand. Raises what `step` raises.
         """
         if (until is None) == (steps is None):
             raise TypeError("advance takes one of until and steps")
@@ -118,10 +146,11 @@ class Simulation(Shown):
                 size *= 2
         return Step(*self._core.last_step)
 
-    def run(self, progress=False, on_step=None):
+    def run(self, progress: bool = False, on_step: Callable[[Simulation], object] | None = None) -> Summary:
         """To the end of the run: its `Summary`. on_step: function(sim), called after each step; the run ends where it returns False.
 
-        progress: True shows how far it is, by tqdm where that is there.
+        progress: True shows how far it is, by tqdm where that is there. An exception of `on_step` comes through, and the
+        simulation can be used on. Raises what `step` raises.
         """
         shown = show_progress() if progress else None
         try:
@@ -139,59 +168,54 @@ class Simulation(Shown):
         return self.summary
 
     @property
-    def time(self):
+    def time(self) -> float:
         """Of the last accepted step; on the axis that stages share. In statics the load factor."""
         return self._core.time
 
     @property
-    def finished(self):
+    def finished(self) -> bool:
         """Whether no step comes any more."""
         return self._core.ended
 
     @property
-    def stage(self):
+    def stage(self) -> str:
         """The name of the stage at hand; "" of a run of one."""
         return self._core.stage
 
     @property
-    def summary(self):
+    def summary(self) -> Summary:
         """What the run has done so far, as `gxrod run --summary` says it."""
         summary = Summary(json.loads(self._core.summary()))
         summary["time"] = self.time
         summary["wall_seconds"]["total"] = time.perf_counter() - self._wall
         return summary
 
-    def close(self):
+    def close(self) -> None:
         """The end of the run: a results file is completed; one that is not finished counts as interrupted."""
         self._core.close()
 
-    def __enter__(self):
+    def __enter__(self) -> Simulation:
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     # What it is like.
 
     @property
-    def state(self):
-        """The nodes at the last accepted state, global components.
-
-        Read-only arrays that follow the simulation, without a copy; `.copy()` what is kept. position, velocity,
-        acceleration, angular_velocity, angular_acceleration [N,3]; orientation [N,4], the quaternion w x y z of the
-        rotation since the reference shape, and rotation_vector [N,3] of it.
-        """
+    def state(self) -> State:
+        """The nodes at the last accepted state: sim.state.position [N,3]. Views that follow the run; `.copy()` what is kept."""
         return State(self._core)
 
-    def __getitem__(self, name):
-        """What the deck's [[history]] of this name records, at the last accepted state: sim["tip"].position."""
+    def __getitem__(self, name: str) -> Values:
+        """What the deck's [[history]] of this name records, at the last accepted state: sim["tip"].position [3]."""
         if name not in self._names:
             raise unknown_name("history", name, self._names)
         index = self._names.index(name)
         return Values(f"history {name}", self._core.quantities(index), lambda quantity: as_value(self._core.history(index, quantity)),
                       lambda parameter: self._derivatives(name, index, parameter))
 
-    def _derivatives(self, name, index, parameter):
+    def _derivatives(self, name: str, index: int, parameter: str) -> Values:
         if parameter not in self._varied:
             raise unknown_name("sensitivity", parameter, self._varied)
         number = self._varied.index(parameter)
@@ -207,33 +231,41 @@ class Simulation(Shown):
         return Values(f"derivative of history {name} by {parameter}", names, lambda number: read(every.index(names[number])))
 
     @property
-    def ledger(self):
-        """Energies and momenta at the last accepted state: sim.ledger.kinetic_energy."""
+    def ledger(self) -> SimpleNamespace:
+        """Energies and momenta at the last accepted state: sim.ledger.kinetic_energy.
+
+        `kinetic_energy`, `strain_energy`, `external_work`, `work_uncertainty`, `dissipated_energy`, `numerical_dissipation`
+        and `energy_error`, what none of these explains: numbers. `linear_momentum`, and `angular_momentum` about the
+        origin: [3], global components.
+        """
         return SimpleNamespace(**self._core.ledger())
 
     @property
-    def elements(self):
-        """Of each element at its middle, in section axes [E,3]: force, moment, strain, curvature."""
-        return SimpleNamespace(**self._core.elements())
+    def elements(self) -> Elements:
+        """Of each rod element at its middle, at the last accepted state: sim.elements.moment [E,3], in section axes. Copies."""
+        return Elements(**self._core.elements())
 
     @property
-    def records(self):
+    def records(self) -> Records:
         """Of each accepted step, the state at t = 0 included: records.time [S], records["tip"].position [S,3], records.ledger.energy_error [S]."""
         return Records(self)
 
     @property
-    def inputs(self):
+    def inputs(self) -> Inputs:
         """The deck's inputs by their names: sim.inputs["tendon"] = 1.2 counts from the next step on."""
         return Inputs(self)
 
     # Back.
 
-    def save(self):
+    def save(self) -> Checkpoint:
         """The last accepted state as a `Checkpoint`; it can be pickled."""
         return self._core.save()
 
-    def restore(self, checkpoint):
-        """Returns to a state that this simulation, or another one of the same model, has saved: all that follows is equal to the last bit."""
+    def restore(self, checkpoint: Checkpoint) -> None:
+        """Returns to a state that this simulation, or another one of the same model, has saved: all that follows is equal to the last bit.
+
+        Raises Error if the checkpoint is of another model, or if the run writes results. Derivatives are not known afterwards.
+        """
         try:
             self._core.restore(checkpoint)
         except (ValueError, RuntimeError) as error:
@@ -242,24 +274,27 @@ class Simulation(Shown):
 
     # Matrices.
 
-    def tangent(self):
-        """∂(residual)/∂(δr, δφ) at the last accepted state at unchanged rates: a scipy.sparse matrix; rows and columns are `unknowns`."""
+    def tangent(self) -> scipy.sparse.csc_matrix:
+        """∂(residual)/∂(δr, δφ) at the last accepted state at unchanged rates: a scipy.sparse matrix [n,n]; rows and columns are `unknowns`.
+
+        δr and δφ, the turn, have global components. Needs SciPy.
+        """
         return self._matrix(0)
 
-    def damping_matrix(self):
-        """The same by velocities."""
+    def damping_matrix(self) -> scipy.sparse.csc_matrix:
+        """∂(residual)/∂(velocities) [n,n], gyroscopic terms included."""
         return self._matrix(1)
 
-    def mass_matrix(self):
-        """The same by accelerations."""
+    def mass_matrix(self) -> scipy.sparse.csc_matrix:
+        """∂(residual)/∂(accelerations) [n,n]."""
         return self._matrix(2)
 
     @property
-    def unknowns(self):
+    def unknowns(self) -> WholeArray:
         """Of each unknown the row of its node and its component, 0 … 5 for x y z rx ry rz; -1 of multipliers of joints. [n,2]"""
         return self._core.unknowns()
 
-    def _matrix(self, which):
+    def _matrix(self, which: int) -> scipy.sparse.csc_matrix:
         try:
             from scipy import sparse
         except ImportError as missing:
@@ -295,51 +330,91 @@ class Simulation(Shown):
 
 
 class State:
-    """Views of a simulation's nodes; see Simulation.state."""
+    """The N nodes of a simulation at the last accepted state, in global components: sim.state.position.
 
-    _names = ("position", "velocity", "acceleration", "angular_velocity", "angular_acceleration", "orientation", "rotation_vector")
+    Read-only arrays that follow the simulation, without a copy; `.copy()` what is kept. They outlive the simulation.
+    """
 
-    def __init__(self, core):
+    def __init__(self, core: _core.Simulation) -> None:
         self._core = core
 
-    def __getattr__(self, name):
-        if name not in State._names:
-            raise unknown_name("quantity of the state", name, State._names)
-        return getattr(self._core, name)
+    @property
+    def position(self) -> Array:
+        """[N,3]"""
+        return self._core.position
 
-    def __dir__(self):
-        return State._names
+    @property
+    def velocity(self) -> Array:
+        """[N,3]; zero in statics."""
+        return self._core.velocity
+
+    @property
+    def acceleration(self) -> Array:
+        """[N,3]; zero in statics."""
+        return self._core.acceleration
+
+    @property
+    def angular_velocity(self) -> Array:
+        """[N,3], in rad per time."""
+        return self._core.angular_velocity
+
+    @property
+    def angular_acceleration(self) -> Array:
+        """[N,3], in rad per time²."""
+        return self._core.angular_acceleration
+
+    @property
+    def orientation(self) -> Array:
+        """[N,4]: the quaternion w x y z of the rotation since the reference shape; of a body its attitude."""
+        return self._core.orientation
+
+    @property
+    def rotation_vector(self) -> Array:
+        """[N,3]: the same rotation as a vector along its axis, whose length is the angle in rad, at most π."""
+        return self._core.rotation_vector
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name):
+            raise unknown_name("quantity of the state", name, dir(self))
+
+    def __dir__(self) -> list[str]:
+        return [name for name, member in vars(State).items() if isinstance(member, property)]
 
 
 class Values(Shown, Mapping):
-    """Quantities by their names, as attributes and as keys."""
+    """Quantities by their names, as attributes and as keys: sim["tip"].position, sim["tip"]["position"].
 
-    def __init__(self, what, names, read, differentiate=None):
+    Numbers; or copies, arrays [3] of vectors, x y z, [4] of quaternions, w x y z. In global axes, if the deck does not
+    name others; `force`, `moment`, `strain` and `curvature` of rods in section axes. In records there are S of them: [S], [S,3], [S,4].
+    """
+
+    def __init__(self, what: str, names: list[str], read: Callable[[int], Any], differentiate: Callable[[str], Values] | None = None) -> None:
         self._what, self._quantities, self._read, self._differentiate = what, names, read, differentiate
 
-    def derivative(self, parameter):
-        """The same by one of the `sensitivities` of the simulation; not of reactions."""
+    def derivative(self, parameter: str) -> Values:
+        """The same by one of the `sensitivities` of the simulation: sim["tip"].derivative("EI").position [3]; not of reactions."""
         if self._differentiate is None:
             raise Error(f"{self._what} has no derivatives")
         return self._differentiate(parameter)
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> Any:
         if name not in self._quantities:
             raise unknown_name(f"quantity of {self._what}", name, self._quantities)
         return self._read(self._quantities.index(name))
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
         return self[name]
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return iter(self._quantities)
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self._quantities)
 
-    def __dir__(self):
+    def __dir__(self) -> list[str]:
         return self._quantities
 
     def _headline(self):
@@ -350,59 +425,64 @@ class Values(Shown, Mapping):
 
 
 class Records:
-    """What was kept of each accepted step; see Simulation.records."""
+    """What was kept of each of the S accepted steps, the state at t = 0 included: records["tip"].position [S,3]."""
 
-    def __init__(self, simulation):
+    def __init__(self, simulation: Simulation) -> None:
         self._simulation = simulation
 
     @property
-    def time(self):
-        """[S]"""
+    def time(self) -> Array:
+        """Of each step [S], on the axis of sim.time."""
         return self._simulation._core.times()
 
     @property
-    def ledger(self):
-        """Energies [S] and momenta [S,3]."""
+    def ledger(self) -> SimpleNamespace:
+        """Energies [S] and momenta [S,3], by the names that sim.ledger has."""
         self._check("ledger")
         return SimpleNamespace(**self._simulation._core.ledgers())
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> Values:
+        """What a history has recorded: records["tip"].position [S,3]."""
         self._check(name)
         core, index = self._simulation._core, self._simulation._names.index(name)
         return Values(f"history {name}", core.quantities(index), lambda quantity: core.records(index, quantity))
 
-    def _check(self, name):
+    def _check(self, name: str) -> None:
         if name not in self._simulation._recorded:
             raise unknown_name("record", name, self._simulation._recorded)
 
 
 class Inputs(Shown, MutableMapping):
-    """The inputs of a simulation; see Simulation.inputs."""
+    """The deck's inputs by their names, numbers: sim.inputs["tendon"] = 1.2 counts from the next step on.
 
-    def __init__(self, simulation):
+    What is set jumps there at the start of the step or is reached at its end, as `hold` of the input says. A value that
+    is not finite is an Error.
+    """
+
+    def __init__(self, simulation: Simulation) -> None:
         self._simulation = simulation
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> float:
         names = self._simulation.model.inputs
         if name not in names:
             raise unknown_name("input", name, names)
         pending = self._simulation._pending
         return pending[name] if name in pending else self._simulation._core.input(names.index(name))
 
-    def __setitem__(self, name, value):
+    def __setitem__(self, name: str, value: float) -> None:
         self[name]  # whether there is one
         value = float(value)
         if not math.isfinite(value):
             raise Error(f"input {name} cannot be {value}")
         self._simulation._pending[name] = value
 
-    def __delitem__(self, name):
+    def __delitem__(self, name: str) -> None:
         raise TypeError("inputs of a deck cannot be removed")
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return iter(self._simulation.model.inputs)
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self._simulation.model.inputs)
 
     def _headline(self):
@@ -417,7 +497,7 @@ def is_false(result):
     return isinstance(result, (bool, np.bool_)) and not result
 
 
-def list_names(names):
+def list_names(names: Names) -> list[str]:
     """A list, of one name alone too."""
     return [names] if isinstance(names, str) else list(names)
 

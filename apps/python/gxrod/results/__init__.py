@@ -1,19 +1,32 @@
 """Reads results files of gxrod: `gxrod.open_results(path)`. Needs h5py and NumPy."""
 
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
 from ..errors import FileError, UnknownNameError
+from ..typed import AnyPath, Array
 from . import frames
 from .display import Shown
 from .frames import STILL, Frames, Rod, find_rod, read_rod_table
 from .records import History, Named, Record, attributes_of
 from .source import Source, plain
-from .stages import read_stages
-from .tables import parts_of_deck, read_table, table_of_deck
+from .stages import Stage, read_stages
+from .tables import Table, parts_of_deck, read_table, table_of_deck
 from .tabular import import_xarray
+
+if TYPE_CHECKING:
+    import matplotlib.figure
+    import xarray
+    from numpy.typing import NDArray
+
+    from ..page import Page
 
 COLUMNS = ("stage", "load_factor", "limit_load_factor", "branch")  # of all histories
 
 
-def open_results(path):
+def open_results(path: AnyPath) -> Results:
     """The results of a run, also of one that is running or was killed, up to its last complete step.
 
     path: a `.vtkhdf` file that `gxrod run` wrote. Nothing but the times is read until it is asked for. What a run adds
@@ -31,15 +44,15 @@ class Results(Shown):
     in the deck's units, angles in rad. Vectors have the components x, y, z; quaternions are w, x, y, z.
     """
 
-    def __init__(self, path):
+    def __init__(self, path: AnyPath) -> None:
         self._source = Source(path)
 
     @property
-    def path(self):
+    def path(self) -> Path:
         """Of the file."""
         return self._source.path
 
-    def refresh(self):
+    def refresh(self) -> Results:
         """Sees the steps and frames that the file has now; returns itself."""
         self._source.refresh()
         return self
@@ -47,52 +60,52 @@ class Results(Shown):
     # What kind of run it is, and what became of it.
 
     @property
-    def status(self):
+    def status(self) -> str:
         """"complete", "failed", "interrupted", or "running", also after a kill."""
         return self._source.attributes["status"]
 
     @property
-    def reason(self):
+    def reason(self) -> str:
         """Why it failed, or where it was interrupted; else "" or what ended it."""
         return self._source.attributes.get("reason", "")
 
     @property
-    def warnings(self):
+    def warnings(self) -> list[str]:
         """Of the end of the run: a list of texts."""
         return self._source.attributes.get("warnings", "").splitlines()
 
     @property
-    def title(self):
+    def title(self) -> str:
         """Of the deck; the deck's name if it has none."""
         return self._source.attributes.get("title") or self.deck_name
 
     @property
-    def units(self):
+    def units(self) -> str:
         """The deck's label, as "m kg s"; "" without one."""
         return self._source.attributes.get("units", "")
 
     @property
-    def analysis(self):
+    def analysis(self) -> str:
         """"static", "dynamic" or "static and dynamic"."""
         return self._source.attributes.get("analysis", "")
 
     @property
-    def version(self):
+    def version(self) -> str:
         """Of the gxrod that wrote it."""
         return self._source.attributes["gxrod_version"]
 
     @property
-    def attributes(self):
+    def attributes(self) -> dict[str, Any]:
         """All attributes of the file: a dict."""
         return dict(self._source.attributes)
 
     @property
-    def deck_name(self):
+    def deck_name(self) -> str:
         """Of the deck's file, as run last."""
         return self._source.attributes.get("deck_name", "")
 
     @property
-    def deck_text(self):
+    def deck_text(self) -> str:
         """The deck as run last, after `--set`."""
         def read(file):
             texts = file["deck"]
@@ -102,7 +115,7 @@ class Results(Shown):
         return self._source.once("deck", read)
 
     @property
-    def deck(self):
+    def deck(self) -> dict[str, Any]:
         """The deck as a dict, its keys and values as written."""
         import tomllib
 
@@ -111,7 +124,7 @@ class Results(Shown):
         except tomllib.TOMLDecodeError as error:
             raise FileError(f"{self.path}: its deck cannot be read: {error}") from error
 
-    def doubt(self):
+    def doubt(self) -> str:
         """Why the file is not trusted: a clause, or "" if its bytes are those that were written, or a run writes it. Reads all of it."""
         from ..seal import doubt_of
 
@@ -120,56 +133,56 @@ class Results(Shown):
     # Over the steps.
 
     @property
-    def time(self):
+    def time(self) -> Array:
         """Time at the end of each accepted step [S]; in statics the load factor, along a path its arc length: see `time_name`."""
         return self._source.times
 
     @property
-    def time_name(self):
+    def time_name(self) -> str:
         """"time", "load_factor" or "arc_length"."""
         return self._source.time_name
 
     @property
-    def load_factor(self):
+    def load_factor(self) -> Array:
         """[S]: of runs along paths their load factor; of others the time, which in statics is the load factor."""
         return self.columns["load_factor"] if "load_factor" in self.columns else self.time
 
     @property
-    def columns(self):
+    def columns(self) -> dict[str, NDArray[Any]]:
         """What files of stages and paths have for each step: `stage`, `load_factor`, `branch`, `limit_load_factor` [S]."""
         there = [name for name in COLUMNS if name in self._source.columns]
         read = lambda name: self._source.read(lambda file: file["histories"][name][: len(self.time)])
         return {name: read(name) for name in there}
 
     @property
-    def histories(self):
+    def histories(self) -> Named[History]:
         """All histories by their names, as the deck's `[[history]]` has them."""
         names = self._source.once("histories", lambda file: [name for name, entry in file["histories"].items()
                                                              if not hasattr(entry, "shape")])
         return Named("history", names, lambda name: History(self._source, name))
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> History:
         """The history of this name: `r["tip"].position` [S,3]."""
         return self.histories[name]
 
-    def __contains__(self, name):
+    def __contains__(self, name: object) -> bool:
         return name in self.histories
 
     def _ipython_key_completions_(self):
         return list(self.histories)
 
     @property
-    def ledger(self):
+    def ledger(self) -> Record:
         """Energies and momenta of the whole model, and `energy_error`, what no term explains: [S] and [S,3]."""
         return Record(self._source, "ledger", "ledger")
 
     @property
-    def solver(self):
+    def solver(self) -> Record:
         """What each step took: `time_step`, `newton_iterations`, `residual`, `rejected_steps` [S]."""
         return Record(self._source, "solver", "solver")
 
     @property
-    def inputs(self):
+    def inputs(self) -> Record:
         """What the deck's inputs were: `r.inputs["tendon"]` [S]."""
         if not self._source.once("has inputs", lambda file: "inputs" in file):
             raise UnknownNameError(f"{self.path.name} has no inputs: the deck has no [input.NAME]")
@@ -178,58 +191,58 @@ class Results(Shown):
     # The motion.
 
     @property
-    def frames(self):
+    def frames(self) -> Frames:
         """The motion: `r.frames.time` [F], `r.frames[-1].position` [N,3], `r.frames.nearest(2.5).elements.moment` [E,3]."""
         return Frames(self._source)
 
     @property
-    def rods(self):
+    def rods(self) -> Named[Rod]:
         """All rods by their names."""
         return Named("rod", read_rod_table(self._source)["name"], lambda name: Rod(self._source, name))
 
-    def rod(self, name):
+    def rod(self, name: str) -> Rod:
         """The rod of this name: `r.rod("arm").moment(frame=-1)` [e,3], at the middles of its elements from start to end."""
         return find_rod(self._source, name)
 
     # What joins things.
 
     @property
-    def joints(self):
+    def joints(self) -> Table:
         """A table: `name`, `type`, `point_a`, `point_b` (rows of frames; -1: the ground), `arm_a`, `arm_b`, `axis_a`, `axis_b` at t = 0."""
         return read_table(self._source, "joints", "joints")
 
     @property
-    def springs(self):
+    def springs(self) -> Table:
         """A table: `name`, `point_a`, `point_b`, `arm_a`, `arm_b`."""
         return read_table(self._source, "springs", "springs")
 
     @property
-    def bushings(self):
+    def bushings(self) -> Table:
         """A table: `name`, `point_a`, `point_b`, `arm_a`, `arm_b`."""
         return read_table(self._source, "bushings", "bushings")
 
     @property
-    def gears(self):
+    def gears(self) -> Table:
         """A table of the deck's `[gear.NAME]`: `name` and its keys, as the deck writes them."""
         return self._table_of_deck("gears", parts_of_deck(self.deck, "gear"))
 
     @property
-    def sleeves(self):
+    def sleeves(self) -> Table:
         """A table: `name`, `rod` (row of `rods`), `place` (arc length at t = 0) and the point that slides: `point_b`, `arm_b`."""
         return read_table(self._source, "sleeves", "sleeves")
 
-    def _table_of_deck(self, name, parts):
+    def _table_of_deck(self, name: str, parts: dict[str, Any]) -> Table:
         table = read_table(self._source, name, name)
         return table if len(table) else table_of_deck(name, parts)
 
     @property
-    def stages(self):
+    def stages(self) -> Named[Stage]:
         """Stages by their names, in their order: `r.stages["tones"].frequencies`. Empty if the deck has none."""
         return read_stages(self._source)
 
     # Other forms.
 
-    def to_xarray(self, frames=False):
+    def to_xarray(self, frames: bool = False) -> xarray.DataTree:
         """An xarray.DataTree: `tree["histories/tip"].position`, `tree["ledger"]`, `tree["solver"]`, with the dimensions time and component.
 
         frames: also `tree["frames"]`, all nodes at all frames, and `tree["frames/elements"]`, which takes memory.
@@ -257,7 +270,7 @@ class Results(Shown):
             arrays[f"{name}_number" if name == row else name] = (dims, values, attributes_of(quantity))
         return xarray.Dataset(arrays, {self.time_name: self.frames.time, "component": list("xyz")})
 
-    def plot(self, what="shapes", **options):
+    def plot(self, what: str = "shapes", **options: Any) -> matplotlib.figure.Figure:
         """A matplotlib Figure, as gxrod-plot draws it: see `gxrod.plot.draw`.
 
         what: "shapes", "histories", "ledger", "found" (modes, buckling, answers) or "all".
@@ -266,7 +279,7 @@ class Results(Shown):
 
         return draw(self, what, **options)
 
-    def show(self, height=720):
+    def show(self, height: int = 720) -> Page:
         """The page of `gxrod report`, with the motion in 3D and all charts: shown in a notebook as the last line of a cell,
         elsewhere `.open()` shows it in the browser. height: in pixels, in a notebook. Needs the program gxrod."""
         from ..page import make_page

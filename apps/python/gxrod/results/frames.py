@@ -1,11 +1,17 @@
 """The motion: values of all nodes and elements at the times for which the deck asked for frames; rods."""
 
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, overload
+
 import numpy as np
 
 from ..errors import UnknownNameError, unknown_name
+from ..typed import Array, WholeArray
 from .display import Shown, shape_text
 from .records import Quantity
-from .source import plain, read_column
+from .source import Source, plain, read_column
 
 NODES, ELEMENTS = "VTKHDF/PointData", "VTKHDF/CellData"
 STILL = ("rod", "element", "arc_length")  # have one row a node or element for all frames
@@ -18,15 +24,15 @@ class Fields(Shown):
     same in all frames, [N].
     """
 
-    def __init__(self, source, chosen, group):
+    def __init__(self, source: Source, chosen: int | range, group: str) -> None:
         self._source, self._chosen, self._group = source, chosen, group
 
     @property
-    def names(self):
+    def names(self) -> list[str]:
         """Names of the quantities."""
         return list(self._quantities)
 
-    def describe(self, name):
+    def describe(self, name: str) -> Quantity:
         """What a quantity is: a `Quantity` with description, frame, dimension, unit and shape."""
         if name not in self._quantities:
             raise unknown_name(f"quantity of {self._what}", name, self._quantities)
@@ -57,22 +63,22 @@ class Fields(Shown):
     def _path(self, name):
         return "VTKHDF/Points" if name == "position" else f"{self._group}/{name}"
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> Array:
         self.describe(name)
         rows = self._rows_a_frame
         if name in STILL:
             return self._source.read(lambda file: file[self._path(name)][:rows])
         return self._source.read(lambda file: read_frames(file[self._path(name)], self._chosen, rows))
 
-    def __contains__(self, name):
+    def __contains__(self, name: object) -> bool:
         return name in self._quantities
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Array:
         if name.startswith("_"):
             raise AttributeError(name)
         return self[name]
 
-    def __dir__(self):
+    def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._quantities]
 
     def _ipython_key_completions_(self):
@@ -100,17 +106,17 @@ def read_frames(dataset, chosen, rows):
 class Frame(Fields):
     """All nodes at one time: `position`, `displacement`, `velocity`, `rotation_vector`, `axis_x` … [N,3], spatial."""
 
-    def __init__(self, source, number):
+    def __init__(self, source: Source, number: int) -> None:
         super().__init__(source, number, NODES)
         self.number = number
 
     @property
-    def time(self):
+    def time(self) -> float:
         """Its time; in statics its load factor."""
         return float(self._source.frame_times[self.number])
 
     @property
-    def elements(self):
+    def elements(self) -> Fields:
         """All elements: `force`, `moment`, `strain`, `curvature` [E,3], material, at their middles; zero for bodies, the last rows."""
         return Fields(self._source, self.number, ELEMENTS)
 
@@ -121,30 +127,32 @@ class Frame(Fields):
 class Frames(Fields):
     """All frames, or a part of them: `r.frames[-1].position` [N,3], `r.frames[::10].position` [F,N,3], `len(r.frames)`."""
 
-    def __init__(self, source, chosen=None):
+    _chosen: range
+
+    def __init__(self, source: Source, chosen: range | None = None) -> None:
         super().__init__(source, range(len(source.frame_times)) if chosen is None else chosen, NODES)
 
     @property
-    def time(self):
+    def time(self) -> Array:
         """Their times [F]; in statics load factors."""
         return self._source.frame_times[np.array(self._chosen, dtype=int)]
 
     @property
-    def elements(self):
+    def elements(self) -> Fields:
         """All elements: `force`, `moment`, `strain`, `curvature` [F,E,3], material, at their middles; zero for bodies, the last rows."""
         return Fields(self._source, self._chosen, ELEMENTS)
 
-    def nearest(self, time):
+    def nearest(self, time: float) -> Frame:
         """The Frame that is nearest to a time, in statics to a load factor."""
         return self[self.index(time)]
 
-    def index(self, time):
+    def index(self, time: float) -> int:
         """Number of the frame that is nearest to a time."""
         if not len(self):
             raise IndexError("there is no frame yet")
         return int(np.abs(self.time - time).argmin())
 
-    def of_node(self, node, name="position"):
+    def of_node(self, node: int, name: str = "position") -> Array:
         """One quantity of one node, from 0, in all of these frames: [F,3]."""
         shape = self.describe(name).shape
         if not -shape[0] <= node < shape[0]:
@@ -157,11 +165,20 @@ class Frames(Fields):
         values = self._source.read(lambda file: file[self._path(name)][rows])
         return values[::-1] if self._chosen.step < 0 else values
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self._chosen)
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[Frame]:
         return (self[i] for i in range(len(self)))
+
+    if TYPE_CHECKING:  # what a key leads to
+
+        @overload  # type: ignore[override]
+        def __getitem__(self, key: str) -> Array: ...
+        @overload
+        def __getitem__(self, key: int) -> Frame: ...
+        @overload
+        def __getitem__(self, key: slice) -> Frames: ...
 
     def __getitem__(self, key):
         if isinstance(key, str):
@@ -227,7 +244,7 @@ class Rod(Shown):
     frames, and where they are along it at t = 0. `cells` [e], `cell_arc_length` [e]: the same of its elements and their middles.
     """
 
-    def __init__(self, source, name):
+    def __init__(self, source: Source, name: str) -> None:
         self._source, self.name = source, name
         rods = read_rod_table(source)
         row = list(rods["name"]).index(name)
@@ -249,12 +266,12 @@ class Rod(Shown):
         self.nodes, self.arc_length, self.cell_arc_length = np.array(nodes), np.array(places), middles[self.cells]
 
     @property
-    def names(self):
+    def names(self) -> list[str]:
         """Names of the quantities."""
         frames = Frames(self._source)
         return [name for name in dict.fromkeys([*frames.names, *frames.elements.names]) if name not in STILL]
 
-    def read(self, name, frame=-1, time=None):
+    def read(self, name: str, frame: int | slice = -1, time: float | None = None) -> Array:
         """A quantity by its name, as `rod.moment(frame)` reads it."""
         if name not in self.names:
             raise unknown_name(f"quantity of rod {self.name}", name, self.names)
@@ -264,7 +281,7 @@ class Rod(Shown):
             return chosen[name][..., self.nodes, :] if len(frames.describe(name).shape) > 1 else chosen[name][..., self.nodes]
         return chosen.elements[name][..., self.cells, :]
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Callable[..., Array]:
         if name.startswith("_"):
             raise AttributeError(name)
         if name not in self.names:
@@ -283,7 +300,7 @@ class Rod(Shown):
                             f"{what.frame}.\n\nframe: its number, or a slice for several ones [F,{rows},3]; time: takes the nearest frame instead.")
         return quantity
 
-    def __dir__(self):
+    def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.names]
 
     def _headline(self):

@@ -1,14 +1,23 @@
 """What was recorded at each step: histories, the ledger, the solver's record, inputs."""
 
-from collections.abc import Mapping
-from typing import NamedTuple
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import TYPE_CHECKING, NamedTuple, TypeVar
 
 import numpy as np
 
 from ..errors import unknown_name
+from ..typed import Array
 from .display import Shown, shape_text
-from .source import plain
+from .source import Source, plain
 from .tabular import import_pandas, import_xarray
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+T = TypeVar("T")
 
 
 class Quantity(NamedTuple):
@@ -19,42 +28,42 @@ class Quantity(NamedTuple):
     frame: str  # "spatial": global axes; "material": section or body axes; "axes of POINT"; "none"
     dimension: str  # as "force·length"; "1" of plain numbers
     unit: str  # as "N·m", if the deck's `units` name units that are known; else ""
-    shape: tuple
+    shape: tuple[int, ...]
 
 
-class Record(Mapping, Shown):
+class Record(Mapping[str, Array], Shown):
     """Quantities over the steps, as attributes and by name: `r.ledger.energy_error`, `r.ledger["energy_error"]`.
 
     Each is an array with a row for each accepted step, the state at t = 0 included: [S] of numbers, [S,3] of vectors
     (x, y, z), [S,4] of quaternions (w, x, y, z). Arrays are read when asked for, and not kept.
     """
 
-    def __init__(self, source, path, what):
+    def __init__(self, source: Source, path: str, what: str) -> None:
         self._source, self._path, self._what = source, path, what
 
     @property
-    def time(self):
+    def time(self) -> Array:
         """Time at the end of each step [S]; in statics the load factor, along a path its arc length."""
         return self._source.times
 
     @property
-    def names(self):
+    def names(self) -> list[str]:
         """Names of the quantities."""
         return list(self._quantities)
 
-    def describe(self, name):
+    def describe(self, name: str) -> Quantity:
         """What a quantity is: a `Quantity` with description, frame, dimension, unit and shape."""
         return self._quantities[self._check(name)]
 
-    def to_pandas(self):
+    def to_pandas(self) -> pandas.DataFrame:
         """A pandas.DataFrame with the time as index; columns as in `gxrod export --csv`: position_x, position_y, position_z."""
         pandas = import_pandas()
-        columns = {}
+        columns: dict[str, Array] = {}
         for name, values in self.items():
             columns.update(split_components(name, values))
         return pandas.DataFrame(columns, index=pandas.Index(self.time, name=self._source.time_name))
 
-    def to_xarray(self):
+    def to_xarray(self) -> xarray.Dataset:
         """An xarray.Dataset with the dimensions time and component (x, y, z) or quaternion (w, x, y, z).
 
         Attributes of each array: long_name, units (where the deck's label names them), frame, dimension.
@@ -89,28 +98,28 @@ class Record(Mapping, Shown):
             raise unknown_name(f"quantity of {self._what}", name, self._quantities)
         return name
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> Array:
         self._check(name)
         return self._source.read(lambda file: file[self._path][name][: len(self._source.times)])
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Array:
         if name.startswith("_"):
             raise AttributeError(name)
         return self[name]
 
-    def __dir__(self):
+    def __dir__(self) -> list[str]:
         return [*super().__dir__(), *(name for name in self._quantities if name.isidentifier())]
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return iter(self._quantities)
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self._quantities)
 
-    def __contains__(self, name):
+    def __contains__(self, name: object) -> bool:
         return name in self._quantities
 
-    def __eq__(self, other):
+    def __eq__(self, other: object) -> bool:
         return self is other
 
     __hash__ = object.__hash__
@@ -129,17 +138,17 @@ class Record(Mapping, Shown):
 class History(Record):
     """What the deck's `[[history]]` records at a point, joint or spring: `r["tip"].position` [S,3]."""
 
-    def __init__(self, source, name):
+    def __init__(self, source: Source, name: str) -> None:
         super().__init__(source, f"histories/{name}", f"history {name}")
         self.name = name
 
     @property
-    def at(self):
+    def at(self) -> str:
         """The point, as the deck names it: "arm.end"."""
         return self._group_attributes.get("at", "")
 
     @property
-    def relative_to(self):
+    def relative_to(self) -> str:
         """The point in whose axes it is recorded; "" for the global axes."""
         return self._group_attributes.get("relative_to", "")
 
@@ -182,21 +191,21 @@ def attributes_of(quantity):
 PLURALS = {"history": "histories"}
 
 
-class Named(Mapping, Shown):
+class Named(Mapping[str, T], Shown):
     """Things by their names, with the nearest name if there is none so: `r.histories["tip"]`."""
 
-    def __init__(self, what, names, make):
+    def __init__(self, what: str, names: Iterable[str], make: Callable[[str], T]) -> None:
         self._what, self._list, self._make = what, list(names), make
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> T:
         if name not in self._list:
             raise unknown_name(self._what, name, self._list)
         return self._make(name)
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[str]:
         return iter(self._list)
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self._list)
 
     def _ipython_key_completions_(self):

@@ -1,13 +1,22 @@
 """Stages: which steps are theirs, and what they have found: modes, factors, answers, sweeps, critical points."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from ..errors import FileError, unknown_name
+from ..typed import Array
 from .display import Shown, shape_text
 from .records import Named, split_components
 from .source import UNREADABLE, Source, check_is_file, import_h5py, plain, read_column
-from .tables import read_table
+from .tables import Table, read_table
 from .tabular import import_pandas
+
+if TYPE_CHECKING:
+    import pandas
+    from numpy.typing import NDArray
 
 # What a user calls it: what the file does.
 ALIASES = {
@@ -41,7 +50,7 @@ class Stage(Shown):
     Names of the file's datasets work as well: `stage.omega`, `stage["omega"]`.
     """
 
-    def __init__(self, source, name):
+    def __init__(self, source: Source, name: str) -> None:
         self._source, self.name = source, name
         self._path = f"stages/{name}"
         self._attributes, self._shapes_of = source.once(("stage", name), self._look)
@@ -52,22 +61,22 @@ class Stage(Shown):
         return attributes, {key: dataset.shape for key, dataset in group.items() if hasattr(dataset, "shape")}
 
     @property
-    def kind(self):
+    def kind(self) -> str:
         """As the deck has it: "static", "dynamic", "modes" …"""
         return self._attributes["kind"]
 
     @property
-    def number(self):
+    def number(self) -> int:
         """From 0."""
         return self._attributes["number"]
 
     @property
-    def attributes(self):
+    def attributes(self) -> dict[str, Any]:
         """What the file notes of the stage: a dict, of modes with `complete` (1: counted, none is missing), `limit` …"""
         return dict(self._attributes)
 
     @property
-    def rows(self):
+    def rows(self) -> slice:
         """Its steps: a slice of the histories, `r["tip"].position[stage.rows]`. Empty if it takes no steps."""
         column = self._source.once("stage column", lambda file: file["histories/stage"][()] if "stage" in file["histories"] else None)
         if column is None:
@@ -76,36 +85,36 @@ class Stage(Shown):
         return slice(int(rows[0]), int(rows[-1]) + 1) if len(rows) else slice(0, 0)
 
     @property
-    def time(self):
+    def time(self) -> Array:
         """Times of its steps."""
         return self._source.times[self.rows]
 
     @property
-    def names(self):
+    def names(self) -> list[str]:
         """Names of what it has found."""
         return [ALIASED.get(name, name) for name in self._shapes_of]
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> Any:
         there = ALIASES.get(name, name)
         if there not in self._shapes_of:
             raise unknown_name(f"finding of stage {self.name}", name, self.names)
         return self._source.read(lambda file: read_column(file[self._path][there]))
 
-    def __contains__(self, name):
+    def __contains__(self, name: object) -> bool:
         return ALIASES.get(name, name) in self._shapes_of
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Any:
         if name.startswith("_"):
             raise AttributeError(name)
         return self[name]
 
-    def __dir__(self):
+    def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.names]
 
     def _ipython_key_completions_(self):
         return self.names
 
-    def to_pandas(self):
+    def to_pandas(self) -> pandas.DataFrame:
         """A pandas.DataFrame with a row for each shape found, value or frequency; columns as in `gxrod export --csv`."""
         pandas = import_pandas()
         columns = {}
@@ -141,12 +150,12 @@ class ShapesStage(Stage):
     """Modes, eigenvalues or buckling."""
 
     @property
-    def eigenvalues(self):
+    def eigenvalues(self) -> NDArray[np.complex128]:
         """Growth + iω [n], complex, of modes and eigenvalues."""
         return self["growth"] + 1j * self["omega"]
 
     @property
-    def shapes(self):
+    def shapes(self) -> Shapes:
         """The shapes, from the file beside the results: see `Shapes`."""
         return Shapes(self._source.path, self.name)
 
@@ -161,17 +170,17 @@ class Sweep(Stage):
     """Eigenvalues over a number of the deck; NaN where a mode was lost."""
 
     @property
-    def key(self):
+    def key(self) -> str:
         """The key of the deck that varies."""
         return self._attributes["key"]
 
     @property
-    def eigenvalues(self):
+    def eigenvalues(self) -> NDArray[np.complex128]:
         """Growth + iω [V,n], complex."""
         return self["growth"] + 1j * self["omega"]
 
     @property
-    def onsets(self):
+    def onsets(self) -> Table:
         """Where motions begin or cease to grow: a table with value, omega, kind, begins."""
         return read_table(self._source, f"{self._path}/onset", "onsets")
 
@@ -179,7 +188,7 @@ class Sweep(Stage):
     def _length(self):
         return self._shapes_of["value"][0]
 
-    def to_pandas(self):
+    def to_pandas(self) -> pandas.DataFrame:
         """A pandas.DataFrame with a row for each value; omega_1, omega_2 … of the modes."""
         return super().to_pandas().set_index("value")
 
@@ -195,21 +204,21 @@ class Answers(Shown):
         self._source, self._path, self.name = source, path, name
 
     @property
-    def names(self):
+    def names(self) -> list[str]:
         return self._source.once(("answers", self._path), lambda file: list(file[self._path]))
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> NDArray[np.complex128]:
         if name not in self.names:
             raise unknown_name(f"answer of {self.name}", name, self.names)
         parts = self._source.read(lambda file: file[self._path][name][()])
         return parts[..., 0] + 1j * parts[..., 1]
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> NDArray[np.complex128]:
         if name.startswith("_"):
             raise AttributeError(name)
         return self[name]
 
-    def __dir__(self):
+    def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self.names]
 
     def _headline(self):
@@ -220,7 +229,7 @@ class Response(Stage):
     """Answers to forces that swing."""
 
     @property
-    def histories(self):
+    def histories(self) -> Named[Answers]:
         """Answers by the names of the deck's histories."""
         path = f"{self._path}/histories"
         names = self._source.once(("answers", self.name), lambda file: list(file[path]))
@@ -230,7 +239,7 @@ class Response(Stage):
     def _length(self):
         return self._shapes_of["omega"][0]
 
-    def to_pandas(self):
+    def to_pandas(self) -> pandas.DataFrame:
         """A pandas.DataFrame with a row for each frequency; complex columns, as tip_displacement_x."""
         table = super().to_pandas()
         for name, answers in self.histories.items():
@@ -244,21 +253,21 @@ class PathStage(Stage):
     """Equilibria along a path."""
 
     @property
-    def critical_points(self):
+    def critical_points(self) -> Table:
         """A table: kind, load_factor, row of the histories, branch, finding …"""
         return read_table(self._source, f"{self._path}/critical_points", "critical points")
 
     @property
-    def branches(self):
+    def branches(self) -> Table:
         """A table, the main path first: name, parent, critical_point, side, first_row, cause."""
         return read_table(self._source, f"{self._path}/branches", "branches")
 
     @property
-    def shapes(self):
+    def shapes(self) -> Shapes:
         """The shapes at critical points, about the equilibrium there: see `Shapes`."""
         return Shapes(self._source.path, self.name, has_own_places=True)
 
-    def to_pandas(self):
+    def to_pandas(self) -> pandas.DataFrame:
         """The critical points as a pandas.DataFrame."""
         return self.critical_points.to_pandas()
 
@@ -281,7 +290,7 @@ class Shapes(Shown):
             raise FileError(f"{self.path}: there is no such file; it holds the shapes of stage {stage}")
 
     @property
-    def position(self):
+    def position(self) -> Array:
         def read(grid, count, points):
             values = grid["Points"][()]
             return values.reshape(count, points, 3) if self._has_own_places else values
@@ -289,11 +298,11 @@ class Shapes(Shown):
         return self._read(read)
 
     @property
-    def displacement(self):
+    def displacement(self) -> NDArray[Any]:
         return self._shapes("displacement")
 
     @property
-    def rotation_vector(self):
+    def rotation_vector(self) -> NDArray[Any]:
         return self._shapes("rotation_vector")
 
     def _shapes(self, name):
@@ -306,7 +315,7 @@ class Shapes(Shown):
 
         return self._read(read)
 
-    def __len__(self):
+    def __len__(self) -> int:
         return self._read(lambda grid, count, points: count)
 
     def _read(self, function):

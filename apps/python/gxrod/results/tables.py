@@ -1,6 +1,9 @@
 """Tables of what a file lists: joints, springs, critical points."""
 
-from collections.abc import Mapping
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 
 from ..errors import unknown_name
 from .display import Shown
@@ -8,19 +11,23 @@ from .records import split_components
 from .source import read_column
 from .tabular import as_objects, import_pandas
 
+if TYPE_CHECKING:
+    import pandas
+    from numpy.typing import NDArray
+
 
 class Table(Shown):
     """Rows with named columns: `r.joints.type`, `r.joints["type"]` [n], `r.joints.row("elbow")`, `len(r.joints)`."""
 
-    def __init__(self, what, columns):
+    def __init__(self, what: str, columns: dict[str, NDArray[Any]]) -> None:
         self._what, self._columns = what, columns
 
     @property
-    def columns(self):
+    def columns(self) -> list[str]:
         """Names of the columns."""
         return list(self._columns)
 
-    def row(self, which):
+    def row(self, which: int | str) -> dict[str, Any]:
         """A row as a dict: by its number, from 0, or by its `name`."""
         number = which
         if isinstance(which, str):
@@ -30,33 +37,33 @@ class Table(Shown):
             number = names.index(which)
         return {name: values[number] for name, values in self._columns.items()}
 
-    def to_pandas(self):
+    def to_pandas(self) -> pandas.DataFrame:
         """A pandas.DataFrame; vectors have a column for each component, as axis_a_x."""
-        columns = {}
+        columns: dict[str, Any] = {}
         for name, values in self._columns.items():
             columns.update(split_components(name, values) if values.ndim == 2 and values.shape[1] in (3, 4) else {name: list(values)})
         return import_pandas().DataFrame(columns)
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> NDArray[Any]:
         if name not in self._columns:
             raise unknown_name(f"column of {self._what}", name, self._columns)
         return self._columns[name]
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> NDArray[Any]:
         if name.startswith("_"):
             raise AttributeError(name)
         return self[name]
 
-    def __contains__(self, name):
+    def __contains__(self, name: object) -> bool:
         return name in self._columns
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(next(iter(self._columns.values()), ()))
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[dict[str, Any]]:
         return (self.row(number) for number in range(len(self)))
 
-    def __dir__(self):
+    def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._columns]
 
     def _ipython_key_completions_(self):

@@ -1,0 +1,189 @@
+"""The compiled part of gxrod; `import gxrod` is how to use it."""
+
+from collections.abc import Sequence
+import os
+from typing import overload
+
+import numpy
+import numpy.typing
+
+
+version: str = ...
+
+def schema() -> str:
+    """The JSON Schema of decks, as text."""
+
+class Deck:
+    """A deck that was read once and is built many times."""
+
+    @overload
+    def __init__(self, path: str | os.PathLike) -> None: ...
+
+    @overload
+    def __init__(self, text: str, file: str | os.PathLike) -> None: ...
+
+    @property
+    def text(self) -> str: ...
+
+    @property
+    def file(self) -> str: ...
+
+class Model:
+    """A deck that was checked and built."""
+
+    def __init__(self, deck: Deck, overrides: Sequence[str]) -> None: ...
+
+    @property
+    def text(self) -> str: ...
+
+    @property
+    def notes(self) -> list[str]: ...
+
+    @property
+    def nodes(self) -> int: ...
+
+    @property
+    def rods(self) -> dict:
+        """{name: (nodes, arc lengths, nodes of each element, order)}."""
+
+    @property
+    def bodies(self) -> dict:
+        """{name: node}."""
+
+    @property
+    def inputs(self) -> list[str]: ...
+
+    @property
+    def histories(self) -> list[str]: ...
+
+    def examine(self) -> list[str]: ...
+
+class Checkpoint:
+    """
+    An accepted state to return to: `sim.save()` makes it, `sim.restore` returns to it; it can be pickled.
+    """
+
+    def __getstate__(self) -> tuple: ...
+
+    def __setstate__(self, arg: tuple, /) -> None: ...
+
+    @property
+    def time(self) -> float:
+        """Of the state, on the axis of sim.time."""
+
+class Simulation:
+    """A run that is driven from outside."""
+
+    def __init__(self, model: Model, results: str, threads: int, keeps_ledger: bool, histories: Sequence[int], varied: Sequence[tuple[Sequence[Model], float]]) -> None: ...
+
+    def start(self) -> bool:
+        """To the accepted state at t = 0; False if there is none."""
+
+    def step(self) -> bool:
+        """False if no step was accepted."""
+
+    def advance(self, until: float | None, most_steps: int) -> int:
+        """The number of steps that were accepted."""
+
+    def close(self) -> None: ...
+
+    def interrupt(self) -> None: ...
+
+    def save(self) -> Checkpoint: ...
+
+    def restore(self, checkpoint: Checkpoint) -> None: ...
+
+    def set_input(self, name: str, value: float, until: float) -> None: ...
+
+    def input(self, input: int) -> float: ...
+
+    def history(self, history: int, quantity: int) -> list[float]: ...
+
+    def derivative(self, number: int, history: int, quantity: int) -> list[float]: ...
+
+    def quantities(self, history: int) -> list[str]: ...
+
+    def ledger(self) -> dict:
+        """{name: number or array [3]}."""
+
+    def times(self) -> numpy.typing.NDArray[numpy.float64]:
+        """Of each accepted step [S]."""
+
+    def records(self, history: int, quantity: int) -> numpy.typing.NDArray[numpy.float64]:
+        """[S], [S,3] or [S,4]."""
+
+    def ledgers(self) -> dict:
+        """{name: array [S] or [S,3]}."""
+
+    def elements(self) -> dict:
+        """{name: array [E,3]}, in section axes at the middles."""
+
+    def matrices(self) -> tuple:
+        """
+        (values, rows, columns, size) of the tangent, the damping matrix and the mass matrix.
+        """
+
+    def unknowns(self) -> numpy.typing.NDArray[numpy.int64]:
+        """Node and component of each [n,2]."""
+
+    def failure(self) -> tuple[float, float, str, list[str], list[str]] | None:
+        """(time, time_step, outcome, places, advice) of the step that failed."""
+
+    def summary(self) -> str:
+        """As JSON."""
+
+    @property
+    def time(self) -> float: ...
+
+    @property
+    def next_time(self) -> float: ...
+
+    @property
+    def ended(self) -> bool: ...
+
+    @property
+    def status(self) -> str: ...
+
+    @property
+    def reason(self) -> str: ...
+
+    @property
+    def is_deck_fault(self) -> bool: ...
+
+    @property
+    def last_step(self, /) -> tuple[float, float, int, int]:
+        """Its time, time step, Newton iterations and rejected steps."""
+
+    @property
+    def part_done(self) -> float: ...
+
+    @property
+    def stage(self) -> str: ...
+
+    @property
+    def position(self, /) -> numpy.typing.NDArray[numpy.float64]:
+        """A read-only view [N,3], global components."""
+
+    @property
+    def velocity(self, /) -> numpy.typing.NDArray[numpy.float64]:
+        """A read-only view [N,3], global components."""
+
+    @property
+    def acceleration(self, /) -> numpy.typing.NDArray[numpy.float64]:
+        """A read-only view [N,3], global components."""
+
+    @property
+    def angular_velocity(self, /) -> numpy.typing.NDArray[numpy.float64]:
+        """A read-only view [N,3], global components."""
+
+    @property
+    def angular_acceleration(self, /) -> numpy.typing.NDArray[numpy.float64]:
+        """A read-only view [N,3], global components."""
+
+    @property
+    def rotation_vector(self, /) -> numpy.typing.NDArray[numpy.float64]:
+        """A read-only view [N,3], global components."""
+
+    @property
+    def orientation(self, /) -> numpy.typing.NDArray[numpy.float64]:
+        """A read-only view [N,4]: w x y z."""
