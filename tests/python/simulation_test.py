@@ -261,6 +261,39 @@ def test_views_outlive_the_simulation(model):
     assert (position == expected).all()
 
 
+def test_points_without_a_history_get_one(tmp_path, model):
+    """Between nodes, at the middle of an element of order 1, it is what a history of the deck records; the run is the same."""
+    points = {"before": "arm@0.375", "end": "arm.end"}
+    with gxrod.Simulation(model, results=tmp_path / "swing.vtkhdf", points=points, record=("tip", "before")) as sim:
+        sim.run()
+    alone = run_to_end(model.deck)
+    assert (sim.state.position == alone.state.position).all() and (sim["end"].velocity == sim["tip"].velocity).all()
+    nodes, element = sim.state.position[1:3], sim.elements
+    assert sim["before"].position == pytest.approx(nodes.mean(axis=0), abs=1e-15)
+    assert sim["before"].moment == pytest.approx(element.moment[1], rel=1e-12) and sim["before"].strain == pytest.approx(element.strain[1], rel=1e-12)
+    assert sim.records["before"].acceleration.shape == (26, 3) and sim.model.histories == ["tip", "root", "before", "end"]
+    written = gxrod.open_results(tmp_path / "swing.vtkhdf")
+    assert (written["before"].curvature == sim.records["before"].curvature).all() and written["before"].at == "arm@0.375"
+    with pytest.raises(gxrod.DeckError, match='^points: .*no point "arn@0.3"'):
+        gxrod.Simulation(model, points={"before": "arn@0.3"})
+    with pytest.raises(gxrod.DeckError, match="tip"):
+        gxrod.Simulation(model, points={"tip": "arm@0.3"})
+
+
+def test_points_go_with_what_else_is_changed(deck):
+    changes = {"history[0].quantities": ["position"], "parameters.EI": 5.0}
+    sim = gxrod.Simulation(deck.build(changes), points={"before": "arm@0.3"}, sensitivities="EI")
+    sim.step()
+    assert list(sim["tip"]) == ["position"] and sim["before"].derivative("EI").position.shape == (3,)
+    tables = {"history": [{"name": "mine", "at": "arm.end", "quantities": ["position"]}]}
+    assert gxrod.Simulation(deck.build(tables), points={"before": "arm@0.3"}).model.histories == ["mine", "before"]
+    bare = gxrod.Deck.from_text(SWING[: SWING.index("[[history]]")])
+    table = gxrod.map(bare, [{"parameters.EI": 5.0}], {"z": lambda sim: sim["before"].position[2]}, as_arrays=True, points={"before": "arm@0.3"})
+    assert table["z"][0] < -1e-3
+    top = gxrod.Simulation(EXAMPLES / "heavy_top" / "heavy_top.toml", points={"seen": "top"})
+    assert {"position", "centre_of_mass", "angular_velocity_material"} <= set(top["seen"]) and "moment" not in top["seen"]
+
+
 def test_names_that_are_not_there(sim, model):
     with pytest.raises(gxrod.UnknownNameError, match="tip"):
         sim["tpi"]

@@ -16,7 +16,7 @@ WRITTEN = SOURCE / "apps" / "python" / "gxrod"
 
 SCRIPT = """import gxrod
 deck = gxrod.Deck("arm.toml")
-with gxrod.Simulation(deck.build({"parameters.EI": 0.05}), sensitivities=["EI"]) as sim:
+with gxrod.Simulation(deck.build({"parameters.EI": 0.05}), sensitivities=["EI"], points={"quarter": "arm@0.25"}) as sim:
     while not sim.finished:
         sim.inputs["tendon"] = 2.0 * (0.3 - sim["tip"].position[2])
         count: int = sim.advance(until=sim.time + 0.02).newton_iterations

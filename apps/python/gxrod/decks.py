@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from . import _core
-from .errors import Error, unknown_name
+from .errors import DeckError, Error, unknown_name
 from .results.display import Shown
 from .typed import AnyPath, Array, Overrides, WholeArray
 
@@ -148,7 +148,7 @@ class Model(Shown):
     def node(self, point: str) -> int:
         """The row in states of a point that has a node: "arm.end", "arm.start", "arm@0.5", or a body.
 
-        Raises Error for a point between nodes.
+        Raises Error for a point between nodes; `points` of a Simulation can be anywhere.
         """
         if point in self.bodies:
             return self.bodies[point]
@@ -173,6 +173,23 @@ class Model(Shown):
 
     def _rows(self):
         return [(key, value) for key, value in self.overrides.items()]
+
+
+OF_POINTS = ("position", "displacement", "rotation_vector", "orientation", "velocity", "angular_velocity", "angular_velocity_material", "acceleration")
+OF_RODS = ("force", "moment", "force_spatial", "moment_spatial", "strain", "curvature")
+
+
+def add_points(model: Model, points: Mapping[str, str]) -> Model:
+    """The model with a history of each point, by its name, that records all that points of rods or bodies have."""
+    if not points:
+        return model
+    there = model.overrides.get("history", model.deck._tables.get("history", []))
+    more = [{"name": name, "at": at, "quantities": [*OF_POINTS, *(("centre_of_mass",) if at in model.bodies else OF_RODS)]} for name, at in points.items()]
+    others = {key: value for key, value in model.overrides.items() if key != "history"}
+    try:
+        return Model(model.deck, {"history": [*there, *more], **others})
+    except DeckError as error:
+        raise DeckError(fault._replace(file="points") if fault.file.startswith("--set history=") else fault for fault in error.faults) from None
 
 
 def write_key(key):

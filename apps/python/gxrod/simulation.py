@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from . import _core
-from .decks import Deck, Model, schema
+from .decks import Deck, Model, add_points, schema
 from .errors import ConvergenceError, Error, EvaluationError, unknown_name
 from .results.display import Shown
 from .typed import AnyPath, Array, Names, WholeArray
@@ -76,7 +76,9 @@ class Simulation(Shown):
     model: a `Model`, a `Deck`, or the path of a deck. results: the path of a results file, as `gxrod run` writes it; None:
     no file. threads: that share the work of a step; they change no result. record: what `records` keeps in memory of each
     accepted step: "ledger" and names of histories; by default all of them. sensitivities: names of [parameters], or other
-    keys of numbers, by which derivatives are carried along: sim["tip"].derivative("EI").position.
+    keys of numbers, by which derivatives are carried along: sim["tip"].derivative("EI").position. points: {name: point},
+    {"quarter": "arm@0.25"}, rods' points and bodies that the deck has no history of: each becomes one, with all quantities
+    of a point.
 
     It begins at t = 0, with the accepted state there. Simulations share nothing: each may be driven by a thread of its
     own. One that cannot start is a ConvergenceError or an EvaluationError; faults of a deck are a DeckError.
@@ -85,10 +87,10 @@ class Simulation(Shown):
     model: Model
 
     def __init__(self, model: Model | Deck | AnyPath, results: AnyPath | None = None, threads: int = 1, record: Names | None = None,
-                 sensitivities: Names = ()) -> None:
+                 sensitivities: Names = (), points: Mapping[str, str] | None = None) -> None:
         if not isinstance(model, (Deck, Model)):
             model = Deck(model)
-        self.model = model.build() if isinstance(model, Deck) else model
+        self.model = add_points(model.build() if isinstance(model, Deck) else model, points or {})
         self._names = self.model.histories
         self._recorded = ["ledger", *self._names] if record is None else list_names(record)
         for name in self._recorded:
@@ -208,7 +210,7 @@ class Simulation(Shown):
         return State(self._core)
 
     def __getitem__(self, name: str) -> Values:
-        """What the deck's [[history]] of this name records, at the last accepted state: sim["tip"].position [3]."""
+        """What the deck's [[history]] of this name records, at the last accepted state: sim["tip"].position [3]; or a point of `points`."""
         if name not in self._names:
             raise unknown_name("history", name, self._names)
         index = self._names.index(name)
