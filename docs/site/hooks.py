@@ -50,7 +50,7 @@ def on_config(config):
 
 def on_files(files, config):
     for file in list(files):
-        if "__pycache__" in file.src_path or file.src_path == "site/hooks.py":
+        if "__pycache__" in file.src_path or file.src_path.startswith("site/") and file.src_path.endswith(".py"):
             files.remove(file)
     files.append(File(CHANGELOG, str(PROJECT), config["site_dir"], config["use_directory_urls"]))
     return files

@@ -42,7 +42,7 @@ class Deck:
 
     @classmethod
     def from_dict(cls, tree: Mapping[str, Any], folder: AnyPath = ".", name: str = "deck.toml") -> Deck:
-        """A deck of tables as dicts: {"body": {"top": {"mass": 1.0, …}}, "load": [{"at": "top", …}], …}; NumPy's numbers and arrays, too."""
+        """A deck of tables as dicts: `{"body": {"top": {"mass": 1.0, …}}, "load": [{"at": "top", …}], …}`; NumPy's numbers and arrays, too."""
         return cls.from_text("\n".join(f"{write_key(key)} = {write_value(value)}" for key, value in tree.items()) + "\n", folder, name)
 
     @property
@@ -69,7 +69,7 @@ class Deck:
         return tomllib.loads(self.text)
 
     def build(self, overrides: Overrides | None = None) -> Model:
-        """The deck checked and built as a `Model`. overrides: {key: value} as of `--set`, {"parameters.E": 2e7, "load[0].force": [0, 0, 1]}.
+        """The deck checked and built as a `Model`. overrides: {key: value} as of `--set`, `{"parameters.E": 2e7, "load[0].force": [0, 0, 1]}`.
 
         Raises DeckError with all that is wrong.
         """
@@ -117,12 +117,12 @@ class Model(Shown):
 
     @property
     def elements(self) -> int:
-        """The number of rod elements, E in shapes of sim.elements."""
+        """The number of rod elements, E in shapes of `sim.elements`."""
         return sum(len(rod.cells) for rod in self.rods.values())
 
     @property
     def rods(self) -> dict[str, RodPlaces]:
-        """{name: where it is}: model.rods["arm"].nodes [n], the rows of its nodes in states."""
+        """{name: where it is}: `model.rods["arm"].nodes` [n], the rows of its nodes in states."""
         return {name: RodPlaces(nodes=np.array(nodes), arc_length=np.array(lengths), cells=np.reshape(cells, (-1, order + 1)))
                 for name, (nodes, lengths, cells, order) in self._core.rods.items()}
 

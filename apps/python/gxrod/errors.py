@@ -12,12 +12,16 @@ class Error(Exception):
 
 
 class Fault(NamedTuple):
-    """One error in a deck or plan."""
+    """One error in a deck or plan.
 
-    file: str = ""  # as it was named; "" if the fault is in no file
-    line: int = 0  # from 1; 0 for a value that is in no file
-    column: int = 0  # from 1, in characters
-    key: str = ""  # its full path, as "rod.flyer.section" or "load[0].force[1]"; "" of an error of syntax
+    `file`: as it was named; "" if the fault is in none. `line`: from 1; 0 of a value that is in no file. `column`: from 1, in
+    characters. `key`: its full path, as "rod.flyer.section" or "load[0].force[1]"; "" of an error of syntax. `message`.
+    """
+
+    file: str = ""
+    line: int = 0
+    column: int = 0
+    key: str = ""
     message: str = ""
 
     def __str__(self) -> str:
@@ -26,13 +30,14 @@ class Fault(NamedTuple):
 
 
 class DeckError(Error):
-    """A deck or plan that cannot be run. `faults`: a tuple of all `Fault`s, in the order of the deck."""
+    """A deck or plan that cannot be run. Its text has a line for each of its `faults`."""
 
     def __init__(self, faults: Iterable[Any]) -> None:
         super().__init__(tuple(Fault(message=fault) if isinstance(fault, str) else Fault(*fault) for fault in faults))
 
     @property
     def faults(self) -> tuple[Fault, ...]:
+        """All errors, in the order of the deck."""
         return self.args[0]
 
     def __str__(self) -> str:

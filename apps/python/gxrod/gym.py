@@ -31,14 +31,14 @@ class RodEnv(gymnasium.Env[Any, Any]):
     deck: the path of a deck, a `gxrod.Deck`, or a `gxrod.Model`. actions: {name of an `[input.NAME]`: (lowest, highest)};
     an action is an array [inputs] in that order, and what is outside is cut to the limits. observations: "HISTORY.QUANTITY",
     "ledger.QUANTITY" or "time"; an observation is an array [n] of float64 of all their components, named by
-    `observation_names`. control_step: time for which an action is held, in the deck's unit. reward: function(sim,
-    action), called after each step. terminated: function(sim) that says whether the task is over, as when a target is
-    reached. on_reset: function(sim, random, options) that changes a start, as by sim.inputs; `random` is a NumPy
+    `observation_names`. control_step: time for which an action is held, in the deck's unit. reward: `function(sim,
+    action)`, called after each step. terminated: `function(sim)` that says whether the task is over, as when a target is
+    reached. on_reset: `function(sim, random, options)` that changes a start, as by `sim.inputs`; `random` is a NumPy
     generator with the seed of reset. failure_reward: the reward of a step that does not converge; it terminates the
-    episode, and info["error"] says why.
+    episode, and `info["error"]` says why.
 
     An episode is truncated where the deck ends (`end_time`). reset() restores the state at t = 0 by a Checkpoint, to the
-    last bit; the model is built once. info has "time". `simulation`: what makes a simulation of a model, by default
+    last bit; the model is built once. info has "time". simulation: what makes a simulation of a model, by default
     `gxrod.Simulation`; further options are handed to it.
     """
 

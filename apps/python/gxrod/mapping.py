@@ -36,10 +36,11 @@ def map(deck: Deck | AnyPath, cases: Iterable[Overrides] | pandas.DataFrame, col
 def map(deck: Deck | AnyPath, cases: Iterable[Overrides] | pandas.DataFrame, collect: Collected, executor: Executor | None = None,
         on_error: Literal["record", "raise"] = "record", progress: bool | Callable[[int, int], object] = False,
         as_arrays: Literal[False] = False, simulation: Callable[..., Any] | None = None, **options: Any) -> pandas.DataFrame: ...
-def map(deck, cases, collect, executor=None, on_error="record", progress=False, as_arrays=False, simulation=None, **options):
+def map(deck, cases, collect, executor=None, on_error="record", progress=False, as_arrays=False, simulation=None,
+        **options) -> pandas.DataFrame | dict[str, NDArray[Any]]:
     """Runs a deck once for each case and collects numbers of each: a pandas.DataFrame with a row for each case, in their order.
 
-    deck: a `gxrod.Deck`, or the path of one. cases: a list of dicts of what differs, as `deck.build` takes them, {"parameters.E": 2e7}; or a
+    deck: a `gxrod.Deck`, or the path of one. cases: a list of dicts of what differs, as `deck.build` takes them, `{"parameters.E": 2e7}`; or a
     DataFrame whose columns are such keys. collect: {name: function}, called with the `Simulation` after its run; or
     {name: "tip.position"}, a quantity at the end; or one function that returns a dict. What they return are numbers,
     texts, or arrays [k], which become columns name[0] … name[k-1].
@@ -50,7 +51,7 @@ def map(deck, cases, collect, executor=None, on_error="record", progress=False, 
     cases that have not begun are dropped. progress: writes how many are done to sys.stderr; or a function that is
     called with the numbers of cases done and of all. as_arrays: a dict of NumPy arrays [cases] instead, for which pandas is not needed.
     simulation: what makes a simulation of a model, by default `gxrod.Simulation`; options are handed to it, as
-    record=("ledger", "tip").
+    `record=("ledger", "tip")`.
 
     Columns: the keys of the cases, what is collected, `error` (None without one).
     """

@@ -37,9 +37,10 @@ class Step(NamedTuple):
 
 
 class Elements(NamedTuple):
-    """Of each rod element at its middle, in section axes [E,3]: (axial, shear y, shear z), (about x, y, z).
+    """Of each rod element at its middle [E,3], in section axes.
 
-    `force` and `moment`, in the deck's units; `strain`, of plain numbers, and `curvature`, one by a length: both since the reference shape.
+    `force` and `strain` are (axial, shear y, shear z), `moment` and `curvature` are about x, y, z. Strain, a plain number,
+    and curvature, one by a length, are those since the reference shape.
     """
 
     force: Array
@@ -49,7 +50,7 @@ class Elements(NamedTuple):
 
 
 class Summary(dict):
-    """What `gxrod run --summary` writes: summary["steps"], or as attributes, summary.steps.
+    """What `gxrod run --summary` writes: `summary["steps"]`, or as attributes, `summary.steps`.
 
     `status` ("complete", "failed", "interrupted"), `reason`, `time`, `steps`, `newton_iterations`, `rejected_steps`,
     `unknowns`, `wall_seconds`, `found` by stages, and more.
@@ -76,8 +77,8 @@ class Simulation(Shown):
     model: a `Model`, a `Deck`, or the path of a deck. results: the path of a results file, as `gxrod run` writes it; None:
     no file. threads: that share the work of a step; they change no result. record: what `records` keeps in memory of each
     accepted step: "ledger" and names of histories; by default all of them. sensitivities: names of [parameters], or other
-    keys of numbers, by which derivatives are carried along: sim["tip"].derivative("EI").position. points: {name: point},
-    {"quarter": "arm@0.25"}, rods' points and bodies that the deck has no history of: each becomes one, with all quantities
+    keys of numbers, by which derivatives are carried along: `sim["tip"].derivative("EI").position`. points: {name: point},
+    `{"quarter": "arm@0.25"}`, rods' points and bodies that the deck has no history of: each becomes one, with all quantities
     of a point.
 
     It begins at t = 0, with the accepted state there. Simulations share nothing: each may be driven by a thread of its
@@ -127,7 +128,7 @@ class Simulation(Shown):
     def advance(self, until: float | None = None, steps: int | None = None) -> Step:
         """Steps until a time, which is reached exactly, or so many steps; or to the end of the run, if that is sooner. The last `Step`.
 
-        until: on the axis of sim.time. An input that changes linearly has its new value there. Other threads of Python
+        until: on the axis of `sim.time`. An input that changes linearly has its new value there. Other threads of Python
         run in the meantime, and Ctrl-C ends it after the step at hand. Raises what `step` raises.
         """
         if (until is None) == (steps is None):
@@ -149,7 +150,7 @@ class Simulation(Shown):
         return Step(*self._core.last_step)
 
     def run(self, progress: bool = False, on_step: Callable[[Simulation], object] | None = None) -> Summary:
-        """To the end of the run: its `Summary`. on_step: function(sim), called after each step; the run ends where it returns False.
+        """To the end of the run: its `Summary`. on_step: `function(sim)`, called after each step; the run ends where it returns False.
 
         progress: True shows how far it is, by tqdm where that is there. An exception of `on_step` comes through, and the
         simulation can be used on. Raises what `step` raises.
@@ -206,11 +207,11 @@ class Simulation(Shown):
 
     @property
     def state(self) -> State:
-        """The nodes at the last accepted state: sim.state.position [N,3]. Views that follow the run; `.copy()` what is kept."""
+        """The nodes at the last accepted state: `sim.state.position` [N,3]. Views that follow the run; `.copy()` what is kept."""
         return State(self._core)
 
     def __getitem__(self, name: str) -> Values:
-        """What the deck's [[history]] of this name records, at the last accepted state: sim["tip"].position [3]; or a point of `points`."""
+        """What the deck's `[[history]]` of this name records, at the last accepted state: `sim["tip"].position` [3]; or a point of `points`."""
         if name not in self._names:
             raise unknown_name("history", name, self._names)
         index = self._names.index(name)
@@ -234,7 +235,7 @@ class Simulation(Shown):
 
     @property
     def ledger(self) -> SimpleNamespace:
-        """Energies and momenta at the last accepted state: sim.ledger.kinetic_energy.
+        """Energies and momenta at the last accepted state: `sim.ledger.kinetic_energy`.
 
         `kinetic_energy`, `strain_energy`, `external_work`, `work_uncertainty`, `dissipated_energy`, `numerical_dissipation`
         and `energy_error`, what none of these explains: numbers. `linear_momentum`, and `angular_momentum` about the
@@ -244,17 +245,17 @@ class Simulation(Shown):
 
     @property
     def elements(self) -> Elements:
-        """Of each rod element at its middle, at the last accepted state: sim.elements.moment [E,3], in section axes. Copies."""
+        """Of each rod element at its middle, at the last accepted state: `sim.elements.moment` [E,3], in section axes. Copies."""
         return Elements(**self._core.elements())
 
     @property
     def records(self) -> Records:
-        """Of each accepted step, the state at t = 0 included: records.time [S], records["tip"].position [S,3], records.ledger.energy_error [S]."""
+        """Of each accepted step, the state at t = 0 included: `sim.records["tip"].position` [S,3]; copies of what `record` keeps."""
         return Records(self)
 
     @property
     def inputs(self) -> Inputs:
-        """The deck's inputs by their names: sim.inputs["tendon"] = 1.2 counts from the next step on."""
+        """The deck's inputs by their names: `sim.inputs["tendon"] = 1.2` counts from the next step on."""
         return Inputs(self)
 
     # Back.
@@ -293,7 +294,7 @@ class Simulation(Shown):
 
     @property
     def unknowns(self) -> WholeArray:
-        """Of each unknown the row of its node and its component, 0 … 5 for x y z rx ry rz; -1 of multipliers of joints. [n,2]"""
+        """[n,2]: of each of the n unknowns the row of its node in states and its component, 0 … 5 for x y z rx ry rz; -1 of multipliers of joints."""
         return self._core.unknowns()
 
     def _matrix(self, which: int) -> scipy.sparse.csc_matrix:
@@ -332,7 +333,7 @@ class Simulation(Shown):
 
 
 class State:
-    """The N nodes of a simulation at the last accepted state, in global components: sim.state.position.
+    """The N nodes of a simulation at the last accepted state, in global components: `sim.state.position`.
 
     Read-only arrays that follow the simulation, without a copy; `.copy()` what is kept. They outlive the simulation.
     """
@@ -385,7 +386,7 @@ class State:
 
 
 class Values(Shown, Mapping):
-    """Quantities by their names, as attributes and as keys: sim["tip"].position, sim["tip"]["position"].
+    """Quantities by their names, as attributes and as keys: `sim["tip"].position`, `sim["tip"]["position"]`.
 
     Numbers; or copies, arrays [3] of vectors, x y z, [4] of quaternions, w x y z. In global axes, if the deck does not
     name others; `force`, `moment`, `strain` and `curvature` of rods in section axes. In records there are S of them: [S], [S,3], [S,4].
@@ -395,7 +396,7 @@ class Values(Shown, Mapping):
         self._what, self._quantities, self._read, self._differentiate = what, names, read, differentiate
 
     def derivative(self, parameter: str) -> Values:
-        """The same by one of the `sensitivities` of the simulation: sim["tip"].derivative("EI").position [3]; not of reactions."""
+        """The same by one of the `sensitivities` of the simulation: `sim["tip"].derivative("EI").position` [3]; not of reactions."""
         if self._differentiate is None:
             raise Error(f"{self._what} has no derivatives")
         return self._differentiate(parameter)
@@ -427,24 +428,24 @@ class Values(Shown, Mapping):
 
 
 class Records:
-    """What was kept of each of the S accepted steps, the state at t = 0 included: records["tip"].position [S,3]."""
+    """What was kept of each of the S accepted steps, the state at t = 0 included: `sim.records["tip"].position` [S,3]."""
 
     def __init__(self, simulation: Simulation) -> None:
         self._simulation = simulation
 
     @property
     def time(self) -> Array:
-        """Of each step [S], on the axis of sim.time."""
+        """Of each step [S], on the axis of `sim.time`."""
         return self._simulation._core.times()
 
     @property
     def ledger(self) -> SimpleNamespace:
-        """Energies [S] and momenta [S,3], by the names that sim.ledger has."""
+        """Energies [S] and momenta [S,3], by the names that `sim.ledger` has."""
         self._check("ledger")
         return SimpleNamespace(**self._simulation._core.ledgers())
 
     def __getitem__(self, name: str) -> Values:
-        """What a history has recorded: records["tip"].position [S,3]."""
+        """What a history has recorded: `sim.records["tip"].position` [S,3]."""
         self._check(name)
         core, index = self._simulation._core, self._simulation._names.index(name)
         return Values(f"history {name}", core.quantities(index), lambda quantity: core.records(index, quantity))
@@ -455,10 +456,10 @@ class Records:
 
 
 class Inputs(Shown, MutableMapping):
-    """The deck's inputs by their names, numbers: sim.inputs["tendon"] = 1.2 counts from the next step on.
+    """The deck's inputs by their names, numbers: `sim.inputs["tendon"] = 1.2` counts from the next step on.
 
-    What is set jumps there at the start of the step or is reached at its end, as `hold` of the input says. A value that
-    is not finite is an Error.
+    With `hold = "step"` of the input it has the value from the start of that step; with "linear" it goes there until its end,
+    or until the time of `advance`. A value that is not finite is an Error.
     """
 
     def __init__(self, simulation: Simulation) -> None:

@@ -21,13 +21,17 @@ T = TypeVar("T")
 
 
 class Quantity(NamedTuple):
-    """What an array is."""
+    """What an array is: `name`, `description`, `frame`, `dimension`, `unit`, `shape`.
+
+    `frame`: "spatial", global axes; "material", section or body axes; "axes of POINT"; or "none". `dimension`: as "force·length";
+    "1" of plain numbers. `unit`: as "N·m", if the deck's `units` name units that are known; else "".
+    """
 
     name: str
     description: str
-    frame: str  # "spatial": global axes; "material": section or body axes; "axes of POINT"; "none"
-    dimension: str  # as "force·length"; "1" of plain numbers
-    unit: str  # as "N·m", if the deck's `units` name units that are known; else ""
+    frame: str
+    dimension: str
+    unit: str
     shape: tuple[int, ...]
 
 
@@ -192,7 +196,7 @@ PLURALS = {"history": "histories"}
 
 
 class Named(Mapping[str, T], Shown):
-    """Things by their names, with the nearest name if there is none so: `r.histories["tip"]`."""
+    """Things by their names, a mapping that cannot be changed: `r.histories["tip"]`, `list(r.rods)`. A name that is not there is answered with the nearest one."""
 
     def __init__(self, what: str, names: Iterable[str], make: Callable[[str], T]) -> None:
         self._what, self._list, self._make = what, list(names), make

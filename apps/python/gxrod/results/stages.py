@@ -205,6 +205,7 @@ class Answers(Shown):
 
     @property
     def names(self) -> list[str]:
+        """Names of the quantities."""
         return self._source.once(("answers", self._path), lambda file: list(file[self._path]))
 
     def __getitem__(self, name: str) -> NDArray[np.complex128]:
@@ -277,10 +278,9 @@ class PathStage(Stage):
 
 
 class Shapes(Shown):
-    """Shapes that a stage has found, scaled for drawing: the largest displacement is a tenth of the model.
+    """The n shapes that a stage has found, scaled for drawing: the largest displacement is a tenth of the model. In global axes.
 
-    `position`: of the nodes in the equilibrium [N,3]; of a path at each of its points [n,N,3]. `displacement`,
-    `rotation_vector`: [n,N,3], spatial; complex if the stage finds complex shapes.
+    Read from the file beside the results, NAME.STAGE.vtkhdf; FileError if it is not there.
     """
 
     def __init__(self, results, stage, has_own_places=False):
@@ -291,6 +291,7 @@ class Shapes(Shown):
 
     @property
     def position(self) -> Array:
+        """Of the nodes in the equilibrium [N,3]; of a path at each of its points [n,N,3]."""
         def read(grid, count, points):
             values = grid["Points"][()]
             return values.reshape(count, points, 3) if self._has_own_places else values
@@ -299,10 +300,12 @@ class Shapes(Shown):
 
     @property
     def displacement(self) -> NDArray[Any]:
+        """From there [n,N,3]; complex if the stage finds complex shapes."""
         return self._shapes("displacement")
 
     @property
     def rotation_vector(self) -> NDArray[Any]:
+        """The turns of the nodes from there [n,N,3], in rad on the same scale; complex likewise."""
         return self._shapes("rotation_vector")
 
     def _shapes(self, name):
