@@ -63,6 +63,39 @@ kind = "modes"
 count = 3
 """
 
+SWING = """title = "A rod that swings, with a tendon"
+gravity = [0, 0, -9.81]
+[parameters]
+EI = 6.0
+[section.s]
+stiffness = { EA = 1e3, GAy = 1e3, GAz = 1e3, GJ = 5, EIy = "EI", EIz = 7 }
+inertia = { rhoA = 1.0, rhoJ = 0.2, rhoIy = 0.1, rhoIz = 0.1 }
+[rod.arm]
+section = "s"
+line = { from = [0, 0, 0], to = [2, 0, 0] }
+elements = 4
+[[support]]
+at = "arm.start"
+fix = "all"
+[input.tendon]
+value = 0
+[[load]]
+at = "arm.end"
+moment = [0, "tendon", 0]
+[analysis]
+kind = "dynamic"
+end_time = 0.5
+time_step = 0.02
+[[history]]
+name = "tip"
+at = "arm.end"
+quantities = ["position", "velocity", "orientation"]
+[[history]]
+name = "root"
+at = "arm.start"
+quantities = ["moment"]
+"""
+
 
 def gxrod(*arguments, folder, code=0):
     done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=folder, text=True, capture_output=True, check=False)
