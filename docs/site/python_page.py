@@ -36,7 +36,7 @@ GROUPS = [
 CONSTRUCTED = {"Deck": "gxrod.Deck", "Simulation": "gxrod.Simulation", "RodEnv": "gxrod.gym.RodEnv"}  # by users; others are handed out
 PREFIXES = {"gym": "gxrod.gym.", "plot": "gxrod.plot."}
 NAMES = {name for _, _, modules in GROUPS for names in modules.values() for name in names}
-TYPES = {"Array": "array", "WholeArray": "array of int", "NDArray[Any]": "array", "NDArray[np.complex128]": "complex array"}
+TYPES = {"Array": "array", "WholeArray": "array of int", "NDArray[np.complex128]": "complex array"}
 
 
 def read_module(name):
@@ -90,7 +90,7 @@ def type_of(node):
     text = ast.unparse(node.returns) if node.returns else "None"
     if text == "None":
         return ""
-    text = TYPES.get(text, text)
+    text = TYPES.get(text, text).replace("NDArray[Any]", "array").replace("Array", "array")
     return link(" or ".join(f"`{each}`" for each in text.split(" | "))) if text[0].isupper() or "[" in text else text
 
 

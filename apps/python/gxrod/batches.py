@@ -29,7 +29,7 @@ def batch(plan: AnyPath | Sequence[AnyPath], folder: AnyPath | None = None, jobs
     """Runs the batch of a plan by the program `gxrod batch`; returns the folder with its table, for `read_batch`.
 
     plan: a TOML file, or a list of decks. folder: of the batch; by default the plan's name, in the current folder. jobs: how many cases run at
-    once; by default the cores. only: (first, last) numbers of cases. retry_failed: also runs those again that are not
+    once; by default one a core. only: (first, last) numbers of cases. retry_failed: also runs those again that are not
     done. force: discards what the folder holds. quiet: prints nothing of what the program says meanwhile.
 
     A batch that was stopped is resumed. Cases that fail are rows of the table with their status and reason; no exception
@@ -55,7 +55,7 @@ def read_batch(folder: AnyPath, as_arrays: bool = False) -> pandas.DataFrame | d
     folder: of the batch, or its index.csv. Columns: `case`, the parameters by their keys, `status`, `reason`, what the
     plan collects, `steps`, `newton_iterations`, `rejected_steps`, `time`, `seconds`, `results`, `warning`. Numbers are
     numbers, parameters also whole ones and booleans; what a case does not have is NaN, of texts "".
-    as_arrays: a dict of NumPy arrays [cases] instead, without pandas.
+    as_arrays: a dict of NumPy arrays [cases] instead, without pandas. Raises FileError if there is no table there.
     """
     path = Path(folder)
     path = path / "index.csv" if path.is_dir() else path

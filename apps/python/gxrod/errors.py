@@ -59,7 +59,7 @@ class ConvergenceError(Error):
 
 
 class FileError(Error):
-    """A file could not be read or written. Its text begins with the path."""
+    """A file could not be read or written, or is not what it should be. Its text begins with the path."""
 
 
 class EvaluationError(Error):

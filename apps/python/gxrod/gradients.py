@@ -16,9 +16,11 @@ from .variations import change, find_number, key_of
 def check_gradient(deck: Model | Deck | AnyPath, names: Names, quantity: str, step: float = 1e-4) -> list[dict[str, Any]]:
     """Derivatives of a quantity at the end, "tip.position", against differences of whole runs: a row for each name.
 
-    deck: a `Deck`, a `Model`, or the path of a deck. Each row: the name; `derivative` and `difference`, numbers or
-    arrays; `distance`, relative. The difference is extrapolated from runs with steps of `step` and half of it, relative
-    to the number.
+    deck: a `Deck`, a `Model`, or the path of a deck. names: of [parameters], or other keys of numbers. quantity: of a
+    history. step: of the differences, relative to the number; they are extrapolated from runs with this step and half of it.
+
+    A row is a dict: `parameter`, the name; `derivative` and `difference`, numbers or arrays as the quantity is; `distance`
+    between them, relative. Warns where runs take other steps than the one with derivatives, so that they cannot be compared.
     """
     history, _, what = quantity.partition(".")
     names = list_names(names)

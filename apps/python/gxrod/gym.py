@@ -25,8 +25,8 @@ except ImportError as missing:
 class RodEnv(gymnasium.Env[Any, Any]):
     """An environment of one deck: actions set its inputs, observations are what its histories record.
 
-        env = gxrod.gym.RodEnv("arm.toml", actions={"tendon": (-0.1, 0.1)}, observations=["tip.position", "tip.velocity"],
-                               control_step=0.02, reward=lambda sim, action: -abs(sim["tip"].position[2] - 0.3))
+        env = gxrod.gym.RodEnv("arm.toml", actions={"tendon": (-0.1, 0.1)}, observations=["tip.position"],
+                               control_step=0.02, reward=lambda sim, action: -abs(sim["tip"].position[2]))
 
     deck: the path of a deck, a `gxrod.Deck`, or a `gxrod.Model`. actions: {name of an `[input.NAME]`: (lowest, highest)};
     an action is an array [inputs] in that order, and what is outside is cut to the limits. observations: "HISTORY.QUANTITY",
@@ -70,7 +70,7 @@ class RodEnv(gymnasium.Env[Any, Any]):
         self.observation_space = gymnasium.spaces.Box(-np.inf, np.inf, (len(self.observation_names),), dtype=np.float64)
 
     def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[Array, dict[str, Any]]:
-        """Back to t = 0: (observation [n], info)."""
+        """Back to t = 0: (observation [n], info). seed: of the generator that `on_reset` gets. options: a dict for `on_reset`."""
         super().reset(seed=seed)
         self.sim.restore(self._start)
         self._has_ended = False
@@ -79,7 +79,10 @@ class RodEnv(gymnasium.Env[Any, Any]):
         return self._observe(), {"time": float(self.sim.time)}
 
     def step(self, action: Any) -> tuple[Array, float, bool, bool, dict[str, Any]]:
-        """Holds an action [inputs] for a control step: (observation [n], reward, terminated, truncated, info)."""
+        """Holds an action [inputs] for a control step: (observation [n], reward, terminated, truncated, info).
+
+        Raises Error if the episode has ended; a step that does not converge raises nothing, but terminates it.
+        """
         if self._has_ended:
             raise Error("the episode has ended; reset() begins the next one")
         action = np.clip(np.asarray(action, dtype=np.float64).reshape(self.action_space.shape), self.action_space.low, self.action_space.high)

@@ -22,7 +22,7 @@ class Page:
         self._folder: tempfile.TemporaryDirectory[str] | None = None
 
     def save(self, path: AnyPath) -> None:
-        """Writes the page, which needs no other file."""
+        """Writes the page to a file; it needs no other one, and no network."""
         Path(path).write_text(self.html, encoding="utf-8")
 
     def open(self) -> None:

@@ -208,17 +208,17 @@ class Results(Shown):
 
     @property
     def joints(self) -> Table:
-        """A table: `name`, `type`, `point_a`, `point_b` (rows of frames; -1: the ground), `arm_a`, `arm_b`, `axis_a`, `axis_b` at t = 0."""
+        """A table: `name`, `type`, `point_a`, `point_b` (rows of frames; -1: the ground), `arm_a`, `arm_b` from there to the ends, `axis_a`, `axis_b` at t = 0 [n,3], in global axes."""
         return read_table(self._source, "joints", "joints")
 
     @property
     def springs(self) -> Table:
-        """A table: `name`, `point_a`, `point_b`, `arm_a`, `arm_b`."""
+        """A table: `name`, `point_a`, `point_b`, `arm_a`, `arm_b`, as of joints."""
         return read_table(self._source, "springs", "springs")
 
     @property
     def bushings(self) -> Table:
-        """A table: `name`, `point_a`, `point_b`, `arm_a`, `arm_b`."""
+        """A table: `name`, `point_a`, `point_b`, `arm_a`, `arm_b`, as of joints."""
         return read_table(self._source, "bushings", "bushings")
 
     @property

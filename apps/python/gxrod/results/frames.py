@@ -147,13 +147,13 @@ class Frames(Fields):
         return self[self.index(time)]
 
     def index(self, time: float) -> int:
-        """Number of the frame that is nearest to a time."""
+        """Number of the frame that is nearest to a time, in statics to a load factor; IndexError if there is none yet."""
         if not len(self):
             raise IndexError("there is no frame yet")
         return int(np.abs(self.time - time).argmin())
 
     def of_node(self, node: int, name: str = "position") -> Array:
-        """One quantity of one node, from 0, in all of these frames: [F,3]."""
+        """One quantity of one node, from 0, in all of these frames: [F,3]. IndexError if there is no such node."""
         shape = self.describe(name).shape
         if not -shape[0] <= node < shape[0]:
             raise IndexError(f"there is no node {node}; they go from 0 to {shape[0] - 1}")
@@ -240,8 +240,11 @@ def read_cells(source):
 class Rod(Shown):
     """A rod from its start to its end. Its quantities are functions of the frame: `r.rod("arm").moment(frame=-1)`.
 
-    `name`, `section`, `length` (at t = 0), `order` of its elements. `nodes` [n], `arc_length` [n]: its nodes, as rows of
-    frames, and where they are along it at t = 0. `cells` [e], `cell_arc_length` [e]: the same of its elements and their middles.
+    Those of nodes, as `position`, are [n,3] in global axes; `force`, `moment`, `strain` and `curvature` are [e,3], at the
+    middles of the elements in section axes. Arguments are those of `read`.
+
+    `name`, `section`: texts. `length`: at t = 0. `order`: of its elements. `nodes` [n]: its nodes, as rows of frames. `arc_length` [n]:
+    where they are along it at t = 0. `cells` [e]: its elements, as rows of `elements` of frames. `cell_arc_length` [e]: where their middles are.
     """
 
     def __init__(self, source: Source, name: str) -> None:
@@ -272,7 +275,11 @@ class Rod(Shown):
         return [name for name in dict.fromkeys([*frames.names, *frames.elements.names]) if name not in STILL]
 
     def read(self, name: str, frame: int | slice = -1, time: float | None = None) -> Array:
-        """A quantity by its name, as `rod.moment(frame)` reads it."""
+        """A quantity by its name, [n,3] or [e,3]: what `rod.moment(frame)` reads.
+
+        frame: its number, -1 the last one; a slice reads several ones, [F,n,3]. time: takes the nearest frame instead, in
+        statics that of the nearest load factor.
+        """
         if name not in self.names:
             raise unknown_name(f"quantity of rod {self.name}", name, self.names)
         frames = Frames(self._source)
