@@ -15,7 +15,10 @@ import typing as _typing
 
 from .errors import ConvergenceError, DeckError, Error, EvaluationError, Fault, FileError, UnknownNameError
 
-__version__ = "0.1.0"
+try:
+    from ._version import __version__
+except ImportError:  # in the source tree, which CMake has not configured
+    __version__ = "unknown"
 
 # Where names are that are imported when they are asked for.
 _HOMES = {"open_results": "results", "Results": "results", "batch": "batches", "read_batch": "batches", "map": "mapping"}
