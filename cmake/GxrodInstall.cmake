@@ -1,38 +1,40 @@
-# What `cmake --install` and CPack's Debian package hold: the program, gxrod-plot, the Python package, examples; the library, its headers and
-# a CMake package by which other programs find it.
+# What `cmake --install` puts where: the program, gxrod-plot, the Python package, the documentation with its examples; the
+# library, its headers and a CMake package by which other programs find it. What is for wheels or for Debian's packages
+# alone is EXCLUDE_FROM_ALL; packages are made of components (GxrodPackages.cmake).
 include(CMakePackageConfigHelpers)
 
-set(gxrod_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/gxrod")
-install(TARGETS gxrod RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(PROGRAMS apps/gxrod-plot DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY apps/python/gxrod DESTINATION ${CMAKE_INSTALL_DATADIR}/gxrod/python
-  FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
-install(FILES "${PROJECT_BINARY_DIR}/python/gxrod/_version.py" DESTINATION ${CMAKE_INSTALL_DATADIR}/gxrod/python/gxrod)
-install(FILES "${PROJECT_BINARY_DIR}/python/gxrod/_version.py" DESTINATION gxrod COMPONENT python EXCLUDE_FROM_ALL)
-install(DIRECTORY docs/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/gxrod)
-install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+set(gxrod_share "${CMAKE_INSTALL_DATADIR}/gxrod")
+install(TARGETS gxrod RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+# All pages, so that those of the examples find their pictures and what they link to.
+install(DIRECTORY docs/ DESTINATION ${gxrod_share} COMPONENT program
+  PATTERN __pycache__ EXCLUDE PATTERN "*.vtkhdf" EXCLUDE PATTERN "*.json" EXCLUDE
+  REGEX "/docs/(site|verification/book)$" EXCLUDE REGEX "/docs/(verification|performance)/[^/]*\\.py$" EXCLUDE)
+install(FILES LICENSE README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT texts)
 
-install(TARGETS gxrod_library EXPORT gxrod ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gxrod FILES_MATCHING PATTERN "*.hpp")
-install(FILES "${PROJECT_BINARY_DIR}/generated/model/version.hpp" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gxrod/model)
-install(EXPORT gxrod NAMESPACE gxrod:: FILE gxrod-targets.cmake DESTINATION ${gxrod_package_dir})
+# gxrod_install_python(FOLDER COMPONENT [EXCLUDE_FROM_ALL]): the Python package, but for its compiled part.
+function(gxrod_install_python folder component)
+  install(DIRECTORY apps/python/gxrod DESTINATION "${folder}" COMPONENT ${component} ${ARGN}
+    FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN py.typed PATTERN __pycache__ EXCLUDE)
+  install(FILES "${PROJECT_BINARY_DIR}/python/gxrod/_version.py" DESTINATION "${folder}/gxrod" COMPONENT ${component} ${ARGN})
+endfunction()
+gxrod_install_python(${gxrod_share}/python python_files)
+install(PROGRAMS apps/gxrod-plot DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT python_files)
+if(SKBUILD)
+  # The wheel: scikit-build-core itself adds the files of apps/python/gxrod and makes gxrod-plot (pyproject.toml).
+  install(FILES "${PROJECT_BINARY_DIR}/python/gxrod/_version.py" DESTINATION gxrod COMPONENT python EXCLUDE_FROM_ALL)
+  install(TARGETS gxrod RUNTIME DESTINATION "${SKBUILD_SCRIPTS_DIR}" COMPONENT python EXCLUDE_FROM_ALL)
+endif()
+
+set(gxrod_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/gxrod")
+install(TARGETS gxrod_library EXPORT gxrod ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gxrod COMPONENT development FILES_MATCHING PATTERN "*.hpp")
+install(FILES "${PROJECT_BINARY_DIR}/generated/model/version.hpp" DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/gxrod/model
+  COMPONENT development)
+install(EXPORT gxrod NAMESPACE gxrod:: FILE gxrod-targets.cmake DESTINATION ${gxrod_package_dir} COMPONENT development)
 configure_file(cmake/gxrod-config.cmake "${PROJECT_BINARY_DIR}/generated/gxrod-config.cmake" COPYONLY)
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/generated/gxrod-config-version.cmake"
   COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/generated/gxrod-config.cmake"
   "${PROJECT_BINARY_DIR}/generated/gxrod-config-version.cmake"
   cmake/FindSuiteSparse.cmake cmake/FindNettle.cmake cmake/FindLibdeflate.cmake cmake/FindLibcsv.cmake
-  DESTINATION ${gxrod_package_dir})
-
-set(CPACK_GENERATOR DEB)
-set(CPACK_PACKAGE_CONTACT "the gxrod developers <gxrod@localhost>")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "geometrically exact rod finite elements")
-set(CPACK_PACKAGING_INSTALL_PREFIX "/usr")
-set(CPACK_STRIP_FILES ON)
-set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3, python3-numpy, python3-h5py, python3-matplotlib")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "cmake, libeigen3-dev, libfmt-dev, libtomlplusplus-dev, nlohmann-json3-dev,\
- libsuitesparse-dev, libhdf5-dev, nettle-dev, libdeflate-dev, libcsv-dev, libmuparser-dev")
-include(CPack)
+  DESTINATION ${gxrod_package_dir} COMPONENT development)
