@@ -29,7 +29,8 @@ def find_program():
             return str(path)
     if found := shutil.which("gxrod"):
         return found
-    raise FileError("gxrod: the program is not found; put its folder into PATH, or name it in the environment variable GXROD_PROGRAM")
+    raise FileError("gxrod: the program is not found, which runs batches and makes pages; `pip install .` in the source tree and Debian's package "
+                    "gxrod install it. If it is there, put its folder into PATH, or name it in the environment variable GXROD_PROGRAM")
 
 
 def run_program(arguments, quiet=True, accept=(0,)):
