@@ -11,7 +11,7 @@ string(TIMESTAMP gxrod_package_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 # Whoever makes the packages, as Debian's tools know it.
 set(CPACK_PACKAGE_CONTACT "the gxrod developers <gxrod@localhost>")
-if(DEFINED ENV{DEBEMAIL})
+if(DEFINED ENV{DEBEMAIL} AND DEFINED ENV{DEBFULLNAME})
   set(CPACK_PACKAGE_CONTACT "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
 endif()
 configure_file(cmake/debian/changelog "${gxrod_debian}/changelog" @ONLY)
