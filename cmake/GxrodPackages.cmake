@@ -36,8 +36,8 @@ and of the rigid bodies and joints among them: cables, slender robots,
 blades, trusses of flexible rods.")
 
 gxrod_debian_package(program gxrod science "geometrically exact rod finite elements
-${gxrod_about} A model is a text; its
-results are one HDF5 file, which Python and ParaView read.
+${gxrod_about} A model is a text;
+its results are one HDF5 file, which Python and ParaView read.
 
 This package has the program, its documentation and its examples.")
 install(FILES "${gxrod_debian}/gxrod.1.gz" DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
