@@ -28,3 +28,22 @@ function(gxrod_join_sources targets)
       -Wno-stringop-overflow;-Wno-stringop-overread>)
   endforeach()
 endfunction()
+
+# gxrod_precompile_for_groups(target header...): where the target's sources are compiled in groups, reads what most of the
+# groups include once, headers of gxrod too. Not for single sources: a change of one of these headers compiles all again.
+function(gxrod_precompile_for_groups target)
+  if(NOT GXROD_JOIN_SOURCES STREQUAL "all")
+    return()
+  endif()
+  foreach(header IN LISTS ARGN)
+    foreach(folder src tests)
+      if(EXISTS "${PROJECT_SOURCE_DIR}/${folder}/${header}")
+        set(header "${PROJECT_SOURCE_DIR}/${folder}/${header}")
+      endif()
+    endforeach()
+    target_precompile_headers(${target} PRIVATE "${header}")
+  endforeach()
+endfunction()
+
+# Without CMake's "#pragma GCC system_header", in whose reach there are no warnings.
+set(CMAKE_PCH_PROLOGUE "")
