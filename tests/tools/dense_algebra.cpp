@@ -17,7 +17,13 @@ MatrixXd make_dense(const SparsePattern& pattern, const std::vector<double>& val
     return dense;
 }
 
-Quat turn_x_to(const Vec3& direction) { return Quat::FromTwoVectors(Vec3::UnitX(), direction); }
+// Of twice the half-way direction: q = (1 + x · d, x × d) before it is normalised. Eigen's FromTwoVectors takes a
+// singular value decomposition and five seconds to compile.
+Quat turn_x_to(const Vec3& direction) {
+    const Vec3 d = direction.normalized();
+    if (d.x() < -1.0 + 1e-12) return {0.0, 0.0, 0.0, 1.0};
+    return Quat(1.0 + d.x(), 0.0, -d.z(), d.y()).normalized();
+}
 
 MatrixXd solve_dense(const MatrixXd& A, const MatrixXd& B) { return A.partialPivLu().solve(B); }
 
