@@ -16,15 +16,16 @@ namespace gxrod::test {
 namespace {
 
 using Eigen::MatrixXd;
-using ElementMatrix = Eigen::Matrix<double, 27, 27>;
-using Strains = Eigen::Matrix<double, 6, 27>;
 using Vector2 = Eigen::Vector2d;
 using Sparse = Eigen::SparseMatrix<double>;
+
+// Aᵀ B. Products of many types would take half a minute to compile.
+MatrixXd pair(const MatrixXd& A, const MatrixXd& B) { return A.transpose() * B; }
 
 struct Matrices {
     std::vector<Eigen::Triplet<double>> E, C, M;
     MatrixXd R, L, constraints;  // 6 columns each
-    Mat6 A = Mat6::Zero();
+    MatrixXd A = MatrixXd::Zero(6, 6);
 };
 
 // Lagrange polynomials through −1, 0, 1 and their derivatives.
@@ -104,43 +105,41 @@ class Assembly {
         }
         const Eigen::Matrix2d jacobian = places * local;
         const Eigen::Matrix<double, 9, 2> gradient = local * jacobian.inverse();
-        Strains B = Strains::Zero();
-        Strains S = Strains::Zero();
+        MatrixXd strains = MatrixXd::Zero(6, 60);  // B, S and Z
+        auto B = strains.leftCols(27);
+        auto S = strains.middleCols(27, 27);
         for (int k = 0; k < 9; ++k) {
             const double dy = gradient(k, 0);
             const double dz = gradient(k, 1);
-            B.block<6, 3>(0, 3 * k) << 0, 0, 0, 0, dy, 0, 0, 0, dz, 0, dz, dy, dz, 0, 0, dy, 0, 0;
+            B(1, 3 * k + 1) = B(3, 3 * k + 2) = B(5, 3 * k) = dy;
+            B(2, 3 * k + 2) = B(3, 3 * k + 1) = B(4, 3 * k) = dz;
             S(0, 3 * k) = S(5, 3 * k + 1) = S(4, 3 * k + 2) = N[k];
         }
-        scatter(nodes, B, S, make_rigid_strains(places * N), weight * std::abs(jacobian.determinant()));
+        strains.rightCols(6) = make_rigid_strains(places * N);
+        scatter(nodes, strains, weight * std::abs(jacobian.determinant()));
     }
 
-    void scatter(
-        const std::array<int, 9>& nodes, const Strains& B, const Strains& S, const Mat6& Z, double area) {
-        const ElementMatrix E = area * B.transpose() * D_ * B;
-        const ElementMatrix C = area * S.transpose() * D_ * B;
-        const ElementMatrix M = area * S.transpose() * D_ * S;
-        const Eigen::Matrix<double, 27, 6> R = area * B.transpose() * D_ * Z;
-        const Eigen::Matrix<double, 27, 6> L = area * S.transpose() * D_ * Z;
+    void scatter(const std::array<int, 9>& nodes, const MatrixXd& strains, double area) {
+        const MatrixXd energy = pair(area * strains, D_ * strains);
         // Rigid motions of a section: those whose strains S w′ are Z ψ.
-        const Eigen::Matrix<double, 27, 6> rigid = area * S.transpose() * Z;
-        matrices.A += area * Z.transpose() * D_ * Z;
+        const MatrixXd rigid = pair(area * strains, strains.rightCols(6));
+        matrices.A += energy.bottomRightCorner(6, 6);
         for (int i = 0; i < 27; ++i) {
             const int row = 3 * nodes[i / 3] + i % 3;
-            matrices.R.row(row) += R.row(i);
-            matrices.L.row(row) += L.row(i);
-            matrices.constraints.row(row) += rigid.row(i);
+            matrices.R.row(row) += energy.row(i).tail(6);
+            matrices.L.row(row) += energy.row(27 + i).tail(6);
+            matrices.constraints.row(row) += rigid.row(27 + i);
             for (int j = 0; j < 27; ++j) {
                 const int column = 3 * nodes[j / 3] + j % 3;
-                matrices.E.emplace_back(row, column, E(i, j));
-                matrices.C.emplace_back(row, column, C(i, j));
-                matrices.M.emplace_back(row, column, M(i, j));
+                matrices.E.emplace_back(row, column, energy(i, j));
+                matrices.C.emplace_back(row, column, energy(27 + i, j));
+                matrices.M.emplace_back(row, column, energy(27 + i, 27 + j));
             }
         }
     }
 
     const SectionGrid& grid_;
-    Mat6 D_;
+    MatrixXd D_;
 };
 
 Sparse make_sparse(int size, const std::vector<Eigen::Triplet<double>>& entries) {
@@ -186,15 +185,17 @@ Mat6 compute_section_compliance(const SectionGrid& grid) {
     const MatrixXd dw = rates.topRows(size);
     const MatrixXd dpsi = rates.middleRows(size, 6);
     right.setZero();
-    right.topRows(size) = C * dw - C.transpose() * dw + m.L * dpsi;
-    right.middleRows(size, 6) = MatrixXd::Identity(6, 6) - m.L.transpose() * dw;
+    const MatrixXd C_dw = C * dw;
+    const MatrixXd Ct_dw = C.transpose() * dw;
+    right.topRows(size) = C_dw - Ct_dw + MatrixXd(m.L * dpsi);
+    right.middleRows(size, 6) = MatrixXd::Identity(6, 6) - pair(m.L, dw);
     const MatrixXd solution = solver.solve(right);
     const MatrixXd w = solution.topRows(size);
     const MatrixXd psi = solution.middleRows(size, 6);
-    const MatrixXd crossed =
-        w.transpose() * m.R * psi + dw.transpose() * (C * w) + dw.transpose() * m.L * psi;
-    return w.transpose() * (make_sparse(size, m.E) * w) + dw.transpose() * (make_sparse(size, m.M) * dw) +
-           psi.transpose() * m.A * psi + crossed + crossed.transpose();
+    const MatrixXd crossed = pair(w, m.R * psi) + pair(Ct_dw, w) + pair(dw, m.L * psi);
+    const MatrixXd own =
+        pair(w, make_sparse(size, m.E) * w) + pair(dw, make_sparse(size, m.M) * dw) + pair(psi, m.A * psi);
+    return own + crossed + crossed.transpose();
 }
 
 }  // namespace gxrod::test
