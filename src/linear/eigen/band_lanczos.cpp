@@ -1,10 +1,11 @@
 #include "linear/eigen/band_lanczos.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <deque>
 #include <numeric>
+
+#include "numerics/symmetric_eigen.hpp"
 
 namespace gxrod {
 
@@ -145,10 +146,10 @@ class BandLanczos {
     void look() {
         const Index size = done_ - known_;
         if (size == 0) return;
-        const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(T_.block(known_, known_, size, size));
-        const std::vector<Index> order = order_by_size(solver.eigenvalues());
-        ritz_values_ = solver.eigenvalues()(order);
-        ritz_vectors_ = solver.eigenvectors()(Eigen::all, order);
+        const SymmetricEigen ritz = find_symmetric_eigen(T_.block(known_, known_, size, size));
+        const std::vector<Index> order = order_by_size(ritz.values);
+        ritz_values_ = ritz.values(order);
+        ritz_vectors_ = ritz.vectors(Eigen::all, order);
         // What the operator does beyond the processed columns.
         residuals_ = T_.block(done_, known_, end_ - done_, size) * ritz_vectors_;
         converged_ = 0;
