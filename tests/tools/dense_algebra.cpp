@@ -17,8 +17,8 @@ MatrixXd make_dense(const SparsePattern& pattern, const std::vector<double>& val
     return dense;
 }
 
-// Of twice the half-way direction: q = (1 + x · d, x × d) before it is normalised. Eigen's FromTwoVectors takes a
-// singular value decomposition and five seconds to compile.
+// Of twice the half-way direction: q = (1 + x · d, x × d) before it is normalised. FromTwoVectors of Eigen
+// takes a singular value decomposition, and ten seconds to compile.
 Quat turn_x_to(const Vec3& direction) {
     const Vec3 d = direction.normalized();
     if (d.x() < -1.0 + 1e-12) return {0.0, 0.0, 0.0, 1.0};
