@@ -2,6 +2,7 @@
 
 #include "batch/batch.hpp"
 #include "batch/plans.hpp"
+#include "deck/decks.hpp"
 #include "machine/file_error.hpp"
 #include "tools/catch.hpp"
 
@@ -11,12 +12,6 @@ namespace {
 const std::string plan_text =
     "deck = \"deck.toml\"\ntime_limit = 5\n[vary]\n\"parameters.EI\" = [100.0, 200.0]\n"
     "[collect]\nz = { history = \"tip\", quantity = \"position\", component = \"z\", take = \"max\" }\n";
-
-std::string replaced(std::string text, const std::string& old_text, const std::string& new_text) {
-    const std::size_t at = text.find(old_text);
-    REQUIRE(at != std::string::npos);
-    return text.replace(at, old_text.size(), new_text);
-}
 
 // What reading the rows of a folder says that holds the batch of `before`, to the batch of these texts.
 std::string differences(const PlanFiles& files, const std::string& plan, const std::string& deck) {

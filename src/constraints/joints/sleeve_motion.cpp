@@ -23,7 +23,7 @@ using Weights = std::array<std::array<Number, SleeveMotion::most_points>, deriva
 
 // Motions of points in numbers of any kind.
 template <class Number>
-struct Motions {
+struct LineMotions {
     std::array<Vector<Number>, SleeveMotion::most_points> values, rates, accelerations;
 };
 
@@ -51,7 +51,7 @@ Vector<Number> sum_up(const std::array<Number, SleeveMotion::most_points>& weigh
 template <class Number>
 class Sliding {
   public:
-    Sliding(const Points& points, double s, const Motions<Number>& motions)
+    Sliding(const Points& points, double s, const LineMotions<Number>& motions)
         : motions_(motions), count_(points.count()) {
         // A step of Newton's method from the place itself gives its derivatives.
         set_place(points, Number(s));
@@ -102,7 +102,7 @@ class Sliding {
             d[order] = sum_up(weights_[order], motions_.values, count_);
     }
 
-    const Motions<Number>& motions_;
+    const LineMotions<Number>& motions_;
     int count_;
     Weights<Number> weights_;
 };
@@ -121,8 +121,8 @@ Vector<Dual<Unknowns>> vary(const Eigen::Vector3d& vector, int first) {
 }
 
 template <class Number>
-Motions<Number> lift_motions(const Points& points) {
-    Motions<Number> motions;
+LineMotions<Number> lift_motions(const Points& points) {
+    LineMotions<Number> motions;
     for (int i = 0; i < points.count(); ++i) {
         motions.values[i] = lift<Number>(points.jets[i].value);
         motions.rates[i] = lift<Number>(points.jets[i].rate);
@@ -143,7 +143,7 @@ Vector<Number> compute_place_gradient(const Sliding<Number>& sliding, int i) {
 }  // namespace
 
 SleeveMotion::Functions SleeveMotion::compute_jets(ConstraintLevel level) const {
-    const Motions<double> motions = lift_motions<double>(*points_);
+    const LineMotions<double> motions = lift_motions<double>(*points_);
     Sliding<double> sliding(*points_, s_, motions);
     const bool has_rates = level != ConstraintLevel::position;
     const bool has_accelerations = level == ConstraintLevel::acceleration;
@@ -163,7 +163,7 @@ SleeveMotion::Functions SleeveMotion::compute_jets(ConstraintLevel level) const 
 }
 
 SleeveMotion::Gradient SleeveMotion::compute_gradient() const {
-    const Motions<double> motions = lift_motions<double>(*points_);
+    const LineMotions<double> motions = lift_motions<double>(*points_);
     const Sliding<double> sliding(*points_, s_, motions);
     Gradient gradient(function_count, points_->unknowns());
     for (int i = 0; i < points_->count(); ++i) {
@@ -180,7 +180,7 @@ SleeveMotion::Gradient SleeveMotion::compute_gradient() const {
 
 SleeveMotion::Hessian SleeveMotion::compute_hessian(const Weights& weights) const {
     using Number = Dual<most_unknowns>;
-    Motions<Number> motions = lift_motions<Number>(*points_);
+    LineMotions<Number> motions = lift_motions<Number>(*points_);
     for (int i = 0; i < points_->count(); ++i)
         motions.values[i] = vary<most_unknowns>(points_->jets[i].value, 3 * i);
     const Sliding<Number> sliding(*points_, s_, motions);
@@ -201,7 +201,7 @@ SleeveMotion::Change SleeveMotion::compute_change(ConstraintLevel level) const {
     constexpr int all = 3 * most_unknowns;
     using Number = Dual<all>;
     const int unknowns = points_->unknowns();
-    Motions<Number> motions;
+    LineMotions<Number> motions;
     for (int i = 0; i < points_->count(); ++i) {
         motions.values[i] = vary<all>(points_->jets[i].value, 3 * i);
         motions.rates[i] = vary<all>(points_->jets[i].rate, unknowns + 3 * i);
@@ -224,7 +224,7 @@ SleeveMotion::Change SleeveMotion::compute_change(ConstraintLevel level) const {
 
 PlaceMiss compute_place_miss(const SleeveMotion::Points& points, double s) {
     const Weights<double> weights = compute_weights(points, s);
-    const Motions<double> motions = lift_motions<double>(points);
+    const LineMotions<double> motions = lift_motions<double>(points);
     std::array<Eigen::Vector3d, 3> d;
     for (int order = 0; order < 3; ++order) d[order] = sum_up(weights[order], motions.values, points.count());
     return {d[0].dot(d[1]), d[1].dot(d[1]) + d[0].dot(d[2])};
