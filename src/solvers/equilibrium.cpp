@@ -35,22 +35,6 @@ Power compute_power(
     return power;
 }
 
-namespace {
-
-// Those of the solution, with their multipliers.
-void add_accelerations(const System& system, SolverWorkspace& workspace, State& state) {
-    std::vector<Vec6>& increments = workspace.increments;
-    increments.resize(state.trial.size());
-    for (std::size_t node = 0; node < increments.size(); ++node) {
-        increments[node] = system.equations().increment_of(static_cast<int>(node), workspace.vector);
-        state.trial[node].a += increments[node].head<3>();
-        state.trial[node].alpha += increments[node].tail<3>();
-    }
-    system.joints().advance_multipliers(increments, workspace.vector, workspace.values, state);
-}
-
-}  // namespace
-
 EquilibriumReport solve_accelerations(
     const System& system, double time, const TimeSpan& step, SolverWorkspace& workspace, State& state) {
     EquilibriumReport report;
@@ -72,8 +56,8 @@ EquilibriumReport solve_accelerations(
     // What the regularization of JointAssembly leaves of the equations of joints; nodes are in balance,
     // unless friction follows the multipliers, which are found here.
     const bool rubs = system.joints().have_friction_by_multipliers();
-    const int corrections = rubs ? 12 : 2;
-    for (int i = 0; i < corrections && !system.joints().empty(); ++i) {
+    const int corrections = count_corrections(system);
+    for (int i = 0; i < corrections; ++i) {
         if (rubs) {
             system.compute_residual(state, time, workspace.residual, request);
             residual = gather_residual(system, workspace.residual, workspace.values);
@@ -91,11 +75,6 @@ EquilibriumReport solve_accelerations(
 }
 
 namespace {
-
-// Whether velocities and accelerations have to meet equations of their own.
-bool has_hidden_constraints(const System& system) {
-    return !system.joints().are_linear() && system.model().has_inertia;
-}
 
 // Whether the rates of an explicit step turn a node by less than half a turn, and no element's nodes against
 // each other by more.

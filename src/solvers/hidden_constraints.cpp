@@ -18,9 +18,11 @@ template <class Compute, class Measure, class Correct>
 void project(const System& system,
              SolverWorkspace& workspace,
              EquilibriumReport& report,
+             Eigen::VectorXd* total,
              const Compute& compute_rows,
              const Measure& measure,
              const Correct& correct) {
+    if (total) *total = Eigen::VectorXd::Zero(system.equations().count());
     std::vector<double>& rows = workspace.residual.rows;
     double before = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= most_corrections; ++i) {
@@ -33,6 +35,7 @@ void project(const System& system,
         Eigen::VectorXd residual = Eigen::VectorXd::Zero(system.equations().count());
         system.joints().set_rows(rows, workspace.values, residual);
         if (!solve_increment(system, residual, workspace, report)) return;
+        if (total) *total += workspace.vector;
         for (std::size_t node = 0; node < workspace.increments.size(); ++node)
             correct(node, system.equations().increment_of(static_cast<int>(node), workspace.vector));
     }
@@ -40,6 +43,10 @@ void project(const System& system,
 }
 
 }  // namespace
+
+bool has_hidden_constraints(const System& system) {
+    return !system.joints().are_linear() && system.model().has_inertia;
+}
 
 double find_time_scale(const System& system, const State& state) {
     double speed = 0.0;
@@ -53,7 +60,8 @@ void project_velocities(const System& system,
                         const TimeSpan& step,
                         SolverWorkspace& workspace,
                         State& state,
-                        EquilibriumReport& report) {
+                        EquilibriumReport& report,
+                        Eigen::VectorXd* total) {
     const JointAssembly& joints = system.joints();
     workspace.increments.resize(state.trial.size());
     const double time_scale = find_time_scale(system, state);
@@ -61,6 +69,7 @@ void project_velocities(const System& system,
         system,
         workspace,
         report,
+        total,
         [&](std::vector<double>& rows) {
             joints.compute_rows(state, time, {ConstraintLevel::velocity, step, time_scale}, rows);
         },
@@ -71,14 +80,19 @@ void project_velocities(const System& system,
         });
 }
 
-void project_positions(
-    const System& system, double time, SolverWorkspace& workspace, State& state, EquilibriumReport& report) {
+void project_positions(const System& system,
+                       double time,
+                       SolverWorkspace& workspace,
+                       State& state,
+                       EquilibriumReport& report,
+                       Eigen::VectorXd* total) {
     const JointAssembly& joints = system.joints();
     workspace.increments.resize(state.trial.size());
     project(
         system,
         workspace,
         report,
+        total,
         [&](std::vector<double>& rows) { joints.compute_rows(state, time, {}, rows); },
         [&](const std::vector<double>& rows) { return joints.measure_gap(rows, state); },
         [&](std::size_t node, const Vec6& increment) {

@@ -16,13 +16,6 @@ namespace {
 
 constexpr double half_turn = std::numbers::pi;
 
-// Equations that are linear in positions hold at all levels if they do at one: at that of positions errors of
-// rounding do not grow.
-ConstraintLevel find_level(const System& system, const Integrator& integrator, const Stage& stage) {
-    return system.joints().are_linear() ? ConstraintLevel::position
-                                        : integrator.constraint_level(stage.index);
-}
-
 // Newton's method on one stage; the members are what its steps share.
 class Newton {
   public:
@@ -38,7 +31,7 @@ class Newton {
           settings_(settings),
           stage_(stage),
           time_(integrator.stage_time(stage)),
-          request_{find_level(system, integrator, stage), {stage.step_time, stage.time_step}},
+          request_(find_request(system, integrator, stage)),
           moves_supports_(integrator.is_static() && system.supports().move()),
           limits_rotation_(!integrator.is_static() || system.uses_step_rotations()),
           workspace_(workspace),

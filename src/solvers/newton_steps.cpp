@@ -94,6 +94,28 @@ bool solve_increment(const System& system,
     return false;
 }
 
+ConstraintRequest find_request(const System& system, const Integrator& integrator, const Stage& stage) {
+    const ConstraintLevel level =
+        system.joints().are_linear() ? ConstraintLevel::position : integrator.constraint_level(stage.index);
+    return {level, {stage.step_time, stage.time_step}};
+}
+
+void add_accelerations(const System& system, SolverWorkspace& workspace, State& state) {
+    std::vector<Vec6>& increments = workspace.increments;
+    increments.resize(state.trial.size());
+    for (std::size_t node = 0; node < increments.size(); ++node) {
+        increments[node] = system.equations().increment_of(static_cast<int>(node), workspace.vector);
+        state.trial[node].a += increments[node].head<3>();
+        state.trial[node].alpha += increments[node].tail<3>();
+    }
+    system.joints().advance_multipliers(increments, workspace.vector, workspace.values, state);
+}
+
+int count_corrections(const System& system) {
+    if (system.joints().empty()) return 0;
+    return system.joints().have_friction_by_multipliers() ? 12 : 2;
+}
+
 bool factorize(const System& system, SolverWorkspace& workspace, EquilibriumReport& report) {
     const PhaseTimer timer(workspace.seconds.solve);
     const Factorization factorization = workspace.linear_solver->factorize(workspace.values);

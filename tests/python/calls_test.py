@@ -246,10 +246,11 @@ def test_matrices_say_what_they_need(model, absent):
         gxrod.Simulation(model).tangent()
 
 
-def test_reactions_have_no_derivatives(model):
-    deck = gxrod.Deck.from_text(SWING.replace('quantities = ["moment"]', 'quantities = ["moment", "reaction_force"]'))
-    sim = gxrod.Simulation(deck, sensitivities="EI")
-    sim.step()
-    assert list(sim["root"].derivative("EI")) == ["moment"] and len(sim["root"]) == 2
-    with pytest.raises(gxrod.Error, match="has no derivatives"):
-        sim["root"].derivative("EI").derivative("EI")
+def test_results_are_complete_where_a_run_ends(tmp_path, model):
+    """Without `close`."""
+    for name, drive in {"run": lambda sim: sim.run(), "advance": lambda sim: sim.advance(until=0.5), "step": lambda sim: [sim.step() for _ in range(25)],
+                        "stopped": lambda sim: sim.run(on_step=lambda sim: sim.time < 0.3)}.items():
+        sim = gxrod.Simulation(model, results=tmp_path / f"{name}.vtkhdf")
+        drive(sim)
+        assert gxrod.open_results(tmp_path / f"{name}.vtkhdf").status == ("interrupted" if name == "stopped" else "complete")
+        assert sim["tip"].position.shape == (3,) and sim.summary.steps > 10

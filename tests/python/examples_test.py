@@ -48,7 +48,7 @@ def is_stated(name, printed):
 
 def test_each_has_page_picture_and_command():
     folders = [path for path in FOLDER.iterdir() if path.is_dir()]
-    assert len(folders) == 5
+    assert len(folders) == 6
     guide = (SOURCE / "docs" / "guide" / "python.md").read_text(encoding="utf-8")
     for folder in folders:
         name = folder.name
@@ -122,6 +122,17 @@ def test_identification(run):
     far = done.fits[by_ellipse > 5.991]
     by_squares = np.array([np.sum((done.positions(x) - done.exact) ** 2) for x in far]) / done.NOISE**2
     assert len(far) == 4 and np.sum(by_squares > 5.991) == 2
+
+
+def test_lightest(run):
+    pytest.importorskip("scipy")
+    done = run("lightest")
+    assert is_stated("lightest", done.printed)
+    assert done.best.success and abs(done.room(done.radii)) < 1e-6
+    # Each piece of a lightest one takes as much off the deflection for its mass as any other.
+    worth = done.room_gradient(done.radii) / done.radii
+    np.testing.assert_allclose(worth, worth.mean(), rtol=1e-3)
+    assert done.distance < 1e-9
 
 
 def test_gradients(run):

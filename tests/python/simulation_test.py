@@ -18,8 +18,6 @@ import gxrod
 if not gxrod._has_core():
     pytest.skip("gxrod has no compiled part here: it is built with -DGXROD_PYTHON_MODULE=ON", allow_module_level=True)
 
-from gxrod.variations import find_number, vary  # noqa: E402 — after it is known to be there
-
 
 @pytest.fixture
 def deck():
@@ -343,55 +341,6 @@ def test_models_and_decks_can_be_pickled(deck):
     model = pickle.loads(pickle.dumps(deck.build({"parameters.EI": 5.0})))
     assert model.overrides == {"parameters.EI": 5.0}
     assert (run_to_end(model.deck, model.overrides).state.position == run_to_end(deck, {"parameters.EI": 5.0}).state.position).all()
-
-
-# Derivatives.
-
-
-@pytest.mark.parametrize("kind", ["static", "dynamic"])
-def test_derivatives_are_those_of_whole_runs(kind):
-    text = SWING if kind == "dynamic" else SWING.replace('kind = "dynamic"\nend_time = 0.5\ntime_step = 0.02', 'kind = "static"')
-    text = text.replace("[[history]]", "newton = { tolerance = 1e-12 }\n[[history]]", 1).replace("value = 0", "value = 1.5")
-    deck = gxrod.Deck.from_text(text)
-    for row in gxrod.check_gradient(deck, ["EI", "section.s.inertia.rhoA"], "tip.position"):
-        assert row["distance"] < 1e-7, row
-    [row] = gxrod.check_gradient(deck, ["EI"], "root.moment")
-    assert row["distance"] < 1e-7
-
-
-def test_runs_with_other_steps_are_not_compared(deck):
-    """A step that is a number of the deck changes how many there are."""
-    with pytest.warns(UserWarning, match="other steps"):
-        gxrod.check_gradient(deck, "analysis.time_step", "tip.position", step=0.1)
-
-
-def test_derivatives_need_a_name_that_is_there(sim, deck, model):
-    with pytest.raises(gxrod.UnknownNameError):
-        sim["tip"].derivative("EI")
-    with pytest.raises(gxrod.UnknownNameError, match="EI"):
-        gxrod.Simulation(model, sensitivities=["EJ"])
-    with pytest.raises(gxrod.Error, match="not a number"):
-        gxrod.Simulation(model, sensitivities=["section.s.stiffness.EIy"])
-    with pytest.raises(gxrod.Error, match="newmark-simplified"):
-        gxrod.Simulation(deck.build({"analysis.integrator": "sdirk-4"}), sensitivities=["EI"])
-    carried = gxrod.Simulation(model, sensitivities=["EI"])
-    carried.step()
-    assert carried["tip"].derivative("EI").position.shape == (3,)
-    carried.restore(carried.save())
-    with pytest.raises(gxrod.Error, match="earlier state"):
-        carried["tip"].derivative("EI").position
-
-
-@pytest.mark.parametrize("overrides, value", [({}, 0.0), ({"load[0].moment": [0, "tendon", 4]}, 4.0), ({"load[0].moment[2]": np.int64(3)}, 3.0),
-                                              ({"load[0].moment[2]": 3, "load[0].moment": np.array([0, 1, 2])}, 2.0)])
-def test_derivatives_are_about_the_value_that_counts(deck, overrides, value):
-    model = deck.build(overrides)
-    assert find_number(model, "load[0].moment[2]", "moment") == value
-    models, step = vary(model, "load[0].moment[2]")
-    for varied, steps in zip(models, (1, -1, 2, -2)):
-        assert find_number(varied, "load[0].moment[2]", "moment") == value + steps * step
-    [row] = gxrod.check_gradient(model, "load[0].moment[2]", "tip.position")
-    assert row["parameter"] == "load[0].moment[2]" and np.abs(row["derivative"]).max() > 1e-3 and row["distance"] < 1e-6
 
 
 # Threads.

@@ -5,8 +5,22 @@
 
 #include "deck/schema/choices.hpp"
 #include "results/tables/quantity.hpp"
+#include "sensitivity/equilibrium_adjoint.hpp"
 
 namespace gxrod::python {
+
+namespace {
+
+std::unique_ptr<const Problem> build(const BuiltModel& built) {
+    return std::make_unique<const Problem>(built.deck->build(built.overrides));
+}
+
+// Of four in a row.
+VariedModels pair_models(std::span<const std::unique_ptr<const Problem>> sides, double step) {
+    return {{sides[0]->model, sides[1]->model, step}, {sides[2]->model, sides[3]->model, 2.0 * step}};
+}
+
+}  // namespace
 
 Driven::Driven(const BuiltModel& model,
                const std::string& results,
@@ -33,13 +47,8 @@ Driven::Driven(const BuiltModel& model,
         throw std::invalid_argument("derivatives are there for analyses of one stage");
     std::vector<VariedModels> all;
     for (const Varied& one : varied) {
-        std::array<const Model*, 4> models{};
-        for (std::size_t i = 0; i < 4; ++i) {
-            const BuiltModel& built = *one.models[i];
-            varied_.push_back(std::make_unique<const Problem>(built.deck->build(built.overrides)));
-            models[i] = &varied_.back()->model;
-        }
-        all.push_back({{*models[0], *models[1], one.step}, {*models[2], *models[3], 2.0 * one.step}});
+        for (const BuiltModel* side : one.models) varied_.push_back(build(*side));
+        all.push_back(pair_models({varied_.end() - 4, varied_.end()}, one.step));
     }
     sensitivities_ = std::make_unique<Sensitivities>(simulation_->analysis(), problem_.analysis, all);
 }
@@ -48,35 +57,115 @@ std::vector<double> Driven::differentiate_history(std::size_t number,
                                                   std::size_t history,
                                                   std::size_t quantity) {
     if (!has_derivatives_)
-        throw std::logic_error("derivatives are not known after a return to an earlier state");
-    const State& state = simulation_->analysis().state();
+        throw std::logic_error(
+            "derivatives are not known after a return to a state that was saved without "
+            "them, as pickles are");
+    return sensitivities_->by(number).differentiate(
+        simulation_->analysis().state(), [&](const System& system, const State& state, std::size_t side) {
+            return compute_at(*varied_.at(4 * number + side), system, state, history, quantity);
+        });
+}
+
+std::vector<double> Driven::compute_at(const Problem& problem,
+                                       const System& system,
+                                       const State& state,
+                                       std::size_t history,
+                                       std::size_t quantity) const {
     const double load_factor = state.time;
     const std::vector<HistoryRequest>& requests = problem_.output.histories;
-    const std::vector<RodPlace> places = list_rod_places(requests);
-    const auto compute_one = [&](const System& system, const State& moved, std::size_t side) {
-        const Problem& problem = *varied_.at(4 * number + side);
-        const std::vector<PointValues> points = system.compute_point_values(moved, load_factor, places);
-        const std::vector<JointValues> joints = system.joints().compute_joint_values(moved, load_factor);
-        Snapshot snapshot{load_factor, moved.trial, {}, {}, points};
-        snapshot.load_factor = snapshot.limit_load_factor = load_factor;
-        snapshot.joints = joints;
-        HistoryPoint point(problem.model, problem.output.histories, history);
-        const HistoryPoint::Row row = point.compute(requests.at(history).quantities.at(quantity), snapshot);
-        return std::vector<double>(row.begin(), row.begin() + histories_[history].widths[quantity]);
+    const std::vector<PointValues> points =
+        system.compute_point_values(state, load_factor, list_rod_places(requests));
+    const std::vector<JointValues> joints = system.joints().compute_joint_values(state, load_factor);
+    const Quantity asked = requests.at(history).quantities.at(quantity);
+    std::vector<Vec6> reactions;
+    if (asked == Quantity::reaction_force || asked == Quantity::reaction_moment) {
+        Residual residual;
+        system.compute_residual(state, load_factor, residual);
+        reactions = system.compute_reactions(residual);
+    }
+    Snapshot snapshot{load_factor, state.trial, {}, reactions, points};
+    snapshot.load_factor = snapshot.limit_load_factor = load_factor;
+    snapshot.joints = joints;
+    HistoryPoint point(problem.model, problem.output.histories, history);
+    const HistoryPoint::Row row = point.compute(asked, snapshot);
+    return {row.begin(), row.begin() + histories_[history].widths[quantity]};
+}
+
+std::vector<int> Driven::list_nodes(std::size_t history) const {
+    const HistoryRequest& request = problem_.output.histories.at(history);
+    std::vector<int> nodes;
+    const auto add = [&](int node) {
+        if (node >= 0 && std::ranges::find(nodes, node) == nodes.end()) nodes.push_back(node);
     };
-    return sensitivities_->by(number).differentiate_function(state, compute_one);
+    add(request.node);
+    add(request.relative_node);
+    if (request.place) {
+        const Rod& rod = problem_.model.rods[static_cast<std::size_t>(request.place->rod)];
+        const std::ptrdiff_t first = std::ptrdiff_t{request.place->element} * (rod.order + 1);
+        for (int i = 0; i <= rod.order; ++i) add(rod.element_nodes[static_cast<std::size_t>(first + i)]);
+    }
+    const auto add_ends = [&](const std::array<Anchor, 2>& ends) {
+        for (const Anchor& end : ends) add(end.node);
+    };
+    if (request.spring >= 0) add_ends(problem_.model.springs[static_cast<std::size_t>(request.spring)].ends);
+    if (request.bushing >= 0)
+        add_ends(problem_.model.bushings[static_cast<std::size_t>(request.bushing)].ends);
+    return nodes;
+}
+
+std::vector<double> Driven::find_gradient(const std::vector<Weighted>& sum,
+                                          const std::vector<Varied>& varied) {
+    const auto* settings = std::get_if<StaticSettings>(&problem_.analysis);
+    if (settings == nullptr || problem_.stages.size() > 1)
+        throw std::invalid_argument("there are gradients of equilibria, of a static analysis of one stage");
+    std::vector<int> nodes;
+    for (const Weighted& one : sum) {
+        const HistoryRequest& request = problem_.output.histories.at(one.history);
+        if (request.joint >= 0 || request.gear >= 0)
+            throw std::invalid_argument(
+                "history " + request.name +
+                " is of a joint; there are gradients of points, springs and bushings");
+        const Quantity quantity = request.quantities.at(one.quantity);
+        if (quantity == Quantity::reaction_force || quantity == Quantity::reaction_moment)
+            throw std::invalid_argument(
+                "there are no gradients of reactions; carry derivatives along instead");
+        const std::vector<int> own = list_nodes(one.history);
+        nodes.insert(nodes.end(), own.begin(), own.end());
+    }
+    std::ranges::sort(nodes);
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    std::vector<std::unique_ptr<const Problem>> sides;
+    const auto add_up = [&](const System& system, const State& state, int side) {
+        const Problem& problem = side < 0 ? problem_ : *sides[static_cast<std::size_t>(side)];
+        double total = 0.0;
+        for (const Weighted& one : sum) {
+            const std::vector<double> row = compute_at(problem, system, state, one.history, one.quantity);
+            for (std::size_t i = 0; i < row.size(); ++i) total += one.weights.at(i) * row[i];
+        }
+        return total;
+    };
+    const SteppedAnalysis& analysis = simulation_->analysis();
+    const EquilibriumAdjoint adjoint(
+        analysis.system(), analysis.state(), analysis.state().time, settings->linear_solver, nodes, add_up);
+    std::vector<double> gradient;
+    for (const Varied& one : varied) {
+        sides.clear();
+        for (const BuiltModel* side : one.models) sides.push_back(build(*side));
+        gradient.push_back(adjoint.differentiate(pair_models(sides, one.step), add_up));
+    }
+    return gradient;
 }
 
 bool Driven::start() {
     if (!simulation_->start()) return false;
-    if (sensitivities_) sensitivities_->start(simulation_->analysis());
+    if (sensitivities_) sensitivities_->start();
     return true;
 }
 
 bool Driven::take_step() {
-    if (sensitivities_) sensitivities_->note_before(simulation_->analysis());
+    if (sensitivities_) sensitivities_->note_before();
     if (!simulation_->step()) return false;
-    if (sensitivities_ && has_derivatives_) sensitivities_->advance(simulation_->analysis());
+    if (sensitivities_ && has_derivatives_) sensitivities_->advance();
     return true;
 }
 
@@ -107,9 +196,21 @@ void Driven::note(const Snapshot& snapshot, const LedgerRow& ledger) {
     }
 }
 
-void Driven::restore(const Checkpoint& checkpoint) {
+SavedState Driven::save() const {
+    SavedState saved{simulation_->save()};
+    if (!sensitivities_ || !has_derivatives_) return saved;
+    saved.directions = std::make_shared<const std::vector<StateDirection>>(sensitivities_->directions());
+    saved.owner = this;
+    return saved;
+}
+
+void Driven::restore(const SavedState& checkpoint) {
     simulation_->restore(checkpoint);
-    has_derivatives_ = false;
+    has_derivatives_ = checkpoint.owner == this;
+    if (has_derivatives_) {
+        sensitivities_->follow(simulation_->analysis());
+        sensitivities_->set_directions(*checkpoint.directions);
+    }
     const auto rows = static_cast<std::size_t>(checkpoint.rows);
     // Of another simulation's checkpoint there may be more rows than here.
     const auto cut = [&](auto& values, std::size_t width) {

@@ -9,10 +9,18 @@
 #include "model.hpp"
 #include "results/tables/history_point.hpp"
 #include "run/simulation.hpp"
-#include "sensitivity/forward_sensitivity.hpp"
+#include "sensitivity/sensitivities.hpp"
 #include "state_views.hpp"
 
 namespace gxrod::python {
+
+class Driven;
+
+// A checkpoint with the derivatives there, for the simulation that has them.
+struct SavedState : Checkpoint {
+    std::shared_ptr<const std::vector<StateDirection>> directions = {};
+    const Driven* owner = nullptr;
+};
 
 // A simulation with all that it refers to.
 class Driven {
@@ -46,7 +54,8 @@ class Driven {
     bool step();
     // Until the time is reached exactly, or so many steps are done, or the run ends; the number of steps.
     long advance(std::optional<double> until, long most_steps);
-    void restore(const Checkpoint& checkpoint);
+    SavedState save() const;
+    void restore(const SavedState& saved);
 
     // A quantity of a history at the accepted state: so many numbers.
     std::vector<double> compute_history(std::size_t history, std::size_t quantity);
@@ -54,8 +63,17 @@ class Driven {
     std::vector<std::string> list_quantities(std::size_t history) const;
 
     // The derivative of a quantity of a history by a number. Throws std::logic_error if it is not known:
-    // after a return to an earlier state.
+    // after a return to a state that was saved without it.
     std::vector<double> differentiate_history(std::size_t number, std::size_t history, std::size_t quantity);
+
+    // A quantity of a history, and what its numbers count.
+    struct Weighted {
+        std::size_t history, quantity;
+        std::vector<double> weights;
+    };
+    // Derivatives of a weighted sum at the accepted equilibrium, by multipliers. Throws std::invalid_argument
+    // for what has none.
+    std::vector<double> find_gradient(const std::vector<Weighted>& sum, const std::vector<Varied>& varied);
 
     // Of each accepted step, the start included: times, quantities of a history, ledgers.
     const std::vector<double>& times() const { return times_; }
@@ -76,6 +94,14 @@ class Driven {
 
     // One step, with what is carried along; false if there is none.
     bool take_step();
+    // The nodes on whose motion a history depends.
+    std::vector<int> list_nodes(std::size_t history) const;
+    // A quantity of a history of a problem with the histories of this one, at trial motions.
+    std::vector<double> compute_at(const Problem& problem,
+                                   const System& system,
+                                   const State& state,
+                                   std::size_t history,
+                                   std::size_t quantity) const;
     // An accepted state, as the run records it.
     void note(const Snapshot& snapshot, const LedgerRow& ledger);
     void compute(std::size_t history,

@@ -149,7 +149,7 @@ nb::object list_unknowns(const Driven& driven) {
 }
 
 // The numbers of a checkpoint, and its lists of rows, in the order of the restart table.
-nb::tuple freeze(const Checkpoint& checkpoint) {
+nb::tuple freeze(const SavedState& checkpoint) {
     RestartPlace place{checkpoint.record, static_cast<std::uint64_t>(checkpoint.rows), 0};
     std::vector<double> numbers;
     visit_numbers(place, [&](const char*, auto& number) { numbers.push_back(static_cast<double>(number)); });
@@ -162,8 +162,8 @@ nb::tuple freeze(const Checkpoint& checkpoint) {
     return nb::make_tuple(numbers, lists);
 }
 
-void thaw(Checkpoint& checkpoint, const nb::tuple& frozen) {
-    new (&checkpoint) Checkpoint();
+void thaw(SavedState& checkpoint, const nb::tuple& frozen) {
+    new (&checkpoint) SavedState();
     const auto numbers = nb::cast<std::vector<double>>(frozen[0]);
     const auto lists = nb::cast<nb::list>(frozen[1]);
     RestartPlace place;
@@ -180,7 +180,16 @@ void thaw(Checkpoint& checkpoint, const nb::tuple& frozen) {
         table.values.assign(first, first + bytes.size() / sizeof(double));
         rows = rows_of<Row>(table);
     });
-    checkpoint = {std::move(place.record), static_cast<std::int64_t>(place.steps)};
+    checkpoint.record = std::move(place.record);
+    checkpoint.rows = static_cast<std::int64_t>(place.steps);
+}
+
+using VariedList = std::vector<std::tuple<std::array<const BuiltModel*, 4>, double>>;
+
+std::vector<Driven::Varied> list_varied(const VariedList& varied) {
+    std::vector<Driven::Varied> all;
+    for (const auto& [models, step] : varied) all.push_back({models, step});
+    return all;
 }
 
 void bind_views(nb::class_<Driven>& type) {
@@ -209,7 +218,7 @@ void bind_views(nb::class_<Driven>& type) {
 }  // namespace
 
 void bind_simulation(nb::module_& module) {
-    nb::class_<Checkpoint>(module,
+    nb::class_<SavedState>(module,
                            "Checkpoint",
                            "An accepted state to return to: `sim.save()` makes it, `sim.restore` returns to "
                            "it; it can be pickled.")
@@ -217,7 +226,7 @@ void bind_simulation(nb::module_& module) {
         .def("__setstate__", &thaw)
         .def_prop_ro(
             "time",
-            [](const Checkpoint& checkpoint) {
+            [](const SavedState& checkpoint) {
                 return checkpoint.record.axis_start + checkpoint.record.steps.time;
             },
             "Of the state, on the axis of sim.time.");
@@ -230,11 +239,10 @@ void bind_simulation(nb::module_& module) {
                int threads,
                bool keeps_ledger,
                std::vector<std::size_t> histories,
-               const std::vector<std::tuple<std::array<const BuiltModel*, 4>, double>>& varied) {
+               const VariedList& varied) {
                 const nb::gil_scoped_release release;
-                std::vector<Driven::Varied> pairs;
-                for (const auto& [models, step] : varied) pairs.push_back({models, step});
-                new (place) Driven(model, results, threads, {keeps_ledger, std::move(histories)}, pairs);
+                new (place) Driven(
+                    model, results, threads, {keeps_ledger, std::move(histories)}, list_varied(varied));
             },
             "model"_a,
             "results"_a,
@@ -253,7 +261,7 @@ void bind_simulation(nb::module_& module) {
         .def(
             "close", [](Driven& driven) { driven.simulation().close(); }, ReleaseGil())
         .def("interrupt", [](Driven& driven) { driven.simulation().interrupt(); })
-        .def("save", [](const Driven& driven) { return driven.simulation().save(); })
+        .def("save", &Driven::save)
         .def("restore", &Driven::restore, "checkpoint"_a)
         .def(
             "set_input",
@@ -272,6 +280,19 @@ void bind_simulation(nb::module_& module) {
             "input"_a)
         .def("history", &Driven::compute_history, "history"_a, "quantity"_a)
         .def("derivative", &Driven::differentiate_history, "number"_a, "history"_a, "quantity"_a)
+        .def(
+            "gradient",
+            [](Driven& driven,
+               const std::vector<std::tuple<std::size_t, std::size_t, std::vector<double>>>& sum,
+               const VariedList& varied) {
+                const nb::gil_scoped_release release;
+                std::vector<Driven::Weighted> all;
+                for (const auto& [history, quantity, weights] : sum)
+                    all.push_back({history, quantity, weights});
+                return driven.find_gradient(all, list_varied(varied));
+            },
+            "sum"_a,
+            "varied"_a)
         .def("quantities", &Driven::list_quantities, "history"_a)
         .def("ledger", &make_ledger, "{name: number or array [3]}.")
         .def(

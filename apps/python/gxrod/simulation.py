@@ -10,13 +10,14 @@ from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _core
 from .decks import Deck, Model, add_points, schema
 from .errors import ConvergenceError, Error, EvaluationError, unknown_name
 from .results.display import Shown
 from .typed import AnyPath, Array, Names, WholeArray
-from .variations import vary
+from .variations import vary_all
 
 if TYPE_CHECKING:
     import scipy.sparse
@@ -99,12 +100,13 @@ class Simulation(Shown):
                 raise unknown_name("history", name, ["ledger", *self._names])
         histories = [self._names.index(name) for name in self._recorded if name != "ledger"]
         self._varied = list_names(sensitivities)
-        varied = [vary(self.model, name) for name in self._varied]
+        varied = vary_all(self.model, self._varied)
         try:
             self._core = _core.Simulation(self.model._core, "" if results is None else str(results), threads, "ledger" in self._recorded, histories,
-                                          [([model._core for model in models], step) for models, step in varied])
+                                          varied)
         except ValueError as error:
             raise Error(f"sensitivities by {', '.join(self._varied)}: {error}") from error
+        self._writes = results is not None
         self._pending: dict[str, float] = {}
         self._wall = time.perf_counter()
         if not self._core.start():
@@ -122,7 +124,9 @@ class Simulation(Shown):
         self._set_inputs(self._core.next_time)
         if not self._core.step():
             self._raise_failure()
+            self._complete()
             return None  # a stage without steps was the last
+        self._complete()
         return Step(*self._core.last_step)
 
     def advance(self, until: float | None = None, steps: int | None = None) -> Step:
@@ -147,6 +151,7 @@ class Simulation(Shown):
             left -= done
             if time.perf_counter() - begin < 0.5 * LONGEST_CALL:
                 size *= 2
+        self._complete()
         return Step(*self._core.last_step)
 
     def run(self, progress: bool = False, on_step: Callable[[Simulation], object] | None = None) -> Summary:
@@ -163,12 +168,18 @@ class Simulation(Shown):
                 else:
                     if self.step() is not None and is_false(on_step(self)):
                         self._core.interrupt()
+                        self._complete()
                 if shown:
                     shown(self._core.part_done)
         finally:
             if shown:
                 shown(None)
         return self.summary
+
+    def _complete(self):
+        """The results of a run that has ended are whole, be it closed or not."""
+        if self._writes and self._core.ended:
+            self._core.close()
 
     @property
     def time(self) -> float:
@@ -229,9 +240,29 @@ class Simulation(Shown):
             except RuntimeError as error:
                 raise Error(str(error)) from error
 
-        names = [quantity for quantity in self._core.quantities(index) if not quantity.startswith("reaction_")]
-        every = self._core.quantities(index)
-        return Values(f"derivative of history {name} by {parameter}", names, lambda number: read(every.index(names[number])))
+        return Values(f"derivative of history {name} by {parameter}", self._core.quantities(index), read)
+
+    def adjoint(self, weights: Mapping[str, ArrayLike], parameters: Names) -> Array:
+        """The gradient [n] of a weighted sum by n numbers of the deck, at the accepted equilibrium of a static analysis.
+
+        weights: {"tip.displacement": [0, 0, 1]}, what the numbers of histories' quantities count, in the shapes of these.
+        parameters: as `sensitivities`, which are not needed here. One solution with the transposed tangent serves all
+        numbers, so that many of them cost little. Raises Error for motions, for quantities of joints and reactions, and
+        where the equilibrium depends on how it was reached: elements "simo", friction.
+        """
+        total = []
+        for key, weight in weights.items():
+            name, _, quantity = key.partition(".")
+            value = np.atleast_1d(np.asarray(self[name][quantity]))
+            weight = np.atleast_1d(np.asarray(weight, dtype=float))
+            if weight.shape != value.shape:
+                raise Error(f"adjoint: {key} has {value.size} numbers, and {weight.size} weights were given")
+            index = self._names.index(name)
+            total.append((index, self._core.quantities(index).index(quantity), weight.tolist()))
+        try:
+            return np.array(self._core.gradient(total, vary_all(self.model, list_names(parameters))))
+        except (ValueError, RuntimeError) as error:
+            raise Error(f"adjoint: {error}") from error
 
     @property
     def ledger(self) -> SimpleNamespace:
@@ -267,7 +298,8 @@ class Simulation(Shown):
     def restore(self, checkpoint: Checkpoint) -> None:
         """Returns to a state that this simulation, or another one of the same model, has saved: all that follows is equal to the last bit.
 
-        Raises Error if the checkpoint is of another model, or if the run writes results. Derivatives are not known afterwards.
+        Raises Error if the checkpoint is of another model, or if the run writes results. Derivatives come back with a checkpoint of this
+        simulation, but for pickles.
         """
         try:
             self._core.restore(checkpoint)
@@ -396,7 +428,7 @@ class Values(Shown, Mapping):
         self._what, self._quantities, self._read, self._differentiate = what, names, read, differentiate
 
     def derivative(self, parameter: str) -> Values:
-        """The same by one of the `sensitivities` of the simulation: `sim["tip"].derivative("EI").position` [3]; not of reactions."""
+        """The same by one of the `sensitivities` of the simulation: `sim["tip"].derivative("EI").position` [3]."""
         if self._differentiate is None:
             raise Error(f"{self._what} has no derivatives")
         return self._differentiate(parameter)

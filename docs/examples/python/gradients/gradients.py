@@ -7,7 +7,7 @@ import numpy as np
 
 deck = gxrod.Deck("docs/examples/python/gradients/swing.toml")
 NAMES = list(deck.tree()["parameters"])
-SCHEMES = ["newmark-simplified", "newmark-ibrahimbegovic", "generalized-alpha"]
+SCHEMES = ["newmark-simplified", "newmark-ibrahimbegovic", "generalized-alpha", "sdirk-4"]
 STATIC = {"kind": "static", "steps": 5, "newton": {"tolerance": 1e-12}}
 
 # %% What is varied besides the parameters: {title: overrides}

@@ -1,0 +1,74 @@
+#include "sensitivity/sensitivities.hpp"
+
+#include <stdexcept>
+
+#include "integrators/load_stepping.hpp"
+#include "integrators/quasi_static.hpp"
+
+namespace gxrod {
+
+namespace {
+
+// nullptr for an analysis whose steps are not differentiated.
+std::unique_ptr<Integrator> make_step_integrator(const AnalysisSettings& settings) {
+    if (std::holds_alternative<StaticSettings>(settings)) return std::make_unique<LoadStepping>();
+    const auto* dynamic = std::get_if<DynamicSettings>(&settings);
+    if (dynamic == nullptr) return nullptr;
+    if (!dynamic->has_inertia) return std::make_unique<QuasiStatic>();
+    return make_integrator(*dynamic);
+}
+
+}  // namespace
+
+Sensitivities::Sensitivities(const SteppedAnalysis& analysis,
+                             const AnalysisSettings& settings,
+                             const std::vector<VariedModels>& models)
+    : analysis_(&analysis), integrator_(make_step_integrator(settings)) {
+    if (!integrator_)
+        throw std::invalid_argument("derivatives are there for static, quasi-static and dynamic analyses");
+    if (const auto* statics = std::get_if<StaticSettings>(&settings)) linear_solver_ = statics->linear_solver;
+    if (const auto* dynamic = std::get_if<DynamicSettings>(&settings)) {
+        linear_solver_ = dynamic->linear_solver;
+        projects_start_ = dynamic->projects_start;
+    }
+    follow(analysis);
+    for (const VariedModels& varied : models) all_.emplace_back(analysis.system(), varied);
+}
+
+Sensitivities::~Sensitivities() = default;
+
+void Sensitivities::follow(const SteppedAnalysis& analysis) {
+    analysis_ = &analysis;
+    step_ = std::make_unique<TangentLinearStep>(
+        analysis.system(), *integrator_, analysis.newton(), linear_solver_);
+}
+
+void Sensitivities::start() {
+    const TimeSpan first_step{0.0, analysis_->steps().time_step()};
+    for (ForwardSensitivity& one : all_)
+        one.start(*integrator_, first_step, step_->linear_solver(), projects_start_);
+}
+
+void Sensitivities::advance() {
+    const State& after = analysis_->state();
+    std::vector<VariedSystem*> sides;
+    for (ForwardSensitivity& one : all_) {
+        one.take_inputs(analysis_->system().model());
+        one.place_sides(before_);
+        for (VariedSystem* side : one.sides()) sides.push_back(side);
+    }
+    step_->advance({0, before_.time, analysis_->solver_row().time_step, after.time}, before_, after, sides);
+    for (ForwardSensitivity& one : all_) one.take_sides();
+}
+
+std::vector<StateDirection> Sensitivities::directions() const {
+    std::vector<StateDirection> directions;
+    for (const ForwardSensitivity& one : all_) directions.push_back(one.direction());
+    return directions;
+}
+
+void Sensitivities::set_directions(const std::vector<StateDirection>& directions) {
+    for (std::size_t i = 0; i < all_.size(); ++i) all_[i].set_direction(directions.at(i));
+}
+
+}  // namespace gxrod

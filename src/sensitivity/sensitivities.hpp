@@ -1,0 +1,46 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "analyses/stepped_analysis.hpp"
+#include "sensitivity/forward_sensitivity.hpp"
+
+namespace gxrod {
+
+// The sensitivities of an analysis in steps by several numbers, carried along from step to step.
+class Sensitivities {
+  public:
+    // Throws std::invalid_argument if the analysis is not one whose steps can be differentiated: along a
+    // path, or of steady rotation. The analysis and the models must outlive it.
+    Sensitivities(const SteppedAnalysis& analysis,
+                  const AnalysisSettings& settings,
+                  const std::vector<VariedModels>& models);
+    ~Sensitivities();
+
+    // Continues with another analysis of the same model and settings, which takes the place of the first.
+    void follow(const SteppedAnalysis& analysis);
+
+    void start();
+    // Before each step, and after it has been accepted.
+    void note_before() { before_ = analysis_->state(); }
+    void advance();
+
+    const ForwardSensitivity& by(std::size_t number) const { return all_[number]; }
+
+    // Of the accepted state, to return to with it.
+    std::vector<StateDirection> directions() const;
+    void set_directions(const std::vector<StateDirection>& directions);
+
+  private:
+    const SteppedAnalysis* analysis_;
+    std::unique_ptr<Integrator> integrator_;
+    std::unique_ptr<TangentLinearStep> step_;
+    std::deque<ForwardSensitivity> all_;
+    bool projects_start_ = false;
+    LinearSolverKind linear_solver_ = LinearSolverKind::automatic;
+    State before_;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,267 @@
+#include "sensitivity/tangent_linear_step.hpp"
+
+#include <stdexcept>
+
+#include "rotation/rotation_map.hpp"
+#include "solvers/hidden_constraints.hpp"
+#include "solvers/newton_steps.hpp"
+#include "solvers/trial_rates.hpp"
+#include "state/increment.hpp"
+
+namespace gxrod {
+
+namespace {
+
+[[noreturn]] void fail(const char* what) {
+    throw std::runtime_error(std::string("the derivative of a step cannot be found: ") + what);
+}
+
+void check(const EquilibriumReport& report, const char* what) {
+    if (!report.converged()) fail(what);
+}
+
+Eigen::VectorXd multiply(const SparsePattern& pattern,
+                         const std::vector<double>& values,
+                         const Eigen::VectorXd& vector) {
+    Eigen::VectorXd product = Eigen::VectorXd::Zero(vector.size());
+    pattern.visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t slot) {
+        product[row] += values[static_cast<std::size_t>(slot)] * vector[column];
+    });
+    return product;
+}
+
+}  // namespace
+
+TangentLinearStep::TangentLinearStep(const System& base,
+                                     const Integrator& integrator,
+                                     const NewtonSettings& newton,
+                                     LinearSolverKind linear_solver)
+    : base_system_(base),
+      integrator_(integrator),
+      newton_(newton),
+      workspace_(base, linear_solver),
+      has_hidden_constraints_(gxrod::has_hidden_constraints(base) && !integrator.is_static()) {}
+
+void TangentLinearStep::advance(const Stage& first_stage,
+                                const State& before,
+                                const State& after,
+                                std::span<VariedSystem* const> varied) {
+    base_ = before;
+    undo_trial(base_);
+    for (VariedSystem* one : varied) undo_trial(one->state);
+    const bool is_known = integrator_.stage_count() == 1 && !has_hidden_constraints_;
+    Stage stage = first_stage;
+    for (stage.index = 0; stage.index < integrator_.stage_count(); ++stage.index) {
+        if (integrator_.is_explicit()) {
+            solve_stage_explicitly(stage, varied);
+        } else {
+            if (is_known) {
+                integrator_.begin_stage(base_, stage);
+                base_.trial = after.previous;
+                base_.joints_trial = after.joints_previous;
+                base_.algorithmic_trial = after.algorithmic_previous;
+                for (std::size_t i = 0; i < base_.trial.size(); ++i)
+                    base_.trial[i].theta = log(base_.trial[i].Lambda * base_.previous[i].Lambda.conjugate());
+            } else {
+                check(solve_equilibrium(base_system_, integrator_, newton_, stage, workspace_, base_),
+                      "its equilibrium");
+            }
+            solve_stage(stage, varied);
+        }
+        integrator_.end_stage(base_, stage);
+        for (VariedSystem* one : varied) integrator_.end_stage(one->state, stage);
+    }
+    if (has_hidden_constraints_ && !integrator_.is_explicit()) {
+        const TimeSpan step{stage.step_time, stage.time_step};
+        meet_velocities(stage.end_time, step, varied);
+        find_accelerations(stage.end_time, step, varied);
+    }
+    for (VariedSystem* one : varied) one->system.commit(one->state, after.time);
+}
+
+// (G2)
+void TangentLinearStep::solve_stage(const Stage& stage, std::span<VariedSystem* const> varied) {
+    base_.resultants.clear();  // the consistent tangent
+    compute_matrix(stage, base_system_, base_, workspace_.values);
+    EquilibriumReport report;
+    if (!factorize(base_system_, workspace_, report)) fail("the tangent is singular");
+    const bool is_last = stage.index + 1 == integrator_.stage_count();
+    for (VariedSystem* one : varied) {
+        follow_equilibrium(stage, *one);
+        if (is_last && has_hidden_constraints_) compute_matrix(stage, one->system, one->state, one->values);
+    }
+}
+
+void TangentLinearStep::compute_matrix(const Stage& stage,
+                                       const System& system,
+                                       const State& state,
+                                       std::vector<double>& values) {
+    integrator_.linearize(state, stage, workspace_.linearizations);
+    ConstraintRequest request = find_request(base_system_, integrator_, stage);
+    if (request.level != ConstraintLevel::position)
+        request.factor = 1.0 / workspace_.linearizations.front().acceleration;
+    system.compute_tangent(state, integrator_.stage_time(stage), workspace_.linearizations, values, request);
+}
+
+void TangentLinearStep::follow_equilibrium(const Stage& stage, VariedSystem& varied) {
+    State& state = varied.state;
+    const System& system = varied.system;
+    integrator_.begin_stage(state, stage);
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        NodeMotion& trial = state.trial[i];
+        trial.r = base_.trial[i].r;
+        trial.Lambda = base_.trial[i].Lambda;
+        trial.theta = log(trial.Lambda * state.previous[i].Lambda.conjugate());
+    }
+    for (std::size_t i = 0; i < state.joints_trial.size(); ++i)
+        state.joints_trial[i].multipliers = base_.joints_trial[i].multipliers;
+    const double time = integrator_.stage_time(stage);
+    system.supports().place(time, state);
+    update_trial_rates(system, integrator_, stage, state);
+
+    ConstraintRequest request = find_request(base_system_, integrator_, stage);
+    if (request.level != ConstraintLevel::position)
+        request.factor = 1.0 / workspace_.linearizations.front().acceleration;
+    for (int i = 0; i < count_iterations(request); ++i) {
+        system.compute_residual(state, time, workspace_.residual, request);
+        iterate(system, state);
+        update_trial_rates(system, integrator_, stage, state);
+    }
+}
+
+int TangentLinearStep::count_iterations(const ConstraintRequest& request) const {
+    if (base_system_.joints().empty()) return 1;
+    return request.level == ConstraintLevel::position ? 2 : 3;
+}
+
+// Of the residual in the workspace.
+void TangentLinearStep::iterate(const System& system, State& state) {
+    const Eigen::VectorXd residual = gather_residual(system, workspace_.residual, workspace_.values);
+    EquilibriumReport report;
+    if (!solve_increment(system, residual, workspace_, report)) fail("a solution is not finite");
+    workspace_.increments.resize(state.trial.size());
+    for (std::size_t i = 0; i < state.trial.size(); ++i)
+        workspace_.increments[i] = system.equations().increment_of(static_cast<int>(i), workspace_.vector);
+    system.joints().advance_multipliers(workspace_.increments, workspace_.vector, workspace_.values, state);
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        const Vec6& increment = workspace_.increments[i];
+        apply_spin(state.previous[i], increment.head<3>(), increment.tail<3>(), state.trial[i]);
+    }
+}
+
+void TangentLinearStep::solve_stage_explicitly(const Stage& stage, std::span<VariedSystem* const> varied) {
+    const double time = integrator_.stage_time(stage);
+    const TimeSpan step{stage.step_time, stage.time_step};
+    integrator_.begin_stage(base_, stage);
+    base_system_.supports().place(time, base_);
+    for (VariedSystem* one : varied) {
+        integrator_.begin_stage(one->state, stage);
+        one->system.supports().place(time, one->state);
+    }
+    if (stage.index + 1 == integrator_.stage_count() && has_hidden_constraints_) {
+        meet_positions(time, varied);
+        meet_velocities(time, step, varied);
+    }
+    find_accelerations(time, step, varied);
+}
+
+void TangentLinearStep::find_accelerations(double time,
+                                           const TimeSpan& step,
+                                           std::span<VariedSystem* const> varied) {
+    check(solve_accelerations(base_system_, time, step, workspace_, base_), "its accelerations");
+    const ConstraintRequest request{ConstraintLevel::acceleration, step};
+    for (VariedSystem* one : varied) {
+        follow_accelerations(time, step, *one);
+        if (!has_hidden_constraints_ || !integrator_.is_explicit()) continue;
+        one->system.compute_tangent(
+            one->state, time, mass_linearizations(one->state.trial.size()), one->values, request);
+    }
+}
+
+void TangentLinearStep::follow_accelerations(double time, const TimeSpan& step, VariedSystem& varied) {
+    State& state = varied.state;
+    const System& system = varied.system;
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        state.trial[i].a = base_.trial[i].a;
+        state.trial[i].alpha = base_.trial[i].alpha;
+    }
+    for (std::size_t i = 0; i < state.joints_trial.size(); ++i)
+        state.joints_trial[i].multipliers = base_.joints_trial[i].multipliers;
+    system.supports().set_rates(time, step, state.trial);
+    EquilibriumReport report;
+    for (int i = 0; i <= count_corrections(base_system_); ++i) {
+        system.compute_residual(state, time, workspace_.residual, {ConstraintLevel::acceleration, step});
+        const Eigen::VectorXd residual = gather_residual(system, workspace_.residual, workspace_.values);
+        if (!solve_increment(system, residual, workspace_, report)) fail("a solution is not finite");
+        add_accelerations(system, workspace_, state);
+    }
+}
+
+template <class ComputeRows, class Move>
+void TangentLinearStep::follow_projection(const Eigen::VectorXd& total,
+                                          const VariedSystem& varied,
+                                          const ComputeRows& compute_rows,
+                                          const Move& move) {
+    const System& system = varied.system;
+    const auto move_all = [&](const Eigen::VectorXd& solution) {
+        for (std::size_t node = 0; node < varied.state.trial.size(); ++node)
+            move(node, system.equations().increment_of(static_cast<int>(node), solution));
+    };
+    Eigen::VectorXd solution = total;
+    move_all(solution);
+    constexpr int iterations = 2;  // the second for what the regularization of JointAssembly leaves
+    EquilibriumReport report;
+    for (int i = 0; i < iterations; ++i) {
+        Eigen::VectorXd residual = multiply(system.pattern(), varied.values, solution);
+        compute_rows(workspace_.residual.rows);
+        system.joints().set_rows(workspace_.residual.rows, workspace_.values, residual);
+        if (!solve_increment(system, residual, workspace_, report)) fail("a solution is not finite");
+        solution += workspace_.vector;
+        move_all(workspace_.vector);
+    }
+}
+
+void TangentLinearStep::meet_velocities(double time,
+                                        const TimeSpan& step,
+                                        std::span<VariedSystem* const> varied) {
+    // The base's own, of the velocities before they are projected.
+    const double time_scale = find_time_scale(base_system_, base_);
+    EquilibriumReport report;
+    Eigen::VectorXd total;
+    project_velocities(base_system_, time, step, workspace_, base_, report, &total);
+    check(report, "velocities that fit the joints");
+    for (VariedSystem* one : varied) {
+        follow_projection(
+            total,
+            *one,
+            [&](std::vector<double>& rows) {
+                one->system.joints().compute_rows(
+                    one->state, time, {ConstraintLevel::velocity, step, time_scale}, rows);
+            },
+            [&](std::size_t node, const Vec6& increment) {
+                one->state.trial[node].v += increment.head<3>() / time_scale;
+                one->state.trial[node].omega += increment.tail<3>() / time_scale;
+            });
+    }
+}
+
+void TangentLinearStep::meet_positions(double time, std::span<VariedSystem* const> varied) {
+    EquilibriumReport report;
+    Eigen::VectorXd total;
+    project_positions(base_system_, time, workspace_, base_, report, &total);
+    check(report, "positions that fit the joints");
+    for (VariedSystem* one : varied) {
+        follow_projection(
+            total,
+            *one,
+            [&](std::vector<double>& rows) { one->system.joints().compute_rows(one->state, time, {}, rows); },
+            [&](std::size_t node, const Vec6& increment) {
+                apply_spin(one->state.previous[node],
+                           increment.head<3>(),
+                           increment.tail<3>(),
+                           one->state.trial[node]);
+            });
+    }
+}
+
+}  // namespace gxrod

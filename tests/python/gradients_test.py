@@ -1,0 +1,175 @@
+"""Derivatives by numbers of a deck."""
+
+import pickle
+
+import numpy as np
+import pytest
+from conftest import SWING
+
+import gxrod
+
+if not gxrod._has_core():
+    pytest.skip("gxrod has no compiled part here: it is built with -DGXROD_PYTHON_MODULE=ON", allow_module_level=True)
+
+from gxrod.variations import find_number, vary  # noqa: E402 — after it is known to be there
+
+BEND = """gravity = [0, 0, -9.81]
+[parameters]
+F = 3.0
+L = 2.0
+EI = 6.0
+[section.s]
+stiffness = { EA = 1e3, GAy = 1e3, GAz = 1e3, GJ = 5, EIy = "EI", EIz = 7 }
+inertia = { rhoA = 0.1, rhoJ = 0.2, rhoIy = 0.1, rhoIz = 0.1 }
+[rod.r]
+section = "s"
+line = { from = [0, 0, 0], to = ["L", 0, 0] }
+elements = 4
+[[support]]
+at = "r.start"
+fix = "all"
+[[load]]
+at = "r.end"
+force = [0, 1, "F*t"]
+moment = [0.5, 0, "F/4"]
+frame = "follower"
+[analysis]
+kind = "static"
+steps = 4
+newton = { tolerance = 1e-12 }
+[[history]]
+name = "tip"
+at = "r.end"
+quantities = ["displacement", "rotation_vector"]
+[[history]]
+name = "middle"
+at = "r@0.4"
+quantities = ["moment", "force"]
+[[history]]
+name = "root"
+at = "r.start"
+quantities = ["reaction_force", "reaction_moment"]
+"""
+
+
+@pytest.fixture
+def deck():
+    return gxrod.Deck.from_text(SWING)
+
+
+@pytest.fixture
+def model(deck):
+    return deck.build()
+
+
+@pytest.fixture
+def sim(model):
+    with gxrod.Simulation(model) as simulation:
+        yield simulation
+
+
+@pytest.mark.parametrize("kind", ["static", "dynamic"])
+def test_derivatives_are_those_of_whole_runs(kind):
+    text = SWING if kind == "dynamic" else SWING.replace('kind = "dynamic"\nend_time = 0.5\ntime_step = 0.02', 'kind = "static"')
+    text = text.replace("[[history]]", "newton = { tolerance = 1e-12 }\n[[history]]", 1).replace("value = 0", "value = 1.5")
+    deck = gxrod.Deck.from_text(text)
+    for row in gxrod.check_gradient(deck, ["EI", "section.s.inertia.rhoA"], "tip.position"):
+        assert row["distance"] < 1e-7, row
+    [row] = gxrod.check_gradient(deck, ["EI"], "root.moment")
+    assert row["distance"] < 1e-7
+
+
+def test_runs_with_other_steps_are_not_compared(deck):
+    """A step that is a number of the deck changes how many there are."""
+    with pytest.warns(UserWarning, match="other steps"):
+        gxrod.check_gradient(deck, "analysis.time_step", "tip.position", step=0.1)
+
+
+def test_derivatives_need_a_name_that_is_there(sim, deck, model):
+    with pytest.raises(gxrod.UnknownNameError):
+        sim["tip"].derivative("EI")
+    with pytest.raises(gxrod.UnknownNameError, match="EI"):
+        gxrod.Simulation(model, sensitivities=["EJ"])
+    with pytest.raises(gxrod.Error, match="not a number"):
+        gxrod.Simulation(model, sensitivities=["section.s.stiffness.EIy"])
+    carried = gxrod.Simulation(model, sensitivities=["EI"])
+    carried.step()
+    assert carried["tip"].derivative("EI").position.shape == (3,)
+    carried.restore(pickle.loads(pickle.dumps(carried.save())))
+    with pytest.raises(gxrod.Error, match="as pickles are"):
+        carried["tip"].derivative("EI").position
+
+
+def test_derivatives_come_back_with_a_checkpoint(model):
+    sim = gxrod.Simulation(model, sensitivities=["EI"])
+    sim.advance(steps=3)
+    point = sim.save()
+    sim.advance(steps=3)
+    last = sim["tip"].derivative("EI").position
+    sim.restore(point)
+    sim.advance(steps=3)
+    assert np.array_equal(sim["tip"].derivative("EI").position, last)
+
+
+@pytest.mark.parametrize("overrides, value", [({}, 0.0), ({"load[0].moment": [0, "tendon", 4]}, 4.0), ({"load[0].moment[2]": np.int64(3)}, 3.0),
+                                              ({"load[0].moment[2]": 3, "load[0].moment": np.array([0, 1, 2])}, 2.0)])
+def test_derivatives_are_about_the_value_that_counts(deck, overrides, value):
+    model = deck.build(overrides)
+    assert find_number(model, "load[0].moment[2]", "moment") == value
+    models, step = vary(model, "load[0].moment[2]")
+    for varied, steps in zip(models, (1, -1, 2, -2)):
+        assert find_number(varied, "load[0].moment[2]", "moment") == value + steps * step
+    [row] = gxrod.check_gradient(model, "load[0].moment[2]", "tip.position")
+    assert row["parameter"] == "load[0].moment[2]" and np.abs(row["derivative"]).max() > 1e-3 and row["distance"] < 1e-6
+
+
+# Of reactions, and of all schemes.
+
+
+def test_reactions_have_derivatives():
+    """A dead force at the end changes the reaction by its opposite."""
+    deck = gxrod.Deck.from_text(BEND.replace('frame = "follower"', "").replace('moment = [0.5, 0, "F/4"]', "").replace("gravity", "# gravity"))
+    sim = gxrod.Simulation(deck, sensitivities=["F"])
+    sim.run()
+    by_force = sim["root"].derivative("F")
+    assert by_force.reaction_force == pytest.approx([0, 0, -1], abs=1e-9)
+    arm, moved = np.array([2, 0, 0]) + sim["tip"].displacement, sim["tip"].derivative("F").displacement
+    force = np.array([0, 1, 3.0])
+    assert by_force.reaction_moment == pytest.approx(-np.cross(arm, [0, 0, 1]) - np.cross(moved, force), abs=1e-8)
+
+
+@pytest.mark.parametrize("integrator", ["newmark-simplified", "generalized-alpha", "sdirk-4"])
+def test_reactions_of_motions_have_derivatives(deck, integrator):
+    changes = {"analysis.integrator": integrator, "analysis.newton": {"tolerance": 1e-12}, "history[1].quantities": ["reaction_force", "reaction_moment"]}
+    for quantity in ("root.reaction_force", "root.reaction_moment", "tip.position"):
+        (row,) = gxrod.check_gradient(deck.build(changes), ["EI"], quantity, step=1e-2)
+        assert row["distance"] < 1e-6, (quantity, row)
+
+
+# By multipliers.
+
+
+def test_the_adjoint_is_what_is_carried_along():
+    names = ["F", "L", "EI"]
+    deck = gxrod.Deck.from_text(BEND)
+    sim = gxrod.Simulation(deck, sensitivities=names)
+    sim.run()
+    weights = {"tip.displacement": [0.3, -1, 2], "tip.rotation_vector": [1, 0, -1], "middle.moment": [0, 2, 1]}
+    expected = [sum(np.dot(weight, sim[key.split(".")[0]].derivative(name)[key.split(".")[1]]) for key, weight in weights.items()) for name in names]
+    assert gxrod.Simulation.adjoint(sim, weights, names) == pytest.approx(expected, rel=1e-9)
+    assert sim.adjoint({"tip.displacement": [0, 0, 1]}, "F").shape == (1,)
+
+
+def test_the_adjoint_is_there_for_equilibria(sim):
+    with pytest.raises(gxrod.Error, match="gradients of equilibria"):
+        sim.adjoint({"tip.position": [0, 0, 1]}, ["EI"])
+    bend = gxrod.Simulation(gxrod.Deck.from_text(BEND))
+    bend.run()
+    with pytest.raises(gxrod.Error, match="3 numbers, and 2 weights"):
+        bend.adjoint({"tip.displacement": [0, 1]}, ["EI"])
+    with pytest.raises(gxrod.Error, match="reactions"):
+        bend.adjoint({"root.reaction_force": [0, 0, 1]}, ["EI"])
+    with pytest.raises(gxrod.UnknownNameError):
+        bend.adjoint({"tip.displacement": [0, 0, 1]}, ["EJ"])
+    with pytest.raises(gxrod.UnknownNameError):
+        bend.adjoint({"tip.place": [0, 0, 1]}, ["EI"])
