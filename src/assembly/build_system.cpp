@@ -38,15 +38,34 @@ RodElementGeometry<Nodes> find_geometry(const Model& model, const Rod& rod, int 
     return geometry;
 }
 
+// Of an element of a rod whose sections vary along it.
+template <int Nodes>
+ElementSections<Nodes> make_sections(const Model& model, const Rod& rod, int element) {
+    const auto fill = [&](const std::vector<Section>& all, auto& sections) {
+        const Section* next = &all[static_cast<std::size_t>(element) * sections.size()];
+        for (SharedRodSection& section : sections)
+            section = std::make_shared<const RodSection>(*next++, model.has_inertia);
+    };
+    ElementSections<Nodes> sections;
+    fill(rod.varying.at_forces, sections.at_forces);
+    fill(rod.varying.at_masses, sections.at_masses);
+    fill(rod.varying.at_nodes, sections.at_nodes);
+    return sections;
+}
+
 template <class E>
 void add_rod(const Model& model, const Rod& rod, int group, int first_element, ElementBlock<E>& block) {
-    const auto section = std::make_shared<const RodSection>(model.sections[rod.section], model.has_inertia);
+    constexpr int nodes = E::node_count;
+    const ElementSections<nodes> constant(
+        std::make_shared<const RodSection>(model.sections[rod.section], model.has_inertia));
     const auto count = static_cast<std::size_t>(rod.element_count());
     reserve_more(count, block.elements);
     reserve_more(count, block.section_index);
     reserve_more(count, block.groups);
     for (int e = 0; e < rod.element_count(); ++e) {
-        block.elements.emplace_back(find_geometry<E::node_count>(model, rod, e), section);
+        block.elements.emplace_back(
+            find_geometry<nodes>(model, rod, e),
+            rod.has_varying_sections() ? make_sections<nodes>(model, rod, e) : constant);
         block.section_index.push_back(first_element + e);
         block.groups.push_back(group);
     }
@@ -204,7 +223,7 @@ void System::build_batches() {
         if constexpr (is_batched<E>) {
             std::get<RodBatches<E::node_count>>(rod_batches_).build(block, equations_);
             for (const E& element : block.elements) {
-                const double damping = element.inertia().section().mass_proportional;
+                const double damping = element.inertia().section(0).mass_proportional;
                 for (int i = 0; i < E::node_count; ++i) {
                     const int node = element.nodes[i];
                     const int group = scale_groups_.of_node(node);

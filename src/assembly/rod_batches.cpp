@@ -1,5 +1,7 @@
 #include "assembly/rod_batches.hpp"
 
+#include <algorithm>
+
 #include "assembly/lane_column.hpp"
 #include "elements/lanes/kernel_rows.hpp"
 
@@ -28,6 +30,7 @@ void RodBatches<Nodes>::build(const Block& block, const EquationNumbers& equatio
     equations_ = &equations;
     for (std::size_t part = 0; part < block.phases.part_count(); ++part) add_part(part);
     first_batch_.push_back(batches_.size());
+    write_sections();
     write_constants();
 }
 
@@ -41,15 +44,15 @@ void RodBatches<Nodes>::add_part(std::size_t part) {
 template <int Nodes>
 void RodBatches<Nodes>::add_to_batches(int element) {
     const ObjectiveElement<Nodes>& added = block_->elements[element];
-    const Section section = make_section_rows<Nodes>(added);
-    const bool is_same = !sections_.empty() && sections_.back() == section;
-    if (!is_same) sections_.push_back(section);
-    if (!is_same || batches_.size() == first_batch_.back() || batches_.back().count == width_) {
+    const bool fits = batches_.size() > first_batch_.back() && batches_.back().count < width_ &&
+                      make_shared_rows<Nodes>(added) ==
+                          make_shared_rows<Nodes>(block_->elements[batches_.back().elements[0]]);
+    if (!fits) {
         batches_.push_back(
-            {.section = sections_.size() - 1,
+            {.section = 0,
              .is_general = added.is_damped() || added.inertia().has_offset(),
              .is_damped = added.is_damped(),
-             .is_alone = added.inertia().has_offset() && !added.inertia().section().has_inertia,
+             .is_alone = added.inertia().has_offset() && !added.inertia().section(0).has_inertia,
              .count = 0,
              .elements = {},
              .nodes = {}});
@@ -58,6 +61,26 @@ void RodBatches<Nodes>::add_to_batches(int element) {
     for (int lane = batch.count++; lane < width_; ++lane) {
         batch.elements[lane] = element;
         batch.nodes[lane] = added.nodes;
+    }
+}
+
+template <int Nodes>
+void RodBatches<Nodes>::write_sections() {
+    const std::size_t size =
+        static_cast<std::size_t>(Rows::shared_rows) + static_cast<std::size_t>(Rows::section_rows) * width_;
+    std::vector<double> rows(size);
+    for (Batch& batch : batches_) {
+        std::ranges::copy(make_shared_rows<Nodes>(block_->elements[batch.elements[0]]), rows.begin());
+        for (int lane = 0; lane < width_; ++lane) {
+            LaneColumn column(&rows[Rows::shared_rows], lane, width_);
+            for (const double row : make_section_rows<Nodes>(block_->elements[batch.elements[lane]]))
+                column.write(row);
+        }
+        // Most batches are of the section of the one before.
+        const bool is_same =
+            !sections_.empty() && std::equal(rows.begin(), rows.end(), sections_.end() - std::ssize(rows));
+        if (!is_same) sections_.insert(sections_.end(), rows.begin(), rows.end());
+        batch.section = sections_.size() - size;
     }
 }
 

@@ -38,12 +38,11 @@ class RodBatches {
 
   private:
     using Rows = RodKernels<Nodes>;
-    using Section = std::array<double, Rows::section_rows>;
 
-    // Elements of one part with the same section; the last one fills the lanes that are left.
+    // Elements of one part that share what kernels branch on; the last one fills the lanes that are left.
     struct Batch {
-        std::size_t section;
-        bool is_general;  // of its section
+        std::size_t section;  // where its rows begin
+        bool is_general;      // of its sections
         bool is_damped;
         bool is_alone;  // kernels know no masses off the axis that have no inertia
         int count;
@@ -53,6 +52,7 @@ class RodBatches {
 
     void add_part(std::size_t part);
     void add_to_batches(int element);
+    void write_sections();
     void write_constants();
     const double* constants(std::size_t batch) const {
         return &constants_[batch * Rows::constant_rows * width_];
@@ -60,7 +60,7 @@ class RodBatches {
     const typename Rows::OfSections& kernels_of(const Batch& batch) const {
         return batch.is_general ? kernels_.general : kernels_.plain;
     }
-    const double* section(const Batch& batch) const { return sections_[batch.section].data(); }
+    const double* section(const Batch& batch) const { return &sections_[batch.section]; }
     // Write what kernels read.
     void write_motions(const Batch& batch,
                        const std::vector<NodeMotion>& motions,
@@ -94,7 +94,7 @@ class RodBatches {
     RodKernels<Nodes> kernels_;
     const Block* block_ = nullptr;
     const EquationNumbers* equations_ = nullptr;
-    std::vector<Section> sections_;
+    std::vector<double> sections_;  // shared rows and section rows, of all batches of a kind once
     std::vector<Batch> batches_;
     std::vector<std::size_t> first_batch_;  // of each part, and the number of batches
     std::vector<double> constants_;         // of each batch, by rows

@@ -42,10 +42,17 @@ enum class ElementKind {
     simo        // Simo & Vu-Quoc (1986): rotations since the last accepted step are interpolated
 };
 
-// Elements that share a section: a line from start to end, or, read from a mesh, any net of lines.
+// Sections that vary along a rod, element by element from its start to its end: at the Gauss points of its
+// forces, order of them, at those of its mass, order + 1, and at its nodes. Their names are empty.
+struct VaryingSections {
+    std::vector<Section> at_forces, at_masses, at_nodes;
+};
+
+// Elements of one material: a line from start to end, or, read from a mesh, any net of lines.
 struct Rod {
     std::string name;
-    int section = 0;
+    int section = 0;          // of sections that vary the mean over the length, which Model::sections has too
+    VaryingSections varying;  // empty for a constant section
     ElementKind kind = ElementKind::objective;
     int order = 1;           // nodes per element − 1
     std::vector<int> nodes;  // each once; of a line, from start to end
@@ -57,6 +64,7 @@ struct Rod {
     std::vector<double> arc_length;  // from the start of the rod
     std::vector<Quat> triads;        // section axes at t = 0: columns are x, y, z
 
+    bool has_varying_sections() const { return !varying.at_nodes.empty(); }
     int element_count() const { return static_cast<int>(element_nodes.size()) / (order + 1); }
     // The section axes at nodes[position], at t = 0; in a corner, those of the first element there.
     const Quat& triad_at(int position) const;

@@ -2,6 +2,7 @@
 
 #include "assembly/node_groups.hpp"
 #include "assembly/rotary_batches.hpp"
+#include "elements/element_samples.hpp"
 #include "rotation/rotation_map.hpp"
 #include "tools/catch.hpp"
 #include "tools/random_values.hpp"
@@ -101,7 +102,11 @@ struct Assembled {
                     geometry.positions[i] = model.nodes[geometry.nodes[i]].position;
                     geometry.triads[i] = rod.triads[Nodes * e + i];
                 }
-                block.elements.emplace_back(geometry, model.sections[rod.section]);
+                // Along the second rod sections vary.
+                const Section& section = model.sections[rod.section];
+                const ElementSections<Nodes> constant(std::make_shared<const RodSection>(section));
+                block.elements.emplace_back(
+                    geometry, rod.section == 1 ? make_varying_sections<Nodes>(e + 1, section) : constant);
                 block.groups.push_back(0);
                 groups.emplace_back(geometry.nodes.begin(), geometry.nodes.end());
             }
@@ -144,7 +149,7 @@ struct Assembled {
                 const Mat3 inertia = element.inertia().compute_rotary_inertia(i);
                 batches.nodes.add(element.nodes[i], 0, inertia);
                 batches.damping_of_nodes.add(
-                    element.nodes[i], 0, element.inertia().section().mass_proportional * inertia);
+                    element.nodes[i], 0, element.inertia().section(i).mass_proportional * inertia);
             }
         }
         batches.nodes.lay_out(pattern);

@@ -112,6 +112,49 @@ RodPiece<Nodes> make_rod_piece(RandomValues& random) {
     return piece;
 }
 
+namespace {
+
+Section make_other_section(RandomValues& random, const Section& like) {
+    Section section = like;
+    section.stiffness = random.positive_definite<6>();
+    const double rho_A = random.number(0.5, 2.0);
+    const bool has_offset = !like.mass.topRightCorner<3, 3>().isZero(0.0);
+    const Mat3 offset = has_offset ? spin(random.vector(0.5)) : Mat3(Mat3::Zero());
+    section.mass.topLeftCorner<3, 3>() = rho_A * Mat3::Identity();
+    section.mass.topRightCorner<3, 3>() = -rho_A * offset;
+    section.mass.bottomLeftCorner<3, 3>() = rho_A * offset;
+    section.mass.bottomRightCorner<3, 3>() = random.positive_definite<3>() - rho_A * offset * offset;
+    return section;
+}
+
+}  // namespace
+
+template <int Nodes>
+ElementSections<Nodes> make_varying_sections(unsigned seed, const Section& like, const Isometry& isometry) {
+    RandomValues random(seed);
+    const Section start = make_other_section(random, like), end = make_other_section(random, like);
+    const auto find = [&](double xi) {
+        const double t = 0.5 * (1.0 + xi);
+        Section section = like;
+        section.stiffness = isometry.tensor(Mat6((1.0 - t) * start.stiffness + t * end.stiffness));
+        section.mass = isometry.tensor(Mat6((1.0 - t) * start.mass + t * end.mass));
+        return std::make_shared<const RodSection>(section);
+    };
+    ElementSections<Nodes> sections;
+    const auto force_points = compute_gauss_rule<Nodes - 1>();
+    const auto mass_points = compute_gauss_rule<Nodes>();
+    const NodeValues<Nodes> at = compute_node_positions<Nodes>();
+    for (std::size_t p = 0; p < force_points.size(); ++p) sections.at_forces[p] = find(force_points[p].xi);
+    for (std::size_t p = 0; p < mass_points.size(); ++p) sections.at_masses[p] = find(mass_points[p].xi);
+    for (int i = 0; i < Nodes; ++i) sections.at_nodes[i] = find(at[i]);
+    return sections;
+}
+
+template ElementSections<2> make_varying_sections<2>(unsigned, const Section&, const Isometry&);
+template ElementSections<3> make_varying_sections<3>(unsigned, const Section&, const Isometry&);
+template ElementSections<4> make_varying_sections<4>(unsigned, const Section&, const Isometry&);
+template ElementSections<5> make_varying_sections<5>(unsigned, const Section&, const Isometry&);
+
 template RodPiece<2> make_rod_piece<2>(RandomValues&);
 template RodPiece<3> make_rod_piece<3>(RandomValues&);
 template RodPiece<4> make_rod_piece<4>(RandomValues&);
@@ -167,7 +210,7 @@ ElementSample<RodKind<Nodes>> make_rod_sample(RandomValues& random,
                                               const Isometry& isometry) {
     const RodPiece<Nodes> piece = make_rod_piece<Nodes>(random);
     const RodPiece<Nodes> carried = carry(isometry, piece);
-    const RodKind<Nodes> rod(carried.geometry, carried.section);
+    const RodKind<Nodes> rod(carried.geometry, make_varying_sections<Nodes>(Nodes, piece.section, isometry));
     return make_sample(random,
                        kind + " rod of " + std::to_string(Nodes) + " nodes",
                        rod,

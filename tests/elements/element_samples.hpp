@@ -76,6 +76,13 @@ struct RodPiece {
 template <int Nodes>
 RodPiece<Nodes> make_rod_piece(RandomValues& random);
 
+// Sections that vary along an element, linear entry by entry, with the damping of this one, and centres of
+// mass off the centreline if its own is.
+template <int Nodes>
+ElementSections<Nodes> make_varying_sections(unsigned seed,
+                                             const Section& like,
+                                             const Isometry& isometry = {});
+
 // A body with a full inertia tensor.
 Body make_body(RandomValues& random, const Vec3& centre_of_mass);
 

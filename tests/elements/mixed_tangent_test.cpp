@@ -85,7 +85,7 @@ struct RodSample {
         for (int i = 0; i < Nodes; ++i) reference[i].r = piece.geometry.positions[i];
         return Rod(Map(point_at(reference), piece.geometry.triads).local(),
                    histories,
-                   std::make_shared<const RodSection>(piece.section));
+                   ElementSections<Nodes>(std::make_shared<const RodSection>(piece.section)).at_forces);
     }
     // Σ w Bᵀ S.
     NodalVector<Nodes> compute_force(const Nodal& nodal) const {

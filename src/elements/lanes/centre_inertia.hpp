@@ -22,14 +22,14 @@ class CentreInertia {
     using Forces = NodeForces<Nodes, Real>;
 
     // All of these must outlive it; `axes` are those of the sections at the nodes.
-    CentreInertia(const GeneralSection<Real>& section,
+    CentreInertia(const GeneralSection<Nodes, Real>& section,
                   const Mass& mass,
                   const std::array<Eigen::Quaternion<Real>, Nodes>& axes,
                   const NodeRates<Nodes, Real>& rates)
         : section_(section), mass_(mass), rates_(rates) {
         for (int i = 0; i < Nodes; ++i) {
             if (section.has_offset) {
-                d_[i] = axes[i] * section.centre_of_mass;
+                d_[i] = axes[i] * section.centre_of_mass[i];
             } else {
                 d_[i].setConstant(Real(0.0));
             }
@@ -76,7 +76,7 @@ class CentreInertia {
     // How a centre's acceleration, and c w, follow the spin of its node.
     Mat3 compute_by_spin(int node, const NodeLinearizations<Nodes, Real>& linearizations) const;
 
-    const GeneralSection<Real>& section_;
+    const GeneralSection<Nodes, Real>& section_;
     const Mass& mass_;
     const NodeRates<Nodes, Real>& rates_;
     Vectors d_;

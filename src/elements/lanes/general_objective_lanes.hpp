@@ -20,7 +20,7 @@ class GeneralObjectiveLanes {
     using Rates = typename State::Rates;
     using Inertia = CentreInertia<Nodes, Real>;
 
-    static Rates find_rates(const GeneralSection<Real>& section,
+    static Rates find_rates(const GeneralSection<Nodes, Real>& section,
                             const State& state,
                             const NodeRates<Nodes, Real>& nodes,
                             double elasticity) {
@@ -34,7 +34,7 @@ class GeneralObjectiveLanes {
                                const double* constant_rows,
                                const double* motions,
                                double* rows) {
-        const GeneralSection<Real> section(section_rows);
+        const GeneralSection<Nodes, Real> section(section_rows);
         const Constants constants(section_rows, constant_rows);
         LaneReader<Real> read(motions);
         const ObjectiveMotion<Nodes, Real> motion(constants, read);
@@ -54,7 +54,7 @@ class GeneralObjectiveLanes {
                                        const double* constant_rows,
                                        const double* motions,
                                        double* rows) {
-        const GeneralSection<Real> section(section_rows);
+        const GeneralSection<Nodes, Real> section(section_rows);
         const Constants constants(section_rows, constant_rows);
         LaneReader<Real> read(motions);
         const ObjectiveMotion<Nodes, Real> motion(constants, read);
@@ -72,7 +72,7 @@ class GeneralObjectiveLanes {
                                  const double* constant_rows,
                                  const double* motions,
                                  double* rows) {
-        const GeneralSection<Real> section(section_rows);
+        const GeneralSection<Nodes, Real> section(section_rows);
         const Constants constants(section_rows, constant_rows);
         LaneReader<Real> read(motions);
         const ObjectiveMotion<Nodes, Real> motion(constants, read);

@@ -2,29 +2,29 @@
 
 #include <array>
 
+#include "elements/lanes/kernels.hpp"
 #include "elements/lanes/lanes.hpp"
 
 // What kernels for general sections read beyond those for plain ones (kernels.hpp).
 namespace gxrod {
 
-// After the stiffness in the rows of a section: alike in all lanes, so that kernels can branch on it.
-template <class Real>
+// What is alike in all lanes comes first, so that kernels can branch on it.
+template <int Nodes, class Real>
 struct GeneralSection {
-    static constexpr int first_row = 27;
-    static constexpr int rows = 5;
-
-    Eigen::Matrix<Real, 3, 1> centre_of_mass;  // from the node, material
+    std::array<Eigen::Matrix<Real, 3, 1>, Nodes> centre_of_mass;  // from each node, material
     Real kelvin_voigt, mass_proportional;
     bool has_offset, is_viscous, has_mass_damping;
 
     explicit GeneralSection(const double* section) {
-        const double* row = section + first_row;
-        for (int i = 0; i < 3; ++i) centre_of_mass[i] = Real(row[i]);
-        kelvin_voigt = Real(row[3]);
-        mass_proportional = Real(row[4]);
-        has_offset = row[0] != 0.0 || row[1] != 0.0 || row[2] != 0.0;
-        is_viscous = row[3] != 0.0;
-        has_mass_damping = row[4] != 0.0;
+        constexpr int stiffness_rows = 27 * (Nodes - 1);
+        has_offset = section[0] != 0.0;
+        is_viscous = section[1] != 0.0;
+        has_mass_damping = section[2] != 0.0;
+        kelvin_voigt = Real(section[1]);
+        mass_proportional = Real(section[2]);
+        LaneReader<Real> read(section + RodKernels<Nodes>::shared_rows +
+                              stiffness_rows * static_cast<int>(Real::size));
+        for (auto& centre : centre_of_mass) centre = read.vector();
     }
 };
 

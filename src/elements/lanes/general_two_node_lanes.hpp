@@ -26,7 +26,7 @@ class GeneralTwoNodeLanes {
 
     // With where their nodes are.
     struct Elements {
-        GeneralSection<Real> section;
+        GeneralSection<2, Real> section;
         Rod rod;
         typename Inertia::Mass mass;
         std::array<Quat, 2> axes;

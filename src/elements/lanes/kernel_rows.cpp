@@ -30,23 +30,31 @@ class RowWriter {
 }  // namespace
 
 template <int Nodes>
-std::array<double, RodKernels<Nodes>::section_rows> make_section_rows(
-    const ObjectiveElement<Nodes>& element) {
-    RowWriter<RodKernels<Nodes>::section_rows> writer;
-    const Mat6& C = element.interpolated_rod().stiffness();
-    writer.write(C.topLeftCorner<3, 3>());
-    writer.write(C.topRightCorner<3, 3>());
-    writer.write(C.bottomRightCorner<3, 3>());
-    const RodSection& section = element.inertia().section();
-    writer.write(section.centre_of_mass);
-    writer.write(section.kelvin_voigt);
-    writer.write(section.mass_proportional);
+std::array<double, RodKernels<Nodes>::shared_rows> make_shared_rows(const ObjectiveElement<Nodes>& element) {
+    RowWriter<RodKernels<Nodes>::shared_rows> writer;
+    writer.write(element.inertia().has_offset() ? 1.0 : 0.0);
+    writer.write(element.interpolated_rod().section(0).kelvin_voigt);
+    writer.write(element.inertia().section(0).mass_proportional);
     if constexpr (Nodes > 2) {
         const auto rule = compute_gauss_rule<Nodes - 1>();
         for (const QuadraturePoint& point : rule) writer.write(point.weight);
         for (const QuadraturePoint& point : rule) writer.write(compute_shape_functions<Nodes>(point.xi));
         for (const QuadraturePoint& point : rule) writer.write(compute_shape_slopes<Nodes>(point.xi));
     }
+    return writer.rows();
+}
+
+template <int Nodes>
+std::array<double, RodKernels<Nodes>::section_rows> make_section_rows(
+    const ObjectiveElement<Nodes>& element) {
+    RowWriter<RodKernels<Nodes>::section_rows> writer;
+    for (int p = 0; p < Nodes - 1; ++p) {
+        const Mat6& C = element.interpolated_rod().section(p).stiffness;
+        writer.write(C.topLeftCorner<3, 3>());
+        writer.write(C.topRightCorner<3, 3>());
+        writer.write(C.bottomRightCorner<3, 3>());
+    }
+    for (int i = 0; i < Nodes; ++i) writer.write(element.inertia().section(i).centre_of_mass);
     return writer.rows();
 }
 
@@ -67,12 +75,16 @@ std::array<double, RodKernels<Nodes>::constant_rows> make_constant_rows(
     return writer.rows();
 }
 
+template std::array<double, RodKernels<2>::shared_rows> make_shared_rows(const ObjectiveElement<2>&);
 template std::array<double, RodKernels<2>::section_rows> make_section_rows(const ObjectiveElement<2>&);
 template std::array<double, RodKernels<2>::constant_rows> make_constant_rows(const ObjectiveElement<2>&);
+template std::array<double, RodKernels<3>::shared_rows> make_shared_rows(const ObjectiveElement<3>&);
 template std::array<double, RodKernels<3>::section_rows> make_section_rows(const ObjectiveElement<3>&);
 template std::array<double, RodKernels<3>::constant_rows> make_constant_rows(const ObjectiveElement<3>&);
+template std::array<double, RodKernels<4>::shared_rows> make_shared_rows(const ObjectiveElement<4>&);
 template std::array<double, RodKernels<4>::section_rows> make_section_rows(const ObjectiveElement<4>&);
 template std::array<double, RodKernels<4>::constant_rows> make_constant_rows(const ObjectiveElement<4>&);
+template std::array<double, RodKernels<5>::shared_rows> make_shared_rows(const ObjectiveElement<5>&);
 template std::array<double, RodKernels<5>::section_rows> make_section_rows(const ObjectiveElement<5>&);
 template std::array<double, RodKernels<5>::constant_rows> make_constant_rows(const ObjectiveElement<5>&);
 

@@ -5,7 +5,9 @@
 
 namespace gxrod {
 
-// What kernels need to know of an element's section, and of the element itself.
+// What kernels need to know of an element's sections, and of the element itself.
+template <int Nodes>
+std::array<double, RodKernels<Nodes>::shared_rows> make_shared_rows(const ObjectiveElement<Nodes>& element);
 template <int Nodes>
 std::array<double, RodKernels<Nodes>::section_rows> make_section_rows(const ObjectiveElement<Nodes>& element);
 template <int Nodes>

@@ -12,14 +12,18 @@ namespace gxrod {
 constexpr int most_lanes = 4;
 
 // Elements `objective`, and the inertia and mass-proportional damping of their centres of mass. Kernels for
-// plain sections have no damping, and their centre of mass lies at the nodes.
+// plain sections have no damping, and their centre of mass lies at the nodes. What is known of sections lies
+// in one place, so that elements of one section share it.
 template <int Nodes>
 struct RodKernels {
     static constexpr int point_count = Nodes - 1;
-    // One entry each, all lanes alike: the blocks C_NN, C_NM, C_MM of the stiffness; the centre of mass from
-    // the node, material; the factors of Kelvin-Voigt and of mass-proportional damping; with more than two
-    // nodes the weights of the quadrature, shape functions at each point, and their slopes dN_I/dξ.
-    static constexpr int section_rows = 32 + (Nodes > 2 ? point_count * (1 + 2 * Nodes) : 0);
+    // One entry each, all lanes alike: whether a centre of mass lies off its node, 1 or 0; the factors of
+    // Kelvin-Voigt and of mass-proportional damping; with more than two nodes the weights of the quadrature,
+    // shape functions at each point, and their slopes dN_I/dξ.
+    static constexpr int shared_rows = 3 + (Nodes > 2 ? point_count * (1 + 2 * Nodes) : 0);
+    // Behind them: of each point the blocks C_NN, C_NM, C_MM of the stiffness; of each node the centre of
+    // mass from there, material.
+    static constexpr int section_rows = 27 * point_count + 3 * Nodes;
     // Of each point ds/dξ (of two nodes: the length), Γ₀, K₀; triads of the nodes; masses ∫ρA N_I N_J ds, J ≥
     // I.
     static constexpr int constant_rows = 7 * point_count + 4 * Nodes + Nodes * (Nodes + 1) / 2;

@@ -24,7 +24,11 @@ struct ObjectiveConstants {
         Vec3 Gamma_0, Kappa_0;
     };
 
-    Mat3 C_NN, C_NM, C_MM;
+    struct Stiffness {
+        Mat3 C_NN, C_NM, C_MM;
+    };
+
+    const double* stiffness;  // rows of all points
     // The quadrature, and shape functions and their slopes dN_I/dξ there.
     const double* weights;
     const double* shapes;
@@ -34,10 +38,8 @@ struct ObjectiveConstants {
     Eigen::Matrix<Real, Nodes, Nodes> mass;
 
     ObjectiveConstants(const double* section, const double* constants) {
-        for (Mat3* block : {&C_NN, &C_NM, &C_MM}) {
-            for (int entry = 0; entry < 9; ++entry) block->data()[entry] = Real(*section++);
-        }
-        weights = section + GeneralSection<Real>::rows;
+        stiffness = section + RodKernels<Nodes>::shared_rows;
+        weights = section + 3;
         shapes = weights + point_count;
         slopes = shapes + point_count * Nodes;
         LaneReader<Real> read(constants);
@@ -50,6 +52,11 @@ struct ObjectiveConstants {
         for (int i = 0; i < Nodes; ++i) {
             for (int j = i; j < Nodes; ++j) mass(i, j) = mass(j, i) = read.scalar();
         }
+    }
+
+    Stiffness stiffness_of(int point) const {
+        LaneReader<Real> read(stiffness + 27 * point * static_cast<int>(Real::size));
+        return {read.matrix(), read.matrix(), read.matrix()};
     }
 };
 
@@ -129,6 +136,7 @@ class ObjectiveState {
 
     // One point of the quadrature: u′ = r′, spins and resultants.
     struct Point {
+        int index;
         std::array<Real, Nodes> slopes;  // dN_I/ds
         const double* shapes;
         Real weight;

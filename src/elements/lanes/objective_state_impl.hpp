@@ -24,7 +24,8 @@ auto ObjectiveState<Nodes, Real>::evaluate(const Constants& constants, int p, co
     const SmallRotation<Real> rotation(psi);
     const Mat3 T = rotation.tangent_map();
     const Mat3 Lambda = rotation.exp() * frame_matrix_;
-    Point point{slopes,
+    Point point{p,
+                slopes,
                 shapes,
                 Real(constants.weights[p]) * jacobian,
                 r_prime,
@@ -44,8 +45,9 @@ auto ObjectiveState<Nodes, Real>::evaluate(const Constants& constants, int p, co
         Gamma = rates.elasticity * Gamma + rates.viscosity * (Lambda.transpose() * gamma);
         Kappa = rates.elasticity * Kappa + rates.viscosity * (Lambda.transpose() * kappa);
     }
-    point.n = Lambda * (constants.C_NN * Gamma + constants.C_NM * Kappa);
-    point.m = Lambda * (constants.C_NM.transpose() * Gamma + constants.C_MM * Kappa);
+    const auto [C_NN, C_NM, C_MM] = constants.stiffness_of(p);
+    point.n = Lambda * (C_NN * Gamma + C_NM * Kappa);
+    point.m = Lambda * (C_NM.transpose() * Gamma + C_MM * Kappa);
     return point;
 }
 
@@ -85,9 +87,10 @@ void ObjectiveState<Nodes, Real>::add_stiffness(const Constants& constants,
     const Vec3 m_R = R * (point.Lambda.transpose() * point.m);  // M turned to the frame
     const Mat3 P = cross_columns(point.r_prime, point.T);
     const Mat3 Q = rotation.tangent_map_slope(point.psi_prime);
-    const Mat3 C_nn = point.Lambda * constants.C_NN * point.Lambda.transpose();
-    const Mat3 C_nm = point.Lambda * constants.C_NM * point.Lambda.transpose();
-    const Mat3 C_mm = point.Lambda * constants.C_MM * point.Lambda.transpose();
+    const auto [C_NN, C_NM, C_MM] = constants.stiffness_of(point.index);
+    const Mat3 C_nn = point.Lambda * C_NN * point.Lambda.transpose();
+    const Mat3 C_nm = point.Lambda * C_NM * point.Lambda.transpose();
+    const Mat3 C_mm = point.Lambda * C_MM * point.Lambda.transpose();
     // By r′, ψ and ψ′, times the weight.
     const Mat3 n_psi = C_nn * P + C_nm * Q;
     const Mat3 m_psi = C_nm.transpose() * P + C_mm * Q;

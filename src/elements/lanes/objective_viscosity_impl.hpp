@@ -98,8 +98,8 @@ auto ObjectiveState<Nodes, Real>::make_viscous_point(const Constants& constants,
                                                      const SpinMaps& maps,
                                                      const Rates& rates) -> ViscousPoint<Nodes, Real> {
     ViscousPoint<Nodes, Real> result;
-    result.set_viscosity(
-        rates.viscosity * point.weight, point.Lambda, constants.C_NN, constants.C_NM, constants.C_MM);
+    const auto [C_NN, C_NM, C_MM] = constants.stiffness_of(point.index);
+    result.set_viscosity(rates.viscosity * point.weight, point.Lambda, C_NN, C_NM, C_MM);
     result.slopes = point.slopes;
     result.omega_R = rates.omega_R;
     result.omega = rates.omega_R + moving.omega;

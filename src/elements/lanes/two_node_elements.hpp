@@ -17,9 +17,8 @@ struct TwoNodeElements {
     Real mass_aa, mass_ab, mass_bb;
 
     TwoNodeElements(const double* section, const double* constants) {
-        for (Mat3* block : {&rod.C_NN, &rod.C_NM, &rod.C_MM}) {
-            for (int entry = 0; entry < 9; ++entry) block->data()[entry] = Real(*section++);
-        }
+        LaneReader<Real> of_section(section + RodKernels<2>::shared_rows);
+        for (Mat3* block : {&rod.C_NN, &rod.C_NM, &rod.C_MM}) *block = of_section.matrix();
         LaneReader<Real> read(constants);
         rod.length = read.scalar();
         rod.Gamma_0 = read.vector();

@@ -33,8 +33,8 @@ const PointShape<Nodes>& point_shape(int point) {
 template <int Nodes>
 InterpolatedRod<Nodes>::InterpolatedRod(const LocalMotion<Nodes>& reference,
                                         const PointHistories& histories,
-                                        SharedRodSection section)
-    : section_(std::move(section)) {
+                                        const PointSections& sections)
+    : sections_(sections) {
     for (int p = 0; p < point_count; ++p) {
         points_[p].jacobian = (reference.r * point_shape<Nodes>(p).slope).norm();
         // The strains of this very interpolation, so that the reference is free of strain to round-off.
@@ -87,13 +87,14 @@ void InterpolatedRod<Nodes>::add_matrix(const ForcePoint& point,
 }
 
 template <int Nodes>
-void InterpolatedRod<Nodes>::add_hessian(const ForcePoint& point,
+void InterpolatedRod<Nodes>::add_hessian(int p,
+                                         const ForcePoint& point,
                                          const SectionFields& fields,
                                          const SectionHistory& history,
                                          const Vec6& resultants,
                                          NodalMatrix<Nodes>& hessian) const {
     const StrainGradient E_u = compute_strain_gradient(fields, history);
-    const StrainGradient C_E_u = stiffness() * E_u;
+    const StrainGradient C_E_u = stiffness(p) * E_u;
     add_matrix(
         point, E_u.transpose() * C_E_u + compute_geometric_hessian(fields, history, resultants), hessian);
 }
@@ -104,7 +105,7 @@ double InterpolatedRod<Nodes>::strain_energy(const LocalMotion<Nodes>& motion, H
     for (int p = 0; p < point_count; ++p) {
         const ForcePoint point = force_point(p);
         const Vec6 strain = compute_strain(interpolate(point, motion), histories[p], point.reference);
-        energy += 0.5 * point.weight * strain.dot(stiffness() * strain);
+        energy += 0.5 * point.weight * strain.dot(stiffness(p) * strain);
     }
     return energy;
 }
@@ -116,7 +117,7 @@ NodalVector<Nodes> InterpolatedRod<Nodes>::compute_gradient(const LocalMotion<No
     for (int p = 0; p < point_count; ++p) {
         const ForcePoint point = force_point(p);
         const SectionFields fields = interpolate(point, motion);
-        const Vec6 resultants = stiffness() * compute_strain(fields, histories[p], point.reference);
+        const Vec6 resultants = stiffness(p) * compute_strain(fields, histories[p], point.reference);
         add_force(point, compute_strain_gradient(fields, histories[p]).transpose() * resultants, gradient);
     }
     return gradient;
@@ -129,8 +130,8 @@ NodalMatrix<Nodes> InterpolatedRod<Nodes>::compute_hessian(const LocalMotion<Nod
     for (int p = 0; p < point_count; ++p) {
         const ForcePoint point = force_point(p);
         const SectionFields fields = interpolate(point, motion);
-        const Vec6 resultants = stiffness() * compute_strain(fields, histories[p], point.reference);
-        add_hessian(point, fields, histories[p], resultants, hessian);
+        const Vec6 resultants = stiffness(p) * compute_strain(fields, histories[p], point.reference);
+        add_hessian(p, point, fields, histories[p], resultants, hessian);
     }
     return hessian;
 }
@@ -155,7 +156,7 @@ NodalMatrix<Nodes> InterpolatedRod<Nodes>::compute_mixed_hessian(const LocalMoti
     NodalMatrix<Nodes> hessian = NodalMatrix<Nodes>::Zero();
     for (int p = 0; p < point_count; ++p) {
         const ForcePoint point = force_point(p);
-        add_hessian(point, interpolate(point, motion), histories[p], resultants[p], hessian);
+        add_hessian(p, point, interpolate(point, motion), histories[p], resultants[p], hessian);
     }
     return hessian;
 }
@@ -168,7 +169,8 @@ void InterpolatedRod<Nodes>::advance_resultants(const LocalMotion<Nodes>& motion
     for (int p = 0; p < point_count; ++p) {
         const ForcePoint point = force_point(p);
         const Vec6 strain = compute_strain(interpolate(point, motion), histories[p], point.reference);
-        resultants[p] = stiffness() * (strain + compute_strain_rates(point, motion, increment, histories[p]));
+        resultants[p] =
+            stiffness(p) * (strain + compute_strain_rates(point, motion, increment, histories[p]));
     }
 }
 
@@ -190,8 +192,8 @@ NodalVector<Nodes> InterpolatedRod<Nodes>::compute_damping_force(const LocalMoti
     NodalVector<Nodes> force = NodalVector<Nodes>::Zero();
     for (int p = 0; p < point_count; ++p) {
         const ForcePoint point = force_point(p);
-        const Vec6 resultants =
-            section_->kelvin_voigt * (stiffness() * compute_strain_rates(point, motion, rates, histories[p]));
+        const Vec6 resultants = section(p).kelvin_voigt *
+                                (stiffness(p) * compute_strain_rates(point, motion, rates, histories[p]));
         const StrainGradient E_u = compute_strain_gradient(interpolate(point, motion), histories[p]);
         add_force(point, E_u.transpose() * resultants, force);
     }
@@ -200,7 +202,7 @@ NodalVector<Nodes> InterpolatedRod<Nodes>::compute_damping_force(const LocalMoti
 
 template <int Nodes>
 double InterpolatedRod<Nodes>::damping_action(const Vec6& change) const {
-    return force_point(0).weight * section_->kelvin_voigt * change.dot(stiffness() * change);
+    return force_point(0).weight * section(0).kelvin_voigt * change.dot(stiffness(0) * change);
 }
 
 template <int Nodes>
@@ -212,14 +214,14 @@ double InterpolatedRod<Nodes>::damping_action(const LocalMotion<Nodes>& previous
         const ForcePoint point = force_point(p);
         const Vec6 change = compute_strain(interpolate(point, trial), histories[p], point.reference) -
                             compute_strain(interpolate(point, previous), histories[p], point.reference);
-        action += point.weight * section_->kelvin_voigt * change.dot(stiffness() * change);
+        action += point.weight * section(p).kelvin_voigt * change.dot(stiffness(p) * change);
     }
     return action;
 }
 
 template <int Nodes>
 Vec6 InterpolatedRod<Nodes>::compute_strain_work(const Vec6& change) const {
-    return force_point(0).weight * change.cwiseProduct(stiffness() * change);
+    return force_point(0).weight * change.cwiseProduct(stiffness(0) * change);
 }
 
 template <int Nodes>
@@ -230,7 +232,7 @@ Vec6 InterpolatedRod<Nodes>::compute_strain_work(const LocalMotion<Nodes>& motio
     for (int p = 0; p < point_count; ++p) {
         const ForcePoint point = force_point(p);
         const Vec6 change = compute_strain_rates(point, motion, increment, histories[p]);
-        work += point.weight * change.cwiseProduct(stiffness() * change);
+        work += point.weight * change.cwiseProduct(stiffness(p) * change);
     }
     return work;
 }
@@ -240,8 +242,8 @@ auto InterpolatedRod<Nodes>::compute_damping_tangents(const LocalMotion<Nodes>& 
                                                       const LocalMotion<Nodes>& rates,
                                                       Histories histories) const -> DampingTangents {
     DampingTangents tangents{NodalMatrix<Nodes>::Zero(), NodalMatrix<Nodes>::Zero()};
-    const Mat6 viscosity = section_->kelvin_voigt * stiffness();
     for (int p = 0; p < point_count; ++p) {
+        const Mat6 viscosity = section(p).kelvin_voigt * stiffness(p);
         const ForcePoint point = force_point(p);
         const SectionHistory& history = histories[p];
         const SectionFields fields = interpolate(point, motion);
@@ -274,10 +276,10 @@ auto InterpolatedRod<Nodes>::compute_section_state(int p,
     const ForcePoint point = force_point(p);
     SectionState state;
     state.strain = compute_strain(interpolate(point, motion), histories[p], point.reference);
-    state.resultants = stiffness() * state.strain;
+    state.resultants = stiffness(p) * state.strain;
     if (is_damped()) {
         const Vec6 strain_rates = compute_strain_rates(point, motion, rates, histories[p]);
-        state.resultants += section_->kelvin_voigt * (stiffness() * strain_rates);
+        state.resultants += section(p).kelvin_voigt * (stiffness(p) * strain_rates);
     }
     return state;
 }
@@ -303,6 +305,7 @@ auto InterpolatedRod<Nodes>::interpolate_state(const LocalMotion<Nodes>& motion,
                                                const LocalMotion<Nodes>& rates,
                                                Histories histories,
                                                const std::array<Vec6, 2>& end_resultants,
+                                               const Mat6& stiffness_there,
                                                double xi) const -> SectionState {
     const auto rule = compute_gauss_rule<point_count>();
     NodeValues<point_count> inside;
@@ -320,9 +323,9 @@ auto InterpolatedRod<Nodes>::interpolate_state(const LocalMotion<Nodes>& motion,
     for (int p = 0; p < point_count; ++p) {
         const SectionState point = compute_section_state(p, motion, rates, histories);
         state.resultants += of_resultants[p] * point.resultants;
-        if (is_damped()) damping += of_damping[p] * (point.resultants - stiffness() * point.strain);
+        if (is_damped()) damping += of_damping[p] * (point.resultants - stiffness(p) * point.strain);
     }
-    state.strain = stiffness().ldlt().solve(state.resultants - damping);
+    state.strain = stiffness_there.ldlt().solve(state.resultants - damping);
     return state;
 }
 

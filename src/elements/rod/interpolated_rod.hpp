@@ -25,13 +25,15 @@ class InterpolatedRod {
     // What is known of each point's section: where θ is measured from.
     using PointHistories = std::array<SectionHistory, point_count>;
 
+    using PointSections = std::array<SharedRodSection, point_count>;
+
     // The reference shape: what is interpolated there is free of strain.
     InterpolatedRod(const LocalMotion<Nodes>& reference,
                     const PointHistories& histories,
-                    SharedRodSection section);
+                    const PointSections& sections);
 
-    bool is_damped() const { return section_->kelvin_voigt > 0.0; }
-    const Mat6& stiffness() const { return section_->stiffness; }
+    bool is_damped() const { return section(0).kelvin_voigt > 0.0; }
+    const RodSection& section(int point) const { return *sections_[point]; }
     // ds/dξ and the strains of the reference shape at a point of the quadrature.
     struct ReferencePoint {
         double jacobian;
@@ -95,12 +97,13 @@ class InterpolatedRod {
     SectionState compute_middle_state(const LocalMotion<Nodes>& motion,
                                       const LocalMotion<Nodes>& rates,
                                       Histories histories) const;
-    // At ξ, by the polynomial through the points and what is known of both ends: resultants, first the
-    // start's.
+    // At ξ, with the section's stiffness there, by the polynomial through the points and what is known of
+    // both ends: resultants, first the start's.
     SectionState interpolate_state(const LocalMotion<Nodes>& motion,
                                    const LocalMotion<Nodes>& rates,
                                    Histories histories,
                                    const std::array<Vec6, 2>& end_resultants,
+                                   const Mat6& stiffness_there,
                                    double xi) const;
 
   private:
@@ -119,7 +122,9 @@ class InterpolatedRod {
                                        Histories histories) const;
     static void add_force(const ForcePoint& point, const Vec9& density, NodalVector<Nodes>& force);
     static void add_matrix(const ForcePoint& point, const Mat9& density, NodalMatrix<Nodes>& matrix);
-    void add_hessian(const ForcePoint& point,
+    const Mat6& stiffness(int point) const { return section(point).stiffness; }
+    void add_hessian(int p,
+                     const ForcePoint& point,
                      const SectionFields& fields,
                      const SectionHistory& history,
                      const Vec6& resultants,
@@ -130,7 +135,7 @@ class InterpolatedRod {
                               const SectionHistory& history) const;
 
     std::array<ReferencePoint, point_count> points_;
-    SharedRodSection section_;
+    PointSections sections_;
 };
 
 extern template class InterpolatedRod<2>;

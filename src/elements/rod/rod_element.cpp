@@ -39,8 +39,9 @@ std::array<NodeMotion, Nodes> with_rates(const Motions<Nodes>& motions, const No
 }  // namespace
 
 template <int Nodes, class Map>
-RodElement<Nodes, Map>::RodElement(const RodElementGeometry<Nodes>& geometry, const SharedRodSection& section)
-    : nodes(geometry.nodes), rod_(make_rod(geometry, section)), inertia_(geometry, section) {
+RodElement<Nodes, Map>::RodElement(const RodElementGeometry<Nodes>& geometry,
+                                   const ElementSections<Nodes>& sections)
+    : nodes(geometry.nodes), rod_(make_rod(geometry, sections)), inertia_(geometry, sections) {
     if constexpr (history_count > 0) start_ = compute_start(geometry);
 }
 
@@ -49,7 +50,7 @@ template <class Visitor>
 void RodElement<Nodes, Map>::visit_two_nodes(const Motions<Nodes>& motions, Visitor&& visit) const {
     static_assert(is_two_node_objective);
     const auto& [jacobian, strain] = rod_.reference(0);
-    const Mat6& C = rod_.stiffness();
+    const Mat6& C = rod_.section(0).stiffness;
     const TwoNodeRod<double> rod{2.0 * jacobian,
                                  strain.Gamma,
                                  strain.Kappa,
@@ -97,7 +98,7 @@ auto RodElement<Nodes, Map>::compute_start(const RodElementGeometry<Nodes>& geom
         const std::array<NodeMotion, Nodes> nodal = make_reference(geometry);
         const ObjectiveMap<Nodes> map(point_at(nodal), geometry.triads);
         // Its own reference is of no matter for where its points are.
-        const InterpolatedRod<Nodes> rod(map.local(), histories, nullptr);
+        const InterpolatedRod<Nodes> rod(map.local(), histories, {});
         rod.advance(map.local(), histories);
         for (SectionHistory& history : histories) history.Lambda = map.turn_out(history.Lambda);
     }
@@ -106,10 +107,10 @@ auto RodElement<Nodes, Map>::compute_start(const RodElementGeometry<Nodes>& geom
 
 template <int Nodes, class Map>
 auto RodElement<Nodes, Map>::make_rod(const RodElementGeometry<Nodes>& geometry,
-                                      const SharedRodSection& section) -> Rod {
+                                      const ElementSections<Nodes>& sections) -> Rod {
     const std::array<NodeMotion, Nodes> nodal = make_reference(geometry);
     const Map map(point_at(nodal), geometry.triads);
-    return Rod(map.local(), compute_start(geometry), section);
+    return Rod(map.local(), compute_start(geometry), sections.at_forces);
 }
 
 template <int Nodes, class Map>
@@ -403,8 +404,15 @@ PointValues RodElement<Nodes, Map>::point_values(const Motions<Nodes>& motions,
         in_axes(motions.front()->Lambda * triads().front(), -force.template head<6>()),
         in_axes(motions.back()->Lambda * triads().back(), force.template tail<6>())};
     const Map map(motions, triads());
-    const typename Rod::SectionState state = rod_.interpolate_state(
-        map.local(), map.compute_rates(motions), histories_of_points(histories), end_resultants, xi);
+    // Between stations a stiffness is linear in s.
+    Mat6 stiffness = Mat6::Zero();
+    for (int i = 0; i < Nodes; ++i) stiffness += shape[i] * inertia_.section(i).stiffness;
+    const typename Rod::SectionState state = rod_.interpolate_state(map.local(),
+                                                                    map.compute_rates(motions),
+                                                                    histories_of_points(histories),
+                                                                    end_resultants,
+                                                                    stiffness,
+                                                                    xi);
     values.force = state.resultants.template head<3>();
     values.moment = state.resultants.template tail<3>();
     values.strain = state.strain.template head<3>();

@@ -23,10 +23,10 @@ class RodElement {
     static constexpr bool has_section = true;
     std::array<int, Nodes> nodes;
 
-    RodElement(const RodElementGeometry<Nodes>& geometry, const SharedRodSection& section);
+    RodElement(const RodElementGeometry<Nodes>& geometry, const ElementSections<Nodes>& sections);
     // One that shares its section with no other.
     RodElement(const RodElementGeometry<Nodes>& geometry, const Section& section)
-        : RodElement(geometry, std::make_shared<const RodSection>(section)) {}
+        : RodElement(geometry, ElementSections<Nodes>(std::make_shared<const RodSection>(section))) {}
 
     const RodInertia<Nodes>& inertia() const { return inertia_; }
     const InterpolatedRod<Nodes>& interpolated_rod() const { return rod_; }
@@ -114,7 +114,7 @@ class RodElement {
     static Motions<Nodes> point_at(const std::array<NodeMotion, Nodes>& nodal);
     static std::array<NodeMotion, Nodes> make_reference(const RodElementGeometry<Nodes>& geometry);
     static PointHistories compute_start(const RodElementGeometry<Nodes>& geometry);
-    static Rod make_rod(const RodElementGeometry<Nodes>& geometry, const SharedRodSection& section);
+    static Rod make_rod(const RodElementGeometry<Nodes>& geometry, const ElementSections<Nodes>& sections);
 
     // The one with two nodes that is objective has closed forms.
     static constexpr bool is_two_node_objective = Nodes == 2 && std::is_same_v<Map, ObjectiveMap<2>>;

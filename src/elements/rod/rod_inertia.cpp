@@ -1,21 +1,28 @@
 #include "elements/rod/rod_inertia.hpp"
 
+#include <algorithm>
+
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
 
 template <int Nodes>
-RodInertia<Nodes>::RodInertia(const RodElementGeometry<Nodes>& geometry, SharedRodSection section)
-    : triads_(geometry.triads), section_(std::move(section)) {
+RodInertia<Nodes>::RodInertia(const RodElementGeometry<Nodes>& geometry,
+                              const ElementSections<Nodes>& sections)
+    : triads_(geometry.triads),
+      sections_(sections.at_nodes),
+      has_offset_(std::ranges::any_of(sections_, [](const auto& section) { return section->has_offset(); })) {
     mass_.setZero();
     lengths_.setZero();
-    for (const auto& [xi, weight] : compute_gauss_rule<Nodes>()) {
+    const auto rule = compute_gauss_rule<Nodes>();
+    for (std::size_t p = 0; p < rule.size(); ++p) {
+        const auto [xi, weight] = rule[p];
         const NodeValues<Nodes> shape = compute_shape_functions<Nodes>(xi);
         const NodeValues<Nodes> slope = compute_shape_slopes<Nodes>(xi);
         Vec3 tangent = Vec3::Zero();
         for (int i = 0; i < Nodes; ++i) tangent += slope[i] * geometry.positions[i];
         const double ds = weight * tangent.norm();
-        mass_ += ds * section_->mass * shape * shape.transpose();
+        mass_ += ds * sections.at_masses[p]->mass * shape * shape.transpose();
         lengths_ += ds * shape;
     }
 }
@@ -23,25 +30,25 @@ RodInertia<Nodes>::RodInertia(const RodElementGeometry<Nodes>& geometry, SharedR
 template <int Nodes>
 Mat3 RodInertia<Nodes>::compute_rotary_inertia(int node) const {
     const Mat3 R = triads_[node].toRotationMatrix();
-    return R * (lengths_[node] * section_->rotary_inertia) * R.transpose();
+    return R * (lengths_[node] * section(node).rotary_inertia) * R.transpose();
 }
 
 template <int Nodes>
 RotaryInertia<double> RodInertia<Nodes>::turn(int node, const NodeMotion& motion) const {
-    return {lengths_[node] * section_->rotary_inertia, motion.Lambda * triads_[node]};
+    return {lengths_[node] * section(node).rotary_inertia, motion.Lambda * triads_[node]};
 }
 
 template <int Nodes>
 Vec3 RodInertia<Nodes>::compute_spin_momentum(int node, const NodeMotion& motion) const {
     const Quat axes = motion.Lambda * triads_[node];
-    return axes * (lengths_[node] * (section_->rotary_inertia * (axes.conjugate() * motion.omega)));
+    return axes * (lengths_[node] * (section(node).rotary_inertia * (axes.conjugate() * motion.omega)));
 }
 
 template <int Nodes>
 auto RodInertia<Nodes>::compute_offsets(const Motions<Nodes>& motions) const -> Columns3 {
     Columns3 d = Columns3::Zero();
     if (!has_offset()) return d;
-    for (int i = 0; i < Nodes; ++i) d.col(i) = motions[i]->Lambda * (triads_[i] * section_->centre_of_mass);
+    for (int i = 0; i < Nodes; ++i) d.col(i) = motions[i]->Lambda * (triads_[i] * section(i).centre_of_mass);
     return d;
 }
 
@@ -62,7 +69,7 @@ auto RodInertia<Nodes>::compute_accelerations(const Motions<Nodes>& motions,
     Columns3 accelerations;
     for (int i = 0; i < Nodes; ++i) {
         accelerations.col(i) = motions[i]->a - gravity;
-        if (!has_offset() || !section_->has_inertia) continue;
+        if (!has_offset() || !section(0).has_inertia) continue;
         const Vec3& omega = motions[i]->omega;
         const Vec3 d_i = d.col(i);
         accelerations.col(i) += motions[i]->alpha.cross(d_i) + omega.cross(omega.cross(d_i));
@@ -75,7 +82,7 @@ void RodInertia<Nodes>::add_force(const Motions<Nodes>& motions,
                                   const Vec3& gravity,
                                   NodalVector<Nodes>& force) const {
     add_translational_force(motions, gravity, force);
-    if (!section_->has_inertia) return;
+    if (!section(0).has_inertia) return;
     for (int i = 0; i < Nodes; ++i) {
         force.template segment<3>(6 * i + 3) +=
             turn(i, *motions[i]).compute_moment(motions[i]->omega, motions[i]->alpha);
@@ -115,7 +122,7 @@ void RodInertia<Nodes>::add_translational_tangent(const Motions<Nodes>& motions,
         const Mat3 spin_omega = spin(motions[j]->omega);
         // How the centre of mass's acceleration follows the spin of node j.
         Mat3 by_spin = Mat3::Zero();
-        if (section_->has_inertia) {
+        if (section(0).has_inertia) {
             by_spin = -spin_d * linearization.d_alpha -
                       (spin(motions[j]->omega.cross(Vec3(d.col(j)))) + spin_omega * spin_d) *
                           linearization.d_omega -
@@ -138,7 +145,7 @@ void RodInertia<Nodes>::add_tangent(const Motions<Nodes>& motions,
                                     const Linearizations<Nodes>& linearizations,
                                     NodalMatrix<Nodes>& tangent) const {
     add_translational_tangent(motions, gravity, linearizations, tangent);
-    if (!section_->has_inertia) return;
+    if (!section(0).has_inertia) return;
     for (int i = 0; i < Nodes; ++i) {
         tangent.template block<3, 3>(6 * i + 3, 6 * i + 3) +=
             turn(i, *motions[i])
@@ -156,7 +163,7 @@ void RodInertia<Nodes>::add_translational_damping_force(const Motions<Nodes>& mo
     const Columns3 d = compute_offsets(motions);
     const Columns3 p = compute_velocities(motions, d) * mass_;
     for (int i = 0; i < Nodes; ++i) {
-        const Vec3 p_i = section_->mass_proportional * p.col(i);
+        const Vec3 p_i = section(0).mass_proportional * p.col(i);
         force.template segment<3>(6 * i) += p_i;
         force.template segment<3>(6 * i + 3) += Vec3(d.col(i)).cross(p_i);
     }
@@ -167,7 +174,7 @@ void RodInertia<Nodes>::add_damping_force(const Motions<Nodes>& motions, NodalVe
     add_translational_damping_force(motions, force);
     for (int i = 0; i < Nodes; ++i) {
         force.template segment<3>(6 * i + 3) +=
-            section_->mass_proportional * compute_spin_momentum(i, *motions[i]);
+            section(0).mass_proportional * compute_spin_momentum(i, *motions[i]);
     }
 }
 
@@ -175,7 +182,7 @@ template <int Nodes>
 void RodInertia<Nodes>::add_translational_damping_tangent(const Motions<Nodes>& motions,
                                                           const Linearizations<Nodes>& linearizations,
                                                           NodalMatrix<Nodes>& tangent) const {
-    const double c = section_->mass_proportional;
+    const double c = section(0).mass_proportional;
     const Columns3 d = compute_offsets(motions);
     const Columns3 p = compute_velocities(motions, d) * mass_;
     for (int j = 0; j < Nodes; ++j) {
@@ -203,10 +210,10 @@ void RodInertia<Nodes>::add_damping_tangent(const Motions<Nodes>& motions,
     add_translational_damping_tangent(motions, linearizations, tangent);
     for (int i = 0; i < Nodes; ++i) {
         tangent.template block<3, 3>(6 * i + 3, 6 * i + 3) +=
-            section_->mass_proportional * turn(i, *motions[i])
-                                              .compute_momentum_tangent(motions[i]->omega,
-                                                                        linearizations[i]->placement,
-                                                                        linearizations[i]->d_omega);
+            section(0).mass_proportional * turn(i, *motions[i])
+                                               .compute_momentum_tangent(motions[i]->omega,
+                                                                         linearizations[i]->placement,
+                                                                         linearizations[i]->d_omega);
     }
 }
 
@@ -223,12 +230,12 @@ double RodInertia<Nodes>::damping_action(const Motions<Nodes>& previous, const M
         at_end[i] = &after[i];
     }
     // Offsets turn within the step: the mean of both ends.
-    return section_->mass_proportional * (compute_energy(at_start) + compute_energy(at_end));
+    return section(0).mass_proportional * (compute_energy(at_start) + compute_energy(at_end));
 }
 
 template <int Nodes>
 double RodInertia<Nodes>::kinetic_energy(const Motions<Nodes>& motions) const {
-    return section_->has_inertia ? compute_energy(motions) : 0.0;
+    return section(0).has_inertia ? compute_energy(motions) : 0.0;
 }
 
 template <int Nodes>
@@ -252,7 +259,7 @@ double RodInertia<Nodes>::gravity_potential(const Motions<Nodes>& motions, const
 
 template <int Nodes>
 Momentum RodInertia<Nodes>::momentum(const Motions<Nodes>& motions) const {
-    if (!section_->has_inertia) return {};
+    if (!section(0).has_inertia) return {};
     const Columns3 d = compute_offsets(motions);
     const Columns3 p = compute_velocities(motions, d) * mass_;
     Momentum total;

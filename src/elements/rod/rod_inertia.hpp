@@ -17,7 +17,7 @@ namespace gxrod {
 template <int Nodes>
 class RodInertia {
   public:
-    RodInertia(const RodElementGeometry<Nodes>& geometry, SharedRodSection section);
+    RodInertia(const RodElementGeometry<Nodes>& geometry, const ElementSections<Nodes>& sections);
 
     void add_force(const Motions<Nodes>& motions, const Vec3& gravity, NodalVector<Nodes>& force) const;
     void add_tangent(const Motions<Nodes>& motions,
@@ -26,7 +26,7 @@ class RodInertia {
                      NodalMatrix<Nodes>& tangent) const;
 
     // Forces and couples that are mass_proportional times the momenta.
-    bool is_damped() const { return section_->mass_proportional > 0.0; }
+    bool is_damped() const { return section(0).mass_proportional > 0.0; }
     void add_damping_force(const Motions<Nodes>& motions, NodalVector<Nodes>& force) const;
     void add_damping_tangent(const Motions<Nodes>& motions,
                              const Linearizations<Nodes>& linearizations,
@@ -50,8 +50,8 @@ class RodInertia {
 
     // ∫ ρA N_I N_J ds.
     const Eigen::Matrix<double, Nodes, Nodes>& mass() const { return mass_; }
-    bool has_offset() const { return section_->has_offset(); }
-    const RodSection& section() const { return *section_; }
+    bool has_offset() const { return has_offset_; }
+    const RodSection& section(int node) const { return *sections_[node]; }
     // The rotary inertia that is lumped to a node, in the global axes of t = 0.
     Mat3 compute_rotary_inertia(int node) const;
     // Section axes of the nodes at t = 0.
@@ -82,8 +82,9 @@ class RodInertia {
 
     std::array<Quat, Nodes> triads_;
     Eigen::Matrix<double, Nodes, Nodes> mass_;
-    NodeValues<Nodes> lengths_;  // ∫ N_I ds
-    SharedRodSection section_;
+    NodeValues<Nodes> lengths_;                     // ∫ N_I ds
+    std::array<SharedRodSection, Nodes> sections_;  // at the nodes
+    bool has_offset_;
 };
 
 extern template class RodInertia<2>;

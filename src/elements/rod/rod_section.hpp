@@ -1,12 +1,13 @@
 #pragma once
 
+#include <array>
 #include <memory>
 
 #include "model/model.hpp"
 
 namespace gxrod {
 
-// What the elements of a section share. Material axes.
+// What elements share of a section. Material axes.
 struct RodSection {
     Mat6 stiffness;            // resultants from strains
     double kelvin_voigt;       // time
@@ -22,5 +23,20 @@ struct RodSection {
 };
 
 using SharedRodSection = std::shared_ptr<const RodSection>;
+
+// The sections of one element: at its force points, at the Gauss points of its mass and at its nodes.
+template <int Nodes>
+struct ElementSections {
+    std::array<SharedRodSection, Nodes - 1> at_forces;
+    std::array<SharedRodSection, Nodes> at_masses, at_nodes;
+
+    ElementSections() = default;
+    // The same everywhere.
+    ElementSections(const SharedRodSection& section) {
+        at_forces.fill(section);
+        at_masses.fill(section);
+        at_nodes.fill(section);
+    }
+};
 
 }  // namespace gxrod
