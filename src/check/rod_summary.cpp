@@ -105,6 +105,19 @@ Vec3 reflect_twice(const Vec3& y, const Vec3& tangent, const Vec3& step, const V
     return normal.isZero(1e-14) ? once : reflect(once, normal);
 }
 
+// The diagonals of a section that varies.
+std::string describe_diagonals(const Section& section) {
+    const auto c = section.stiffness.diagonal();
+    return fmt::format("EA {:.6g}, GAy {:.6g}, GAz {:.6g}, GJ {:.6g}, EIy {:.6g}, EIz {:.6g}, rhoA {:.6g}",
+                       c[0],
+                       c[1],
+                       c[2],
+                       c[3],
+                       c[4],
+                       c[5],
+                       section.mass(0, 0));
+}
+
 }  // namespace
 
 double compute_largest_turn(const Rod& rod) {
@@ -158,6 +171,10 @@ std::string describe_rod(const Model& model, const Rod& rod) {
                     rod.order,
                     section.name);
     text += describe_extent(model, rod);
+    if (rod.has_varying_sections()) {
+        text += "  section at the start: " + describe_diagonals(rod.varying.at_nodes.front()) + "\n";
+        text += "  section at the end: " + describe_diagonals(rod.varying.at_nodes.back()) + "\n";
+    }
     text += "  axes at the start: " + describe_axes(rod.triads.front()) + "\n";
     const bool are_equal = rod.triads.front().angularDistance(rod.triads.back()) < round_off;
     if (is_line(rod) && !are_equal) text += "  axes at the end: " + describe_axes(rod.triads.back()) + "\n";

@@ -491,6 +491,14 @@ std::vector<RoundTrip> rod_trips() {
             {"rod.NAME.element",
              replaced(rod_deck, "\"simo\"", "\"objective\""),
              [](const Problem& p) { return p.model.rods[0].kind == ElementKind::objective; }},
+            {"rod.NAME.sections",
+             replaced(rod_deck, "section = \"s\"", "sections = [[0, \"s\"], [1, \"other\"]]") +
+                 "[section.other]\nstiffness = { EA = 1, GAy = 1, GAz = 1, GJ = 1, EIy = 1, EIz = 1 }\n"
+                 "inertia = { rhoA = 1, rhoIy = 1, rhoIz = 1 }\n",
+             [](const Problem& p) {
+                 const Rod& rod = p.model.rods[0];
+                 return rod.has_varying_sections() && rod.varying.at_nodes.back().stiffness(0, 0) == 1.0;
+             }},
             {"rod.NAME.twist",
              with_rod_key("twist = \"pi/2\""),
              [](const Problem& p) {

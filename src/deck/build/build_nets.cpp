@@ -112,6 +112,10 @@ void check_meshed_rod(const CheckedTable& table, const BuildContext& context) {
     for (const char* key : {"elements", "order"}) {
         if (table.gives(key)) context.add_fault(table, key, "comes from the mesh; leave it out");
     }
+    if (table.gives("sections"))
+        context.add_fault(table, "sections", "a rod from a mesh has one section; expected section");
+    if (std::holds_alternative<CheckedProfile>(table.find("twist")->value))
+        context.add_fault(table, "twist", "along a rod from a mesh twist is even; expected a number");
 }
 
 void build_net(const CheckedTable& table, const NamedNet& named, int index, BuildContext& context) {
@@ -127,6 +131,7 @@ void build_net(const CheckedTable& table, const NamedNet& named, int index, Buil
         context.model.nodes.push_back(
             {name_node(rod.name, named.points, static_cast<int>(i)), net.positions[i]});
     }
+    if (!std::holds_alternative<double>(table.find("twist")->value)) return;
     NetBuilder builder{rod, table.get<double>("twist")};
     for (std::size_t i = 0; i < net.chains.size(); ++i) builder.add_chain(net.chains[i], axes[i]);
     check_element_turn(builder.largest_turn, net.order, table, context);

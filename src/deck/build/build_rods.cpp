@@ -10,7 +10,7 @@
 #include "deck/build/element_turn.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
-#include "deck/schema/suggestion.hpp"
+#include "deck/sections/rod_sections.hpp"
 #include "deck/sections/section_axes.hpp"
 #include "machine/reserve_more.hpp"
 #include "mesh/rod_mesh.hpp"
@@ -18,20 +18,6 @@
 
 namespace gxrod {
 namespace {
-
-int find_section(const CheckedTable& rod, const BuildContext& context) {
-    const std::string& name = rod.get<std::string>("section");
-    std::vector<std::string> known;
-    for (std::size_t i = 0; i < context.model.sections.size(); ++i) {
-        if (context.model.sections[i].name == name) return static_cast<int>(i);
-        known.push_back(context.model.sections[i].name);
-    }
-    std::string hint = did_you_mean(name, known);
-    if (hint.empty())
-        hint = known.empty() ? "; the deck has no section" : "; the deck has " + plain_list(known);
-    context.add_fault(rod, "section", fmt::format("no section \"{}\"{}", name, hint));
-    return 0;
-}
 
 // How many elements; nullopt, with a fault, if the deck does not say.
 std::optional<long> find_element_count(const CheckedTable& rod, const BuildContext& context) {
@@ -72,12 +58,36 @@ bool is_near_any(double fraction, const std::vector<double>& points) {
     });
 }
 
+// The turn of the section about the tangent since the start, by the fraction of the length.
+class Twist {
+  public:
+    explicit Twist(const CheckedTable& rod) {
+        const CheckedValue& value = *rod.find("twist");
+        if (const auto* total = std::get_if<double>(&value.value))
+            rows_ = {{0.0, 0.0}, {1.0, *total}};
+        else
+            rows_ = std::get<CheckedProfile>(value.value).rows;
+    }
+
+    double at(double fraction) const {
+        std::size_t i = 1;
+        while (i + 1 < rows_.size() && fraction > rows_[i].first) ++i;
+        const auto& [from, before] = rows_[i - 1];
+        const auto& [to, after] = rows_[i];
+        return to > from ? before + (after - before) * (fraction - from) / (to - from) : after;
+    }
+    double between(double first, double last) const { return at(last) - at(first); }
+
+  private:
+    std::vector<std::pair<double, double>> rows_;
+};
+
 // Adds the nodes and elements of one rod along its centreline.
 class LineBuilder {
   public:
     LineBuilder(const Centreline& line,
                 const Quat& start_axes,
-                double twist,
+                const Twist& twist,
                 const std::vector<double>& points,
                 int index,
                 BuildContext& context)
@@ -100,8 +110,9 @@ class LineBuilder {
             const double first = element_fractions[e];
             const double last = element_fractions[e + 1];
             const std::size_t piece = line_.piece_at(0.5 * (first + last));
-            largest_turn_ = std::max(
-                largest_turn_, compute_element_turn(line_.turn(piece, first, last), twist_ * (last - first)));
+            largest_turn_ =
+                std::max(largest_turn_,
+                         compute_element_turn(line_.turn(piece, first, last), twist_.between(first, last)));
             for (std::size_t i = 0; i < within.size(); ++i) {
                 const bool is_last = i + 1 == within.size();
                 const double fraction = is_last ? last : first + (last - first) * within[i];
@@ -133,12 +144,12 @@ class LineBuilder {
     void add_entry(std::size_t piece, double fraction) {
         rod_.element_nodes.push_back(rod_.nodes.back());
         rod_.arc_length.push_back(fraction * line_.length());
-        rod_.triads.push_back(twisted(line_.transport(piece, fraction) * start_axes_, twist_ * fraction));
+        rod_.triads.push_back(twisted(line_.transport(piece, fraction) * start_axes_, twist_.at(fraction)));
     }
 
     const Centreline& line_;
     const Quat& start_axes_;
-    double twist_;
+    const Twist& twist_;
     const std::vector<double>& points_;
     Rod& rod_;
     std::vector<Node>& nodes_;
@@ -147,9 +158,12 @@ class LineBuilder {
 };
 
 void build_line(const CheckedTable& table,
-                const std::vector<double>& points,
+                const std::vector<Station>& stations,
+                std::vector<double> points,
                 int index,
                 BuildContext& context) {
+    const std::vector<double> jumps = find_jumps(stations);
+    points.insert(points.end(), jumps.begin(), jumps.end());
     const std::optional<Centreline> line = find_centreline(table, context);
     const RodBreaks breaks{points, line ? line->corners() : std::vector<double>{}};
     const std::vector<double> fractions = find_fractions(table, breaks, context);
@@ -157,9 +171,12 @@ void build_line(const CheckedTable& table,
     const std::optional<Quat> axes = find_start_axes(table, line->start_tangent(), context);
     if (!axes || fractions.empty()) return;
     const auto order = static_cast<int>(table.get<long>("order"));
-    context.model.rods[static_cast<std::size_t>(index)].order = order;
-    LineBuilder builder(*line, *axes, table.get<double>("twist"), points, index, context);
+    Rod& rod = context.model.rods[static_cast<std::size_t>(index)];
+    rod.order = order;
+    const Twist twist(table);
+    LineBuilder builder(*line, *axes, twist, points, index, context);
     builder.add(fractions);
+    set_sections(stations, fractions, rod, context);
     check_element_turn(builder.largest_turn(), order, table, context);
 }
 
@@ -175,11 +192,12 @@ void build_rods(const std::vector<RodPoint>& points, const RodNets& nets, BuildC
         const CheckedTable& table = tables[i];
         Rod& rod = context.model.rods[i];
         rod.name = table.name;
-        rod.section = find_section(table, context);
+        const std::vector<Station> stations = find_stations(table, context);
+        rod.section = stations.front().section;
         rod.kind = value_of(element_kind_choices, table.get<std::string>("element"));
         const int index = static_cast<int>(i);
         if (!table.gives("mesh")) {
-            build_line(table, fractions[i], index, context);
+            build_line(table, stations, fractions[i], index, context);
         } else if (check_meshed_rod(table, context); nets.contains(index)) {
             build_net(table, nets.at(index), index, context);
         }

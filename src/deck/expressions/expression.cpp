@@ -361,6 +361,18 @@ std::optional<LineExpression> compile_line_function(const std::string& expressio
     return LineExpression{LineFunction(evaluate, compile_switches(formula), form), has_time};
 }
 
+std::optional<ArcExpression> compile_arc_function(const std::string& expression,
+                                                  const std::string& key,
+                                                  const Symbols& symbols) {
+    const Compiled compiled = compile({expression, symbols, Variables::arc}, key);
+    if (!compiled.program) return std::nullopt;
+    if (compiled.is_constant()) return ArcExpression{{}, constant_value(*compiled.program)};
+    const auto evaluate = [program = compiled.program](double s) {
+        return program->evaluate({.s = s}, [=] { return fmt::format("s = {}", s); });
+    };
+    return ArcExpression{evaluate};
+}
+
 std::optional<PlaceExpression> compile_place_function(const std::string& expression,
                                                       const std::string& key,
                                                       const Symbols& symbols) {

@@ -62,6 +62,17 @@ std::optional<LineExpression> compile_line_function(const std::string& expressio
                                                     const std::string& key,
                                                     const Symbols& symbols);
 
+// A number that changes along a rod: with s, without t.
+struct ArcExpression {
+    std::function<double(double s)> function;  // empty for a constant
+    double constant = 0.0;
+};
+
+// Calls throw EvaluationError with `key` and s where there is no finite value.
+std::optional<ArcExpression> compile_arc_function(const std::string& expression,
+                                                  const std::string& key,
+                                                  const Symbols& symbols);
+
 // A number that changes with the place in the reference shape.
 struct PlaceExpression {
     std::function<double(const Vec3& position, double s)> function;

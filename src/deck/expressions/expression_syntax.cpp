@@ -13,8 +13,8 @@ namespace gxrod {
 namespace {
 
 const std::vector<std::string>& names_of(Variables variables) {
-    static const std::vector<std::string> none, time{"t"}, line{"t", "s"}, place{"x", "y", "z", "s"},
-        motion{"t", "x", "y", "z", "vx", "vy", "vz"}, spring{"length", "rate"};
+    static const std::vector<std::string> none, time{"t"}, line{"t", "s"}, arc{"s"},
+        place{"x", "y", "z", "s"}, motion{"t", "x", "y", "z", "vx", "vy", "vz"}, spring{"length", "rate"};
     switch (variables) {
         case Variables::none:
             return none;
@@ -22,6 +22,8 @@ const std::vector<std::string>& names_of(Variables variables) {
             return time;
         case Variables::line:
             return line;
+        case Variables::arc:
+            return arc;
         case Variables::place:
             return place;
         case Variables::motion:
@@ -193,6 +195,7 @@ class ExpressionCheck {
 
     [[noreturn]] void throw_no_time() const {
         const char* value = variables_ == Variables::none     ? "a constant"
+                            : variables_ == Variables::arc    ? "a function of s"
                             : variables_ == Variables::spring ? "a function of length and rate"
                                                               : "that at t = 0";
         throw ExpressionError(fmt::format("\"t\" (time) is not allowed here: this value is {}", value));

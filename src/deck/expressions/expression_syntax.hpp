@@ -14,6 +14,7 @@ enum class Variables {
     none,    // nothing: a constant
     time,    // t, the time, and the deck's functions
     line,    // also s, the arc length from a rod's start
+    arc,     // s, and the deck's functions; not t
     place,   // x, y, z of the reference position, s and the deck's functions; not t
     motion,  // t, x, y, z of a point's position, vx, vy, vz of its velocity, and the deck's functions
     spring   // length, rate of a spring's length, and the deck's functions; not t

@@ -41,6 +41,11 @@ struct CheckedNamedFunction {
 };
 
 // A value f(t, s).
+// f(s) along a rod.
+struct CheckedArcFunction {
+    std::function<double(double s)> function;
+};
+
 struct CheckedLineFunction {
     LineExpression expression;
     Place place;
@@ -80,6 +85,19 @@ using CheckedLineVector = std::array<CheckedLineFunction, 3>;
 using CheckedMotionVector = std::array<CheckedMotionFunction, 3>;
 using CheckedPlaceVector = std::array<CheckedPlaceFunction, 3>;
 using TimeTable = std::vector<std::pair<double, double>>;
+
+// Where along a rod a section is, 0 … 1.
+struct CheckedStation {
+    double fraction;
+    std::string section;
+    Place place;
+    std::string path;
+};
+
+// Rows of a fraction, 0 … 1, and a number.
+struct CheckedProfile {
+    std::vector<std::pair<double, double>> rows;
+};
 
 struct CheckedValue;
 
@@ -121,9 +139,12 @@ struct CheckedValue {
                  std::vector<CheckedVector>,
                  std::vector<double>,
                  TimeTable,
+                 std::vector<CheckedStation>,
+                 CheckedProfile,
                  CheckedTimeFunction,
                  std::vector<CheckedNamedFunction>,
                  CheckedTimeVector,
+                 CheckedArcFunction,
                  CheckedLineVector,
                  CheckedPlaceVector,
                  CheckedMotionVector,

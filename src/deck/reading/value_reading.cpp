@@ -136,6 +136,24 @@ class ValueReader {
         return complete ? named_functions(node, path) : std::nullopt;
     }
 
+    // A number, or f(s); its range is checked where it is evaluated.
+    decltype(CheckedValue::value) arc_number(const DeckNode& node, const std::string& path) const {
+        std::optional<double> value;
+        if (node.text() == nullptr) {
+            value = number(node, path);
+        } else {
+            try {
+                const auto expression = compile_arc_function(*node.text(), path, context_.symbols);
+                if (expression && expression->function) return CheckedArcFunction{expression->function};
+                if (expression) value = in_range(node, path, expression->constant);
+            } catch (const ExpressionError& error) {
+                add(node, path, fmt::format("\"{}\": {}", shorten(*node.text()), error.what()));
+            }
+        }
+        if (!value) return std::monostate{};
+        return *value;
+    }
+
     std::optional<CheckedLineFunction> line_function(const DeckNode& node, const std::string& path) const {
         auto expression = compiled<LineExpression>(node, path, compile_line_function);
         if (!expression) return std::nullopt;
@@ -206,6 +224,67 @@ class ValueReader {
         return complete ? std::optional(std::move(table)) : std::nullopt;
     }
 
+    // From 0 to 1; where the same fraction stands twice, what follows it jumps. read(row, path, fraction)
+    // takes what stands behind the fraction, and returns whether it is right.
+    template <class Read>
+    bool fractions(const DeckNode& node, const std::string& path, const Read& read) const {
+        if (node.array() == nullptr || node.array()->size() < 2) {
+            expect(node, path, describe_expected(key_));
+            return false;
+        }
+        bool complete = true;
+        std::optional<double> last;
+        const std::size_t count = node.array()->size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const DeckNode& row = (*node.array())[i];
+            const std::string row_path = fmt::format("{}[{}]", path, i);
+            if (!is_array_of(row, 2)) {
+                expect(row, row_path, "a row of 2");
+                complete = false;
+                continue;
+            }
+            const std::optional<double> fraction = number((*row.array())[0], row_path + "[0]");
+            complete = fraction && read((*row.array())[1], row_path + "[1]", *fraction) && complete;
+            if (!fraction) continue;
+            const bool is_end = i == 0 || i + 1 == count;
+            const double end = i == 0 ? 0.0 : 1.0;
+            if (is_end && *fraction != end) {
+                add(row, row_path, fmt::format("expected the fraction {} here, found {}", end, *fraction));
+                complete = false;
+            } else if (last && *fraction < *last) {
+                add(row,
+                    row_path,
+                    fmt::format("fractions must not fall from row to row: {} follows {}", *fraction, *last));
+                complete = false;
+            }
+            last = fraction;
+        }
+        return complete;
+    }
+
+    std::optional<CheckedProfile> profile(const DeckNode& node, const std::string& path) const {
+        CheckedProfile profile;
+        const auto read = [&](const DeckNode& value, const std::string& value_path, double fraction) {
+            const std::optional<double> read_number = number(value, value_path);
+            if (read_number) profile.rows.emplace_back(fraction, *read_number);
+            return read_number.has_value();
+        };
+        return fractions(node, path, read) ? std::optional(std::move(profile)) : std::nullopt;
+    }
+
+    std::optional<std::vector<CheckedStation>> stations(const DeckNode& node, const std::string& path) const {
+        std::vector<CheckedStation> stations;
+        const auto read = [&](const DeckNode& name, const std::string& name_path, double fraction) {
+            if (name.text() == nullptr) {
+                expect(name, name_path, "the name of a section");
+                return false;
+            }
+            stations.push_back({fraction, *name.text(), name.place, name_path});
+            return true;
+        };
+        return fractions(node, path, read) ? std::optional(std::move(stations)) : std::nullopt;
+    }
+
     static bool is_array_of(const DeckNode& node, std::size_t size) {
         return node.array() != nullptr && node.array()->size() == size;
     }
@@ -260,7 +339,9 @@ class ValueReader {
 
     // Components of vectors and tables are described as bare numbers.
     std::string number_expected() const {
-        return key_.type == ValueType::number ? describe_expected(key_) : "a number or an expression";
+        return key_.type == ValueType::number || key_.type == ValueType::arc_number
+                   ? describe_expected(key_)
+                   : "a number or an expression";
     }
 
     void add(const DeckNode& node, const std::string& path, const std::string& message) const {
@@ -384,6 +465,13 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(reader.spring_function(node, path));
         case ValueType::time_table:
             return wrap(reader.time_table(node, path));
+        case ValueType::arc_number:
+            return reader.arc_number(node, path);
+        case ValueType::profile:
+            if (node.array() == nullptr) return wrap(reader.number(node, path));
+            return wrap(reader.profile(node, path));
+        case ValueType::stations:
+            return wrap(reader.stations(node, path));
         case ValueType::columns:
             return std::monostate{};  // read with their file, which is a table then
         default:

@@ -181,6 +181,8 @@ std::string describe_expected(const KeySpec& key) {
             return "an integer" + ranged;
         case ValueType::number:
             return "a number" + ranged + " or an expression";
+        case ValueType::arc_number:
+            return "a number" + ranged + " or an expression in s";
         case ValueType::vector:
             return "an array of 3 numbers or expressions";
         case ValueType::matrix:
@@ -189,6 +191,10 @@ std::string describe_expected(const KeySpec& key) {
             return "an array of 2 vectors or more, each of 3 numbers or expressions";
         case ValueType::numbers:
             return "an array of numbers or expressions, one at least";
+        case ValueType::profile:
+            return "a number or an expression, or an array of rows [fraction, number], from 0 to 1";
+        case ValueType::stations:
+            return "an array of rows [fraction, \"section\"], two at least, from 0 to 1";
         case ValueType::bounds:
             return "a number or an expression, or an array of 2: the lower and the upper bound";
         case ValueType::section_matrix:

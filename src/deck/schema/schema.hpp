@@ -26,10 +26,13 @@ enum class ValueType {
     names,      // the name of a table elsewhere in the deck, or a list of them that is not empty
     integer,    // or an expression whose value is one
     number,
+    arc_number,            // a number, or f(s), s the arc length along a rod
     vector,                // 3 numbers
     matrix,                // 3 rows of 3 numbers
     vectors,               // 2 vectors or more
     numbers,               // a list of numbers that is not empty
+    profile,               // a number, or rows of 2: a fraction from 0 to 1, and a number
+    stations,              // rows of 2: a fraction, and the name of a section
     bounds,                // a number, or 2 of them: the lower and the upper one
     section_matrix,        // 6 rows of 6 numbers
     inertia,               // 3 numbers, or 3 rows of 3 that make a symmetric matrix

@@ -78,6 +78,8 @@ std::string describe_type(const KeySpec& key) {
             return "integer";
         case ValueType::number:
             return "number";
+        case ValueType::arc_number:
+            return "number or f(s)";
         case ValueType::vector:
             return "vector";
         case ValueType::matrix:
@@ -86,6 +88,10 @@ std::string describe_type(const KeySpec& key) {
             return "2 vectors or more";
         case ValueType::numbers:
             return "numbers";
+        case ValueType::profile:
+            return "number or rows [fraction, number]";
+        case ValueType::stations:
+            return "rows [fraction, section]";
         case ValueType::bounds:
             return "number or 2 numbers";
         case ValueType::section_matrix:

@@ -74,6 +74,7 @@ Json make_type(const KeySpec& key) {
         case ValueType::integer:
             return any_of({make_range("integer", key.range), reference("expression")});
         case ValueType::number:
+        case ValueType::arc_number:
             return any_of({make_range("number", key.range), reference("expression")});
         case ValueType::vector:
         case ValueType::time_vector:
@@ -87,6 +88,10 @@ Json make_type(const KeySpec& key) {
             return array_of_at_least(array_of(reference("number"), 3), 2);
         case ValueType::numbers:
             return array_of_at_least(reference("number"), 1);
+        case ValueType::profile:
+            return any_of({reference("number"), array_of_at_least(array_of(reference("number"), 2), 2)});
+        case ValueType::stations:
+            return array_of_at_least(array_of(any_of({reference("number"), {{"type", "string"}}}), 2), 2);
         case ValueType::bounds:
             return any_of({reference("number"), array_of(reference("number"), 2)});
         case ValueType::section_matrix:

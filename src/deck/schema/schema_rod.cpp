@@ -131,12 +131,17 @@ std::vector<KeySpec> geometry_keys() {
 
 std::vector<KeySpec> rod_keys() {
     std::vector<KeySpec> keys = geometry_keys();
-    keys.insert(keys.begin(),
-                {.name = "section",
-                 .type = ValueType::reference,
-                 .presence = Presence::required,
-                 .sentence = "The name of a [section.NAME].",
-                 .refers_to = {"section"}});
+    keys.insert(
+        keys.begin(),
+        {{.name = "section",
+          .type = ValueType::reference,
+          .sentence = "The name of a [section.NAME].",
+          .refers_to = {"section"}},
+         {.name = "sections",
+          .type = ValueType::stations,
+          .sentence = "In place of section, sections along the rod: fractions of its length and names. "
+                      "Between them the 6×6 matrices are linear, entry by entry; where a fraction stands "
+                      "twice they jump, and a node is placed."}});
     keys.push_back(
         {.name = "elements",
          .type = ValueType::integer,
@@ -166,11 +171,12 @@ std::vector<KeySpec> rod_keys() {
                         "Section y at the start, projected perpendicular to the rod and carried along it "
                         "without twisting."});
     keys.push_back({.name = "twist",
-                    .type = ValueType::number,
+                    .type = ValueType::profile,
                     .dimension = "angle",
                     .default_value = 0.0,
                     .sentence = "Turn of the section about the tangent from start to end, even along the "
-                                "length, right-handed; free of stress."});
+                                "length, right-handed; free of stress. Or the turn at fractions of the "
+                                "length, linear between them, from y_axis on."});
     return keys;
 }
 
@@ -181,12 +187,13 @@ const TableSpec& rod_table() {
         .path = "rod.NAME",
         .heading = "[rod.NAME]",
         .sentence =
-            "A rod of one section. Its points are NAME.start, NAME.end and NAME@FRACTION, a fraction of the "
+            "A rod. Its points are NAME.start, NAME.end and NAME@FRACTION, a fraction of the "
             "length from 0 to 1, where a node is placed, but for a history. [Geometry](guide/geometry.md) "
             "shows each shape and "
             "the points of a mesh.",
         .keys = rod_keys(),
-        .groups = {{GroupRule::exactly_one, {"line", "arc", "helix", "polyline", "spline", "mesh"}}},
+        .groups = {{GroupRule::exactly_one, {"section", "sections"}},
+                   {GroupRule::exactly_one, {"line", "arc", "helix", "polyline", "spline", "mesh"}}},
         .example =
             "[rod.flyer]\n"
             "section  = \"tube\"\n"

@@ -9,7 +9,7 @@ constexpr const char* bending_stiffness = "mass·length³/time²";
 
 KeySpec positive_key(const char* name, const char* dimension, Presence presence, const char* sentence) {
     return {.name = name,
-            .type = ValueType::number,
+            .type = ValueType::arc_number,
             .dimension = dimension,
             .range = positive,
             .presence = presence,
@@ -44,7 +44,7 @@ const TableSpec& stiffness_table() {
 
 KeySpec rotary_key(const char* name, const char* default_text, const char* sentence) {
     return {.name = name,
-            .type = ValueType::number,
+            .type = ValueType::arc_number,
             .dimension = "mass·length",
             .range = positive,
             .default_text = default_text,
@@ -110,19 +110,19 @@ const TableSpec& material_table() {
         .sentence = "",
         .keys = {positive_key("E", "mass/(length·time²)", Presence::required, "Young's modulus."),
                  {.name = "nu",
-                  .type = ValueType::number,
+                  .type = ValueType::arc_number,
                   .dimension = "1",
                   .range = {.lower = -1.0, .at_lower = Bound::open, .upper = 0.5},
                   .sentence = "Poisson's ratio; G is E/(2(1 + nu))."},
                  positive_key("G", "mass/(length·time²)", Presence::optional, "Shear modulus."),
                  {.name = "density",
-                  .type = ValueType::number,
+                  .type = ValueType::arc_number,
                   .dimension = "mass/length³",
                   .range = positive,
                   .default_text = "none if static, else required",
                   .sentence = "Mass per volume."},
                  {.name = "shear_factor",
-                  .type = ValueType::number,
+                  .type = ValueType::arc_number,
                   .dimension = "1",
                   .range = positive,
                   .default_text = "exact, for the shape and nu",
@@ -164,7 +164,9 @@ const TableSpec& section_table() {
         .sentence =
             "A cross-section in its own axes: x along the tangent of the rod, y and z across. Stiffness and "
             "inertia come from constants, from matrices or from a shape and its material; a static analysis "
-            "needs no inertia. Rows and columns of matrices are in the order x y z rx ry rz. "
+            "needs no inertia. Numbers can be functions of s, the arc length from the start of each rod that "
+            "has the "
+            "section. Rows and columns of matrices are in the order x y z rx ry rz. "
             "[Sections](guide/sections.md) has the formulas.",
         .keys = {table_key("stiffness", stiffness_table(), "Resultants from strains."),
                  {.name = "stiffness_matrix",

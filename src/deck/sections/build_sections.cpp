@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
 #include "deck/schema/schema_tables.hpp"
 #include "deck/sections/section_matrices.hpp"
 #include "deck/sections/section_shape.hpp"
@@ -17,14 +20,39 @@ Mat6 diagonal(const Vec3& translation, const Vec3& rotation) {
     return matrix;
 }
 
-Mat6 stiffness_of(const CheckedTable& stiffness) {
-    const auto c = [&](const char* key) { return stiffness.get<double>(key); };
+// A number at a place along a rod. One that is out of range there is a fault.
+double number_of(const CheckedTable& table,
+                 const char* key,
+                 const SectionPlace& at,
+                 const BuildContext& context) {
+    const CheckedValue& value = *table.find(key);
+    if (const auto* constant = std::get_if<double>(&value.value)) return *constant;
+    const double number = std::get<CheckedArcFunction>(value.value).function(at.s);
+    // All that can be given has to be greater than 0 but Poisson's ratio.
+    const bool is_right = std::string_view(key) == "nu" ? number > -1.0 && number <= 0.5 : number > 0.0;
+    if (is_right) return number;
+    const char* range = std::string_view(key) == "nu" ? "above -1, at most 0.5" : "greater than 0";
+    context.faults.add(value.place,
+                       table.path_of(key),
+                       fmt::format("expected a number {}, found {} at s = {:.6g}{}",
+                                   range,
+                                   number,
+                                   at.s,
+                                   at.rod.empty() ? "" : " of " + at.rod));
+    return 1.0;
+}
+
+Mat6 stiffness_of(const CheckedTable& stiffness, const SectionPlace& at, const BuildContext& context) {
+    const auto c = [&](const char* key) { return number_of(stiffness, key, at, context); };
     return diagonal({c("EA"), c("GAy"), c("GAz")}, {c("GJ"), c("EIy"), c("EIz")});
 }
 
 // rhoIy and rhoIz, that a static analysis can do without, and a dynamic one cannot.
-double find_rotary_inertia(const CheckedTable& inertia, const char* key, const BuildContext& context) {
-    if (inertia.gives(key)) return inertia.get<double>(key);
+double find_rotary_inertia(const CheckedTable& inertia,
+                           const char* key,
+                           const SectionPlace& at,
+                           const BuildContext& context) {
+    if (inertia.gives(key)) return number_of(inertia, key, at, context);
     if (context.needs_inertia()) {
         const KeySpec& spec = *section_table().find("inertia")->table->find(key);
         context.add_fault(
@@ -33,11 +61,11 @@ double find_rotary_inertia(const CheckedTable& inertia, const char* key, const B
     return 0.0;
 }
 
-Mat6 mass_of(const CheckedTable& inertia, const BuildContext& context) {
-    const double rhoA = inertia.get<double>("rhoA");
-    const double rhoIy = find_rotary_inertia(inertia, "rhoIy", context);
-    const double rhoIz = find_rotary_inertia(inertia, "rhoIz", context);
-    const double rhoJ = inertia.gives("rhoJ") ? inertia.get<double>("rhoJ") : rhoIy + rhoIz;
+Mat6 mass_of(const CheckedTable& inertia, const SectionPlace& at, const BuildContext& context) {
+    const double rhoA = number_of(inertia, "rhoA", at, context);
+    const double rhoIy = find_rotary_inertia(inertia, "rhoIy", at, context);
+    const double rhoIz = find_rotary_inertia(inertia, "rhoIz", at, context);
+    const double rhoJ = inertia.gives("rhoJ") ? number_of(inertia, "rhoJ", at, context) : rhoIy + rhoIz;
     return diagonal(Vec3::Constant(rhoA), {rhoJ, rhoIy, rhoIz});
 }
 
@@ -61,13 +89,13 @@ struct Moduli {
 };
 
 // What is wrong with G goes to the faults: without a shear factor, Poisson's ratio must make sense.
-Moduli find_moduli(const CheckedTable& material, const BuildContext& context) {
-    const double E = material.get<double>("E");
+Moduli find_moduli(const CheckedTable& material, const SectionPlace& at, const BuildContext& context) {
+    const double E = number_of(material, "E", at, context);
     if (material.gives("nu")) {
-        const double nu = material.get<double>("nu");
+        const double nu = number_of(material, "nu", at, context);
         return {E, E / (2.0 * (1.0 + nu)), nu};
     }
-    const double G = material.get<double>("G");
+    const double G = number_of(material, "G", at, context);
     const double nu = E / (2.0 * G) - 1.0;
     if (nu > largest_nu && !material.gives("shear_factor")) {
         context.add_fault(
@@ -81,15 +109,21 @@ Moduli find_moduli(const CheckedTable& material, const BuildContext& context) {
     return {E, G, nu};
 }
 
-std::optional<ShapeConstants> find_shape(const CheckedTable& shape, double nu, const BuildContext& context) {
-    if (shape.gives("circle")) return compute_circle(only(shape, "circle").get<double>("radius"), nu);
+std::optional<ShapeConstants> find_shape(const CheckedTable& shape,
+                                         double nu,
+                                         const SectionPlace& at,
+                                         const BuildContext& context) {
+    const auto number = [&](const CheckedTable& table, const char* key) {
+        return number_of(table, key, at, context);
+    };
+    if (shape.gives("circle")) return compute_circle(number(only(shape, "circle"), "radius"), nu);
     if (shape.gives("rectangle")) {
         const CheckedTable& rectangle = only(shape, "rectangle");
-        return compute_rectangle(rectangle.get<double>("width_y"), rectangle.get<double>("height_z"), nu);
+        return compute_rectangle(number(rectangle, "width_y"), number(rectangle, "height_z"), nu);
     }
     const CheckedTable& tube = only(shape, "tube");
-    const double outer = tube.get<double>("outer_radius");
-    const double inner = tube.get<double>("inner_radius");
+    const double outer = number(tube, "outer_radius");
+    const double inner = number(tube, "inner_radius");
     if (inner < outer) return compute_tube(outer, inner, nu);
     context.add_fault(
         tube, "inner_radius", fmt::format("expected less than outer_radius = {}, found {}", outer, inner));
@@ -100,9 +134,12 @@ struct ShearFactors {
     double y, z;
 };
 
-ShearFactors find_shear_factors(const CheckedTable& material, const ShapeConstants& shape) {
+ShearFactors find_shear_factors(const CheckedTable& material,
+                                const ShapeConstants& shape,
+                                const SectionPlace& at,
+                                const BuildContext& context) {
     if (!material.gives("shear_factor")) return {shape.shear_factor_y, shape.shear_factor_z};
-    const double given = material.get<double>("shear_factor");
+    const double given = number_of(material, "shear_factor", at, context);
     return {given, given};
 }
 
@@ -118,33 +155,38 @@ std::string describe_factors(const ShapeConstants& shape) {
 std::string describe_shear_factors(const CheckedTable& table,
                                    const CheckedTable& material,
                                    const ShapeConstants& shape,
+                                   const ShearFactors& factors,
                                    double nu) {
     const std::string text = table.path + ": shear stiffness is shear_factor G A; ";
     const std::string exact = fmt::format("the exact flexure at nu = {:.4g}", nu);
     if (!material.gives("shear_factor")) {
         return fmt::format("{}shear_factor follows from {}, {}", text, exact, describe_factors(shape));
     }
-    const double given = material.get<double>("shear_factor");
+    const double given = factors.y;
     // Beyond it there is no flexure to compare with.
     if (nu > largest_nu) return fmt::format("{}shear_factor {:.6g} is given", text, given);
     return fmt::format(
         "{}shear_factor {:.6g} is given, where {} has {}", text, given, exact, describe_factors(shape));
 }
 
-void set_from_shape(const CheckedTable& table, Section& section, const BuildContext& context) {
+void set_from_shape(const CheckedTable& table,
+                    const SectionPlace& at,
+                    Section& section,
+                    const BuildContext& context) {
     const CheckedTable& material = only(table, "material");
-    const Moduli moduli = find_moduli(material, context);
-    const std::optional<ShapeConstants> shape = find_shape(only(table, "shape"), moduli.nu, context);
+    const Moduli moduli = find_moduli(material, at, context);
+    const std::optional<ShapeConstants> shape = find_shape(only(table, "shape"), moduli.nu, at, context);
     if (!shape) return;
-    const ShearFactors factors = find_shear_factors(material, *shape);
-    context.notes.push_back(describe_shear_factors(table, material, *shape, moduli.nu));
+    const ShearFactors factors = find_shear_factors(material, *shape, at, context);
+    if (at.rod.empty())
+        context.notes.push_back(describe_shear_factors(table, material, *shape, factors, moduli.nu));
     const double Iy = shape->second_moment_y;
     const double Iz = shape->second_moment_z;
     const double GA = moduli.G * shape->area;
     section.stiffness = diagonal({moduli.E * shape->area, factors.y * GA, factors.z * GA},
                                  {moduli.G * shape->torsion_constant, moduli.E * Iy, moduli.E * Iz});
     if (!material.gives("density")) return;
-    const double density = material.get<double>("density");
+    const double density = number_of(material, "density", at, context);
     section.mass = diagonal(Vec3::Constant(density * shape->area), density * Vec3(Iy + Iz, Iy, Iz));
 }
 
@@ -163,20 +205,30 @@ void check_inertia(const CheckedTable& table, const Section& section, const Buil
     }
 }
 
-Section build_section(const CheckedTable& table, const BuildContext& context) {
+bool has_function(const CheckedTable& table) {
+    return std::ranges::any_of(table.values, [](const CheckedValue& value) {
+        if (const auto* tables = std::get_if<std::vector<CheckedTable>>(&value.value))
+            return std::ranges::any_of(*tables, has_function);
+        return std::holds_alternative<CheckedArcFunction>(value.value);
+    });
+}
+
+}  // namespace
+
+Section build_section(const CheckedTable& table, const SectionPlace& at, const BuildContext& context) {
     Section section{.name = table.name};
     if (table.gives("shape")) {
-        set_from_shape(table, section, context);
+        set_from_shape(table, at, section, context);
     } else if (table.gives("stiffness")) {
-        section.stiffness = stiffness_of(only(table, "stiffness"));
+        section.stiffness = stiffness_of(only(table, "stiffness"), at, context);
     } else {
         section.stiffness = matrix_of(table, "stiffness_matrix", check_stiffness_matrix, context);
     }
-    if (table.gives("inertia")) section.mass = mass_of(only(table, "inertia"), context);
+    if (table.gives("inertia")) section.mass = mass_of(only(table, "inertia"), at, context);
     if (table.gives("mass_matrix")) {
         section.mass = matrix_of(table, "mass_matrix", check_mass_matrix, context);
     }
-    check_inertia(table, section, context);
+    if (at.rod.empty()) check_inertia(table, section, context);
     if (table.gives("damping")) {
         section.kelvin_voigt = only(table, "damping").get<double>("kelvin_voigt");
         section.mass_proportional = only(table, "damping").get<double>("mass_proportional");
@@ -184,11 +236,11 @@ Section build_section(const CheckedTable& table, const BuildContext& context) {
     return section;
 }
 
-}  // namespace
+bool varies_along_rod(const CheckedTable& section) { return has_function(section); }
 
 void build_sections(BuildContext& context) {
     for (const CheckedTable& table : context.deck.tables("section")) {
-        context.model.sections.push_back(build_section(table, context));
+        context.model.sections.push_back(build_section(table, {}, context));
     }
 }
 

@@ -1,10 +1,22 @@
 #pragma once
 
+#include <string>
+
 #include "deck/build/build_context.hpp"
 
 namespace gxrod {
 
-// Adds the sections to the model.
+// Where along a rod; of none, at its start.
+struct SectionPlace {
+    double s = 0.0;  // arc length
+    std::string rod = {};
+};
+
+// Adds the sections to the model, as they are at the start of a rod.
 void build_sections(BuildContext& context);
+
+// Whether a section has functions of s; and what it is at a place.
+bool varies_along_rod(const CheckedTable& section);
+Section build_section(const CheckedTable& section, const SectionPlace& at, const BuildContext& context);
 
 }  // namespace gxrod

@@ -44,11 +44,12 @@ TEST_CASE("Errors on missing keys say what is expected", "[deck]") {
     CHECK(faults_of(replaced(body_deck, "mass = 1.0\n", "")) ==
           "x.toml:1:1: body.top.mass: missing; expected a number greater than 0 or an expression");
     CHECK(faults_of(replaced(rod_deck, "section = \"s\"\n", "")) ==
-          "x.toml:4:1: rod.r.section: missing; expected the name of a section");
+          "x.toml:4:1: rod.r: missing; expected section or sections");
     CHECK(faults_of(replaced(rod_deck, "elements = 10\n", "")) ==
           "x.toml:4:1: rod.r.elements: missing; expected an integer from 1 to 10000000");
     CHECK(faults_of(replaced(rod_deck, "rhoIy = 10, ", "")) ==
-          "x.toml:3:11: section.s.inertia.rhoIy: missing; expected a number greater than 0 or an expression; "
+          "x.toml:3:11: section.s.inertia.rhoIy: missing; expected a number greater than 0 or an expression "
+          "in s; "
           "a rotation without inertia cannot be integrated in time");
     CHECK(
         faults_of(replaced(body_deck, "kind = \"dynamic\"\n", "")) ==

@@ -1,0 +1,198 @@
+#include "deck/sections/rod_sections.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "deck/schema/suggestion.hpp"
+#include "deck/sections/build_sections.hpp"
+#include "mesh/rod_mesh.hpp"
+#include "numerics/gauss_legendre.hpp"
+
+namespace gxrod {
+namespace {
+
+int find_section(const std::string& name,
+                 const Place& place,
+                 const std::string& path,
+                 const BuildContext& context) {
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < context.model.sections.size(); ++i) {
+        if (context.model.sections[i].name == name) return static_cast<int>(i);
+        known.push_back(context.model.sections[i].name);
+    }
+    std::string hint = did_you_mean(name, known);
+    if (hint.empty())
+        hint = known.empty() ? "; the deck has no section" : "; the deck has " + plain_list(known);
+    context.faults.add(place, path, fmt::format("no section \"{}\"{}", name, hint));
+    return 0;
+}
+
+// Damping is that of a rod, not of its points.
+void check_damping(const CheckedTable& rod,
+                   const std::vector<Station>& stations,
+                   const BuildContext& context) {
+    if (context.model.sections.empty()) return;
+    const auto section = [&](const Station& station) -> const Section& {
+        return context.model.sections[static_cast<std::size_t>(station.section)];
+    };
+    const Section& first = section(stations.front());
+    for (const Station& station : stations) {
+        const Section& other = section(station);
+        if (other.kelvin_voigt == first.kelvin_voigt && other.mass_proportional == first.mass_proportional)
+            continue;
+        context.add_fault(
+            rod,
+            "sections",
+            fmt::format("expected the same damping in all sections of a rod, found kelvin_voigt "
+                        "= {}, mass_proportional = {} in \"{}\", {} and {} in \"{}\"",
+                        first.kelvin_voigt,
+                        first.mass_proportional,
+                        first.name,
+                        other.kelvin_voigt,
+                        other.mass_proportional,
+                        other.name));
+        return;
+    }
+}
+
+bool are_one(double a, double b) { return std::abs(a - b) <= 2.0 * same_fraction; }
+
+// (1 − t) a + t b.
+Section mix(const Section& a, const Section& b, double t) {
+    Section section = a;
+    section.name.clear();
+    section.stiffness = (1.0 - t) * a.stiffness + t * b.stiffness;
+    section.mass = (1.0 - t) * a.mass + t * b.mass;
+    return section;
+}
+
+// Linear between stations; at a jump that of the side on which `inside` lies.
+class Profile {
+  public:
+    Profile(const std::vector<Station>& stations, const Rod& rod, const BuildContext& context)
+        : stations_(stations), rod_(rod), context_(context) {}
+
+    Section at(double fraction, double inside) const {
+        std::size_t i = 1;
+        while (i + 1 < stations_.size() && is_behind(i, fraction, inside)) ++i;
+        const Station& a = stations_[i - 1];
+        const Station& b = stations_[i];
+        const double length = b.fraction - a.fraction;
+        const double t = length > 0.0 ? std::clamp((fraction - a.fraction) / length, 0.0, 1.0) : 0.0;
+        const double s = fraction * rod_.length;
+        return mix(section(a, s), section(b, s), t);
+    }
+
+  private:
+    // Whether a fraction lies behind the end of an interval: at the end itself, if the inside does.
+    bool is_behind(std::size_t interval, double fraction, double inside) const {
+        const double end = stations_[interval].fraction;
+        return are_one(fraction, end) ? inside > end : fraction > end;
+    }
+    Section section(const Station& station, double s) const {
+        const auto index = static_cast<std::size_t>(station.section);
+        const CheckedTable& table = context_.deck.tables("section")[index];
+        if (!varies_along_rod(table)) return context_.model.sections[index];
+        return build_section(table, {s, "rod." + rod_.name}, context_);
+    }
+
+    const std::vector<Station>& stations_;
+    const Rod& rod_;
+    const BuildContext& context_;
+};
+
+template <int Points>
+std::vector<QuadraturePoint> list_rule() {
+    const auto rule = compute_gauss_rule<Points>();
+    return {rule.begin(), rule.end()};
+}
+
+std::vector<QuadraturePoint> list_gauss_rule(int count) {
+    switch (count) {
+        case 1:
+            return list_rule<1>();
+        case 2:
+            return list_rule<2>();
+        case 3:
+            return list_rule<3>();
+        case 4:
+            return list_rule<4>();
+        default:
+            return list_rule<5>();
+    }
+}
+
+// Fractions of an element's length.
+std::vector<double> list_gauss_points(int count) {
+    std::vector<double> points;
+    for (const QuadraturePoint& point : list_gauss_rule(count)) points.push_back(0.5 * (1.0 + point.xi));
+    return points;
+}
+
+}  // namespace
+
+std::vector<Station> find_stations(const CheckedTable& rod, BuildContext& context) {
+    if (rod.gives("section")) {
+        const std::string& name = rod.get<std::string>("section");
+        const int section = find_section(name, rod.place_of("section"), rod.path_of("section"), context);
+        const std::vector<CheckedTable>& tables = context.deck.tables("section");
+        if (tables.empty() || !varies_along_rod(tables[static_cast<std::size_t>(section)]))
+            return {{0.0, section}};
+        return {{0.0, section}, {1.0, section}};
+    }
+    std::vector<Station> stations;
+    for (const CheckedStation& station : rod.get<std::vector<CheckedStation>>("sections"))
+        stations.push_back(
+            {station.fraction, find_section(station.section, station.place, station.path, context)});
+    check_damping(rod, stations, context);
+    return stations;
+}
+
+std::vector<double> find_jumps(const std::vector<Station>& stations) {
+    std::vector<double> jumps;
+    for (std::size_t i = 1; i < stations.size(); ++i) {
+        const double fraction = stations[i].fraction;
+        const bool is_inside = !are_one(fraction, 0.0) && !are_one(fraction, 1.0);
+        if (is_inside && are_one(fraction, stations[i - 1].fraction)) jumps.push_back(fraction);
+    }
+    return jumps;
+}
+
+void set_sections(const std::vector<Station>& stations,
+                  const std::vector<double>& element_fractions,
+                  Rod& rod,
+                  BuildContext& context) {
+    std::vector<Section>& known = context.model.sections;
+    rod.section = stations.front().section;
+    if (stations.size() == 1 || known.empty()) return;
+    const Profile profile(stations, rod, context);
+    const std::vector<double> force_points = list_gauss_points(rod.order);
+    const std::vector<double> nodes = compute_element_nodes(rod.order);
+    const std::vector<QuadraturePoint> mass_points = list_gauss_rule(rod.order + 1);
+    Section mean = known[static_cast<std::size_t>(rod.section)];
+    mean.stiffness.setZero();
+    mean.mass.setZero();
+    for (std::size_t e = 0; e + 1 < element_fractions.size(); ++e) {
+        const double first = element_fractions[e];
+        const double length = element_fractions[e + 1] - first;
+        const auto find = [&](double point) {
+            return profile.at(first + point * length, first + 0.5 * length);
+        };
+        for (const double point : force_points) rod.varying.at_forces.push_back(find(point));
+        for (const double point : nodes) rod.varying.at_nodes.push_back(find(point));
+        for (const auto& [xi, weight] : mass_points) {
+            rod.varying.at_masses.push_back(find(0.5 * (1.0 + xi)));
+            mean.stiffness += 0.5 * weight * length * rod.varying.at_masses.back().stiffness;
+            mean.mass += 0.5 * weight * length * rod.varying.at_masses.back().mass;
+        }
+    }
+    if (stations.front().section != stations.back().section)
+        mean.name += " … " + known[static_cast<std::size_t>(stations.back().section)].name;
+    mean.name += " along " + rod.name;
+    rod.section = static_cast<int>(known.size());
+    known.push_back(std::move(mean));
+}
+
+}  // namespace gxrod
