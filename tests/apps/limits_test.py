@@ -77,7 +77,7 @@ class Limits(ProgramTest):
         self.assertEqual(sorted(set(sections)), sorted({section for section, *_ in claims()}))
 
     def test_the_decks_run(self):
-        self.assertEqual(len(self.complete), 3)
+        self.assertEqual(len(self.complete), 2)
         for deck in self.complete:
             self.gxrod("run", self.write("whole.toml", deck), "--quiet", "--force")
 
