@@ -196,6 +196,11 @@ void build_rods(const std::vector<RodPoint>& points, const RodNets& nets, BuildC
         rod.section = stations.front().section;
         rod.kind = value_of(element_kind_choices, table.get<std::string>("element"));
         const int index = static_cast<int>(i);
+        if (table.gives("mesh") && stations.size() > 1) {
+            context.add_fault(table,
+                              table.gives("section") ? "section" : "sections",
+                              "a rod from a mesh has one section, the same everywhere and without s");
+        }
         if (!table.gives("mesh")) {
             build_line(table, stations, fractions[i], index, context);
         } else if (check_meshed_rod(table, context); nets.contains(index)) {

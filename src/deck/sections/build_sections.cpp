@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
+#include <sstream>
 
 #include "deck/schema/schema_tables.hpp"
 #include "deck/sections/section_matrices.hpp"
 #include "deck/sections/section_shape.hpp"
+#include "model/evaluation_error.hpp"
 
 namespace gxrod {
 namespace {
@@ -20,25 +21,44 @@ Mat6 diagonal(const Vec3& translation, const Vec3& rotation) {
     return matrix;
 }
 
-// A number at a place along a rod. One that is out of range there is a fault.
+// Of a key of a table in "section.NAME.….…".
+const Range& range_of(const CheckedTable& table, const char* key) {
+    const TableSpec* spec = &section_table();
+    std::istringstream path(table.path);
+    std::string part;
+    for (int i = 0; std::getline(path, part, '.'); ++i) {
+        if (i > 1) spec = spec->find(part)->table;
+    }
+    return spec->find(key)->range;
+}
+
+// A number at a place along a rod. One that is out of range there, or no number, is a fault.
 double number_of(const CheckedTable& table,
                  const char* key,
                  const SectionPlace& at,
                  const BuildContext& context) {
     const CheckedValue& value = *table.find(key);
     if (const auto* constant = std::get_if<double>(&value.value)) return *constant;
-    const double number = std::get<CheckedArcFunction>(value.value).function(at.s);
-    // All that can be given has to be greater than 0 but Poisson's ratio.
-    const bool is_right = std::string_view(key) == "nu" ? number > -1.0 && number <= 0.5 : number > 0.0;
-    if (is_right) return number;
-    const char* range = std::string_view(key) == "nu" ? "above -1, at most 0.5" : "greater than 0";
-    context.faults.add(value.place,
-                       table.path_of(key),
-                       fmt::format("expected a number {}, found {} at s = {:.6g}{}",
-                                   range,
-                                   number,
-                                   at.s,
-                                   at.rod.empty() ? "" : " of " + at.rod));
+    const Range& range = range_of(table, key);
+    const std::string of_rod = at.rod.empty() ? "" : " of " + at.rod;
+    try {
+        const double number = std::get<CheckedArcFunction>(value.value).function(at.s);
+        if (range.contains(number)) return number;
+        context.faults.add(value.place,
+                           table.path_of(key),
+                           fmt::format("expected a number {}, found {} at s = {:.6g}{}",
+                                       describe_range(range),
+                                       number,
+                                       at.s,
+                                       of_rod));
+    } catch (const EvaluationError& error) {
+        // Its text begins with the key.
+        const std::string text = error.what();
+        const std::string path = table.path_of(key) + ": ";
+        context.faults.add(value.place,
+                           table.path_of(key),
+                           (text.starts_with(path) ? text.substr(path.size()) : text) + of_rod);
+    }
     return 1.0;
 }
 

@@ -6,7 +6,7 @@
 
 namespace gxrod {
 
-// Where along a rod; of none, at its start.
+// Where along a rod; without one, at the start of any.
 struct SectionPlace {
     double s = 0.0;  // arc length
     std::string rod = {};

@@ -59,10 +59,14 @@ void check_damping(const CheckedTable& rod,
 
 bool are_one(double a, double b) { return std::abs(a - b) <= 2.0 * same_fraction; }
 
+Section nameless(Section section) {
+    section.name.clear();
+    return section;
+}
+
 // (1 − t) a + t b.
 Section mix(const Section& a, const Section& b, double t) {
-    Section section = a;
-    section.name.clear();
+    Section section = nameless(a);
     section.stiffness = (1.0 - t) * a.stiffness + t * b.stiffness;
     section.mass = (1.0 - t) * a.mass + t * b.mass;
     return section;
@@ -82,6 +86,7 @@ class Profile {
         const double length = b.fraction - a.fraction;
         const double t = length > 0.0 ? std::clamp((fraction - a.fraction) / length, 0.0, 1.0) : 0.0;
         const double s = fraction * rod_.length;
+        if (a.section == b.section) return nameless(section(a, s));
         return mix(section(a, s), section(b, s), t);
     }
 

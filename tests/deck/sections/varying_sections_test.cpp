@@ -151,8 +151,14 @@ TEST_CASE("what is wrong with sections along a rod is said", "[deck][sections]")
                       Contains("the same damping in all sections of a rod"));
     CHECK_THROWS_WITH(read(replaced(taper, "0.02 - 0.01*s", "0.02 - 0.03*s")),
                       Contains("expected a number greater than 0, found") && Contains("of rod.r"));
+    const std::string net = "mesh = { file = \"" GXROD_SOURCE_DIR "/meshes/truss.geo\", group = \"truss\" }";
+    CHECK_THROWS_WITH(read(replaced(replaced(taper, "line = { from = [0, 0, 0], to = [1, 0, 0] }", net),
+                                    "elements = 8\norder = 4\n",
+                                    "")),
+                      Contains("a rod from a mesh has one section"));
     CHECK_THROWS_WITH(read(replaced(taper, "0.02 - 0.01*s", "0.02 - 0.01*t")),
                       Contains("is a function of s"));
+    CHECK_THROWS_WITH(read(replaced(taper, "0.02 - 0.01*s", "0.02/(1 - s)")), Contains("s = 1"));
     CHECK_THROWS_WITH(read(replaced(bar, "order = 4", "order = 1\ntwist = [[0, 1], [0.9, 2]]")),
                       Contains("expected the fraction 1 here, found 0.9"));
 }
