@@ -21,7 +21,8 @@ void check_memory(const Model& model) {
     const auto rubs = [](const Joint& joint) {
         return joint.turn.friction.acts() || joint.slide.friction.acts();
     };
-    if (std::ranges::any_of(model.joints, rubs))
+    const auto rubs_along = [](const Sleeve& sleeve) { return sleeve.slide.friction.acts(); };
+    if (std::ranges::any_of(model.joints, rubs) || std::ranges::any_of(model.sleeves, rubs_along))
         throw std::invalid_argument(
             "an equilibrium with friction depends on how it was reached: carry derivatives along instead");
 }
