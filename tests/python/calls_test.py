@@ -1,4 +1,4 @@
-"""What a simulation from Python withstands: callbacks that fail, numbers that are none, threads, other users of HDF5; and the calls that other tests leave out."""
+"""What a simulation from Python withstands: callbacks that fail, values that are not numbers, threads, other users of HDF5; and the calls that other tests leave out."""
 
 import concurrent.futures
 import math

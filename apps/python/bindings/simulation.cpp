@@ -250,7 +250,10 @@ void bind_simulation(nb::module_& module) {
             "keeps_ledger"_a,
             "histories"_a,
             "varied"_a)
-        .def("start", &Driven::start, ReleaseGil(), "To the accepted state at t = 0; False if there is none.")
+        .def("start",
+             &Driven::start,
+             ReleaseGil(),
+             "To the accepted state at t = 0; False if the run cannot start.")
         .def("step", &Driven::step, ReleaseGil(), "False if no step was accepted.")
         .def("advance",
              &Driven::advance,

@@ -77,7 +77,7 @@ class Simulation:
     def __init__(self, model: Model, results: str, threads: int, keeps_ledger: bool, histories: Sequence[int], varied: Sequence[tuple[Sequence[Model], float]]) -> None: ...
 
     def start(self) -> bool:
-        """To the accepted state at t = 0; False if there is none."""
+        """To the accepted state at t = 0; False if the run cannot start."""
 
     def step(self) -> bool:
         """False if no step was accepted."""

@@ -147,7 +147,7 @@ class Frames(Fields):
         return self[self.index(time)]
 
     def index(self, time: float) -> int:
-        """Number of the frame that is nearest to a time, in statics to a load factor; IndexError if there is none yet."""
+        """Number of the frame that is nearest to a time, in statics to a load factor; IndexError before the first frame."""
         if not len(self):
             raise IndexError("there is no frame yet")
         return int(np.abs(self.time - time).argmin())

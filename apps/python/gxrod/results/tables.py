@@ -28,7 +28,7 @@ class Table(Shown):
         return list(self._columns)
 
     def row(self, which: int | str) -> dict[str, Any]:
-        """A row as a dict: by its number, from 0, or by its `name`; UnknownNameError if there is none so named."""
+        """A row as a dict: by its number, from 0, or by its `name`; UnknownNameError if no row has that name."""
         number = which
         if isinstance(which, str):
             names = list(self._columns.get("name", []))
