@@ -1,0 +1,87 @@
+#include "laws/layered_law.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+// Numbers of equations: docs/theory/laws.md.
+namespace gxrod {
+namespace {
+
+// A layer's limit (L4) and how it follows the strains.
+struct Limit {
+    double value;
+    Vec6 gradient = Vec6::Zero();
+};
+
+Limit find_limit(const Layer& layer, const SectionResponse& response) {
+    const double tension = response.resultants[0];
+    if (layer.limit_per_tension == 0.0 || !(tension > 0.0)) return {layer.limit};
+    return {layer.limit + layer.limit_per_tension * tension,
+            layer.limit_per_tension * response.tangent.row(0).transpose()};
+}
+
+}  // namespace
+
+LayeredLaw::LayeredLaw(const Mat6& C, std::vector<Layer> layers) : C_(C), layers_(std::move(layers)) {
+    std::ranges::stable_partition(layers_,
+                                  [](const Layer& layer) { return layer.on == StrainPart::tension; });
+    for (const Layer& layer : layers_) {
+        assert(layer.stiffness > 0.0 && layer.limit >= 0.0);
+        assert(layer.on != StrainPart::tension || layer.limit_per_tension == 0.0);
+        memory_size_ += entries_of(layer.on).count;
+    }
+}
+
+// The layers on tension come first, so that the axial resultant is complete where limits ask for it.
+SectionResponse LayeredLaw::respond(const Vec6& strain,
+                                    std::span<const double> memory,
+                                    double,
+                                    std::span<double> after) const {
+    SectionResponse response;
+    response.resultants = C_ * strain;
+    response.tangent = C_;
+    response.stored = 0.5 * strain.dot(response.resultants);
+    std::size_t at = 0;
+    for (const Layer& layer : layers_) {
+        add(layer, strain, &memory[at], after.empty() ? nullptr : &after[at], response);
+        at += static_cast<std::size_t>(entries_of(layer.on).count);
+    }
+    return response;
+}
+
+// (L2), (L3), (L5), (L6).
+void LayeredLaw::add(const Layer& layer,
+                     const Vec6& strain,
+                     const double* slip,
+                     double* slip_after,
+                     SectionResponse& response) const {
+    const StrainEntries entries = entries_of(layer.on);
+    const double k = layer.stiffness;
+    std::array<double, 2> trial{};
+    double size = 0.0;
+    for (int a = 0; a < entries.count; ++a) {
+        trial[a] = k * (strain[entries.index[a]] - slip[a]);
+        size = std::hypot(size, trial[a]);
+    }
+    const Limit limit = find_limit(layer, response);
+    const bool sticks = size <= limit.value && limit.value > 0.0;
+    const double share = sticks ? 1.0 : (size > 0.0 ? limit.value / size : 0.0);
+    for (int a = 0; a < entries.count; ++a) {
+        const int i = entries.index[a];
+        const double direction = size > 0.0 ? trial[a] / size : 0.0;
+        response.resultants[i] += share * trial[a];
+        if (slip_after != nullptr) slip_after[a] = sticks ? slip[a] : slip[a] + (1.0 - share) * trial[a] / k;
+        response.tangent(i, i) += share * k;
+        if (sticks) continue;
+        for (int b = 0; b < entries.count; ++b)
+            response.tangent(i, entries.index[b]) -=
+                share * k * direction * (size > 0.0 ? trial[b] / size : 0.0);
+        response.tangent.row(i) += direction * limit.gradient.transpose();
+    }
+    const double held = std::min(size, limit.value);
+    response.stored += 0.5 * held * held / k;
+    if (!sticks) response.dissipated += limit.value * (size - held) / k;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "laws/strain_part.hpp"
+#include "model/section_law.hpp"
+
+namespace gxrod {
+
+// A spring that slips, in parallel with the rest of a section: of Besseling's model, also called Iwan's.
+struct Layer {
+    StrainPart on = StrainPart::bending;
+    double stiffness = 0.0;          // of each entry: resultant per strain, before it slips
+    double limit = 0.0;              // greatest size of its resultants
+    double limit_per_tension = 0.0;  // what the limit grows by with a positive axial resultant
+};
+
+// S = C E + Σ S_i, each layer's S_i elastic up to its limit, at which it slips; docs/theory/laws.md,
+// (L1)–(L6). What it remembers is the slip of each layer, a strain for each of its entries.
+class LayeredLaw final : public SectionLaw {
+  public:
+    // `C` acts next to all layers; it can be semidefinite. Layers on tension have no limit_per_tension.
+    LayeredLaw(const Mat6& C, std::vector<Layer> layers);
+
+    int memory_size() const override { return memory_size_; }
+    std::string describe() const override {
+        return layers_.empty() ? "linear" : "slips, layers: " + std::to_string(layers_.size());
+    }
+    SectionResponse respond(const Vec6& strain,
+                            std::span<const double> memory,
+                            double elapsed,
+                            std::span<double> after) const override;
+
+    const Mat6& stiffness() const { return C_; }
+    const std::vector<Layer>& layers() const { return layers_; }
+
+  private:
+    void add(const Layer& layer,
+             const Vec6& strain,
+             const double* slip,
+             double* slip_after,
+             SectionResponse& response) const;
+
+    Mat6 C_;
+    std::vector<Layer> layers_;  // those on tension first
+    int memory_size_ = 0;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,181 @@
+#include "laws/plastic_law.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "numerics/symmetric_eigen.hpp"
+
+// Numbers of equations: docs/theory/laws.md.
+namespace gxrod {
+namespace {
+
+constexpr int most_iterations = 100;
+
+using Entries = PlasticLaw::Entries;
+
+// How a scaled trial returns with β = Δγ/q: (L21).
+struct Scaled {
+    Entries shrunk;  // z
+    double size;     // q = |z|
+    double slope;    // ∂q/∂β, negative
+};
+
+Scaled scale(const Entries& trial, const Entries& rate, double beta) {
+    Scaled scaled;
+    const Entries shares = (1.0 + beta * rate.array()).inverse();
+    scaled.shrunk = shares.cwiseProduct(trial);
+    scaled.size = scaled.shrunk.norm();
+    scaled.slope = -(rate.array() * shares.array() * scaled.shrunk.array().square()).sum() / scaled.size;
+    return scaled;
+}
+
+}  // namespace
+
+// What a return finds, in the surface's axes.
+struct PlasticLaw::Return {
+    double beta = 0.0;  // Δγ/q
+    double flow = 0.0;  // Δγ, an energy
+    Entries shrunk;     // z
+    Square compliance;  // ∂(β z)/∂z_trial, symmetric
+};
+
+PlasticLaw::Surface PlasticLaw::make_surface(const Mat6& C,
+                                             const std::vector<std::pair<int, double>>& limits,
+                                             double kinematic) {
+    const auto count = static_cast<Eigen::Index>(limits.size());
+    Surface surface;
+    surface.limits.resize(count);
+    surface.hardening.resize(count);
+    Square sum(count, count);
+    surface.energy = 0.0;
+    for (Eigen::Index a = 0; a < count; ++a) {
+        const auto& [i, limit] = limits[static_cast<std::size_t>(a)];
+        assert(limit > 0.0);
+        surface.index.push_back(i);
+        surface.limits[a] = limit;
+        surface.hardening[a] = kinematic * C(i, i);
+        surface.energy += limit * limit / C(i, i) / static_cast<double>(count);
+    }
+    for (Eigen::Index a = 0; a < count; ++a) {
+        for (Eigen::Index b = 0; b < count; ++b) {
+            const double hardening = a == b ? surface.hardening[a] : 0.0;
+            sum(a, b) =
+                (C(surface.index[a], surface.index[b]) + hardening) / (surface.limits[a] * surface.limits[b]);
+        }
+    }
+    const SymmetricEigen eigen = find_symmetric_eigen(sum);
+    surface.rate = eigen.values;
+    surface.axes = eigen.vectors;
+    return surface;
+}
+
+PlasticLaw::PlasticLaw(const Mat6& C, const YieldLimits& yield) : C_(C), yield_(yield) {
+    assert(!yield.limits.empty());
+    if (yield.interaction == YieldInteraction::ellipsoid) {
+        surfaces_.push_back(make_surface(C, yield.limits, yield.kinematic));
+    } else {
+        for (const auto& limit : yield.limits) surfaces_.push_back(make_surface(C, {limit}, yield.kinematic));
+    }
+    for (const Surface& surface : surfaces_) memory_size_ += static_cast<int>(surface.index.size()) + 1;
+}
+
+// Of the surface: r(a).
+double PlasticLaw::factor(double gone) const {
+    return yield_.isotropic ? yield_.isotropic->at(gone).value : 1.0;
+}
+
+// 1/q − 1/r of (L22) grows with β, nearly linearly: Newton's method, kept within a bracket.
+PlasticLaw::Return PlasticLaw::find_return(const Surface& surface, const Entries& trial, double gone) const {
+    const Entries& rate = surface.rate;
+    double low = 0.0;
+    double high = (trial.norm() / factor(gone) - 1.0) / rate[0];
+    double beta = 0.0;
+    double stiffening = 0.0;  // ρ of (L23)
+    Scaled scaled = scale(trial, rate, beta);
+    for (int i = 0; i < most_iterations; ++i) {
+        const double now = gone + beta * scaled.size / surface.energy;
+        const double limit = factor(now);
+        stiffening = yield_.isotropic ? yield_.isotropic->at(now).slope / surface.energy : 0.0;
+        const double value = 1.0 / scaled.size - 1.0 / limit;
+        (value < 0.0 ? low : high) = beta;
+        const double slope = -scaled.slope / (scaled.size * scaled.size) +
+                             stiffening * (scaled.size + beta * scaled.slope) / (limit * limit);
+        double next = beta - value / slope;
+        if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+        const bool is_found = std::abs(next - beta) <= 2.0 * std::numeric_limits<double>::epsilon() * next;
+        beta = next;
+        scaled = scale(trial, rate, beta);
+        if (is_found) break;
+    }
+    Return found{beta, beta * scaled.size, scaled.shrunk, {}};
+    const Entries shares = (1.0 + beta * rate.array()).inverse();
+    const Entries normal = shares.cwiseProduct(scaled.shrunk);
+    const double flowing = stiffening * (scaled.size + beta * scaled.slope) - scaled.slope;
+    found.compliance = (1.0 - stiffening * beta) / (scaled.size * flowing) * normal * normal.transpose();
+    found.compliance.diagonal() += beta * shares;
+    return found;
+}
+
+// (L20) to (L26).
+void PlasticLaw::add(const Surface& surface,
+                     const Vec6& elastic_trial,
+                     const double* memory,
+                     double* after,
+                     Vec6& elastic,
+                     SectionResponse& response) const {
+    const auto count = static_cast<Eigen::Index>(surface.index.size());
+    const double gone = memory[count];
+    Entries scaled(count);
+    for (Eigen::Index a = 0; a < count; ++a) {
+        const double resultant = C_.row(surface.index[a]).dot(elastic_trial);
+        scaled[a] = (resultant - surface.hardening[a] * memory[a]) / surface.limits[a];
+    }
+    Return found;
+    const bool yields = scaled.norm() > factor(gone);
+    if (yields) found = find_return(surface, surface.axes.transpose() * scaled, gone);
+    Entries flow = Entries::Zero(count);
+    if (yields) flow = found.beta * (surface.axes * found.shrunk).cwiseQuotient(surface.limits);
+    for (Eigen::Index a = 0; a < count; ++a) {
+        const double plastic = memory[a] + flow[a];
+        elastic[surface.index[a]] -= flow[a];
+        response.stored += 0.5 * surface.hardening[a] * plastic * plastic;
+        if (after != nullptr) after[a] = plastic;
+    }
+    const double gone_after = gone + found.flow / surface.energy;
+    if (after != nullptr) after[count] = gone_after;
+    if (yield_.isotropic)
+        response.stored += surface.energy * (yield_.isotropic->at(gone_after).integral - gone_after);
+    response.dissipated += found.flow;
+    if (!yields) return;
+    Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 6, 6> rows(count, 6);
+    for (Eigen::Index a = 0; a < count; ++a) rows.row(a) = C_.row(surface.index[a]) / surface.limits[a];
+    const Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 6, 6> turned = surface.axes.transpose() * rows;
+    response.tangent -= turned.transpose() * found.compliance * turned;
+}
+
+SectionResponse PlasticLaw::respond(const Vec6& strain,
+                                    std::span<const double> memory,
+                                    double,
+                                    std::span<double> after) const {
+    SectionResponse response;
+    response.tangent = C_;
+    Vec6 trial = strain;
+    std::size_t at = 0;
+    for (const Surface& surface : surfaces_) {
+        for (const int i : surface.index) trial[i] -= memory[at++];
+        ++at;
+    }
+    Vec6 elastic = trial;
+    at = 0;
+    for (const Surface& surface : surfaces_) {
+        add(surface, trial, &memory[at], after.empty() ? nullptr : &after[at], elastic, response);
+        at += surface.index.size() + 1;
+    }
+    response.resultants = C_ * elastic;
+    response.stored += 0.5 * elastic.dot(response.resultants);
+    return response;
+}
+
+}  // namespace gxrod

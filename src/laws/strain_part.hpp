@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "rotation/types.hpp"
+
+namespace gxrod {
+
+// Which of the strains E = (Γ, K) a mechanism of a section takes part in.
+enum class StrainPart { tension, shear, shear_y, shear_z, torsion, bending, bending_y, bending_z };
+
+// Entries of E, one or two of them.
+struct StrainEntries {
+    std::array<int, 2> index{};
+    int count = 1;
+
+    std::span<const int> list() const { return {index.data(), static_cast<std::size_t>(count)}; }
+};
+
+StrainEntries entries_of(StrainPart part);
+
+// Whether C couples one of the entries with any other entry.
+bool couples(const Mat6& C, std::span<const int> entries);
+// Whether C couples two of the entries.
+bool couples_within(const Mat6& C, std::span<const int> entries);
+
+}  // namespace gxrod

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "model/section_law.hpp"
+
+namespace gxrod {
+
+// Adds to another law how a twisted section shortens, as its outer fibres, helices then, pull: ½ c κ² of
+// axial force and c κ ε of torque, κ the twist, ε the extension, c the sum of both bending stiffnesses:
+// BeamDyn's term; docs/theory/laws.md, (L17).
+class TrapezeLaw final : public SectionLaw {
+  public:
+    // Next to the stiffness `C` alone, if `inner` is nullptr.
+    TrapezeLaw(const Mat6& C, std::shared_ptr<const SectionLaw> inner = nullptr);
+
+    int memory_size() const override { return inner_->memory_size(); }
+    std::string describe() const override { return inner_->describe() + "; shortens as it twists"; }
+    SectionResponse respond(const Vec6& strain,
+                            std::span<const double> memory,
+                            double elapsed,
+                            std::span<double> after) const override;
+
+    double coefficient() const { return c_; }
+    const SectionLaw& inner() const { return *inner_; }
+
+  private:
+    double c_;
+    std::shared_ptr<const SectionLaw> inner_;
+};
+
+}  // namespace gxrod

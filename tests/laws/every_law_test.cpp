@@ -1,0 +1,168 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "laws/law_path.hpp"
+#include "laws/layered_law.hpp"
+#include "laws/trapeze_law.hpp"
+#include "laws/viscoelastic_law.hpp"
+#include "tools/catch.hpp"
+#include "tools/difference.hpp"
+#include "tools/random_values.hpp"
+
+// What holds of the law of every section, whatever it is.
+namespace gxrod::test {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+Vec6 random_strain(tools::RandomValues& random, const Vec6& scale) {
+    return scale.cwiseProduct(random.matrix<6, 1>());
+}
+
+// A section that has been through some steps.
+LawPath wander(const NamedLaw& named, tools::RandomValues& random) {
+    LawPath path(*named.law);
+    for (int i = 0; i < 6; ++i) path.go(random_strain(random, named.scale), random.number(0.01, 3.0));
+    return path;
+}
+
+// By central differences of two widths: nullopt where they differ, as on a kink.
+std::optional<Mat6> differentiate_law(const LawPath& path,
+                                      const Vec6& strain,
+                                      double elapsed,
+                                      const Vec6& scale) {
+    Mat6 tangent;
+    for (int i = 0; i < 6; ++i) {
+        const auto at = [&](double x) -> Vec6 {
+            return path.look(strain + x * scale[i] * Vec6::Unit(i), elapsed).resultants;
+        };
+        const Vec6 wide = tools::differentiate(at, 4e-3) / scale[i];
+        tangent.col(i) = tools::differentiate(at, 2e-3) / scale[i];
+        if ((wide - tangent.col(i)).norm() > 1e-8 * tangent.col(i).norm() + 1e-12) return std::nullopt;
+    }
+    return tangent;
+}
+
+}  // namespace
+
+TEST_CASE("The tangent of every law is the derivative of its resultants", "[laws]") {
+    for (const NamedLaw& named : every_law()) {
+        INFO(named.name);
+        tools::RandomValues random(11);
+        int compared = 0;
+        for (int i = 0; i < 60; ++i) {
+            const LawPath path = wander(named, random);
+            const double elapsed = i % 5 == 0 ? infinite : random.number(0.01, 3.0);
+            const Vec6 strain = random_strain(random, named.scale);
+            const std::optional<Mat6> difference = differentiate_law(path, strain, elapsed, named.scale);
+            if (!difference) continue;
+            ++compared;
+            const Mat6 D = path.look(strain, elapsed).tangent;
+            CHECK(tools::relative_difference(D, *difference) < 1e-7);
+            if (named.is_symmetric) CHECK((D - D.transpose()).norm() < 1e-13 * D.norm());
+        }
+        CHECK(compared > 15);
+    }
+}
+
+TEST_CASE("No law changes its memory, or answers otherwise where nobody asks what it would remember",
+          "[laws]") {
+    for (const NamedLaw& named : every_law()) {
+        INFO(named.name);
+        tools::RandomValues random(3);
+        const LawPath path = wander(named, random);
+        const std::vector<double> memory = path.memory();
+        std::vector<double> after(memory.size(), 1e9);
+        const Vec6 strain = random_strain(random, named.scale);
+        const SectionResponse with = named.law->respond(strain, memory, 0.3, after);
+        const SectionResponse without = named.law->respond(strain, memory, 0.3, {});
+        CHECK(memory == path.memory());
+        CHECK(std::ranges::count(after, 1e9) == 0);
+        CHECK(with.resultants == without.resultants);
+        CHECK(with.tangent == without.tangent);
+        CHECK(with.stored == without.stored);
+        CHECK(with.dissipated == without.dissipated);
+    }
+}
+
+TEST_CASE("No law has resultants or energy at the start of a run", "[laws]") {
+    for (const NamedLaw& named : every_law()) {
+        INFO(named.name);
+        const LawPath path(*named.law);
+        for (const double elapsed : {0.0, 1e-300, 1.0, 1e300, infinite}) {
+            const SectionResponse response = path.look(Vec6::Zero(), elapsed);
+            CHECK(response.resultants.isZero(0.0));
+            CHECK(response.stored == 0.0);
+            CHECK(response.dissipated == 0.0);
+            CHECK(response.tangent.allFinite());
+        }
+    }
+}
+
+TEST_CASE("Every law answers with numbers over no time, any time and for ever", "[laws]") {
+    for (const NamedLaw& named : every_law()) {
+        INFO(named.name);
+        tools::RandomValues random(5);
+        LawPath path = wander(named, random);
+        for (const double elapsed : {0.0, 1e-300, 1e-9, 1e9, 1e300, infinite, 0.1}) {
+            const SectionResponse& response = path.go(random_strain(random, named.scale), elapsed);
+            CHECK(response.resultants.allFinite());
+            CHECK(response.tangent.allFinite());
+            CHECK(std::isfinite(response.stored));
+            CHECK(response.dissipated >= 0.0);
+            CHECK(std::ranges::all_of(path.memory(), [](double x) { return std::isfinite(x); }));
+        }
+    }
+}
+
+// The work done on a section is stored or dissipated: in the limit of small steps, whose error by the
+// trapezoid rule falls with the square of their number, kinks apart.
+TEST_CASE("Energy comes from nothing in no law", "[laws]") {
+    for (const NamedLaw& named : every_law()) {
+        INFO(named.name);
+        const auto imbalance = [&](int parts) {
+            tools::RandomValues random(17);
+            LawPath path(*named.law);
+            double largest = 0.0;
+            for (int i = 0; i < 10; ++i) {
+                const Vec6 next = i == 9 ? Vec6(Vec6::Zero()) : random_strain(random, named.scale);
+                path.go(next, random.number(0.1, 2.0), parts);
+                CHECK(path.least_dissipated() >= 0.0);
+                largest = std::max(largest, std::abs(path.work() - path.now().stored - path.dissipated()));
+            }
+            CHECK(path.work() >= path.now().stored - largest);
+            return largest / path.size_of_work();
+        };
+        const double coarse = imbalance(100);
+        const double fine = imbalance(1600);
+        // A limit that follows the tension is that of the end of each step.
+        CHECK(fine < (named.is_symmetric ? 1e-5 : 3e-4));
+        CHECK((coarse < 1e-12 || fine < coarse / 10.0));
+    }
+}
+
+TEST_CASE("A law of nothing is the stiffness, to the last bit", "[laws]") {
+    const Mat6 C = some_stiffness();
+    const LayeredLaw no_layers(C, {});
+    const ViscoelasticLaw no_branches(C, {});
+    const ViscoelasticLaw weightless(C, {{0.0, 1.0}, {0.0, 3.0}});
+    tools::RandomValues random(2);
+    for (const SectionLaw* law : {static_cast<const SectionLaw*>(&no_layers),
+                                  static_cast<const SectionLaw*>(&no_branches),
+                                  static_cast<const SectionLaw*>(&weightless)}) {
+        LawPath path(*law);
+        for (int i = 0; i < 10; ++i) {
+            const Vec6 strain = random.matrix<6, 1>();
+            const SectionResponse& response = path.go(strain, i == 3 ? infinite : 0.1 * i);
+            const Vec6 expected = C * strain;
+            CHECK(response.resultants == expected);
+            CHECK(response.tangent == C);
+            CHECK(response.stored == 0.5 * strain.dot(expected));
+            CHECK(response.dissipated == 0.0);
+        }
+    }
+}
+
+}  // namespace gxrod::test

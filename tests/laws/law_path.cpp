@@ -1,0 +1,160 @@
+#include "laws/law_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "laws/moment_curvature_law.hpp"
+#include "laws/plastic_law.hpp"
+#include "laws/shape_layers.hpp"
+#include "laws/trapeze_law.hpp"
+#include "laws/viscoelastic_law.hpp"
+#include "tools/random_values.hpp"
+
+namespace gxrod::test {
+
+const SectionResponse& LawPath::go(const Vec6& strain, double elapsed) {
+    const SectionResponse next = law_.respond(strain, memory_, elapsed, after_);
+    const double work = 0.5 * (next.resultants + now_.resultants).dot(strain - strain_);
+    work_ += work;
+    size_of_work_ += std::abs(work);
+    dissipated_ += next.dissipated;
+    least_ = std::min(least_, next.dissipated);
+    now_ = next;
+    strain_ = strain;
+    memory_.swap(after_);
+    return now_;
+}
+
+const SectionResponse& LawPath::go(const Vec6& strain, double elapsed, int parts) {
+    const Vec6 from = strain_;
+    for (int i = 1; i <= parts; ++i)
+        go(i == parts ? strain : Vec6(from + (strain - from) * (static_cast<double>(i) / parts)),
+           elapsed / parts);
+    return now_;
+}
+
+Vec6 strain_along(int entry, double value) { return value * Vec6::Unit(entry); }
+
+Mat6 some_stiffness(const std::vector<int>& uncoupled) {
+    tools::RandomValues random(7);
+    const Vec6 scale(40.0, 20.0, 15.0, 2.0, 3.0, 4.0);
+    const Vec6 root = scale.cwiseSqrt();
+    Mat6 C = root.asDiagonal() * random.positive_definite<6>() * root.asDiagonal();
+    for (const int i : uncoupled) {
+        const double diagonal = C(i, i);
+        C.row(i).setZero();
+        C.col(i).setZero();
+        C(i, i) = diagonal;
+    }
+    return C;
+}
+
+namespace {
+
+Vec6 scale_of(double extension, double curvature) {
+    Vec6 scale;
+    scale << Vec3::Constant(extension), Vec3::Constant(curvature);
+    return scale;
+}
+
+void add_layers(std::vector<NamedLaw>& laws) {
+    const Mat6 C = some_stiffness();
+    const Vec6 scale = scale_of(0.1, 0.3);
+    const auto add = [&](const std::string& name, const std::vector<Layer>& layers, bool is_symmetric) {
+        laws.push_back({"layers, " + name, std::make_shared<LayeredLaw>(C, layers), scale, is_symmetric});
+    };
+    add("bending", {{StrainPart::bending, 5.0, 0.5}}, true);
+    add("several",
+        {{StrainPart::torsion, 3.0, 0.2},
+         {StrainPart::bending, 5.0, 0.3},
+         {StrainPart::bending, 2.0, 0.4},
+         {StrainPart::tension, 30.0, 1.0},
+         {StrainPart::shear, 12.0, 0.7},
+         {StrainPart::shear_y, 5.0, 0.2},
+         {StrainPart::shear_z, 6.0, 0.2},
+         {StrainPart::bending_y, 3.0, 0.3},
+         {StrainPart::bending_z, 1.0, 0.1}},
+        true);
+    add("by tension",
+        {{StrainPart::bending, 5.0, 0.1, 0.2},
+         {StrainPart::torsion, 2.0, 0.0, 0.1},
+         {StrainPart::tension, 20.0, 1.0}},
+        false);
+    laws.push_back({"layers of a tube",
+                    std::make_shared<LayeredLaw>(strain_along(1, 30.0).asDiagonal().toDenseMatrix(),
+                                                 make_tube_layers(1.0, 0.7, {1.0, 0.4, 0.01})),
+                    scale_of(0.01, 0.02)});
+}
+
+void add_curves(std::vector<NamedLaw>& laws) {
+    const PiecewiseLine curve({{0.0, 0.0}, {0.1, 0.5}, {0.2, 0.7}, {0.4, 0.8}});
+    const PiecewiseLine stiffening({{0.0, 0.0}, {0.1, 0.2}, {0.2, 0.7}, {0.3, 0.8}});
+    const Vec6 scale = scale_of(0.1, 0.3);
+    const Mat6 C = some_stiffness({4, 5});
+    const std::vector<MomentCurve> both{{StrainPart::bending, curve}};
+    laws.push_back(
+        {"curve, stiffening",
+         std::make_shared<MomentCurvatureLaw>(C, std::vector<MomentCurve>{{StrainPart::bending, stiffening}}),
+         scale});
+    laws.push_back(
+        {"curves of each axis",
+         std::make_shared<MomentCurvatureLaw>(
+             C,
+             std::vector<MomentCurve>{{StrainPart::bending_y, curve}, {StrainPart::bending_z, stiffening}}),
+         scale});
+    laws.push_back({"curve, kinematic", make_kinematic_law(C, both), scale});
+    laws.push_back({"curve about y, kinematic",
+                    make_kinematic_law(some_stiffness({4}), {{StrainPart::bending_y, curve}}),
+                    scale});
+}
+
+void add_plastic(std::vector<NamedLaw>& laws) {
+    const std::vector<std::pair<int, double>> some{{0, 3.0}, {4, 0.5}, {5, 0.7}};
+    const std::vector<std::pair<int, double>> all{{0, 3.0}, {1, 2.0}, {2, 2.0}, {3, 0.4}, {4, 0.5}, {5, 0.7}};
+    const PiecewiseLine growth({{0.0, 1.0}, {1.0, 1.3}, {4.0, 1.6}, {10.0, 1.6}});
+    const auto add = [&](const std::string& name, const Mat6& C, const YieldLimits& yield) {
+        laws.push_back({"plastic, " + name, std::make_shared<PlasticLaw>(C, yield), scale_of(0.1, 0.4)});
+    };
+    const Mat6 C = some_stiffness();
+    add("perfectly", C, {.limits = some, .isotropic = {}});
+    add("one limit", C, {.limits = {{4, 0.5}}, .isotropic = {}, .kinematic = 0.2});
+    add("isotropic", C, {.limits = all, .isotropic = PiecewiseLine({{0.0, 1.0}, {1.0, 1.2}})});
+    add("mixed", C, {.limits = all, .isotropic = growth, .kinematic = 0.1});
+    add("separately",
+        some_stiffness({0, 4, 5}),
+        {.limits = some, .interaction = YieldInteraction::none, .isotropic = growth, .kinematic = 0.05});
+}
+
+void add_viscoelastic(std::vector<NamedLaw>& laws) {
+    const Mat6 C = some_stiffness();
+    const Vec6 scale = scale_of(0.1, 0.3);
+    laws.push_back({"viscoelastic",
+                    std::make_shared<ViscoelasticLaw>(
+                        C, std::vector<PronyBranch>{{0.5, 0.2}, {0.3, 2.0}, {0.2, 50.0}, {0.4, 1e-3}}),
+                    scale});
+    laws.push_back(
+        {"viscoelastic in bending and torsion",
+         std::make_shared<ViscoelasticLaw>(C,
+                                           std::vector<PronyBranch>{{1.5, 0.3}},
+                                           std::vector<StrainPart>{StrainPart::bending, StrainPart::torsion}),
+         scale});
+    laws.push_back({"trapeze", std::make_shared<TrapezeLaw>(C), scale});
+    laws.push_back(
+        {"trapeze with plasticity",
+         std::make_shared<TrapezeLaw>(
+             C, std::make_shared<PlasticLaw>(C, YieldLimits{.limits = {{4, 0.5}}, .isotropic = {}})),
+         scale});
+}
+
+}  // namespace
+
+std::vector<NamedLaw> every_law() {
+    std::vector<NamedLaw> laws;
+    add_layers(laws);
+    add_curves(laws);
+    add_plastic(laws);
+    add_viscoelastic(laws);
+    return laws;
+}
+
+}  // namespace gxrod::test
