@@ -21,19 +21,25 @@ using LoadMatrix = Eigen::Matrix<double,
                                  most_element_unknowns>;
 using LoadVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_element_unknowns, 1>;
 
-// The forces and moments that a load of these moments puts on the element's nodes: spatial, six a node.
+// The load of an element at a time: its moments (load_integral.hpp) then.
+struct LoadAtTime {
+    double time;
+    std::span<const Vec6> moments;
+};
+
+// The forces and moments that it puts on the element's nodes: spatial, six a node.
 LoadVector compute_distributed_load(const LoadedElement& element,
-                                    std::span<const Vec6> moments,
+                                    const LoadAtTime& load,
                                     const std::vector<NodeMotion>& motions);
 // Adds them per node of the model.
 void add_distributed_load(const LoadedElement& element,
-                          std::span<const Vec6> moments,
+                          const LoadAtTime& load,
                           const std::vector<NodeMotion>& motions,
                           std::vector<Vec6>& nodal);
 
 // The derivative of those with respect to (δr, δφ) of the element's nodes; zero for a dead load.
 LoadMatrix compute_distributed_load_tangent(const LoadedElement& element,
-                                            std::span<const Vec6> moments,
+                                            const LoadAtTime& load,
                                             const std::vector<NodeMotion>& motions,
                                             const std::vector<NodeLinearization>& linearizations);
 

@@ -140,7 +140,7 @@ class ElementIntegral {
     double share(const LoadSample& at, std::size_t i, std::size_t j) const {
         return is_turned() ? at.shape[i] * at.shape[j] : at.shape[i];
     }
-    bool is_turned() const { return element_.load->frame != Frame::spatial; }
+    bool is_turned() const { return is_interpolated(*element_.load); }
 
     // Adds the point to the integral and to its difference to Gauss' own.
     void add(const LoadSample& at,
@@ -259,7 +259,7 @@ class ElementIntegral {
 }  // namespace
 
 std::size_t moment_count(const DistributedLoad& load, std::size_t nodes) {
-    return load.frame == Frame::spatial ? nodes : nodes * (nodes + 1) / 2;
+    return is_interpolated(load) ? nodes * (nodes + 1) / 2 : nodes;
 }
 
 Vec6 compute_load_per_length(const DistributedLoad& load, double time, double arc_length) {
@@ -277,7 +277,7 @@ void integrate_load(const LoadedElement& element, const IntegralPlan& plan, std:
 
 void integrate_even_load(const LoadedElement& element, const Vec6& q, std::span<Vec6> moments) {
     const std::size_t nodes = element.nodes.size();
-    const bool is_turned = element.load->frame != Frame::spatial;
+    const bool is_turned = is_interpolated(*element.load);
     std::array<double, most_moments> lengths{};
     const auto add_point = [&](double xi, double weight) {
         const ShapeValues shapes = element.shapes(xi);

@@ -10,15 +10,21 @@
 // and moment, stacked, in the axes that the load is given in.
 namespace gxrod {
 
-// Of a dead load ∫ N_I q ds, node by node. A load of a frame that turns is turned by the nodes and
-// interpolated, Σ N_J Λ_J q, like every other field: of that one ∫ N_I N_J q ds, J ≤ I, at moment_index(I,
-// J).
+// Of a dead load and of a magnetic moment ∫ N_I q ds, node by node. Another load of a frame that turns is
+// turned by the nodes and interpolated, Σ N_J Λ_J q, like every other field: of that one ∫ N_I N_J q ds, J ≤
+// I, at moment_index(I, J).
 using LoadMoments = std::vector<Vec6>;
 
 constexpr std::size_t moment_index(std::size_t i, std::size_t j) {
     return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i;
 }
 std::size_t moment_count(const DistributedLoad& load, std::size_t nodes);
+
+// Whether the load is turned by the nodes and interpolated. The moments ∫ N_I μ ds of a magnetic rod are
+// turned too, but each of them is a magnet at its node, so that the field has a potential.
+inline bool is_interpolated(const DistributedLoad& load) {
+    return load.frame != Frame::spatial && !load.field;
+}
 
 // Force and moment per length. Throws EvaluationError.
 Vec6 compute_load_per_length(const DistributedLoad& load, double time, double arc_length);

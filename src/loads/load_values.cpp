@@ -160,7 +160,7 @@ const std::vector<Vec6>& LoadValues::add_distributed(const std::vector<NodeMotio
     total_ = dead_;
     for (std::size_t e = 0; e < elements_.size(); ++e) {
         if (elements_[e].load->frame == Frame::spatial) continue;
-        add_distributed_load(elements_[e], moments(e), motions, total_);
+        add_distributed_load(elements_[e], {*time_, moments(e)}, motions, total_);
     }
     return total_;
 }

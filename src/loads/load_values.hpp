@@ -33,7 +33,8 @@ class LoadValues {
                                            first_moment_[element + 1] - first_moment_[element]);
     }
 
-    // What all distributed loads put on each node of the model, spatial; empty if there are none.
+    // What all distributed loads put on each node of the model at the time of move_to, spatial; empty if
+    // there are none.
     const std::vector<Vec6>& add_distributed(const std::vector<NodeMotion>& motions);
 
   private:

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 // Gauss-Legendre rules on [−1, 1].
 namespace gxrod {
@@ -46,6 +48,24 @@ std::array<QuadraturePoint, Points> compute_gauss_rule() {
         rule[i] = {xi, 2.0 / ((1.0 - xi * xi) * slope * slope)};
     }
     return rule;
+}
+
+// The same of a number of points, from 1 to 5, that is known at run time.
+inline std::vector<QuadraturePoint> list_gauss_rule(int points) {
+    const auto list = [](const auto& rule) { return std::vector<QuadraturePoint>(rule.begin(), rule.end()); };
+    switch (points) {
+        case 1:
+            return list(compute_gauss_rule<1>());
+        case 2:
+            return list(compute_gauss_rule<2>());
+        case 3:
+            return list(compute_gauss_rule<3>());
+        case 4:
+            return list(compute_gauss_rule<4>());
+        default:
+            assert(points == 5);
+            return list(compute_gauss_rule<5>());
+    }
 }
 
 }  // namespace gxrod

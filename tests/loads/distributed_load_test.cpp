@@ -16,6 +16,7 @@ using namespace gxrod::tools;
 namespace {
 
 constexpr double length = 1.4;
+constexpr double at_time = 0.0;  // of loads whose moments are given
 const std::vector<std::pair<std::string, Frame>> frames{
     {"dead", Frame::spatial}, {"follower", Frame::follower}, {"body", Frame::body}};
 
@@ -223,7 +224,7 @@ TEST_CASE("tangents of distributed loads are derivatives of their forces", "[loa
             const auto motions = make_motions(element.nodes.size());
             const auto force_of = [&](const std::vector<NodeMotion>& moved) {
                 std::vector<Vec6> nodal(moved.size(), Vec6::Zero());
-                add_distributed_load(element, moments, moved, nodal);
+                add_distributed_load(element, {at_time, moments}, moved, nodal);
                 Eigen::VectorXd stacked(6 * nodes);
                 for (int i = 0; i < nodes; ++i) stacked.segment<6>(6 * i) = nodal[element.nodes[i]];
                 return stacked;
@@ -231,7 +232,7 @@ TEST_CASE("tangents of distributed loads are derivatives of their forces", "[loa
             std::vector<NodeLinearization> linearizations(motions.size());
             for (NodeLinearization& linearization : linearizations) linearization.placement = 1.0;
             const LoadMatrix tangent =
-                compute_distributed_load_tangent(element, moments, motions, linearizations);
+                compute_distributed_load_tangent(element, {at_time, moments}, motions, linearizations);
             for (int unknown = 0; unknown < 6 * nodes; ++unknown) {
                 const Eigen::VectorXd expected = differentiate([&](double amount) {
                     std::vector<NodeMotion> moved = motions;
@@ -245,7 +246,8 @@ TEST_CASE("tangents of distributed loads are derivatives of their forces", "[loa
             }
             // Rates and accelerations push nothing.
             for (NodeLinearization& linearization : linearizations) linearization = {0.0, 1.0, 1.0};
-            CHECK(compute_distributed_load_tangent(element, moments, motions, linearizations).isZero(0.0));
+            CHECK(compute_distributed_load_tangent(element, {at_time, moments}, motions, linearizations)
+                      .isZero(0.0));
         }
     }
 }

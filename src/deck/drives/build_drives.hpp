@@ -1,0 +1,12 @@
+#pragma once
+
+#include "deck/build/build_context.hpp"
+
+namespace gxrod {
+
+// Adds the tendons, actuations and magnetic rods to the model, as they act in the stage at hand: after
+// build_loads, as a magnetic rod is a load. Tendons that do not pull in the stage are there with a tension of
+// 0.
+void build_drives(BuildContext& context);
+
+}  // namespace gxrod

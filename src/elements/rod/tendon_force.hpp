@@ -1,0 +1,17 @@
+#pragma once
+
+#include "state/point_drive.hpp"
+
+// What a tendon does to the section it passes through. A tendon slides without friction along its path, d in
+// the section's axes, so that its tension T is the same all along; its potential per length of the rod is
+// T |q|, q = Γ + K × d + d′ (docs/theory/drives.md). Strains are total, (Γ + Γ₀, K + K₀): Γ is Λᵀ r′.
+namespace gxrod {
+
+// |q|: the length of the tendon per reference length of the rod.
+double compute_tendon_stretch(const TendonPull& pull, const Vec6& total_strain);
+
+// Adds the tendon's resultants (N, M) = T (τ, d × τ), τ = q/|q|, and, unless `tangent` is nullptr, their
+// derivative by the strains T Bᵀ(1 − τ⊗τ)B/|q|, B = [1, −[d]×]. Nothing where q vanishes.
+void add_pull(const TendonPull& pull, const Vec6& total_strain, Vec6& resultants, Mat6* tangent);
+
+}  // namespace gxrod

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/model.hpp"
+#include "state/point_drive.hpp"
+
+namespace gxrod {
+
+// What a model's actuations and tendons are at one time, at the force points of rods: found again only where
+// the time has changed, so that the iterations of a step share it. What has been asked for before changes no
+// value. Threads can read it at once while nobody moves it.
+class DriveValues {
+  public:
+    // The model must outlive this.
+    explicit DriveValues(const Model& model);
+
+    // Throws EvaluationError, of a function without a finite value.
+    void move_to(double time);
+    // Of functions that rest on more than the time: they are evaluated again, whatever the time.
+    void forget() { time_.reset(); }
+
+    // Whether no rod is driven at any time.
+    bool empty() const { return drives_.empty(); }
+    // Whether something acts within this rod at some time.
+    bool is_driven(int rod) const { return first_point_[static_cast<std::size_t>(rod)] != no_point; }
+    // At the force points of an element, from its start to its end; empty if the rod is not driven.
+    std::span<const PointDrive> of(int rod, int element) const;
+
+    // Of Model::tendons, where it passes one of the element's force points: which of that point's pulls is
+    // its; nullopt where the tendon does not pass.
+    std::optional<std::size_t> find_pull(std::size_t tendon, int element) const;
+
+  private:
+    static constexpr std::size_t no_point = static_cast<std::size_t>(-1);
+
+    // An actuation, or a tendon, at a force point.
+    struct ActuatedPoint {
+        std::size_t point;  // in drives_
+        const Actuation* actuation;
+        double s;
+        double expansion;
+    };
+    struct TendonPoint {
+        std::size_t point;
+        std::size_t pull;  // of that point
+    };
+    // The elements that a tendon passes, and its points there, one after the other.
+    struct Strand {
+        int first_element = 0;
+        int last_element = 0;  // the one after
+        std::vector<TendonPoint> points;
+    };
+
+    void lay_out(int rod);
+    void place(const Actuation& actuation);
+    void place(const Tendon& tendon);
+    void move_strains(double time);
+
+    const Model* model_;
+    std::vector<std::size_t> first_point_;  // of each rod, in drives_; no_point if it is not driven
+    std::vector<PointDrive> drives_;
+    std::vector<ActuatedPoint> actuated_;
+    std::vector<Strand> strands_;  // of each tendon
+    std::optional<double> time_;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+
+#include "model/time_function.hpp"
+#include "rotation/types.hpp"
+
+// What acts within the sections of rods (docs/theory/drives.md).
+namespace gxrod {
+
+// Strains that the sections of a rod would take by themselves, material, f(t, s): those of muscles, of
+// growth and of heat. They add to the strains of the stress-free shape.
+struct Actuation {
+    std::string key;  // where the deck states it, "actuation[0]"
+    int rod = 0;
+    std::array<LineFunction, 6> strain{};  // Γx Γy Γz Kx Ky Kz
+    // Above that of the stress-free shape: on the line, and how fast it rises along y and along z. It acts
+    // by Section::expansion.
+    LineFunction temperature{};
+    std::array<LineFunction, 2> temperature_gradient{};
+};
+
+// Where a tendon passes through a section, in its axes; x is zero.
+struct TendonPlace {
+    Vec3 at = Vec3::Zero();     // d
+    Vec3 slope = Vec3::Zero();  // d′, by the arc length of the reference
+};
+
+// A tendon that slides without friction along a path in a rod, fixed to it at both ends. The rod is one line,
+// and has nodes where the tendon starts and ends, and where its path has a kink.
+struct Tendon {
+    std::string name;
+    int rod = 0;
+    double from = 0.0;       // arc length
+    double to = 0.0;         // greater
+    TimeFunction tension{};  // a chamber under the pressure p, of the area A across, has −p A
+    std::function<TendonPlace(double s)> path{};  // of arc lengths between from and to, not at kinks
+};
+
+}  // namespace gxrod
