@@ -93,19 +93,23 @@ std::vector<Vec6> Ledger::compute_forces(const State& state, double time, const 
 }
 
 void Ledger::add_step(const State& state, const Step& step) {
+    law_dissipation_ = system_->compute_law_dissipation(state, step.time);
+    drive_work_ = system_->compute_drive_work(state, step.time);
     if (weighs_powers()) {
         add_powers(step);
+        work_ += drive_work_;
     } else {
         std::vector<Vec6> forces = compute_forces(state, step.time, step.residual);
         if (integrator_->is_static()) {
             add_load_step(state, step, forces);
         } else {
             work_ += compute_mean_work(forces_, forces, find_movement(*system_, state, step.time));
+            work_ += drive_work_;
             if (system_->is_damped()) dissipated_ += system_->compute_damping_action(state) / step.time_step;
         }
         forces_ = std::move(forces);
     }
-    dissipated_ += system_->joints().compute_slip_dissipation(state);
+    dissipated_ += law_dissipation_ + system_->joints().compute_slip_dissipation(state);
     dissipated_by_scheme_ += compute_scheme_dissipation(state, step.time_step);
 }
 
@@ -113,6 +117,7 @@ void Ledger::add_load_step(const State& state, const Step& step, const std::vect
     LoadStep load_step{forces, find_movement(*system_, state, step.time), step.time_step};
     for (std::size_t i = 0; i < forces.size(); ++i) load_step.force_change[i] -= forces_[i];
     step_work_ = compute_step_work(forces_, load_step, load_step_);
+    step_work_.work += drive_work_;
     work_before_ = work_;
     work_ += step_work_.work;
     load_step_ = std::move(load_step);
@@ -130,7 +135,7 @@ void Ledger::measure_largest_energy() {
 
 bool Ledger::is_unclear() const {
     if (!integrator_->is_static()) return false;
-    const double imbalance = strain_energy_ - strain_energy_before_ - step_work_.work;
+    const double imbalance = strain_energy_ + law_dissipation_ - strain_energy_before_ - step_work_.work;
     return std::abs(imbalance) > energy_worth_a_word * largest_energy_;
 }
 

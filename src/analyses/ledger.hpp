@@ -59,7 +59,11 @@ class Ledger {
         double largest_energy;
     };
     LoadStepEnds load_step_ends() const {
-        return {forces_before_, forces_, strain_energy_before_, strain_energy_, largest_energy_};
+        return {forces_before_,
+                forces_,
+                strain_energy_before_,
+                strain_energy_ + law_dissipation_,
+                largest_energy_};
     }
     void replace_work(const StepWork& work);
 
@@ -95,6 +99,8 @@ class Ledger {
     std::optional<Balance> balance_;  // there; none before the first load step of a run
     double strain_energy_before_ = 0.0;
     double strain_energy_ = 0.0;
+    double drive_work_ = 0.0;       // of what acts within sections, in the last step
+    double law_dissipation_ = 0.0;  // of sections, in the last step
     double largest_energy_before_ = 0.0;
     double largest_energy_ = 0.0;  // in statics: strain energy or work
     StepWork step_work_;           // of the last load step

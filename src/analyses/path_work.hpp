@@ -12,11 +12,12 @@ namespace gxrod {
 // first of both, for turns of more than a half.
 struct PathPoint {
     double load_factor = 0.0;
-    double strain_energy = 0.0;
+    double strain_energy = 0.0;  // and what laws of sections have dissipated since the first of both
     std::vector<Vec6> forces;
     std::vector<Vec3> turned;
     std::vector<Vec6> coordinates;  // of joints
     State state;                    // its trial motions; to continue from: committed there
+    double dissipated = 0.0;        // by laws of sections, since the first of both
 };
 
 // Finds the equilibrium at a load factor from another one, if it can.

@@ -104,6 +104,7 @@ EquilibriumReport SteppedAnalysis::start_at_rest() {
 EquilibriumReport SteppedAnalysis::start_after(const SteppedAnalysis& before) {
     state_.trial = before.state_.previous;
     state_.sections = before.state_.sections;
+    state_.law_memory = before.state_.law_memory;
     state_.joints_trial = state_.joints_previous = before.state_.joints_previous;
     totals_before_ = before.ledger_->totals(before.state_);
     for (int i = 0; i < static_cast<int>(state_.trial.size()); ++i) system_.hold_rates(i, state_.trial[i]);
@@ -120,6 +121,7 @@ EquilibriumReport SteppedAnalysis::start_after(const SteppedAnalysis& before) {
 EquilibriumReport SteppedAnalysis::settle_after(const SteppedAnalysis& before, double time) {
     state_.trial = state_.previous = before.state_.previous;
     state_.sections = before.state_.sections;
+    state_.law_memory = before.state_.law_memory;
     state_.joints_trial = state_.joints_previous = before.state_.joints_previous;
     const EquilibriumReport report =
         solve_step(system_, *integrator_, newton_, {0, time, 0.0, time}, workspace_, state_);
@@ -182,6 +184,7 @@ RestartRecord SteppedAnalysis::restart_record() const {
     RestartRecord record;
     record.nodes = state_.previous;
     record.sections = state_.sections;
+    record.law_memory = state_.law_memory;
     record.joints = state_.joints_previous;
     record.algorithmic = state_.algorithmic_previous;
     record.ledger = ledger_->memory();
@@ -202,15 +205,17 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     const bool has_algorithmic =
         record.algorithmic.size() == (integrator_->has_algorithmic_accelerations() ? nodes : 0);
     if (record.nodes.size() != nodes || record.sections.size() != state_.sections.size() ||
+        record.law_memory.size() != state_.law_memory.size() ||
         record.joints.size() != state_.joints_previous.size() || !has_forces || !has_algorithmic) {
         throw std::invalid_argument("the state to resume from belongs to another model");
     }
     if (!steps_->resume(record.steps)) return false;
     state_.previous = state_.trial = record.nodes;
     state_.sections = record.sections;
+    state_.law_memory = record.law_memory;
     state_.joints_previous = state_.joints_trial = record.joints;
     state_.algorithmic_previous = state_.algorithmic_trial = record.algorithmic;
-    state_.time = steps_->time();
+    state_.time = state_.trial_time = steps_->time();
     resume_pivots(record.negative_pivots);
     reactions_.assign(nodes, Vec6::Zero());
     ledger_ = std::make_unique<Ledger>(system_, *integrator_);
@@ -293,7 +298,7 @@ EquilibriumReport SteppedAnalysis::advance() {
 
 std::optional<PathPoint> SteppedAnalysis::find_equilibrium(const PathPoint& from, double load_factor) {
     const double length = load_factor - from.load_factor;
-    PathPoint point{load_factor, 0.0, {}, from.turned, {}, from.state};
+    PathPoint point{load_factor, 0.0, {}, from.turned, {}, from.state, from.dissipated};
     const Stage stage{0, from.load_factor, length, load_factor};
     if (!solve_step(system_, *integrator_, newton_, stage, workspace_, point.state).converged())
         return std::nullopt;
@@ -303,7 +308,8 @@ std::optional<PathPoint> SteppedAnalysis::find_equilibrium(const PathPoint& from
     const std::vector<Vec6> driving = system_.joints().compute_driving_forces(point.state, load_factor);
     point.forces.insert(point.forces.end(), driving.begin(), driving.end());
     point.coordinates = system_.joints().compute_coordinates(point.state.trial, load_factor, point.state);
-    point.strain_energy = system_.compute_balance(point.state, load_factor).strain_energy;
+    point.dissipated += system_.compute_law_dissipation(point.state, load_factor);
+    point.strain_energy = system_.compute_balance(point.state, load_factor).strain_energy + point.dissipated;
     system_.commit(point.state, load_factor);
     return point;
 }

@@ -99,7 +99,7 @@ class SteppedAnalysis {
     // Of the loads that act on them. On a path it is not the end of the step.
     virtual double trial_time() const { return steps_->next_time(); }
     // Whether a load step whose work parts from its strain energy is looked into at load factors in between.
-    virtual bool looks_into_load_steps() const { return integrator_->is_static(); }
+    virtual bool looks_into_load_steps() const { return integrator_->is_static() && !system_.is_driven(); }
     // What a kind of analysis needs in addition to resume; recalled after all the rest.
     virtual void remember(RestartRecord&) const {}
     virtual void recall(const RestartRecord&) {}

@@ -35,6 +35,10 @@ RodElementGeometry<Nodes> find_geometry(const Model& model, const Rod& rod, int 
         geometry.positions[i] = model.nodes[geometry.nodes[i]].position;
         geometry.triads[i] = rod.triads[entry];
     }
+    if (!rod.rest_strains.empty()) {
+        const auto first = rod.rest_strains.begin() + element * (Nodes - 1);
+        std::copy(first, first + (Nodes - 1), geometry.strains.begin());
+    }
     return geometry;
 }
 
@@ -54,19 +58,22 @@ ElementSections<Nodes> make_sections(const Model& model, const Rod& rod, int ele
 }
 
 template <class E>
-void add_rod(const Model& model, const Rod& rod, int group, int first_element, ElementBlock<E>& block) {
+void add_rod(const Model& model, int index, int group, int first_element, ElementBlock<E>& block) {
     constexpr int nodes = E::node_count;
+    const Rod& rod = model.rods[index];
     const ElementSections<nodes> constant(
         std::make_shared<const RodSection>(model.sections[rod.section], model.has_inertia));
     const auto count = static_cast<std::size_t>(rod.element_count());
     reserve_more(count, block.elements);
     reserve_more(count, block.section_index);
     reserve_more(count, block.groups);
+    reserve_more(count, block.rods);
     for (int e = 0; e < rod.element_count(); ++e) {
         block.elements.emplace_back(
             find_geometry<nodes>(model, rod, e),
             rod.has_varying_sections() ? make_sections<nodes>(model, rod, e) : constant);
         block.section_index.push_back(first_element + e);
+        block.rods.push_back({index, e});
         block.groups.push_back(group);
     }
 }
@@ -138,7 +145,8 @@ System::System(const Model& model, const Kernels& kernels, const ThreadTeam& tea
       rod_batches_(kernels, kernels, kernels, kernels),
       rotary_batches_(kernels.rotary, kernels.width, equations_),
       rotary_damping_batches_(kernels.rotary_damping, kernels.width, equations_),
-      load_values_(model, make_loaded_elements(model)) {
+      load_values_(model, make_loaded_elements(model)),
+      drive_values_(model) {
     build_blocks();
     build_pattern();
     build_batches();
@@ -162,13 +170,13 @@ void System::build_blocks() {
         visit_node_count(rod.order, [&](auto node_count) {
             if (rod.kind == ElementKind::simo) {
                 add_rod(*model_,
-                        rod,
+                        index,
                         group,
                         rod_element_count_,
                         std::get<ElementBlock<SimoElement<node_count>>>(blocks_));
             } else {
                 add_rod(*model_,
-                        rod,
+                        index,
                         group,
                         rod_element_count_,
                         std::get<ElementBlock<ObjectiveElement<node_count>>>(blocks_));
@@ -181,6 +189,10 @@ void System::build_blocks() {
         history_count_ += block.elements.size() * block.history_count;
         block.first_point = point_count_;
         point_count_ += block.elements.size() * block.point_count;
+        lay_out_memory(block);
+        block.has_laws = std::any_of(
+            block.elements.begin(), block.elements.end(), [](const auto& e) { return e.has_law(); });
+        has_laws_ = has_laws_ || block.has_laws;
         block.is_damped = std::any_of(
             block.elements.begin(), block.elements.end(), [](const auto& e) { return e.is_damped(); });
         is_damped_ = is_damped_ || block.is_damped;
@@ -189,6 +201,17 @@ void System::build_blocks() {
                 for (const int node : block.elements[element].nodes) mark(node);
             });
     });
+}
+
+template <class E>
+void System::lay_out_memory(ElementBlock<E>& block) {
+    const std::size_t before = memory_count_;
+    std::vector<std::size_t> first{before};
+    for (const E& element : block.elements) {
+        memory_count_ += static_cast<std::size_t>(element.memory_count());
+        first.push_back(memory_count_);
+    }
+    if (memory_count_ > before) block.first_memory = std::move(first);
 }
 
 void System::build_pattern() {
@@ -221,7 +244,7 @@ void System::build_pattern() {
 void System::build_batches() {
     for_each_block(blocks_, [this]<class E>(const ElementBlock<E>& block) {
         if constexpr (is_batched<E>) {
-            std::get<RodBatches<E::node_count>>(rod_batches_).build(block, equations_);
+            std::get<RodBatches<E::node_count>>(rod_batches_).build(block, equations_, drive_values_);
             for (const E& element : block.elements) {
                 const double damping = element.inertia().section(0).mass_proportional;
                 for (int i = 0; i < E::node_count; ++i) {

@@ -10,9 +10,16 @@
 #include "elements/rigid_body.hpp"
 #include "elements/rod/rod_element.hpp"
 #include "elements/spring_element.hpp"
+#include "loads/drive_values.hpp"
 #include "parallel/work_phases.hpp"
 
 namespace gxrod {
+
+// What sections of elements are asked for, besides motions.
+struct Instant {
+    double elapsed = 0.0;                 // since the last accepted step; infinite where no time passes
+    const DriveValues* drives = nullptr;  // at the time of the equilibrium; nullptr of a model without any
+};
 
 // All elements of one kind and one number of nodes, with where their entries go.
 template <Element E>
@@ -25,12 +32,19 @@ struct ElementBlock {
 
     std::vector<E> elements;
     std::vector<ElementPlaces<node_count>> places;
-    std::size_t first_history = 0;   // of this block in State::sections
-    std::size_t first_point = 0;     // in State::resultants
+    std::size_t first_history = 0;  // of this block in State::sections
+    std::size_t first_point = 0;    // in State::resultants
+    // Of each element in State::law_memory, and the end; empty where no section remembers.
+    std::vector<std::size_t> first_memory;
+    bool has_laws = false;           // whether any section is not linear
     std::vector<int> section_index;  // of a rod element among all rod elements of the model
-    std::vector<int> groups;         // of each element in ScaleGroups, ascending
-    bool is_damped = false;          // whether any element is
-    WorkPhases phases;               // of the elements
+    struct InRod {
+        int rod, element;
+    };
+    std::vector<InRod> rods;  // where a rod element is
+    std::vector<int> groups;  // of each element in ScaleGroups, ascending
+    bool is_damped = false;   // whether any element is
+    WorkPhases phases;        // of the elements
 
     // The groups that a part's elements belong to, with those between: the first, and how many.
     int first_group(std::size_t part) const { return groups[phases.first(part)]; }
@@ -39,11 +53,25 @@ struct ElementBlock {
         return static_cast<std::size_t>(last_group) - static_cast<std::size_t>(first_group(part)) + 1;
     }
 
-    Histories histories(const State& state, std::size_t element) const {
-        return {state.sections.data() + first_history + element * history_count, history_count};
+    Histories histories(const State& state, std::size_t element, const Instant& instant) const {
+        return {.axes = {state.sections.data() + first_history + element * history_count, history_count},
+                .memory = std::span(state.law_memory).subspan(memory_start(element), memory_count(element)),
+                .elapsed = instant.elapsed,
+                .drives = drives_of(element, instant)};
     }
-    std::span<SectionHistory> histories(State& state, std::size_t element) const {
-        return {state.sections.data() + first_history + element * history_count, history_count};
+    WritableHistories writable_histories(State& state, std::size_t element) const {
+        return {.axes = {state.sections.data() + first_history + element * history_count, history_count},
+                .memory = std::span(state.law_memory).subspan(memory_start(element), memory_count(element))};
+    }
+    std::span<const PointDrive> drives_of(std::size_t element, const Instant& instant) const {
+        if (!has_section || instant.drives == nullptr) return {};
+        return instant.drives->of(rods[element].rod, rods[element].element);
+    }
+    std::size_t memory_start(std::size_t element) const {
+        return first_memory.empty() ? 0 : first_memory[element];
+    }
+    std::size_t memory_count(std::size_t element) const {
+        return first_memory.empty() ? 0 : first_memory[element + 1] - first_memory[element];
     }
     Resultants resultants(const State& state, std::size_t element) const {
         return {state.resultants.data() + first_point + element * point_count, point_count};

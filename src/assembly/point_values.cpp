@@ -28,7 +28,7 @@ PointValues System::compute_point_value(const State& state, double time, const R
             const auto e = static_cast<std::size_t>(found - block.section_index.begin());
             const auto& element = block.elements[e];
             const auto motions = block.motions(state.trial, e);
-            const Histories histories = block.histories(state, e);
+            const Histories histories = block.histories(state, e, instant(state, time));
             NodalVector<Block::node_count> force = NodalVector<Block::node_count>::Zero();
             element.add_internal_force(motions, histories, force);
             if (element.is_damped()) element.add_damping_force(motions, histories, force);
@@ -37,8 +37,8 @@ PointValues System::compute_point_value(const State& state, double time, const R
                 if (model_->distributed_loads[i].rod != place.rod) continue;
                 const LoadValues& loads = loads_at(time);
                 const std::size_t loaded = loads.first_element(i) + static_cast<std::size_t>(place.element);
-                force -=
-                    compute_distributed_load(loads.elements()[loaded], loads.moments(loaded), state.trial);
+                force -= compute_distributed_load(
+                    loads.elements()[loaded], {time, loads.moments(loaded)}, state.trial);
             }
             values = element.point_values(motions, histories, force, place.xi);
             const auto shape = compute_shape_functions<Block::node_count>(place.xi);

@@ -25,37 +25,46 @@ void add_lane(const double* tangents, const ElementPlaces<Nodes>& places, std::v
 }  // namespace
 
 template <int Nodes>
-void RodBatches<Nodes>::build(const Block& block, const EquationNumbers& equations) {
+void RodBatches<Nodes>::build(const Block& block,
+                              const EquationNumbers& equations,
+                              const DriveValues& drives) {
     block_ = &block;
     equations_ = &equations;
-    for (std::size_t part = 0; part < block.phases.part_count(); ++part) add_part(part);
+    for (std::size_t part = 0; part < block.phases.part_count(); ++part) add_part(part, drives);
     first_batch_.push_back(batches_.size());
     write_sections();
     write_constants();
 }
 
 template <int Nodes>
-void RodBatches<Nodes>::add_part(std::size_t part) {
-    first_batch_.push_back(batches_.size());
-    for (std::size_t e = block_->phases.first(part); e < block_->phases.last(part); ++e)
-        add_to_batches(static_cast<int>(e));
+bool RodBatches<Nodes>::is_alone(int e, const DriveValues& drives) const {
+    const ObjectiveElement<Nodes>& element = block_->elements[e];
+    return element.has_law() || element.is_damped_unevenly() || drives.is_driven(block_->rods[e].rod) ||
+           (element.inertia().has_offset() && !element.inertia().section(0).has_inertia);
 }
 
 template <int Nodes>
-void RodBatches<Nodes>::add_to_batches(int element) {
+void RodBatches<Nodes>::add_part(std::size_t part, const DriveValues& drives) {
+    first_batch_.push_back(batches_.size());
+    for (std::size_t e = block_->phases.first(part); e < block_->phases.last(part); ++e)
+        add_to_batches(static_cast<int>(e), drives);
+}
+
+template <int Nodes>
+void RodBatches<Nodes>::add_to_batches(int element, const DriveValues& drives) {
     const ObjectiveElement<Nodes>& added = block_->elements[element];
     const bool fits = batches_.size() > first_batch_.back() && batches_.back().count < width_ &&
+                      is_alone(element, drives) == batches_.back().is_alone &&
                       make_shared_rows<Nodes>(added) ==
                           make_shared_rows<Nodes>(block_->elements[batches_.back().elements[0]]);
     if (!fits) {
-        batches_.push_back(
-            {.section = 0,
-             .is_general = added.is_damped() || added.inertia().has_offset(),
-             .is_damped = added.is_damped(),
-             .is_alone = added.inertia().has_offset() && !added.inertia().section(0).has_inertia,
-             .count = 0,
-             .elements = {},
-             .nodes = {}});
+        batches_.push_back({.section = 0,
+                            .is_general = added.is_damped() || added.inertia().has_offset(),
+                            .is_damped = added.is_damped(),
+                            .is_alone = is_alone(element, drives),
+                            .count = 0,
+                            .elements = {},
+                            .nodes = {}});
     }
     Batch& batch = batches_.back();
     for (int lane = batch.count++; lane < width_; ++lane) {
@@ -153,7 +162,8 @@ void RodBatches<Nodes>::add_lanes(const Batch& batch, const double* forces, std:
 
 template <int Nodes>
 void RodBatches<Nodes>::add_forces(std::size_t part,
-                                   const std::vector<NodeMotion>& motions,
+                                   const State& state,
+                                   const Instant& instant,
                                    const Vec3& gravity,
                                    std::vector<Vec6>& nodal,
                                    const PartScales& scales) const {
@@ -161,10 +171,10 @@ void RodBatches<Nodes>::add_forces(std::size_t part,
     alignas(64) std::array<double, Rows::force_rows * most_lanes> forces;
     for (std::size_t b = first_batch_[part]; b < first_batch_[part + 1]; ++b) {
         const Batch& batch = batches_[b];
-        write_motions(batch, motions, gravity, rows.data());
+        if (!batch.is_alone) write_motions(batch, state.trial, gravity, rows.data());
         if (batch.is_alone ||
             !kernels_of(batch).compute_forces(section(batch), constants(b), rows.data(), forces.data())) {
-            add_forces_alone(batch, motions, gravity, nodal, scales);
+            add_forces_alone(batch, state, instant, gravity, nodal, scales);
             continue;
         }
         add_lanes(batch, forces.data(), nodal);
@@ -177,18 +187,21 @@ void RodBatches<Nodes>::add_forces(std::size_t part,
 
 template <int Nodes>
 void RodBatches<Nodes>::add_forces_alone(const Batch& batch,
-                                         const std::vector<NodeMotion>& motions,
+                                         const State& state,
+                                         const Instant& instant,
                                          const Vec3& gravity,
                                          std::vector<Vec6>& nodal,
                                          const PartScales& scales) const {
     for (int lane = 0; lane < batch.count; ++lane) {
-        const ObjectiveElement<Nodes>& element = block_->elements[batch.elements[lane]];
-        const Motions<Nodes> nodes = block_->point_at(motions, element.nodes);
+        const auto e = static_cast<std::size_t>(batch.elements[lane]);
+        const ObjectiveElement<Nodes>& element = block_->elements[e];
+        const Histories histories = block_->histories(state, e, instant);
+        const Motions<Nodes> nodes = block_->motions(state.trial, e);
         NodalVector<Nodes> internal = NodalVector<Nodes>::Zero();
         NodalVector<Nodes> inertial = NodalVector<Nodes>::Zero();
-        element.add_internal_force(nodes, {}, internal);
+        element.add_internal_force(nodes, histories, internal);
         if (batch.is_damped) {
-            element.add_viscous_force(nodes, {}, internal);
+            element.add_viscous_force(nodes, histories, internal);
             element.inertia().add_translational_damping_force(nodes, internal);
         }
         element.inertia().add_translational_force(nodes, gravity, inertial);
@@ -201,31 +214,36 @@ void RodBatches<Nodes>::add_forces_alone(const Batch& batch,
 
 template <int Nodes>
 void RodBatches<Nodes>::add_damping_forces(std::size_t part,
-                                           const std::vector<NodeMotion>& motions,
+                                           const State& state,
+                                           const Instant& instant,
                                            std::vector<Vec6>& nodal) const {
     alignas(64) std::array<double, Rows::motion_rows * most_lanes> rows;
     alignas(64) std::array<double, Rows::force_rows * most_lanes> forces;
     for (std::size_t b = first_batch_[part]; b < first_batch_[part + 1]; ++b) {
         const Batch& batch = batches_[b];
         if (!batch.is_damped) continue;
-        write_motions(batch, motions, Vec3::Zero(), rows.data());
-        if (kernels_.compute_damping_forces(section(batch), constants(b), rows.data(), forces.data())) {
+        write_motions(batch, state.trial, Vec3::Zero(), rows.data());
+        if (!batch.is_alone &&
+            kernels_.compute_damping_forces(section(batch), constants(b), rows.data(), forces.data())) {
             add_lanes(batch, forces.data(), nodal);
         } else {
-            add_damping_forces_alone(batch, motions, nodal);
+            add_damping_forces_alone(batch, state, instant, nodal);
         }
     }
 }
 
 template <int Nodes>
 void RodBatches<Nodes>::add_damping_forces_alone(const Batch& batch,
-                                                 const std::vector<NodeMotion>& motions,
+                                                 const State& state,
+                                                 const Instant& instant,
                                                  std::vector<Vec6>& nodal) const {
     for (int lane = 0; lane < batch.count; ++lane) {
-        const ObjectiveElement<Nodes>& element = block_->elements[batch.elements[lane]];
-        const Motions<Nodes> nodes = block_->point_at(motions, element.nodes);
+        const auto e = static_cast<std::size_t>(batch.elements[lane]);
+        const ObjectiveElement<Nodes>& element = block_->elements[e];
+        const Histories histories = block_->histories(state, e, instant);
+        const Motions<Nodes> nodes = block_->motions(state.trial, e);
         NodalVector<Nodes> force = NodalVector<Nodes>::Zero();
-        element.add_viscous_force(nodes, {}, force);
+        element.add_viscous_force(nodes, histories, force);
         element.inertia().add_translational_damping_force(nodes, force);
         add_to_nodes<Nodes>(force, element.nodes, nodal);
     }
@@ -233,7 +251,8 @@ void RodBatches<Nodes>::add_damping_forces_alone(const Batch& batch,
 
 template <int Nodes>
 void RodBatches<Nodes>::add_tangents(std::size_t part,
-                                     const std::vector<NodeMotion>& motions,
+                                     const State& state,
+                                     const Instant& instant,
                                      const Vec3& gravity,
                                      const std::vector<NodeLinearization>& linearizations,
                                      std::vector<double>& values) const {
@@ -241,10 +260,10 @@ void RodBatches<Nodes>::add_tangents(std::size_t part,
     alignas(64) std::array<double, Rows::tangent_rows * most_lanes> tangents;
     for (std::size_t b = first_batch_[part]; b < first_batch_[part + 1]; ++b) {
         const Batch& batch = batches_[b];
-        write_linearizations(batch, motions, gravity, linearizations, rows.data());
+        if (!batch.is_alone) write_linearizations(batch, state.trial, gravity, linearizations, rows.data());
         if (batch.is_alone ||
             !kernels_of(batch).compute_tangents(section(batch), constants(b), rows.data(), tangents.data())) {
-            add_tangents_alone(batch, motions, gravity, linearizations, values);
+            add_tangents_alone(batch, state, instant, gravity, linearizations, values);
             continue;
         }
         for (int lane = 0; lane < batch.count; ++lane) {
@@ -271,18 +290,21 @@ void RodBatches<Nodes>::add_tangent_of_lane(const double* tangents,
 
 template <int Nodes>
 void RodBatches<Nodes>::add_tangents_alone(const Batch& batch,
-                                           const std::vector<NodeMotion>& motions,
+                                           const State& state,
+                                           const Instant& instant,
                                            const Vec3& gravity,
                                            const std::vector<NodeLinearization>& linearizations,
                                            std::vector<double>& values) const {
     for (int lane = 0; lane < batch.count; ++lane) {
-        const ObjectiveElement<Nodes>& element = block_->elements[batch.elements[lane]];
-        const Motions<Nodes> nodal = block_->point_at(motions, element.nodes);
+        const auto e = static_cast<std::size_t>(batch.elements[lane]);
+        const ObjectiveElement<Nodes>& element = block_->elements[e];
+        const Histories histories = block_->histories(state, e, instant);
+        const Motions<Nodes> nodal = block_->motions(state.trial, e);
         const Linearizations<Nodes> following = block_->point_at(linearizations, element.nodes);
         NodalMatrix<Nodes> tangent = NodalMatrix<Nodes>::Zero();
-        element.add_internal_tangent(nodal, {}, following, tangent);
+        element.add_internal_tangent(nodal, histories, following, tangent);
         if (batch.is_damped) {
-            element.add_viscous_tangent(nodal, {}, following, tangent);
+            element.add_viscous_tangent(nodal, histories, following, tangent);
             element.inertia().add_translational_damping_tangent(nodal, following, tangent);
         }
         element.inertia().add_translational_tangent(nodal, gravity, following, tangent);

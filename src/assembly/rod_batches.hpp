@@ -17,21 +17,24 @@ class RodBatches {
         : width_(kernels.width), kernels_(std::get<RodKernels<Nodes>>(kernels.rods)) {}
 
     // The block, with its places, and the equations must outlive this.
-    void build(const Block& block, const EquationNumbers& equations);
+    void build(const Block& block, const EquationNumbers& equations, const DriveValues& drives);
 
     // Adds internal, damping and inertial forces of one part of the block's elements.
     void add_forces(std::size_t part,
-                    const std::vector<NodeMotion>& motions,
+                    const State& state,
+                    const Instant& instant,
                     const Vec3& gravity,
                     std::vector<Vec6>& nodal,
                     const PartScales& scales) const;
     // Adds damping forces alone.
     void add_damping_forces(std::size_t part,
-                            const std::vector<NodeMotion>& motions,
+                            const State& state,
+                            const Instant& instant,
                             std::vector<Vec6>& nodal) const;
     // Adds the derivatives of all forces.
     void add_tangents(std::size_t part,
-                      const std::vector<NodeMotion>& motions,
+                      const State& state,
+                      const Instant& instant,
                       const Vec3& gravity,
                       const std::vector<NodeLinearization>& linearizations,
                       std::vector<double>& values) const;
@@ -44,14 +47,16 @@ class RodBatches {
         std::size_t section;  // where its rows begin
         bool is_general;      // of its sections
         bool is_damped;
-        bool is_alone;  // kernels know no masses off the axis that have no inertia
+        // Kernels know no masses off the axis that have no inertia, and no sections that are not linear.
+        bool is_alone;
         int count;
         std::array<int, most_lanes> elements;
         std::array<std::array<int, Nodes>, most_lanes> nodes;
     };
 
-    void add_part(std::size_t part);
-    void add_to_batches(int element);
+    bool is_alone(int element, const DriveValues& drives) const;
+    void add_part(std::size_t part, const DriveValues& drives);
+    void add_to_batches(int element, const DriveValues& drives);
     void write_sections();
     void write_constants();
     const double* constants(std::size_t batch) const {
@@ -73,17 +78,20 @@ class RodBatches {
                               double* rows) const;
     // Adds the forces of the first lanes to their nodes.
     void add_lanes(const Batch& batch, const double* forces, std::vector<Vec6>& nodal) const;
-    // Of elements one by one, where nodes are turned too far for the kernels.
+    // Of elements one by one, also where nodes are turned too far for the kernels.
     void add_forces_alone(const Batch& batch,
-                          const std::vector<NodeMotion>& motions,
+                          const State& state,
+                          const Instant& instant,
                           const Vec3& gravity,
                           std::vector<Vec6>& nodal,
                           const PartScales& scales) const;
     void add_damping_forces_alone(const Batch& batch,
-                                  const std::vector<NodeMotion>& motions,
+                                  const State& state,
+                                  const Instant& instant,
                                   std::vector<Vec6>& nodal) const;
     void add_tangents_alone(const Batch& batch,
-                            const std::vector<NodeMotion>& motions,
+                            const State& state,
+                            const Instant& instant,
                             const Vec3& gravity,
                             const std::vector<NodeLinearization>& linearizations,
                             std::vector<double>& values) const;

@@ -1,6 +1,7 @@
 #include "assembly/system.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "loads/distributed_load.hpp"
 #include "loads/nodal_load.hpp"
@@ -85,11 +86,23 @@ State System::initial_state() const {
     state.previous = state.trial;
     joints_.start(state);
     state.sections.resize(history_count_);
+    state.law_memory.assign(memory_count_, 0.0);
     for_each_block(blocks_, [&](const auto& block) {
         for (std::size_t e = 0; e < block.elements.size(); ++e)
-            block.elements[e].start(block.histories(state, e));
+            block.elements[e].start(block.writable_histories(state, e).axes);
     });
     return state;
+}
+
+Instant System::instant(const State& state, double time) const {
+    Instant instant;
+    instant.elapsed =
+        model_->has_time ? std::max(time - state.time, 0.0) : std::numeric_limits<double>::infinity();
+    if (is_driven()) {
+        drive_values_.move_to(time);
+        instant.drives = &drive_values_;
+    }
+    return instant;
 }
 
 const LoadValues& System::loads_at(double time) const {
@@ -116,20 +129,22 @@ template <class E>
 void System::add_forces(const ElementBlock<E>& block,
                         std::size_t part,
                         const State& state,
+                        const Instant& instant,
                         const Vec3& gravity,
                         std::vector<Vec6>& nodal,
                         const PartScales& scales) const {
     if constexpr (is_batched<E>) {
-        batches_of(block).add_forces(part, state.trial, gravity, nodal, scales);
+        batches_of(block).add_forces(part, state, instant, gravity, nodal, scales);
     } else {
         using Force = NodalVector<E::node_count>;
         for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
             const E& element = block.elements[e];
             const auto motions = block.motions(state.trial, e);
+            const Histories histories = block.histories(state, e, instant);
             Force internal = Force::Zero();
             Force inertial = Force::Zero();
-            element.add_internal_force(motions, block.histories(state, e), internal);
-            if (block.is_damped) element.add_damping_force(motions, block.histories(state, e), internal);
+            element.add_internal_force(motions, histories, internal);
+            if (block.is_damped) element.add_damping_force(motions, histories, internal);
             element.add_inertial_force(motions, gravity, inertial);
             ForceScales& own = scales.of(block.groups[e]);
             own.raise(internal);
@@ -151,13 +166,14 @@ void System::compute_residual(const State& state,
     });
     residual.groups.assign(scale_groups_.count(), {});
     const Vec3 gravity = model_->gravity(time);
+    const Instant now = instant(state, time);
     PartwiseScales scales;
     for_each_block(blocks_, [&](const auto& block) {
         const auto groups = [&](std::size_t part) { return block.group_count(part); };
         scales.start(block.phases.part_count(), groups);
         block.phases.run(*team_, [&](std::size_t part) {
             const PartScales own{scales.of(part), block.first_group(part)};
-            add_forces(block, part, state, gravity, residual.nodal, own);
+            add_forces(block, part, state, now, gravity, residual.nodal, own);
         });
         scales.raise(residual.groups, [&](std::size_t part, std::size_t i) {
             return block.first_group(part) + static_cast<int>(i);
@@ -202,7 +218,7 @@ void System::add_load_tangents(const State& state,
         const LoadedElement& element = loads.elements()[i];
         if (element.load->frame == Frame::spatial) continue;
         LoadMatrix tangent =
-            -compute_distributed_load_tangent(element, loads.moments(i), state.trial, linearizations);
+            -compute_distributed_load_tangent(element, {time, loads.moments(i)}, state.trial, linearizations);
         turn_to_own_axes(std::span<const int>(element.nodes), equations_, tangent);
         add_to_values(tangent.data(), loaded_element_slots_[i], values);
     }
@@ -212,13 +228,14 @@ template <class E>
 void System::add_tangents(const ElementBlock<E>& block,
                           std::size_t part,
                           const State& state,
+                          const Instant& instant,
                           const Vec3& gravity,
                           const std::vector<NodeLinearization>& linearizations,
                           std::vector<double>& values) const {
     const bool is_mixed = !state.resultants.empty();
     if constexpr (is_batched<E>) {
         if (!is_mixed) {
-            return batches_of(block).add_tangents(part, state.trial, gravity, linearizations, values);
+            return batches_of(block).add_tangents(part, state, instant, gravity, linearizations, values);
         }
     }
     using Tangent = NodalMatrix<E::node_count>;
@@ -226,7 +243,7 @@ void System::add_tangents(const ElementBlock<E>& block,
         const E& element = block.elements[e];
         const auto motions = block.motions(state.trial, e);
         const auto nodal = block.point_at(linearizations, element.nodes);
-        const Histories histories = block.histories(state, e);
+        const Histories histories = block.histories(state, e, instant);
         Tangent tangent = Tangent::Zero();
         if (is_mixed) {
             element.add_mixed_tangent(motions, histories, block.resultants(state, e), nodal, tangent);
@@ -250,9 +267,10 @@ void System::compute_tangent(const State& state,
         std::fill(values.begin() + first, values.begin() + last, 0.0);
     });
     const Vec3 gravity = model_->gravity(time);
+    const Instant now = instant(state, time);
     for_each_block(blocks_, [&](const auto& block) {
         block.phases.run(*team_, [&](std::size_t part) {
-            add_tangents(block, part, state, gravity, linearizations, values);
+            add_tangents(block, part, state, now, gravity, linearizations, values);
         });
     });
     if (state.resultants.empty()) {
@@ -268,16 +286,19 @@ void System::compute_tangent(const State& state,
 
 void System::start_resultants(State& state) const {
     state.resultants.resize(point_count_);
-    set_resultants(state.previous, std::vector<Vec6>(state.previous.size(), Vec6::Zero()), state);
+    const std::vector<Vec6> none(state.previous.size(), Vec6::Zero());
+    set_resultants(state.previous, state.time, none, state);
 }
 
 void System::advance_resultants(const std::vector<Vec6>& increments, State& state) const {
-    set_resultants(state.trial, increments, state);
+    set_resultants(state.trial, state.trial_time, increments, state);
 }
 
 void System::set_resultants(const std::vector<NodeMotion>& motions,
+                            double time,
                             const std::vector<Vec6>& increments,
                             State& state) const {
+    const Instant now = instant(state, time);
     for_each_block(blocks_, [&](const auto& block) {
         using Block = std::remove_cvref_t<decltype(block)>;
         if constexpr (Block::point_count > 0) {
@@ -289,7 +310,7 @@ void System::set_resultants(const std::vector<NodeMotion>& motions,
                         increment.template segment<6>(6 * i) = increments[element.nodes[i]];
                     }
                     element.advance_resultants(block.motions(motions, e),
-                                               block.histories(std::as_const(state), e),
+                                               block.histories(state, e, now),
                                                increment,
                                                block.resultants(state, e));
                 }
@@ -300,13 +321,15 @@ void System::set_resultants(const std::vector<NodeMotion>& motions,
 
 void System::commit(State& state, double time) const {
     joints_.commit(state);
+    const Instant now = instant(state, time);
     for_each_block(blocks_, [&](const auto& block) {
-        if constexpr (std::remove_cvref_t<decltype(block)>::history_count > 0) {
-            team_->for_each_range(block.elements.size(), [&](std::size_t first, std::size_t last) {
-                for (std::size_t e = first; e < last; ++e)
-                    block.elements[e].commit(block.motions(state.trial, e), block.histories(state, e));
-            });
-        }
+        if (std::remove_cvref_t<decltype(block)>::history_count == 0 && block.first_memory.empty()) return;
+        team_->for_each_range(block.elements.size(), [&](std::size_t first, std::size_t last) {
+            for (std::size_t e = first; e < last; ++e)
+                block.elements[e].commit(block.motions(state.trial, e),
+                                         block.histories(state, e, now),
+                                         block.writable_histories(state, e));
+        });
     });
     state.previous.resize(state.trial.size());
     team_->for_each_range(state.trial.size(), [&](std::size_t first, std::size_t last) {
@@ -317,7 +340,7 @@ void System::commit(State& state, double time) const {
         }
     });
     state.algorithmic_previous = state.algorithmic_trial;
-    state.time = time;
+    state.time = state.trial_time = time;
 }
 
 }  // namespace gxrod

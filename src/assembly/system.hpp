@@ -70,6 +70,8 @@ class System {
     // Whether any element interpolates rotations of the step, so that these must stay below π.
     bool uses_step_rotations() const { return history_count_ > 0; }
     bool is_damped() const { return is_damped_ || joints_.is_damped(); }
+    // Whether resultants of any section are not its stiffness × its strains.
+    bool has_laws() const { return has_laws_; }
 
     // The reference shape with the model's initial velocities, zero where a support fixes; accelerations
     // zero.
@@ -100,7 +102,10 @@ class System {
     void commit(State& state, double time) const;
 
     // The functions of loads rest on a number that has changed, in addition to the time.
-    void forget_loads() const { load_values_.forget(); }
+    void forget_loads() const {
+        load_values_.forget();
+        drive_values_.forget();
+    }
 
     // With gravity at `time`.
     Balance compute_balance(const State& state, double time) const;
@@ -112,6 +117,12 @@ class System {
     // the previous motions to the trial ones. Neither is negative.
     double compute_damping_power(const State& state) const;
     double compute_damping_action(const State& state) const;
+    // Whether tendons or strains of their own act within any rod.
+    bool is_driven() const { return !drive_values_.empty(); }
+    // The work of these from the last accepted step to the trial, at `time`: of the mean of both ends.
+    double compute_drive_work(const State& state, double time) const;
+    // What sections dissipate by their laws from the last accepted step to the trial, at `time`.
+    double compute_law_dissipation(const State& state, double time) const;
     // Of these motions, which need only rotations and rates.
     double compute_kinetic_energy(const std::vector<NodeMotion>& motions) const;
     // The residual of held components, those that supports exert; global axes.
@@ -136,11 +147,19 @@ class System {
 
   private:
     void build_blocks();
+    std::vector<DrivenPoint> list_driven_points(const std::vector<NodeMotion>& motions,
+                                                const State& state,
+                                                double time) const;
+    template <class E>
+    void lay_out_memory(ElementBlock<E>& block);
+    Instant instant(const State& state, double time) const;
+    Instant instant(const State& state) const { return instant(state, state.trial_time); }
     void build_pattern();
     void build_batches();
     void measure();
     // To those of the strains of these motions after the increments, to first order.
     void set_resultants(const std::vector<NodeMotion>& motions,
+                        double time,
                         const std::vector<Vec6>& increments,
                         State& state) const;
     template <class E>
@@ -152,6 +171,7 @@ class System {
     void add_forces(const ElementBlock<E>& block,
                     std::size_t part,
                     const State& state,
+                    const Instant& instant,
                     const Vec3& gravity,
                     std::vector<Vec6>& nodal,
                     const PartScales& scales) const;
@@ -159,6 +179,7 @@ class System {
     void add_tangents(const ElementBlock<E>& block,
                       std::size_t part,
                       const State& state,
+                      const Instant& instant,
                       const Vec3& gravity,
                       const std::vector<NodeLinearization>& linearizations,
                       std::vector<double>& values) const;
@@ -183,14 +204,17 @@ class System {
     RotaryBatches rotary_batches_;
     RotaryBatches rotary_damping_batches_;
     mutable LoadValues load_values_;
+    mutable DriveValues drive_values_;
     SparsePattern pattern_;
     std::vector<ElementPlaces<1>> load_places_;  // of each load's node
     std::vector<std::vector<std::int64_t>> loaded_element_slots_;
     double length_scale_ = 1.0;
     std::size_t history_count_ = 0;
     std::size_t point_count_ = 0;
+    std::size_t memory_count_ = 0;
     int rod_element_count_ = 0;
     bool is_damped_ = false;
+    bool has_laws_ = false;
 };
 
 }  // namespace gxrod

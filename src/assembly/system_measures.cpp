@@ -62,6 +62,7 @@ Balance& Balance::operator+=(const Balance& other) {
 Balance System::compute_balance(const State& state, double time) const {
     const bool has_potential = model_->gravity.is_constant();
     const Vec3 gravity = has_potential ? model_->gravity(time) : Vec3::Zero();
+    const Instant now = instant(state, time);
     Balance balance;
     for_each_block(blocks_, [&](const auto& block) {
         add_up(*team_, block, balance, [&](std::size_t e, Balance& sum) {
@@ -69,7 +70,7 @@ Balance System::compute_balance(const State& state, double time) const {
             const auto motions = block.motions(state.trial, e);
             const Momentum momentum = element.momentum(motions);
             sum.kinetic_energy += element.kinetic_energy(motions);
-            sum.strain_energy += element.strain_energy(motions, block.histories(state, e));
+            sum.strain_energy += element.strain_energy(motions, block.histories(state, e, now));
             sum.gravity_potential += element.gravity_potential(motions, gravity);
             sum.momentum.linear += momentum.linear;
             sum.momentum.angular += momentum.angular;
@@ -89,7 +90,52 @@ double System::compute_kinetic_energy(const std::vector<NodeMotion>& motions) co
     return energy;
 }
 
+std::vector<DrivenPoint> System::list_driven_points(const std::vector<NodeMotion>& motions,
+                                                    const State& state,
+                                                    double time) const {
+    const Instant now = instant(state, time);
+    std::vector<DrivenPoint> points;
+    for_each_block(blocks_, [&](const auto& block) {
+        for (std::size_t e = 0; e < block.elements.size(); ++e) {
+            const Histories histories = block.histories(state, e, now);
+            if (!histories.drives.empty())
+                block.elements[e].add_driven_points(block.motions(motions, e), histories, points);
+        }
+    });
+    return points;
+}
+
+double System::compute_drive_work(const State& state, double time) const {
+    if (!is_driven()) return 0.0;
+    const std::vector<DrivenPoint> before = list_driven_points(state.previous, state, state.time);
+    const std::vector<DrivenPoint> after = list_driven_points(state.trial, state, time);
+    double work = 0.0;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        const DrivenPoint &a = before[i], &b = after[i];
+        double of_point = -0.5 * (a.resultants + b.resultants).dot(b.strain - a.strain);
+        for (std::size_t k = 0; k < b.pulls.size(); ++k)
+            of_point -=
+                0.5 * (a.pulls[k].tension + b.pulls[k].tension) * (b.pulls[k].stretch - a.pulls[k].stretch);
+        work += b.weight * of_point;
+    }
+    return work;
+}
+
+double System::compute_law_dissipation(const State& state, double time) const {
+    double energy = 0.0;
+    const Instant now = instant(state, time);
+    for_each_block(blocks_, [&](const auto& block) {
+        if (!block.has_laws) return;
+        add_up(*team_, block, energy, [&](std::size_t e, double& sum) {
+            sum += block.elements[e].dissipated_energy(block.motions(state.trial, e),
+                                                       block.histories(state, e, now));
+        });
+    });
+    return energy;
+}
+
 double System::compute_damping_power(const State& state) const {
+    const Instant now = instant(state);
     double power = 0.0;
     for_each_block(blocks_, [&](const auto& block) {
         constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
@@ -97,7 +143,7 @@ double System::compute_damping_power(const State& state) const {
         add_up(*team_, block, power, [&](std::size_t e, double& sum) {
             const auto motions = block.motions(state.trial, e);
             NodalVector<node_count> force = NodalVector<node_count>::Zero();
-            block.elements[e].add_damping_force(motions, block.histories(state, e), force);
+            block.elements[e].add_damping_force(motions, block.histories(state, e, now), force);
             for (int i = 0; i < node_count; ++i) {
                 sum += force.template segment<3>(6 * i).dot(motions[i]->v) +
                        force.template segment<3>(6 * i + 3).dot(motions[i]->omega);
@@ -109,12 +155,14 @@ double System::compute_damping_power(const State& state) const {
 }
 
 double System::compute_damping_action(const State& state) const {
+    const Instant now = instant(state);
     double action = 0.0;
     for_each_block(blocks_, [&](const auto& block) {
         if (!block.is_damped) return;
         add_up(*team_, block, action, [&](std::size_t e, double& sum) {
-            sum += block.elements[e].damping_action(
-                block.motions(state.previous, e), block.motions(state.trial, e), block.histories(state, e));
+            sum += block.elements[e].damping_action(block.motions(state.previous, e),
+                                                    block.motions(state.trial, e),
+                                                    block.histories(state, e, now));
         });
     });
     return action + joints_.compute_damping_action(state);
@@ -155,16 +203,17 @@ void System::add_support_forces(const Residual& residual, std::vector<Vec6>& for
 
 void System::add_damping_forces(const State& state, std::vector<Vec6>& nodal) const {
     nodal.resize(state.trial.size(), Vec6::Zero());
+    const Instant now = instant(state);
     for_each_block(blocks_, [&]<class E>(const ElementBlock<E>& block) {
         if (!block.is_damped) return;
         block.phases.run(*team_, [&](std::size_t part) {
             if constexpr (is_batched<E>) {
-                batches_of(block).add_damping_forces(part, state.trial, nodal);
+                batches_of(block).add_damping_forces(part, state, now, nodal);
             } else {
                 for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e) {
                     NodalVector<E::node_count> force = NodalVector<E::node_count>::Zero();
                     block.elements[e].add_damping_force(
-                        block.motions(state.trial, e), block.histories(state, e), force);
+                        block.motions(state.trial, e), block.histories(state, e, now), force);
                     add_to_nodes<E::node_count>(force, block.elements[e].nodes, nodal);
                 }
             }
@@ -185,6 +234,7 @@ Resultant System::compute_outer_resultant(const State& state,
     // What acts on the nodes in addition to their inertia: the opposite of what acts on them.
     std::vector<Vec6> asked = std::move(loads.nodal);
     const Vec3 gravity = model_->gravity(time);
+    const Instant now = instant(state, time);
     for_each_block(blocks_, [&](const auto& block) {
         constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
         block.phases.run(*team_, [&](std::size_t part) {
@@ -193,7 +243,7 @@ Resultant System::compute_outer_resultant(const State& state,
                 const auto motions = block.motions(state.trial, e);
                 NodalVector<node_count> force = -compute_gravity_force(element, motions, gravity);
                 if constexpr (is_grounded<std::remove_cvref_t<decltype(element)>>)
-                    element.add_internal_force(motions, block.histories(state, e), force);
+                    element.add_internal_force(motions, block.histories(state, e, now), force);
                 add_to_nodes<node_count>(force, element.nodes, asked);
             }
         });
@@ -222,6 +272,7 @@ std::vector<Vec6> System::compute_reactions(const Residual& residual) const {
 }
 
 std::vector<Vec6> System::compute_strain_work(const State& state, const std::vector<Vec6>& increments) const {
+    const Instant now = instant(state);
     std::vector<Vec6> of_elements(static_cast<std::size_t>(rod_element_count_), Vec6::Zero());
     for_each_block(blocks_, [&](const auto& block) {
         using Block = std::remove_cvref_t<decltype(block)>;
@@ -234,7 +285,7 @@ std::vector<Vec6> System::compute_strain_work(const State& state, const std::vec
                         increment.template segment<6>(6 * i) = increments[element.nodes[i]];
                     }
                     of_elements[block.section_index[e]] = element.compute_strain_work(
-                        block.motions(state.trial, e), block.histories(state, e), increment);
+                        block.motions(state.trial, e), block.histories(state, e, now), increment);
                 }
             });
         }
@@ -248,13 +299,14 @@ std::vector<Vec6> System::compute_strain_work(const State& state, const std::vec
 }
 
 std::vector<SectionValues> System::compute_section_values(const State& state) const {
+    const Instant now = instant(state);
     std::vector<SectionValues> values(static_cast<std::size_t>(rod_element_count_));
     for_each_block(blocks_, [&](const auto& block) {
         if constexpr (std::remove_cvref_t<decltype(block)>::has_section) {
             team_->for_each_range(block.elements.size(), [&](std::size_t first, std::size_t last) {
                 for (std::size_t e = first; e < last; ++e) {
                     values[block.section_index[e]] = block.elements[e].section_values(
-                        block.motions(state.trial, e), block.histories(state, e));
+                        block.motions(state.trial, e), block.histories(state, e, now));
                 }
             });
         }

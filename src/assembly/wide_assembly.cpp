@@ -154,9 +154,9 @@ double WideAssembly::scale_of_row(std::size_t index, int row, const std::vector<
     return -values[pattern_->slot(number, number)] / joint_scaling::regularization;
 }
 
-Eigen::VectorXd WideAssembly::compute_D(std::size_t index,
-                                        const ConstraintRequest& request,
-                                        const std::vector<JointScales>& scales) const {
+Eigen::VectorXd WideAssembly::compute_regularization(std::size_t index,
+                                                     const ConstraintRequest& request,
+                                                     const std::vector<JointScales>& scales) const {
     const WideRows& rows = *rows_[index];
     Eigen::VectorXd D(rows.count());
     for (int row = 0; row < rows.count(); ++row) {
@@ -211,7 +211,8 @@ void WideAssembly::add_tangents(const State& state,
         const Eigen::Index columns = columns_of(nodes);
         Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(columns + rows.count(), columns + rows.count());
         if (has_equations)
-            matrix = compute_equations(at, i, linearizations, request, compute_D(i, request, scales));
+            matrix =
+                compute_equations(at, i, linearizations, request, compute_regularization(i, request, scales));
         if (rows.has_laws())
             matrix.topLeftCorner(columns, columns) -= rows.compute_law_tangent(at, linearizations);
         add_matrix(i, nodes, matrix, values);

@@ -107,9 +107,9 @@ class WideAssembly {
     Eigen::VectorXd multipliers(const State& state, std::size_t index) const;
     Eigen::VectorXd compute_force(const State& state, double time, std::size_t index) const;
     double scale_of_row(std::size_t index, int row, const std::vector<double>& values) const;
-    Eigen::VectorXd compute_D(std::size_t index,
-                              const ConstraintRequest& request,
-                              const std::vector<JointScales>& scales) const;
+    Eigen::VectorXd compute_regularization(std::size_t index,
+                                           const ConstraintRequest& request,
+                                           const std::vector<JointScales>& scales) const;
     Eigen::MatrixXd compute_equations(const WidePlace& place,
                                       std::size_t index,
                                       const std::vector<NodeLinearization>& linearizations,

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "elements/rigid_inertia.hpp"
+#include "state/point_drive.hpp"
 #include "state/state.hpp"
 
 // What every element offers, so that assembly and the every_element tests treat all kinds alike.
@@ -24,8 +25,18 @@ using Motions = std::array<const NodeMotion*, Nodes>;
 template <int Nodes>
 using Linearizations = std::array<const NodeLinearization*, Nodes>;
 
-// The histories of an element's force points, one after the other.
-using Histories = std::span<const SectionHistory>;
+// What is known of an element's force points, one after the other, besides how its nodes move.
+struct Histories {
+    std::span<const SectionHistory> axes{};  // of elements that measure rotations from there
+    std::span<const double> memory{};        // of its section's law, at the last accepted step
+    double elapsed = 0.0;                    // since that step; infinite where no time passes
+    std::span<const PointDrive> drives{};    // what acts within its sections; empty if nothing does
+};
+// The same to be written.
+struct WritableHistories {
+    std::span<SectionHistory> axes{};
+    std::span<double> memory{};
+};
 // Resultants (N, M) at an element's force points, material; those of the mixed tangent.
 using Resultants = std::span<const Vec6>;
 
@@ -34,9 +45,11 @@ concept Element = requires(const E& element,
                            const Motions<E::node_count>& motions,
                            const Linearizations<E::node_count>& linearizations,
                            Histories histories,
-                           std::span<SectionHistory> writable,
+                           std::span<SectionHistory> axes,
+                           WritableHistories writable,
                            Resultants resultants,
                            std::span<Vec6> writable_resultants,
+                           std::vector<DrivenPoint>& driven,
                            const Vec3& gravity,
                            NodalVector<E::node_count>& force,
                            NodalMatrix<E::node_count>& tangent) {
@@ -57,8 +70,15 @@ concept Element = requires(const E& element,
     // The damping quadratic in the step from the first motions to the second, not negative: over the time
     // that the step takes it is what damping dissipates in it.
     { element.damping_action(motions, motions, histories) } -> std::same_as<double>;
-    element.start(writable);
-    element.commit(motions, writable);
+    element.start(axes);
+    element.commit(motions, histories, writable);
+    // Numbers that its sections remember, at all of its force points together.
+    { element.memory_count() } -> std::same_as<int>;
+    { element.has_law() } -> std::same_as<bool>;
+    // By its sections, since the last accepted step.
+    { element.dissipated_energy(motions, histories) } -> std::same_as<double>;
+    // Of an element with drives, at its force points.
+    element.add_driven_points(motions, histories, driven);
     { element.largest_relative_rotation(motions) } -> std::same_as<double>;
     { element.strain_energy(motions, histories) } -> std::same_as<double>;
     { element.kinetic_energy(motions) } -> std::same_as<double>;

@@ -42,7 +42,11 @@ class PlainElement {
                              NodalMatrix<Nodes>&) const {}
     double damping_action(const Motions<Nodes>&, const Motions<Nodes>&, Histories) const { return 0.0; }
     void start(std::span<SectionHistory>) const {}
-    void commit(const Motions<Nodes>&, std::span<SectionHistory>) const {}
+    void commit(const Motions<Nodes>&, Histories, WritableHistories) const {}
+    int memory_count() const { return 0; }
+    void add_driven_points(const Motions<Nodes>&, Histories, std::vector<DrivenPoint>&) const {}
+    bool has_law() const { return false; }
+    double dissipated_energy(const Motions<Nodes>&, Histories) const { return 0.0; }
     double largest_relative_rotation(const Motions<Nodes>&) const { return 0.0; }
     double strain_energy(const Motions<Nodes>&, Histories) const { return 0.0; }
     double kinetic_energy(const Motions<Nodes>&) const { return 0.0; }

@@ -26,6 +26,7 @@ std::unique_ptr<Integrator> make_integrator(const DynamicSettings& settings) {
 }
 
 void Integrator::begin_stage(State& state, const Stage& stage, const ThreadTeam& team) const {
+    state.trial_time = stage_time(stage);
     if (kept_stages() > 0) {
         state.stages.resize(kept_stages());
         for (std::vector<StageRates>& rates : state.stages) rates.resize(state.trial.size());

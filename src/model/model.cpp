@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "model/spring_law.hpp"
+#include "numerics/gauss_legendre.hpp"
 
 namespace gxrod {
 
@@ -22,6 +23,19 @@ std::vector<double> arc_lengths_of_nodes(const Rod& rod) {
         of_nodes[position] = rod.arc_length[i];
     }
     return of_nodes;
+}
+
+std::vector<double> list_force_points(const Rod& rod) {
+    const std::vector<QuadraturePoint> rule = list_gauss_rule(rod.order);
+    const auto order = static_cast<std::size_t>(rod.order);
+    std::vector<double> points;
+    points.reserve(static_cast<std::size_t>(rod.element_count()) * order);
+    for (std::size_t first = 0; first < rod.arc_length.size(); first += order + 1) {
+        const double start = rod.arc_length[first];
+        const double length = rod.arc_length[first + order] - start;
+        for (const auto& [xi, weight] : rule) points.push_back(start + 0.5 * (1.0 + xi) * length);
+    }
+    return points;
 }
 
 void set_line_elements(Rod& rod,

@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "model/anchor.hpp"
+#include "model/drive.hpp"
 #include "model/gear.hpp"
 #include "model/input.hpp"
 #include "model/joint.hpp"
+#include "model/section_law.hpp"
 #include "model/time_function.hpp"
 #include "model/turning_frame.hpp"
 #include "rotation/types.hpp"
@@ -31,10 +33,16 @@ struct Node {
 // Constants of a cross-section, material axes, in the order (x y z | rx ry rz), x along the tangent.
 struct Section {
     std::string name;
-    Mat6 stiffness = Mat6::Zero();   // resultants from strains
-    Mat6 mass = Mat6::Zero();        // momenta per length from velocities: of a rigid slice, offset or not
-    double kelvin_voigt = 0.0;       // time: resultants kelvin_voigt C Ė in addition to C E
+    Mat6 stiffness = Mat6::Zero();  // resultants from strains
+    Mat6 mass = Mat6::Zero();       // momenta per length from velocities: of a rigid slice, offset or not
+    double kelvin_voigt = 0.0;      // time: resultants kelvin_voigt C Ė in addition to C E
+    // Where components differ: τ_i, and the resultants Σ √(τ_i τ_j) C_ij Ė_j; kelvin_voigt is their largest.
+    std::optional<Vec6> kelvin_voigt_components{};
     double mass_proportional = 0.0;  // 1/time: forces −mass_proportional × momenta, per length
+    double expansion = 0.0;          // 1/temperature: strain by heat, the same in all directions
+    // Where resultants do not follow from strains by the stiffness alone, which is then that of small strains
+    // after a long time; nullptr where they do.
+    std::shared_ptr<const SectionLaw> law{};
 };
 
 enum class ElementKind {
@@ -64,6 +72,10 @@ struct Rod {
     std::vector<double> arc_length;  // from the start of the rod
     std::vector<Quat> triads;        // section axes at t = 0: columns are x, y, z
 
+    // Strains (Γ, K), material, that the start has against the rest, in which the rod is free of stress:
+    // element by element, at the Gauss points of its forces, order of them. Empty where they are zero.
+    std::vector<Vec6> rest_strains;
+
     bool has_varying_sections() const { return !varying.at_nodes.empty(); }
     int element_count() const { return static_cast<int>(element_nodes.size()) / (order + 1); }
     // The section axes at nodes[position], at t = 0; in a corner, those of the first element there.
@@ -72,6 +84,9 @@ struct Rod {
 
 // By index in Rod::nodes, of a rod that is one line from start to end.
 std::vector<double> arc_lengths_of_nodes(const Rod& rod);
+
+// The arc length of a rod's force points, Gauss' of each element: `order` of them, from its start to its end.
+std::vector<double> list_force_points(const Rod& rod);
 
 // Where a rod's line of nodes, `order` + 1 an element, leaves element_nodes: each node but the corners of
 // elements once, those twice. For rods that are one smooth line, all data given node by node.
@@ -147,6 +162,19 @@ struct NodalLoad {
     bool has_force() const { return !is_zero(force) || motion_force; }
 };
 
+// A magnetic flux density, global: what is the same everywhere, and what depends on the position as well.
+struct MagneticField {
+    std::array<TimeFunction, 3> uniform{};
+    // In addition; empty without one. Not for two threads at once.
+    std::function<Vec3(double time, const Vec3& position)> by_place{};
+
+    Vec3 at(double time, const Vec3& position) const {
+        Vec3 value(uniform[0](time), uniform[1](time), uniform[2](time));
+        if (by_place) value += by_place(time, position);
+        return value;
+    }
+};
+
 // Force and moment per unit reference length along a rod.
 struct DistributedLoad {
     std::string key;  // "load[1]"
@@ -154,6 +182,9 @@ struct DistributedLoad {
     std::array<LineFunction, 3> force;
     std::array<LineFunction, 3> moment;
     Frame frame = Frame::spatial;  // body: the section axes
+    // Of a magnetic rod, whose `moment` is its magnetic moment, in the frame body, and which has no `force`
+    // of its own: the field exerts them.
+    std::optional<MagneticField> field{};
 };
 
 // Components of a node, displacements and rotations, in the order in which all of gxrod counts them.
@@ -186,6 +217,7 @@ struct Plane {
 
 struct Model {
     bool has_inertia = true;               // otherwise masses only have weight, and damp
+    bool has_time = true;                  // otherwise equilibria are those after a long time
     std::optional<TurningFrame> rotation;  // that supports turn with, in stages of steady rotation
     std::optional<Plane> plane;
     TimeVector gravity{Vec3::Zero()};
@@ -200,6 +232,8 @@ struct Model {
     std::vector<Sleeve> sleeves;
     std::vector<NodalLoad> loads;
     std::vector<DistributedLoad> distributed_loads;
+    std::vector<Actuation> actuations;
+    std::vector<Tendon> tendons;
     std::vector<Support> supports;
     // Of expressions above; not const, as whoever drives a run changes them.
     std::vector<std::shared_ptr<Input>> inputs;

@@ -192,6 +192,8 @@ struct HistoryRequest {
     Quat relative_axes = Quat::Identity();  // of section or body there at t = 0
     int joint = -1;                         // index in Model::joints if it is of a joint, which has no node
     int gear = -1;                          // index in Model::gears if it is of a gear, likewise
+    // Where moments of reactions are about a point, fixed in space, and not about the support's.
+    std::optional<Vec3> about = {};
 };
 
 // Of frames, in the file; lossless.

@@ -15,8 +15,11 @@ Actions take_actions(Model& model) {
             std::exchange(model.supports, {}),
             std::exchange(model.rotation, {}),
             std::exchange(model.has_inertia, true),
+            std::exchange(model.has_time, true),
             model.joints,
-            model.sleeves};
+            model.sleeves,
+            std::exchange(model.actuations, {}),
+            std::exchange(model.tendons, {})};
 }
 
 void set_actions(Actions actions, Model& model) {
@@ -26,8 +29,11 @@ void set_actions(Actions actions, Model& model) {
     model.supports = std::move(actions.supports);
     model.rotation = std::move(actions.rotation);
     model.has_inertia = actions.has_inertia;
+    model.has_time = actions.has_time;
     model.joints = std::move(actions.joints);
     model.sleeves = std::move(actions.sleeves);
+    model.actuations = std::move(actions.actuations);
+    model.tendons = std::move(actions.tendons);
 }
 
 bool follows_limits(std::span<const StagePlan> stages) {

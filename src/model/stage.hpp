@@ -20,8 +20,11 @@ struct Actions {
     std::vector<Support> supports;
     std::optional<TurningFrame> rotation = {};
     bool has_inertia = true;
+    bool has_time = true;            // of Model::has_time
     std::vector<Joint> joints = {};  // those of the model, with what acts on their coordinates
     std::vector<Sleeve> sleeves = {};
+    std::vector<Actuation> actuations = {};
+    std::vector<Tendon> tendons = {};  // the same in all stages, those that are slack with a tension of zero
 };
 
 struct StagedModel;

@@ -14,7 +14,10 @@ namespace gxrod {
 namespace {
 
 EnergyPoint point_of(const StageSequence& stages, const LedgerRow& ledger) {
-    return {stages.axis(), ledger.strain_energy, ledger.external_work, ledger.work_uncertainty};
+    return {stages.axis(),
+            ledger.strain_energy + ledger.dissipated_energy,
+            ledger.external_work,
+            ledger.work_uncertainty};
 }
 
 // To those of earlier stages.

@@ -18,6 +18,13 @@ void check_memory(const Model& model) {
         throw std::invalid_argument(
             "the equilibrium of elements of kind \"simo\" depends on how it was reached: carry derivatives "
             "along instead, or take the element \"objective\"");
+    const auto has_memory = [](const Section& section) {
+        return section.law && section.law->memory_size() > 0;
+    };
+    if (std::ranges::any_of(model.sections, has_memory))
+        throw std::invalid_argument(
+            "an equilibrium of sections that remember depends on how it was reached: carry derivatives along "
+            "instead");
     const auto rubs = [](const Joint& joint) {
         return joint.turn.friction.acts() || joint.slide.friction.acts();
     };

@@ -36,6 +36,8 @@ void move_along(const StateDirection& direction, double amount, State& state) {
         section.Lambda = exp_quaternion(amount * direction.sections[i].phi) * section.Lambda;
         section.K += amount * direction.sections[i].K;
     }
+    for (std::size_t i = 0; i < direction.law_memory.size(); ++i)
+        state.law_memory[i] += amount * direction.law_memory[i];
     for (std::size_t i = 0; i < direction.algorithmic.size(); ++i) {
         state.algorithmic_previous[i].a += amount * direction.algorithmic[i].a;
         state.algorithmic_previous[i].alpha += amount * direction.algorithmic[i].alpha;
@@ -64,6 +66,8 @@ StateDirection differentiate(const State& up, const State& down, double step) {
     for (std::size_t i = 0; i < up.sections.size(); ++i)
         direction.sections.push_back({half * spin_between(down.sections[i].Lambda, up.sections[i].Lambda),
                                       half * (up.sections[i].K - down.sections[i].K)});
+    for (std::size_t i = 0; i < up.law_memory.size(); ++i)
+        direction.law_memory.push_back(half * (up.law_memory[i] - down.law_memory[i]));
     for (std::size_t i = 0; i < up.algorithmic_previous.size(); ++i)
         direction.algorithmic.push_back(
             {half * (up.algorithmic_previous[i].a - down.algorithmic_previous[i].a),
@@ -93,6 +97,7 @@ StateDirection extrapolate(StateDirection near, const StateDirection& far) {
         mix(near.sections[i].phi, far.sections[i].phi);
         mix(near.sections[i].K, far.sections[i].K);
     }
+    for (std::size_t i = 0; i < near.law_memory.size(); ++i) mix(near.law_memory[i], far.law_memory[i]);
     for (std::size_t i = 0; i < near.algorithmic.size(); ++i) {
         mix(near.algorithmic[i].a, far.algorithmic[i].a);
         mix(near.algorithmic[i].alpha, far.algorithmic[i].alpha);

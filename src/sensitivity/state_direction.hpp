@@ -20,6 +20,7 @@ struct StateDirection {
 
     std::vector<OfNode> nodes;
     std::vector<OfSection> sections;
+    std::vector<double> law_memory;
     std::vector<AlgorithmicAcceleration> algorithmic;
     std::vector<JointState> joints;
 };

@@ -54,6 +54,7 @@ struct PathMemory {
 struct RestartRecord {
     std::vector<NodeMotion> nodes;                     // there, theta zero
     std::vector<SectionHistory> sections;              // State::sections
+    std::vector<double> law_memory;                    // State::law_memory
     std::vector<JointState> joints;                    // State::joints_previous
     std::vector<AlgorithmicAcceleration> algorithmic;  // State::algorithmic_previous; can be empty
     LedgerMemory ledger;

@@ -32,9 +32,11 @@ struct AlgorithmicAcceleration {
 // less, see undo_trial.
 struct State {
     double time = 0.0;                                      // of `previous`
+    double trial_time = 0.0;                                // of `trial`
     std::vector<NodeMotion> previous;                       // per node, at the last accepted step
     std::vector<NodeMotion> trial;                          // per node, where equilibrium is asked
     std::vector<SectionHistory> sections;                   // per force point, in element order
+    std::vector<double> law_memory;                         // per force point with a law, of `previous`
     std::vector<JointState> joints_previous, joints_trial;  // per joint
     // Resultants (N, M) per force point, material, that the mixed tangent is made of; empty with any other.
     std::vector<Vec6> resultants;
@@ -47,6 +49,7 @@ struct State {
 // stages, which every step finds again.
 inline void undo_trial(State& state) {
     state.trial = state.previous;
+    state.trial_time = state.time;
     state.joints_trial = state.joints_previous;
     state.algorithmic_trial = state.algorithmic_previous;
     state.resultants.clear();

@@ -101,6 +101,10 @@ std::string with_integrator(const std::string& name) {
     return replaced(swinging, "time_step = 0.02", "time_step = 0.02\nintegrator = \"" + name + "\"");
 }
 
+std::string with_law(const std::string& deck, const std::string& law) {
+    return replaced(deck, "[rod.r]", "law = { " + law + " }\n[rod.r]");
+}
+
 }  // namespace
 
 TEST_CASE("A resumed run equals one in one piece to the last bit", "[analyses][resume]") {
@@ -116,6 +120,10 @@ TEST_CASE("A resumed run equals one in one piece to the last bit", "[analyses][r
                  "rhoIz = 0.1 }",
                  "rhoIz = 0.1 }\ndamping = { kelvin_voigt = 1e-2, mass_proportional = 0.3 }"),
         replaced(swinging, "gravity = [0, 0, -9.81]", "gravity = [0, 0, \"-9.81*t\"]"),
+        with_law(swinging, "layers = [{ on = \"bending\", stiffness = 5, limit = 0.4 }]"),
+        with_law(with_integrator("sdirk-4"), "viscoelastic = { prony = [[0.5, 0.1], [0.2, 2]] }"),
+        with_law(replaced(loaded(), "elements = 4", "elements = 2\norder = 2\nelement = \"simo\""),
+                 "plastic = { yield = { My = 0.5, Mz = 0.5 }, kinematic = 0.3 }"),
         loaded(),
         replaced(loaded(), "elements = 4", "elements = 2\norder = 3\nelement = \"simo\""));
     INFO(deck);

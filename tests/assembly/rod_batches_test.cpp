@@ -7,6 +7,7 @@
 #include "tools/catch.hpp"
 #include "tools/random_values.hpp"
 #include "tools/rod_models.hpp"
+#include "tools/sample_law.hpp"
 
 using namespace gxrod;
 using namespace gxrod::tools;
@@ -20,9 +21,14 @@ struct Extras {
     bool offset = false;
     double kelvin_voigt = 0.0;
     double mass_proportional = 0.0;
+    bool law = false;
 };
-constexpr std::array<Extras, 5> all_extras{
-    Extras{}, {.offset = true}, {.kelvin_voigt = 0.3}, {.mass_proportional = 0.7}, {true, 0.2, 0.4}};
+constexpr std::array<Extras, 6> all_extras{Extras{},
+                                           {.offset = true},
+                                           {.kelvin_voigt = 0.3},
+                                           {.mass_proportional = 0.7},
+                                           {.law = true},
+                                           {true, 0.2, 0.4}};
 
 Section make_random_section(RandomValues& random, const Extras& extras) {
     Section section{"section", random.positive_definite<6>(), Mat6::Zero()};
@@ -31,6 +37,7 @@ Section make_random_section(RandomValues& random, const Extras& extras) {
     section.mass.bottomRightCorner<3, 3>() = random.positive_definite<3>();
     section.kelvin_voigt = extras.kelvin_voigt;
     section.mass_proportional = extras.mass_proportional;
+    if (extras.law) section.law = std::make_shared<const SampleLaw>(section.stiffness, 2.0, 0.7);
     if (!extras.offset) return section;
     const Mat3 coupling = mass * spin(random.vector(0.3));
     section.mass.topRightCorner<3, 3>() = -coupling;
@@ -79,6 +86,8 @@ struct Batches {
     std::array<const RotaryBatches*, 2> of_nodes() const { return {&nodes, &damping_of_nodes}; }
 };
 
+const Instant now{.elapsed = 0.4};
+
 // The elements of a model, one by one and in batches.
 template <int Nodes>
 struct Assembled {
@@ -88,7 +97,8 @@ struct Assembled {
     EquationNumbers equations;
     Block block;
     SparsePattern pattern;
-    std::vector<NodeMotion> motions;
+    State state;
+    std::vector<NodeMotion>& motions = state.trial;
     std::vector<NodeLinearization> linearizations;
 
     // `spread` is how far nodes turn against each other.
@@ -108,6 +118,7 @@ struct Assembled {
                 block.elements.emplace_back(
                     geometry, rod.section == 1 ? make_varying_sections<Nodes>(e + 1, section) : constant);
                 block.groups.push_back(0);
+                block.rods.push_back({static_cast<int>(&rod - model.rods.data()), e});
                 groups.emplace_back(geometry.nodes.begin(), geometry.nodes.end());
             }
         }
@@ -119,6 +130,12 @@ struct Assembled {
         for (const auto& element : block.elements)
             block.places.push_back(find_places<Nodes>(element.nodes, equations, pattern));
         RandomValues random(9);
+        block.first_memory = {0};
+        for (const auto& element : block.elements) {
+            for (int i = 0; i < element.memory_count(); ++i)
+                state.law_memory.push_back(random.number(-0.3, 0.3));
+            block.first_memory.push_back(state.law_memory.size());
+        }
         const Quat common = random.rotation();
         for (const Node& node : model.nodes) {
             NodeMotion motion;
@@ -140,10 +157,13 @@ struct Assembled {
 
     Batches<Nodes> make_batches(InstructionSet set) const {
         const Kernels kernels = find_kernels(set);
+        Model model;
+        model.rods.resize(2);
+        const DriveValues no_drives(model);
         Batches<Nodes> batches{RodBatches<Nodes>(kernels),
                                RotaryBatches(kernels.rotary, kernels.width, equations),
                                RotaryBatches(kernels.rotary_damping, kernels.width, equations)};
-        batches.elements.build(block, equations);
+        batches.elements.build(block, equations, no_drives);
         for (const auto& element : block.elements) {
             for (int i = 0; i < Nodes; ++i) {
                 const Mat3 inertia = element.inertia().compute_rotary_inertia(i);
@@ -161,7 +181,7 @@ struct Assembled {
         residual.nodal.assign(motions.size(), Vec6::Zero());
         residual.groups.resize(1);
         for (std::size_t part = 0; part < block.phases.part_count(); ++part)
-            batches.elements.add_forces(part, motions, gravity, residual.nodal, {residual.groups, 0});
+            batches.elements.add_forces(part, state, now, gravity, residual.nodal, {residual.groups, 0});
         for (const RotaryBatches* nodes : batches.of_nodes()) {
             for (std::size_t part = 0; part < nodes->part_count(); ++part)
                 nodes->add_forces(part, motions, residual.nodal, residual.groups);
@@ -174,7 +194,7 @@ struct Assembled {
         residual.nodal.assign(motions.size(), Vec6::Zero());
         residual.groups.resize(1);
         for (std::size_t part = 0; part < block.phases.part_count(); ++part)
-            batches.elements.add_damping_forces(part, motions, residual.nodal);
+            batches.elements.add_damping_forces(part, state, now, residual.nodal);
         for (std::size_t part = 0; part < batches.damping_of_nodes.part_count(); ++part)
             batches.damping_of_nodes.add_forces(part, motions, residual.nodal, residual.groups);
         return residual;
@@ -182,7 +202,7 @@ struct Assembled {
     std::vector<double> compute_tangents(const Batches<Nodes>& batches) const {
         std::vector<double> values(static_cast<std::size_t>(pattern.nonzeros()), 0.0);
         for (std::size_t part = 0; part < block.phases.part_count(); ++part)
-            batches.elements.add_tangents(part, motions, gravity, linearizations, values);
+            batches.elements.add_tangents(part, state, now, gravity, linearizations, values);
         for (const RotaryBatches* nodes : batches.of_nodes()) {
             for (std::size_t part = 0; part < nodes->part_count(); ++part)
                 nodes->add_tangents(part, motions, linearizations, values);
@@ -196,8 +216,10 @@ struct Assembled {
         for (std::size_t e = 0; e < block.elements.size(); ++e) {
             NodalVector<Nodes> internal = NodalVector<Nodes>::Zero();
             NodalVector<Nodes> inertial = NodalVector<Nodes>::Zero();
-            block.elements[e].add_internal_force(block.motions(motions, e), {}, internal);
-            block.elements[e].add_damping_force(block.motions(motions, e), {}, internal);
+            block.elements[e].add_internal_force(
+                block.motions(motions, e), block.histories(state, e, now), internal);
+            block.elements[e].add_damping_force(
+                block.motions(motions, e), block.histories(state, e, now), internal);
             block.elements[e].add_inertial_force(block.motions(motions, e), gravity, inertial);
             residual.raise(internal);
             residual.raise(inertial);
@@ -210,7 +232,8 @@ struct Assembled {
         residual.nodal.assign(motions.size(), Vec6::Zero());
         for (std::size_t e = 0; e < block.elements.size(); ++e) {
             NodalVector<Nodes> force = NodalVector<Nodes>::Zero();
-            block.elements[e].add_damping_force(block.motions(motions, e), {}, force);
+            block.elements[e].add_damping_force(
+                block.motions(motions, e), block.histories(state, e, now), force);
             residual.raise(force);
             add_to_nodes<Nodes>(force, block.elements[e].nodes, residual.nodal);
         }
@@ -222,8 +245,10 @@ struct Assembled {
             const auto& element = block.elements[e];
             const auto nodal = block.point_at(linearizations, element.nodes);
             NodalMatrix<Nodes> tangent = NodalMatrix<Nodes>::Zero();
-            element.add_internal_tangent(block.motions(motions, e), {}, nodal, tangent);
-            element.add_damping_tangent(block.motions(motions, e), {}, nodal, tangent);
+            element.add_internal_tangent(
+                block.motions(motions, e), block.histories(state, e, now), nodal, tangent);
+            element.add_damping_tangent(
+                block.motions(motions, e), block.histories(state, e, now), nodal, tangent);
             element.add_inertial_tangent(block.motions(motions, e), gravity, nodal, tangent);
             turn_to_own_axes(std::span<const int>(element.nodes), equations, tangent);
             add_to_values<Nodes>(tangent, block.places[e], values);

@@ -28,7 +28,7 @@ void add_element(
     Motions<nodes> motions;
     for (int i = 0; i < nodes; ++i) motions[i] = &state.trial[element.nodes[i]];
     NodalVector<nodes> force = NodalVector<nodes>::Zero();
-    element.add_internal_force(motions, {state.sections.data() + history, E::history_count}, force);
+    element.add_internal_force(motions, {.axes = {state.sections.data() + history, E::history_count}}, force);
     element.add_inertial_force(motions, model.gravity(0.0), force);
     for (int i = 0; i < nodes; ++i) nodal[element.nodes[i]] += force.template segment<6>(6 * i);
 }
@@ -165,7 +165,8 @@ TEST_CASE("energies and momenta are sums over elements", "[assembly]") {
         for (int i = 0; i < nodes; ++i) motions[i] = &state.trial[element.nodes[i]];
         expected.kinetic_energy += element.kinetic_energy(motions);
         expected.gravity_potential += element.gravity_potential(motions, model.gravity(0.0));
-        expected.strain_energy += element.strain_energy(motions, {state.sections.data() + history, 1});
+        expected.strain_energy +=
+            element.strain_energy(motions, {.axes = {state.sections.data() + history, 1}});
         expected.momentum.linear += element.momentum(motions).linear;
         expected.momentum.angular += element.momentum(motions).angular;
     };

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "state/increment.hpp"
+#include "tools/sample_law.hpp"
 
 namespace gxrod::tools {
 
@@ -59,6 +60,8 @@ RodPiece<Nodes> carry(const Isometry& isometry, RodPiece<Nodes> piece) {
     piece.section.mass = isometry.tensor(piece.section.mass);
     for (Vec3& position : piece.geometry.positions) position = isometry.polar(position);
     for (Quat& triad : piece.geometry.triads) triad = isometry.rotation(triad);
+    for (Vec6& strain : piece.geometry.strains)
+        strain << isometry.polar(strain.head<3>()), isometry.axial(strain.tail<3>());
     return piece;
 }
 
@@ -78,7 +81,12 @@ ElementSample<E> make_sample(RandomValues& random,
         sample.reference[i] = isometry.polar(reference[i]);
     }
     for (int p = 0; p < E::history_count; ++p) {
-        sample.histories.push_back(carry(isometry, {random.rotation(), random.vector(0.6)}));
+        sample.histories.axes.push_back(carry(isometry, {random.rotation(), random.vector(0.6)}));
+    }
+    sample.histories.elapsed = 0.3;
+    for (int i = 0; i < element.memory_count(); i += 6) {
+        for (const Vec3& part : {isometry.polar(random.vector(0.4)), isometry.axial(random.vector(0.4))})
+            sample.histories.memory.insert(sample.histories.memory.end(), part.begin(), part.end());
     }
     return sample;
 }
@@ -204,15 +212,29 @@ Bushing make_bushing(RandomValues& random, const std::array<Vec3, 2>& positions)
 
 namespace {
 
+// To all sections at force points.
+template <int Nodes>
+void add_law(ElementSections<Nodes>& sections) {
+    for (SharedRodSection& section : sections.at_forces) {
+        RodSection with_law = *section;
+        with_law.damping_roots.emplace() << 0.5, 0.5, 0.5, 0.7, 0.7, 0.7;  // alike in all axes
+        with_law.law = std::make_shared<const SampleLaw>(section->stiffness, 1.7, 0.8);
+        section = std::make_shared<const RodSection>(with_law);
+    }
+}
+
 template <template <int> class RodKind, int Nodes>
 ElementSample<RodKind<Nodes>> make_rod_sample(RandomValues& random,
                                               const std::string& kind,
+                                              bool has_law,
                                               const Isometry& isometry) {
     const RodPiece<Nodes> piece = make_rod_piece<Nodes>(random);
     const RodPiece<Nodes> carried = carry(isometry, piece);
-    const RodKind<Nodes> rod(carried.geometry, make_varying_sections<Nodes>(Nodes, piece.section, isometry));
+    ElementSections<Nodes> sections = make_varying_sections<Nodes>(Nodes, piece.section, isometry);
+    if (has_law) add_law(sections);
+    const RodKind<Nodes> rod(carried.geometry, sections);
     return make_sample(random,
-                       kind + " rod of " + std::to_string(Nodes) + " nodes",
+                       kind + " rod of " + std::to_string(Nodes) + " nodes" + (has_law ? " with a law" : ""),
                        rod,
                        piece.geometry.positions,
                        isometry);
@@ -222,6 +244,7 @@ ElementSample<RodKind<Nodes>> make_rod_sample(RandomValues& random,
 
 ElementSamples make_samples(unsigned seed, const Isometry& isometry) {
     RandomValues random(seed);
+    const bool has_law = seed == sample_seeds;
     const Vec3 place_of_body = random.vector();
     const RigidBody central(carry(isometry, make_body(random, Vec3::Zero())));
     const RigidBody offset(carry(isometry, make_body(random, random.vector())));
@@ -236,14 +259,14 @@ ElementSamples make_samples(unsigned seed, const Isometry& isometry) {
     // In braces, evaluated in this order.
     return ElementSamples{make_sample(random, "rigid body", central, {place_of_body}, isometry),
                           make_sample(random, "rigid body with offset", offset, {place_of_body}, isometry),
-                          make_rod_sample<SimoElement, 2>(random, "simo", isometry),
-                          make_rod_sample<SimoElement, 3>(random, "simo", isometry),
-                          make_rod_sample<SimoElement, 4>(random, "simo", isometry),
-                          make_rod_sample<SimoElement, 5>(random, "simo", isometry),
-                          make_rod_sample<ObjectiveElement, 2>(random, "objective", isometry),
-                          make_rod_sample<ObjectiveElement, 3>(random, "objective", isometry),
-                          make_rod_sample<ObjectiveElement, 4>(random, "objective", isometry),
-                          make_rod_sample<ObjectiveElement, 5>(random, "objective", isometry),
+                          make_rod_sample<SimoElement, 2>(random, "simo", has_law, isometry),
+                          make_rod_sample<SimoElement, 3>(random, "simo", has_law, isometry),
+                          make_rod_sample<SimoElement, 4>(random, "simo", has_law, isometry),
+                          make_rod_sample<SimoElement, 5>(random, "simo", has_law, isometry),
+                          make_rod_sample<ObjectiveElement, 2>(random, "objective", has_law, isometry),
+                          make_rod_sample<ObjectiveElement, 3>(random, "objective", has_law, isometry),
+                          make_rod_sample<ObjectiveElement, 4>(random, "objective", has_law, isometry),
+                          make_rod_sample<ObjectiveElement, 5>(random, "objective", has_law, isometry),
                           make_sample(random_of_spring, "spring", spring, ends, isometry),
                           make_sample(random_of_spring, "spring with a law", with_law, ends, isometry),
                           make_sample(random_of_bushing, "bushing", bushing, ends, isometry)};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -15,6 +16,16 @@
 // kind of element joins by an entry in make_samples().
 namespace gxrod::tools {
 
+// What an element knows of its force points besides motions.
+struct Remembered {
+    std::vector<SectionHistory> axes = {};
+    std::vector<double> memory = {};
+    double elapsed = 0.0;
+
+    operator Histories() const { return {.axes = axes, .memory = memory, .elapsed = elapsed}; }
+    operator WritableHistories() { return {.axes = axes, .memory = memory}; }
+};
+
 // What one element sees. Node I of the element is number I.
 template <Element E>
 struct ElementSample {
@@ -28,7 +39,7 @@ struct ElementSample {
     std::array<Vec3, node_count> reference;  // node positions at t = 0
     Nodal previous;                          // the last accepted step
     Nodal motions;                           // now
-    std::vector<SectionHistory> histories;   // of an earlier deformed step: K_n is not zero
+    Remembered histories;                    // of an earlier deformed step: K_n is not zero
 
     static Motions<node_count> point_at(const Nodal& nodal) {
         Motions<node_count> pointers;
@@ -36,7 +47,7 @@ struct ElementSample {
         return pointers;
     }
 
-    Force internal_force(const Nodal& nodal, const std::vector<SectionHistory>& remembered) const {
+    Force internal_force(const Nodal& nodal, const Remembered& remembered) const {
         Force force = Force::Zero();
         element.add_internal_force(point_at(nodal), remembered, force);
         return force;
@@ -52,17 +63,24 @@ struct ElementSample {
         element.add_inertial_force(point_at(nodal), gravity, force);
         return force;
     }
-    double strain_energy(const Nodal& nodal, const std::vector<SectionHistory>& remembered) const {
+    double strain_energy(const Nodal& nodal, const Remembered& remembered) const {
         return element.strain_energy(point_at(nodal), remembered);
     }
     double strain_energy(const Nodal& nodal) const { return strain_energy(nodal, histories); }
     double kinetic_energy(const Nodal& nodal) const { return element.kinetic_energy(point_at(nodal)); }
     Momentum momentum(const Nodal& nodal) const { return element.momentum(point_at(nodal)); }
     // The histories of the reference shape.
-    std::vector<SectionHistory> start() const {
-        std::vector<SectionHistory> histories_at_start(histories.size());
-        element.start(histories_at_start);
-        return histories_at_start;
+    Remembered start() const {
+        Remembered at_start = histories;
+        element.start(at_start.axes);
+        std::fill(at_start.memory.begin(), at_start.memory.end(), 0.0);
+        return at_start;
+    }
+    // What a commit of this motion leaves.
+    Remembered committed(const Nodal& nodal) const {
+        Remembered after = histories;
+        element.commit(point_at(nodal), histories, after);
+        return after;
     }
 };
 
@@ -113,7 +131,8 @@ using ElementSamples = std::tuple<ElementSample<RigidBody>,
 // mirror.
 ElementSamples make_samples(unsigned seed, const Isometry& isometry = {});
 
-constexpr unsigned sample_seeds = 3;
+// The rods of the last one have sections with a law.
+constexpr unsigned sample_seeds = 4;
 
 // Calls check(sample) for every kind of element, several of each.
 template <class Check>

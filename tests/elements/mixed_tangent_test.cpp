@@ -85,20 +85,21 @@ struct RodSample {
         for (int i = 0; i < Nodes; ++i) reference[i].r = piece.geometry.positions[i];
         return Rod(Map(point_at(reference), piece.geometry.triads).local(),
                    histories,
-                   ElementSections<Nodes>(std::make_shared<const RodSection>(piece.section)).at_forces);
+                   ElementSections<Nodes>(std::make_shared<const RodSection>(piece.section)).at_forces,
+                   piece.geometry.strains);
     }
     // Σ w Bᵀ S.
     NodalVector<Nodes> compute_force(const Nodal& nodal) const {
         const Map map(point_at(nodal), piece.geometry.triads);
         NodalVector<Nodes> force = NodalVector<Nodes>::Zero();
-        map.add_force(make_rod().compute_force_of(map.local(), histories, resultants), force);
+        map.add_force(make_rod().compute_force_of(map.local(), {.axes = histories}, resultants), force);
         return force;
     }
     NodalMatrix<Nodes> compute_tangent(Resultants of_points) const {
         const NodeLinearization placement = make_linearization(1.0);
         NodalMatrix<Nodes> tangent = NodalMatrix<Nodes>::Zero();
         element.add_mixed_tangent(
-            point_at(motions), histories, of_points, at_every_node<Nodes>(placement), tangent);
+            point_at(motions), {.axes = histories}, of_points, at_every_node<Nodes>(placement), tangent);
         return tangent;
     }
 };

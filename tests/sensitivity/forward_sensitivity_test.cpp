@@ -134,6 +134,14 @@ TEST_CASE("derivatives of motions of elements with memory and of higher order", 
     check_all(replaced(make_carried(), "elements = 4", "elements = 2\norder = 2"), {"EI", "L"}, true, 1e-8);
 }
 
+TEST_CASE("derivatives of motions of sections that remember", "[sensitivity]") {
+    const auto with_law = [](const std::string& law) {
+        return replaced(make_carried(), "[rod.r]", "law = { " + law + " }\n[rod.r]");
+    };
+    check_all(with_law("viscoelastic = { prony = [[0.5, 0.1], [0.2, 2]] }"), {"EI", "rho", "L"}, true, 1e-8);
+    check_all(with_law("plastic = { yield = { Mz = 0.3 }, kinematic = 0.3 }"), {"EI", "F"}, true, 1e-8);
+}
+
 TEST_CASE("derivatives of equilibria of mechanisms are those of whole runs", "[sensitivity]") {
     check_all(as_static(swinging_rod + hinged_end), {"EI", "F", "L", "angle"}, false, 1e-8);
 }

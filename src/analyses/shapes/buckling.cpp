@@ -45,6 +45,13 @@ class FactorFinder {
         record_.load_time = load_time_;
         record_.cause = find_load_without_potential(system_.model());
         record_.is_symmetric = record_.cause.empty();
+        if (system_.is_driven()) {
+            record_.failure =
+                "the factor would leave out what tendons and actuations do: raise these in a static stage "
+                "with "
+                "small steps, whose stability is counted";
+            return record_;
+        }
         std::vector<double> K = compute_tangent(system_, time_, {});
         if (!solve_for_load(K)) {
             record_.failure = "the state has no unique change under more load: its tangent has no inverse";

@@ -1,5 +1,9 @@
 #include "elements/rod/interpolated_rod.hpp"
 
+#include <algorithm>
+
+#include "elements/rod/tendon_force.hpp"
+
 namespace gxrod {
 
 namespace {
@@ -31,15 +35,17 @@ const PointShape<Nodes>& point_shape(int point) {
 }  // namespace
 
 template <int Nodes>
-InterpolatedRod<Nodes>::InterpolatedRod(const LocalMotion<Nodes>& reference,
+InterpolatedRod<Nodes>::InterpolatedRod(const LocalMotion<Nodes>& start,
                                         const PointHistories& histories,
-                                        const PointSections& sections)
+                                        const PointSections& sections,
+                                        const PointStrains& strains)
     : sections_(sections) {
     for (int p = 0; p < point_count; ++p) {
-        points_[p].jacobian = (reference.r * point_shape<Nodes>(p).slope).norm();
-        // The strains of this very interpolation, so that the reference is free of strain to round-off.
+        points_[p].jacobian = (start.r * point_shape<Nodes>(p).slope).norm();
+        // Of this very interpolation, so that the start has the strains to round-off.
         const ReferenceStrain none{Vec3::Zero(), Vec3::Zero()};
-        const Vec6 strain = compute_strain(interpolate(force_point(p), reference), histories[p], none);
+        const Vec6 strain =
+            compute_strain(interpolate(force_point(p), start), histories[p], none) - strains[p];
         points_[p].strain = {strain.head<3>(), strain.tail<3>()};
     }
 }
@@ -87,16 +93,80 @@ void InterpolatedRod<Nodes>::add_matrix(const ForcePoint& point,
 }
 
 template <int Nodes>
-void InterpolatedRod<Nodes>::add_hessian(int p,
-                                         const ForcePoint& point,
+void InterpolatedRod<Nodes>::add_hessian(const ForcePoint& point,
                                          const SectionFields& fields,
                                          const SectionHistory& history,
+                                         const StrainGradient& E_u,
                                          const Vec6& resultants,
+                                         const Mat6& stiffness,
                                          NodalMatrix<Nodes>& hessian) const {
-    const StrainGradient E_u = compute_strain_gradient(fields, history);
-    const StrainGradient C_E_u = stiffness(p) * E_u;
+    const StrainGradient C_E_u = stiffness * E_u;
     add_matrix(
         point, E_u.transpose() * C_E_u + compute_geometric_hessian(fields, history, resultants), hessian);
+}
+
+template <int Nodes>
+SectionResponse InterpolatedRod<Nodes>::respond(int p,
+                                                const Vec6& strain,
+                                                Histories histories,
+                                                std::span<double> after) const {
+    const RodSection& own = section(p);
+    const bool is_driven = !histories.drives.empty();
+    const Vec6 of_law = is_driven ? Vec6(strain - histories.drives[p].strain) : strain;
+    SectionResponse response;
+    if (own.law) {
+        const auto size = static_cast<std::size_t>(own.memory_size());
+        const auto part = [&](auto memory) {
+            return memory.empty() ? memory : memory.subspan(p * size, size);
+        };
+        response = own.law->respond(of_law, part(histories.memory), histories.elapsed, part(after));
+    } else {
+        response.resultants = own.stiffness * of_law;
+        response.tangent = own.stiffness;
+        response.stored = 0.5 * of_law.dot(response.resultants);
+    }
+    if (is_driven && !histories.drives[p].pulls.empty()) {
+        const Vec6 total = compute_total_strain(p, strain);
+        for (const TendonPull& pull : histories.drives[p].pulls)
+            add_pull(pull, total, response.resultants, &response.tangent);
+    }
+    return response;
+}
+
+template <int Nodes>
+Vec6 InterpolatedRod<Nodes>::compute_total_strain(int p, const Vec6& strain) const {
+    Vec6 total = strain;
+    total.head<3>() += points_[p].strain.Gamma;
+    total.tail<3>() += points_[p].strain.Kappa;
+    return total;
+}
+
+template <int Nodes>
+void InterpolatedRod<Nodes>::add_driven_points(const LocalMotion<Nodes>& motion,
+                                               Histories histories,
+                                               std::vector<DrivenPoint>& points) const {
+    for (int p = 0; p < point_count; ++p) {
+        const ForcePoint point = force_point(p);
+        const Vec6 strain = compute_strain(interpolate(point, motion), histories.axes[p], point.reference);
+        const PointDrive& drive = histories.drives[p];
+        DrivenPoint& driven = points.emplace_back();
+        driven.weight = point.weight;
+        driven.strain = drive.strain;
+        driven.resultants = respond(p, strain, histories).resultants;
+        for (const TendonPull& pull : drive.pulls) {
+            Vec6 of_pull = Vec6::Zero();
+            add_pull(pull, compute_total_strain(p, strain), of_pull, nullptr);
+            driven.resultants -= of_pull;
+            driven.pulls.push_back(
+                {pull.tension, compute_tendon_stretch(pull, compute_total_strain(p, strain))});
+        }
+    }
+}
+
+template <int Nodes>
+Vec6 InterpolatedRod<Nodes>::compute_resultants(int p, const Vec6& strain, Histories histories) const {
+    if (is_linear(histories)) return stiffness(p) * strain;
+    return respond(p, strain, histories).resultants;
 }
 
 template <int Nodes>
@@ -104,8 +174,21 @@ double InterpolatedRod<Nodes>::strain_energy(const LocalMotion<Nodes>& motion, H
     double energy = 0.0;
     for (int p = 0; p < point_count; ++p) {
         const ForcePoint point = force_point(p);
-        const Vec6 strain = compute_strain(interpolate(point, motion), histories[p], point.reference);
-        energy += 0.5 * point.weight * strain.dot(stiffness(p) * strain);
+        const Vec6 strain = compute_strain(interpolate(point, motion), histories.axes[p], point.reference);
+        energy += point.weight * (is_linear(histories) ? 0.5 * strain.dot(stiffness(p) * strain)
+                                                       : respond(p, strain, histories).stored);
+    }
+    return energy;
+}
+
+template <int Nodes>
+double InterpolatedRod<Nodes>::dissipated_energy(const LocalMotion<Nodes>& motion,
+                                                 Histories histories) const {
+    double energy = 0.0;
+    for (int p = 0; p < point_count; ++p) {
+        const ForcePoint point = force_point(p);
+        const Vec6 strain = compute_strain(interpolate(point, motion), histories.axes[p], point.reference);
+        energy += point.weight * respond(p, strain, histories).dissipated;
     }
     return energy;
 }
@@ -117,23 +200,40 @@ NodalVector<Nodes> InterpolatedRod<Nodes>::compute_gradient(const LocalMotion<No
     for (int p = 0; p < point_count; ++p) {
         const ForcePoint point = force_point(p);
         const SectionFields fields = interpolate(point, motion);
-        const Vec6 resultants = stiffness(p) * compute_strain(fields, histories[p], point.reference);
-        add_force(point, compute_strain_gradient(fields, histories[p]).transpose() * resultants, gradient);
+        const Vec6 resultants =
+            compute_resultants(p, compute_strain(fields, histories.axes[p], point.reference), histories);
+        add_force(
+            point, compute_strain_gradient(fields, histories.axes[p]).transpose() * resultants, gradient);
     }
     return gradient;
 }
 
 template <int Nodes>
-NodalMatrix<Nodes> InterpolatedRod<Nodes>::compute_hessian(const LocalMotion<Nodes>& motion,
-                                                           Histories histories) const {
-    NodalMatrix<Nodes> hessian = NodalMatrix<Nodes>::Zero();
+auto InterpolatedRod<Nodes>::compute_derivatives(const LocalMotion<Nodes>& motion, Histories histories) const
+    -> Derivatives {
+    Derivatives derivatives{NodalVector<Nodes>::Zero(), NodalMatrix<Nodes>::Zero()};
+    const auto add = [&](const ForcePoint& point,
+                         const SectionFields& fields,
+                         const SectionHistory& history,
+                         const Vec6& resultants,
+                         const Mat6& stiffness) {
+        const StrainGradient E_u = compute_strain_gradient(fields, history);
+        add_force(point, E_u.transpose() * resultants, derivatives.gradient);
+        add_hessian(point, fields, history, E_u, resultants, stiffness, derivatives.hessian);
+    };
     for (int p = 0; p < point_count; ++p) {
         const ForcePoint point = force_point(p);
         const SectionFields fields = interpolate(point, motion);
-        const Vec6 resultants = stiffness(p) * compute_strain(fields, histories[p], point.reference);
-        add_hessian(p, point, fields, histories[p], resultants, hessian);
+        const SectionHistory& history = histories.axes[p];
+        const Vec6 strain = compute_strain(fields, history, point.reference);
+        if (is_linear(histories)) {
+            add(point, fields, history, stiffness(p) * strain, stiffness(p));
+        } else {
+            const SectionResponse response = respond(p, strain, histories);
+            add(point, fields, history, response.resultants, response.tangent);
+        }
     }
-    return hessian;
+    return derivatives;
 }
 
 template <int Nodes>
@@ -143,7 +243,7 @@ NodalVector<Nodes> InterpolatedRod<Nodes>::compute_force_of(const LocalMotion<No
     NodalVector<Nodes> force = NodalVector<Nodes>::Zero();
     for (int p = 0; p < point_count; ++p) {
         const ForcePoint point = force_point(p);
-        const StrainGradient E_u = compute_strain_gradient(interpolate(point, motion), histories[p]);
+        const StrainGradient E_u = compute_strain_gradient(interpolate(point, motion), histories.axes[p]);
         add_force(point, E_u.transpose() * resultants[p], force);
     }
     return force;
@@ -156,7 +256,15 @@ NodalMatrix<Nodes> InterpolatedRod<Nodes>::compute_mixed_hessian(const LocalMoti
     NodalMatrix<Nodes> hessian = NodalMatrix<Nodes>::Zero();
     for (int p = 0; p < point_count; ++p) {
         const ForcePoint point = force_point(p);
-        add_hessian(p, point, interpolate(point, motion), histories[p], resultants[p], hessian);
+        const SectionFields fields = interpolate(point, motion);
+        const StrainGradient E_u = compute_strain_gradient(fields, histories.axes[p]);
+        add_hessian(point,
+                    fields,
+                    histories.axes[p],
+                    E_u,
+                    resultants[p],
+                    compute_stiffness(p, fields, histories),
+                    hessian);
     }
     return hessian;
 }
@@ -168,10 +276,28 @@ void InterpolatedRod<Nodes>::advance_resultants(const LocalMotion<Nodes>& motion
                                                 std::span<Vec6> resultants) const {
     for (int p = 0; p < point_count; ++p) {
         const ForcePoint point = force_point(p);
-        const Vec6 strain = compute_strain(interpolate(point, motion), histories[p], point.reference);
-        resultants[p] =
-            stiffness(p) * (strain + compute_strain_rates(point, motion, increment, histories[p]));
+        const Vec6 strain = compute_strain(interpolate(point, motion), histories.axes[p], point.reference);
+        const Vec6 change = compute_strain_rates(point, motion, increment, histories.axes[p]);
+        resultants[p] = advance_resultants(p, strain, change, histories);
     }
+}
+
+template <int Nodes>
+Vec6 InterpolatedRod<Nodes>::advance_resultants(int p,
+                                                const Vec6& strain,
+                                                const Vec6& change,
+                                                Histories histories) const {
+    if (is_linear(histories)) return stiffness(p) * (strain + change);
+    const SectionResponse response = respond(p, strain, histories);
+    return response.resultants + response.tangent * change;
+}
+
+template <int Nodes>
+Mat6 InterpolatedRod<Nodes>::compute_stiffness(int p,
+                                               const SectionFields& fields,
+                                               Histories histories) const {
+    if (is_linear(histories)) return stiffness(p);
+    return respond(p, compute_strain(fields, histories.axes[p], points_[p].strain), histories).tangent;
 }
 
 template <int Nodes>
@@ -192,9 +318,9 @@ NodalVector<Nodes> InterpolatedRod<Nodes>::compute_damping_force(const LocalMoti
     NodalVector<Nodes> force = NodalVector<Nodes>::Zero();
     for (int p = 0; p < point_count; ++p) {
         const ForcePoint point = force_point(p);
-        const Vec6 resultants = section(p).kelvin_voigt *
-                                (stiffness(p) * compute_strain_rates(point, motion, rates, histories[p]));
-        const StrainGradient E_u = compute_strain_gradient(interpolate(point, motion), histories[p]);
+        const Vec6 resultants = section(p).compute_viscous_resultants(
+            compute_strain_rates(point, motion, rates, histories.axes[p]));
+        const StrainGradient E_u = compute_strain_gradient(interpolate(point, motion), histories.axes[p]);
         add_force(point, E_u.transpose() * resultants, force);
     }
     return force;
@@ -202,7 +328,7 @@ NodalVector<Nodes> InterpolatedRod<Nodes>::compute_damping_force(const LocalMoti
 
 template <int Nodes>
 double InterpolatedRod<Nodes>::damping_action(const Vec6& change) const {
-    return force_point(0).weight * section(0).kelvin_voigt * change.dot(stiffness(0) * change);
+    return force_point(0).weight * change.dot(section(0).compute_viscous_resultants(change));
 }
 
 template <int Nodes>
@@ -212,16 +338,16 @@ double InterpolatedRod<Nodes>::damping_action(const LocalMotion<Nodes>& previous
     double action = 0.0;
     for (int p = 0; p < point_count; ++p) {
         const ForcePoint point = force_point(p);
-        const Vec6 change = compute_strain(interpolate(point, trial), histories[p], point.reference) -
-                            compute_strain(interpolate(point, previous), histories[p], point.reference);
-        action += point.weight * section(p).kelvin_voigt * change.dot(stiffness(p) * change);
+        const Vec6 change = compute_strain(interpolate(point, trial), histories.axes[p], point.reference) -
+                            compute_strain(interpolate(point, previous), histories.axes[p], point.reference);
+        action += point.weight * change.dot(section(p).compute_viscous_resultants(change));
     }
     return action;
 }
 
 template <int Nodes>
-Vec6 InterpolatedRod<Nodes>::compute_strain_work(const Vec6& change) const {
-    return force_point(0).weight * change.cwiseProduct(stiffness(0) * change);
+Vec6 InterpolatedRod<Nodes>::compute_strain_work(const Vec6& change, const Mat6& stiffness) const {
+    return force_point(0).weight * change.cwiseProduct(stiffness * change);
 }
 
 template <int Nodes>
@@ -231,8 +357,9 @@ Vec6 InterpolatedRod<Nodes>::compute_strain_work(const LocalMotion<Nodes>& motio
     Vec6 work = Vec6::Zero();
     for (int p = 0; p < point_count; ++p) {
         const ForcePoint point = force_point(p);
-        const Vec6 change = compute_strain_rates(point, motion, increment, histories[p]);
-        work += point.weight * change.cwiseProduct(stiffness(p) * change);
+        const Vec6 change = compute_strain_rates(point, motion, increment, histories.axes[p]);
+        const SectionFields fields = interpolate(point, motion);
+        work += point.weight * change.cwiseProduct(compute_stiffness(p, fields, histories) * change);
     }
     return work;
 }
@@ -243,9 +370,9 @@ auto InterpolatedRod<Nodes>::compute_damping_tangents(const LocalMotion<Nodes>& 
                                                       Histories histories) const -> DampingTangents {
     DampingTangents tangents{NodalMatrix<Nodes>::Zero(), NodalMatrix<Nodes>::Zero()};
     for (int p = 0; p < point_count; ++p) {
-        const Mat6 viscosity = section(p).kelvin_voigt * stiffness(p);
+        const Mat6 viscosity = section(p).compute_viscosity();
         const ForcePoint point = force_point(p);
-        const SectionHistory& history = histories[p];
+        const SectionHistory& history = histories.axes[p];
         const SectionFields fields = interpolate(point, motion);
         const StrainGradient E_u = compute_strain_gradient(fields, history);
         const StrainGradient Z = compute_strain_rate_gradient(fields, interpolate(point, rates), history);
@@ -259,13 +386,27 @@ auto InterpolatedRod<Nodes>::compute_damping_tangents(const LocalMotion<Nodes>& 
 }
 
 template <int Nodes>
-void InterpolatedRod<Nodes>::advance(const LocalMotion<Nodes>& motion,
-                                     std::span<SectionHistory> histories) const {
+void InterpolatedRod<Nodes>::advance(const LocalMotion<Nodes>& motion, std::span<SectionHistory> axes) const {
     for (int p = 0; p < point_count; ++p) {
         const SectionFields fields = interpolate(force_point(p), motion);
-        histories[p] = {compute_section_axes(fields.theta, histories[p]).normalized(),
-                        compute_total_curvature(fields, histories[p])};
+        axes[p] = {compute_section_axes(fields.theta, axes[p]).normalized(),
+                   compute_total_curvature(fields, axes[p])};
     }
+}
+
+template <int Nodes>
+void InterpolatedRod<Nodes>::advance_memory(const LocalMotion<Nodes>& motion,
+                                            Histories histories,
+                                            std::span<double> memory) const {
+    std::vector<double> after(memory.size());
+    for (int p = 0; p < point_count; ++p) {
+        const ForcePoint point = force_point(p);
+        respond(p,
+                compute_strain(interpolate(point, motion), histories.axes[p], point.reference),
+                histories,
+                after);
+    }
+    std::copy(after.begin(), after.end(), memory.begin());
 }
 
 template <int Nodes>
@@ -275,11 +416,11 @@ auto InterpolatedRod<Nodes>::compute_section_state(int p,
                                                    Histories histories) const -> SectionState {
     const ForcePoint point = force_point(p);
     SectionState state;
-    state.strain = compute_strain(interpolate(point, motion), histories[p], point.reference);
-    state.resultants = stiffness(p) * state.strain;
+    state.strain = compute_strain(interpolate(point, motion), histories.axes[p], point.reference);
+    state.resultants = compute_resultants(p, state.strain, histories);
     if (is_damped()) {
-        const Vec6 strain_rates = compute_strain_rates(point, motion, rates, histories[p]);
-        state.resultants += section(p).kelvin_voigt * (stiffness(p) * strain_rates);
+        const Vec6 strain_rates = compute_strain_rates(point, motion, rates, histories.axes[p]);
+        state.resultants += section(p).compute_viscous_resultants(strain_rates);
     }
     return state;
 }
@@ -299,7 +440,8 @@ auto InterpolatedRod<Nodes>::compute_middle_state(const LocalMotion<Nodes>& moti
     return middle;
 }
 
-// The strains follow from the resultants but for those of damping, which are known at the points alone.
+// The strains follow from the resultants but for those of damping, which are known at the points alone, and
+// so are the strains themselves of a section that is not linear.
 template <int Nodes>
 auto InterpolatedRod<Nodes>::interpolate_state(const LocalMotion<Nodes>& motion,
                                                const LocalMotion<Nodes>& rates,
@@ -320,12 +462,15 @@ auto InterpolatedRod<Nodes>::interpolate_state(const LocalMotion<Nodes>& motion,
     state.resultants =
         of_resultants[point_count] * end_resultants[0] + of_resultants[point_count + 1] * end_resultants[1];
     Vec6 damping = Vec6::Zero();
+    Vec6 strain = Vec6::Zero();
     for (int p = 0; p < point_count; ++p) {
         const SectionState point = compute_section_state(p, motion, rates, histories);
         state.resultants += of_resultants[p] * point.resultants;
         if (is_damped()) damping += of_damping[p] * (point.resultants - stiffness(p) * point.strain);
+        strain += of_damping[p] * point.strain;
     }
-    state.strain = stiffness_there.ldlt().solve(state.resultants - damping);
+    state.strain =
+        is_linear(histories) ? Vec6(stiffness_there.ldlt().solve(state.resultants - damping)) : strain;
     return state;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "elements/element.hpp"
 #include "elements/rod/rod_section.hpp"
 #include "elements/rod/section_strain.hpp"
@@ -26,11 +28,14 @@ class InterpolatedRod {
     using PointHistories = std::array<SectionHistory, point_count>;
 
     using PointSections = std::array<SharedRodSection, point_count>;
+    using PointStrains = std::array<Vec6, point_count>;
 
-    // The reference shape: what is interpolated there is free of strain.
-    InterpolatedRod(const LocalMotion<Nodes>& reference,
+    // The shape at t = 0: what is interpolated there has these strains (Γ, K), which are zero where it is
+    // free of stress.
+    InterpolatedRod(const LocalMotion<Nodes>& start,
                     const PointHistories& histories,
-                    const PointSections& sections);
+                    const PointSections& sections,
+                    const PointStrains& strains);
 
     bool is_damped() const { return section(0).kelvin_voigt > 0.0; }
     const RodSection& section(int point) const { return *sections_[point]; }
@@ -40,11 +45,35 @@ class InterpolatedRod {
         ReferenceStrain strain;
     };
     const ReferencePoint& reference(int point) const { return points_[point]; }
+
+    // The one place where resultants follow from the strains of a point, measured from the reference: by its
+    // section's law and what acts within the section. The dissipated energy and what the law remembers in
+    // `after` are those since the last accepted step.
+    SectionResponse respond(int point,
+                            const Vec6& strain,
+                            Histories histories,
+                            std::span<double> after = {}) const;
+    // What drives the sections of the rod, and what that does work on.
+    void add_driven_points(const LocalMotion<Nodes>& motion,
+                           Histories histories,
+                           std::vector<DrivenPoint>& points) const;
+    // Whether that is the stiffness × the strains, at every point.
+    bool is_linear(Histories histories) const { return !has_law() && histories.drives.empty(); }
+    bool has_law() const { return section(0).law != nullptr; }
+    // Numbers that the laws of all points remember: as many at each.
+    int memory_count() const { return point_count * section(0).memory_size(); }
+
     double strain_energy(const LocalMotion<Nodes>& motion, Histories histories) const;
+    // What laws have dissipated since the last accepted step.
+    double dissipated_energy(const LocalMotion<Nodes>& motion, Histories histories) const;
     // ∂W/∂(r_I, θ_I).
     NodalVector<Nodes> compute_gradient(const LocalMotion<Nodes>& motion, Histories histories) const;
-    // ∂²W/∂(r_I, θ_I)², symmetric.
-    NodalMatrix<Nodes> compute_hessian(const LocalMotion<Nodes>& motion, Histories histories) const;
+    // The same with ∂²W/∂(r_I, θ_I)², symmetric where D is.
+    struct Derivatives {
+        NodalVector<Nodes> gradient;
+        NodalMatrix<Nodes> hessian;
+    };
+    Derivatives compute_derivatives(const LocalMotion<Nodes>& motion, Histories histories) const;
 
     // Σ Eᵀ S of resultants S of the points, whatever the strains, in the place of the gradient; and
     // Σ (Eᵀ C E + G(S)) in the place of the hessian (docs/theory/rods.md, (R34)).
@@ -54,11 +83,14 @@ class InterpolatedRod {
     NodalMatrix<Nodes> compute_mixed_hessian(const LocalMotion<Nodes>& motion,
                                              Histories histories,
                                              Resultants resultants) const;
-    // C (E + E_u δu): the resultants after an increment δu of the motion, to first order.
+    // S + D E_u δu: the resultants after an increment δu of the motion, to first order; C (E + E_u δu) of a
+    // linear section.
     void advance_resultants(const LocalMotion<Nodes>& motion,
                             const LocalMotion<Nodes>& increment,
                             Histories histories,
                             std::span<Vec6> resultants) const;
+    // The same of one point, by its strain and the change of that.
+    Vec6 advance_resultants(int point, const Vec6& strain, const Vec6& change, Histories histories) const;
 
     // The generalised force of the resultants τ C Ė (Kelvin & Voigt), Ė the strain rates at these `rates`.
     NodalVector<Nodes> compute_damping_force(const LocalMotion<Nodes>& motion,
@@ -79,15 +111,19 @@ class InterpolatedRod {
     // The same of a rod with one force point, by the change of its strain.
     double damping_action(const Vec6& change) const;
 
-    // ∫ δE (C δE) ds, component by component, of what an increment of the motion adds to the strains to first
-    // order; and the same of a rod with one force point, by that change.
+    // ∫ δE (D δE) ds, component by component, of what an increment of the motion adds to the strains to first
+    // order; and the same of a rod with one force point, by that change and D.
     Vec6 compute_strain_work(const LocalMotion<Nodes>& motion,
                              const LocalMotion<Nodes>& increment,
                              Histories histories) const;
-    Vec6 compute_strain_work(const Vec6& change) const;
+    Vec6 compute_strain_work(const Vec6& change, const Mat6& stiffness) const;
 
     // Λ and the total curvature of each point, for the next step.
-    void advance(const LocalMotion<Nodes>& motion, std::span<SectionHistory> histories) const;
+    void advance(const LocalMotion<Nodes>& motion, std::span<SectionHistory> axes) const;
+    // What laws remember, for the next step. `memory` can be that of the histories.
+    void advance_memory(const LocalMotion<Nodes>& motion,
+                        Histories histories,
+                        std::span<double> memory) const;
 
     // Strains and resultants τ C Ė + C E.
     struct SectionState {
@@ -123,11 +159,18 @@ class InterpolatedRod {
     static void add_force(const ForcePoint& point, const Vec9& density, NodalVector<Nodes>& force);
     static void add_matrix(const ForcePoint& point, const Mat9& density, NodalMatrix<Nodes>& matrix);
     const Mat6& stiffness(int point) const { return section(point).stiffness; }
-    void add_hessian(int p,
-                     const ForcePoint& point,
+    // Of a section that is linear stiffness × strains, to the last bit.
+    Vec6 compute_resultants(int point, const Vec6& strain, Histories histories) const;
+    // With those of the reference: (Λᵀ r′, K).
+    Vec6 compute_total_strain(int point, const Vec6& strain) const;
+    // D at the strains of these fields.
+    Mat6 compute_stiffness(int point, const SectionFields& fields, Histories histories) const;
+    void add_hessian(const ForcePoint& point,
                      const SectionFields& fields,
                      const SectionHistory& history,
+                     const StrainGradient& E_u,
                      const Vec6& resultants,
+                     const Mat6& stiffness,
                      NodalMatrix<Nodes>& hessian) const;
     Vec6 compute_strain_rates(const ForcePoint& point,
                               const LocalMotion<Nodes>& motion,

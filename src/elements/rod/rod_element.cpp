@@ -98,7 +98,7 @@ auto RodElement<Nodes, Map>::compute_start(const RodElementGeometry<Nodes>& geom
         const std::array<NodeMotion, Nodes> nodal = make_reference(geometry);
         const ObjectiveMap<Nodes> map(point_at(nodal), geometry.triads);
         // Its own reference is of no matter for where its points are.
-        const InterpolatedRod<Nodes> rod(map.local(), histories, {});
+        const InterpolatedRod<Nodes> rod(map.local(), histories, {}, geometry.strains);
         rod.advance(map.local(), histories);
         for (SectionHistory& history : histories) history.Lambda = map.turn_out(history.Lambda);
     }
@@ -110,7 +110,7 @@ auto RodElement<Nodes, Map>::make_rod(const RodElementGeometry<Nodes>& geometry,
                                       const ElementSections<Nodes>& sections) -> Rod {
     const std::array<NodeMotion, Nodes> nodal = make_reference(geometry);
     const Map map(point_at(nodal), geometry.triads);
-    return Rod(map.local(), compute_start(geometry), sections.at_forces);
+    return Rod(map.local(), compute_start(geometry), sections.at_forces, geometry.strains);
 }
 
 template <int Nodes, class Map>
@@ -121,7 +121,8 @@ Histories RodElement<Nodes, Map>::histories_of_points(Histories histories) {
         same.fill({Quat::Identity(), Vec3::Zero()});
         return same;
     }();
-    return own;
+    histories.axes = own;
+    return histories;
 }
 
 template <int Nodes, class Map>
@@ -129,17 +130,19 @@ void RodElement<Nodes, Map>::add_internal_force(const Motions<Nodes>& motions,
                                                 Histories histories,
                                                 NodalVector<Nodes>& force) const {
     if constexpr (is_two_node_objective) {
-        visit_state(motions, [&](const TwoNodeRod<double>::State& state) {
-            const TwoNodeRod<double>::Forces forces = state.forces();
-            force.template segment<3>(0) -= forces.n;
-            force.template segment<3>(3) += forces.moment_a;
-            force.template segment<3>(6) += forces.n;
-            force.template segment<3>(9) += forces.moment_b;
-        });
-    } else {
-        const Map map(motions, triads());
-        map.add_force(rod_.compute_gradient(map.local(), histories_of_points(histories)), force);
+        if (has_closed_form(histories)) {
+            visit_state(motions, [&](const TwoNodeRod<double>::State& state) {
+                const TwoNodeRod<double>::Forces forces = state.forces();
+                force.template segment<3>(0) -= forces.n;
+                force.template segment<3>(3) += forces.moment_a;
+                force.template segment<3>(6) += forces.n;
+                force.template segment<3>(9) += forces.moment_b;
+            });
+            return;
+        }
     }
+    const Map map(motions, triads());
+    map.add_force(rod_.compute_gradient(map.local(), histories_of_points(histories)), force);
 }
 
 template <int Nodes, class Map>
@@ -148,17 +151,17 @@ void RodElement<Nodes, Map>::add_internal_tangent(const Motions<Nodes>& motions,
                                                   const Linearizations<Nodes>& linearizations,
                                                   NodalMatrix<Nodes>& tangent) const {
     if constexpr (is_two_node_objective) {
-        visit_state(motions, [&](const TwoNodeRod<double>::State& state) {
-            add_tangents(state.compute_tangents(), linearizations, tangent);
-        });
-    } else {
-        const Map map(motions, triads());
-        const Histories known = histories_of_points(histories);
-        map.add_tangent(rod_.compute_gradient(map.local(), known),
-                        rod_.compute_hessian(map.local(), known),
-                        linearizations,
-                        tangent);
+        if (has_closed_form(histories)) {
+            visit_state(motions, [&](const TwoNodeRod<double>::State& state) {
+                add_tangents(state.compute_tangents(), linearizations, tangent);
+            });
+            return;
+        }
     }
+    const Map map(motions, triads());
+    const Histories known = histories_of_points(histories);
+    const auto derivatives = rod_.compute_derivatives(map.local(), known);
+    map.add_tangent(derivatives.gradient, derivatives.hessian, linearizations, tangent);
 }
 
 template <int Nodes, class Map>
@@ -168,18 +171,20 @@ void RodElement<Nodes, Map>::add_mixed_tangent(const Motions<Nodes>& motions,
                                                const Linearizations<Nodes>& linearizations,
                                                NodalMatrix<Nodes>& tangent) const {
     if constexpr (is_two_node_objective) {
-        visit_state(motions, [&](TwoNodeRod<double>::State state) {
-            state.set_resultants({resultants[0].head<3>(), resultants[0].tail<3>()});
-            add_tangents(state.compute_tangents(), linearizations, tangent);
-        });
-    } else {
-        const Map map(motions, triads());
-        const Histories known = histories_of_points(histories);
-        map.add_tangent(rod_.compute_force_of(map.local(), known, resultants),
-                        rod_.compute_mixed_hessian(map.local(), known, resultants),
-                        linearizations,
-                        tangent);
+        if (has_closed_form(histories)) {
+            visit_state(motions, [&](TwoNodeRod<double>::State state) {
+                state.set_resultants({resultants[0].head<3>(), resultants[0].tail<3>()});
+                add_tangents(state.compute_tangents(), linearizations, tangent);
+            });
+            return;
+        }
     }
+    const Map map(motions, triads());
+    const Histories known = histories_of_points(histories);
+    map.add_tangent(rod_.compute_force_of(map.local(), known, resultants),
+                    rod_.compute_mixed_hessian(map.local(), known, resultants),
+                    linearizations,
+                    tangent);
 }
 
 template <int Nodes, class Map>
@@ -188,19 +193,21 @@ void RodElement<Nodes, Map>::advance_resultants(const Motions<Nodes>& motions,
                                                 const NodalVector<Nodes>& increment,
                                                 std::span<Vec6> resultants) const {
     if constexpr (is_two_node_objective) {
-        visit_state(motions, [&](const TwoNodeRod<double>::State& state) {
-            const auto [N, M] =
-                state.advance_resultants(increment.template segment<3>(6) - increment.template segment<3>(0),
-                                         increment.template segment<3>(3),
-                                         increment.template segment<3>(9));
-            resultants[0] << N, M;
-        });
-    } else {
-        const Map map(motions, triads());
-        const std::array<NodeMotion, Nodes> moving = with_rates<Nodes>(motions, increment);
-        rod_.advance_resultants(
-            map.local(), map.compute_rates(point_at(moving)), histories_of_points(histories), resultants);
+        if (has_closed_form(histories)) {
+            visit_state(motions, [&](const TwoNodeRod<double>::State& state) {
+                const auto [N, M] = state.advance_resultants(
+                    increment.template segment<3>(6) - increment.template segment<3>(0),
+                    increment.template segment<3>(3),
+                    increment.template segment<3>(9));
+                resultants[0] << N, M;
+            });
+            return;
+        }
     }
+    const Map map(motions, triads());
+    const std::array<NodeMotion, Nodes> moving = with_rates<Nodes>(motions, increment);
+    rod_.advance_resultants(
+        map.local(), map.compute_rates(point_at(moving)), histories_of_points(histories), resultants);
 }
 
 template <int Nodes, class Map>
@@ -208,21 +215,22 @@ Vec6 RodElement<Nodes, Map>::compute_strain_work(const Motions<Nodes>& motions,
                                                  Histories histories,
                                                  const NodalVector<Nodes>& increment) const {
     if constexpr (is_two_node_objective) {
-        Vec6 change;
-        visit_state(motions, [&](const TwoNodeRod<double>::State& state) {
-            const auto [Gamma, Kappa] = state.compute_strain_increments(
-                increment.template segment<3>(6) - increment.template segment<3>(0),
-                increment.template segment<3>(3),
-                increment.template segment<3>(9));
-            change << Gamma, Kappa;
-        });
-        return rod_.compute_strain_work(change);
-    } else {
-        const Map map(motions, triads());
-        const std::array<NodeMotion, Nodes> moving = with_rates<Nodes>(motions, increment);
-        return rod_.compute_strain_work(
-            map.local(), map.compute_rates(point_at(moving)), histories_of_points(histories));
+        if (has_closed_form(histories)) {
+            Vec6 change;
+            visit_state(motions, [&](const TwoNodeRod<double>::State& state) {
+                const auto [Gamma, Kappa] = state.compute_strain_increments(
+                    increment.template segment<3>(6) - increment.template segment<3>(0),
+                    increment.template segment<3>(3),
+                    increment.template segment<3>(9));
+                change << Gamma, Kappa;
+            });
+            return rod_.compute_strain_work(change, rod_.section(0).stiffness);
+        }
     }
+    const Map map(motions, triads());
+    const std::array<NodeMotion, Nodes> moving = with_rates<Nodes>(motions, increment);
+    return rod_.compute_strain_work(
+        map.local(), map.compute_rates(point_at(moving)), histories_of_points(histories));
 }
 
 template <int Nodes, class Map>
@@ -314,10 +322,16 @@ void RodElement<Nodes, Map>::start(std::span<SectionHistory> histories) const {
     if constexpr (history_count > 0) std::copy(start_.begin(), start_.end(), histories.begin());
 }
 
+// What the law remembers follows from strains, which are seen from the axes of the step before.
 template <int Nodes, class Map>
 void RodElement<Nodes, Map>::commit(const Motions<Nodes>& motions,
-                                    std::span<SectionHistory> histories) const {
-    if constexpr (history_count > 0) rod_.advance(Map(motions, triads()).local(), histories);
+                                    Histories histories,
+                                    WritableHistories after) const {
+    const bool remembers = !after.memory.empty();
+    if (history_count == 0 && !remembers) return;
+    const Map map(motions, triads());
+    if (remembers) rod_.advance_memory(map.local(), histories_of_points(histories), after.memory);
+    if constexpr (history_count > 0) rod_.advance(map.local(), after.axes);
 }
 
 template <int Nodes, class Map>
@@ -333,12 +347,26 @@ double RodElement<Nodes, Map>::largest_relative_rotation(const Motions<Nodes>& m
 template <int Nodes, class Map>
 double RodElement<Nodes, Map>::strain_energy(const Motions<Nodes>& motions, Histories histories) const {
     if constexpr (is_two_node_objective) {
-        double energy = 0.0;
-        visit_state(motions, [&](const TwoNodeRod<double>::State& state) { energy = state.energy(); });
-        return energy;
-    } else {
-        return rod_.strain_energy(Map(motions, triads()).local(), histories_of_points(histories));
+        if (has_closed_form(histories)) {
+            double energy = 0.0;
+            visit_state(motions, [&](const TwoNodeRod<double>::State& state) { energy = state.energy(); });
+            return energy;
+        }
     }
+    return rod_.strain_energy(Map(motions, triads()).local(), histories_of_points(histories));
+}
+
+template <int Nodes, class Map>
+double RodElement<Nodes, Map>::dissipated_energy(const Motions<Nodes>& motions, Histories histories) const {
+    if (!has_law()) return 0.0;
+    return rod_.dissipated_energy(Map(motions, triads()).local(), histories_of_points(histories));
+}
+
+template <int Nodes, class Map>
+void RodElement<Nodes, Map>::add_driven_points(const Motions<Nodes>& motions,
+                                               Histories histories,
+                                               std::vector<DrivenPoint>& points) const {
+    rod_.add_driven_points(Map(motions, triads()).local(), histories_of_points(histories), points);
 }
 
 template <int Nodes, class Map>
@@ -369,7 +397,7 @@ SectionValues RodElement<Nodes, Map>::section_values(const Motions<Nodes>& motio
     if constexpr (Nodes % 2 == 0) {
         // A force point lies in the middle.
         const Vec3 theta = map.local().theta * compute_shape_functions<Nodes>(0.0);
-        axes = map.turn_out(compute_section_axes(theta, known[Nodes / 2 - 1]));
+        axes = map.turn_out(compute_section_axes(theta, known.axes[Nodes / 2 - 1]));
     } else {
         axes = motions[Nodes / 2]->Lambda * triads()[Nodes / 2];
     }

@@ -45,12 +45,12 @@ class RodElement {
                            Resultants resultants,
                            const Linearizations<Nodes>& linearizations,
                            NodalMatrix<Nodes>& tangent) const;
-    // Sets them to what they are after the increment (δr, δφ) to first order: C (E + δE).
+    // Sets them to what they are after the increment (δr, δφ) to first order: S + D δE.
     void advance_resultants(const Motions<Nodes>& motions,
                             Histories histories,
                             const NodalVector<Nodes>& increment,
                             std::span<Vec6> resultants) const;
-    // ∫ δE (C δE) ds, component by component, of the strains δE that the increment (δr, δφ) adds to first
+    // ∫ δE (D δE) ds, component by component, of the strains δE that the increment (δr, δφ) adds to first
     // order.
     Vec6 compute_strain_work(const Motions<Nodes>& motions,
                              Histories histories,
@@ -87,11 +87,21 @@ class RodElement {
     // The histories of a rod in its reference shape.
     void start(std::span<SectionHistory> histories) const;
     // Takes the trial motion as the last accepted step.
-    void commit(const Motions<Nodes>& motions, std::span<SectionHistory> histories) const;
+    void commit(const Motions<Nodes>& motions, Histories histories, WritableHistories after) const;
+    // Numbers that the laws of its sections remember.
+    int memory_count() const { return rod_.memory_count(); }
+    bool has_law() const { return rod_.has_law(); }
+    // Whether the Kelvin-Voigt damping of its components differs.
+    bool is_damped_unevenly() const { return rod_.section(0).damping_roots.has_value(); }
     // The largest rotation between nodes that the interpolation takes for the short way round, at most π.
     double largest_relative_rotation(const Motions<Nodes>& motions) const;
 
     double strain_energy(const Motions<Nodes>& motions, Histories histories) const;
+    // What the laws of its sections have dissipated since the last accepted step.
+    double dissipated_energy(const Motions<Nodes>& motions, Histories histories) const;
+    void add_driven_points(const Motions<Nodes>& motions,
+                           Histories histories,
+                           std::vector<DrivenPoint>& points) const;
     double kinetic_energy(const Motions<Nodes>& motions) const;
     double gravity_potential(const Motions<Nodes>& motions, const Vec3& gravity) const;
     Momentum momentum(const Motions<Nodes>& motions) const;
@@ -116,10 +126,13 @@ class RodElement {
     static PointHistories compute_start(const RodElementGeometry<Nodes>& geometry);
     static Rod make_rod(const RodElementGeometry<Nodes>& geometry, const ElementSections<Nodes>& sections);
 
-    // The one with two nodes that is objective has closed forms.
+    // The one with two nodes that is objective has closed forms, for linear sections.
     static constexpr bool is_two_node_objective = Nodes == 2 && std::is_same_v<Map, ObjectiveMap<2>>;
     template <class Visitor>
     void visit_state(const Motions<Nodes>& motions, Visitor&& visit) const;
+    bool has_closed_form(Histories histories) const {
+        return is_two_node_objective && rod_.is_linear(histories);
+    }
     // Calls visit(rod, rotation, axes of a, r_b − r_a), which a TwoNodeRod<double>::State is made of.
     template <class Visitor>
     void visit_two_nodes(const Motions<Nodes>& motions, Visitor&& visit) const;

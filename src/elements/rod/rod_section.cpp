@@ -27,6 +27,19 @@ RodSection::RodSection(const Section& section, bool resists_acceleration)
       mass(section.mass(0, 0)),
       centre_of_mass(compute_offset(section)),
       rotary_inertia(compute_rotary_inertia(section, centre_of_mass)),
-      has_inertia(resists_acceleration) {}
+      has_inertia(resists_acceleration),
+      law(section.law) {
+    if (section.kelvin_voigt_components) damping_roots = section.kelvin_voigt_components->cwiseSqrt();
+}
+
+Vec6 RodSection::compute_viscous_resultants(const Vec6& rates) const {
+    if (!damping_roots) return kelvin_voigt * (stiffness * rates);
+    return damping_roots->cwiseProduct(stiffness * damping_roots->cwiseProduct(rates));
+}
+
+Mat6 RodSection::compute_viscosity() const {
+    if (!damping_roots) return kelvin_voigt * stiffness;
+    return damping_roots->asDiagonal() * stiffness * damping_roots->asDiagonal();
+}
 
 }  // namespace gxrod

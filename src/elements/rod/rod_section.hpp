@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "model/model.hpp"
 
@@ -9,15 +10,23 @@ namespace gxrod {
 
 // What elements share of a section. Material axes.
 struct RodSection {
-    Mat6 stiffness;            // resultants from strains
-    double kelvin_voigt;       // time
-    double mass_proportional;  // 1/time
-    double mass;               // per length
-    Vec3 centre_of_mass;       // from the node
-    Mat3 rotary_inertia;       // per length, about the centre of mass
-    bool has_inertia;          // as Model::has_inertia
+    Mat6 stiffness;                         // resultants from strains
+    double kelvin_voigt;                    // time
+    double mass_proportional;               // 1/time
+    double mass;                            // per length
+    Vec3 centre_of_mass;                    // from the node
+    Mat3 rotary_inertia;                    // per length, about the centre of mass
+    bool has_inertia;                       // as Model::has_inertia
+    std::optional<Vec6> damping_roots;      // √τ_i, where the components of kelvin_voigt differ
+    std::shared_ptr<const SectionLaw> law;  // nullptr where resultants are stiffness × strains
+
+    int memory_size() const { return law ? law->memory_size() : 0; }
 
     explicit RodSection(const Section& section, bool resists_acceleration = true);
+
+    // The resultants of Kelvin-Voigt damping at these strain rates, or, of a column, for each.
+    Vec6 compute_viscous_resultants(const Vec6& rates) const;
+    Mat6 compute_viscosity() const;
 
     bool has_offset() const { return !centre_of_mass.isZero(0.0); }
 };

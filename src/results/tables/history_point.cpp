@@ -51,7 +51,8 @@ std::vector<RodPlace> list_rod_places(const std::vector<HistoryRequest>& request
 HistoryPoint::HistoryPoint(const Model& model, const std::vector<HistoryRequest>& requests, std::size_t index)
     : node_(requests[index].node),
       relative_node_(requests[index].relative_node),
-      relative_axes_(requests[index].relative_axes) {
+      relative_axes_(requests[index].relative_axes),
+      about_(requests[index].about) {
     const HistoryRequest& request = requests[index];
     for (std::size_t i = 0; i < index; ++i) point_ += requests[i].place ? 1 : 0;
     if (request.spring >= 0) spring_ = &model.springs[static_cast<std::size_t>(request.spring)];
@@ -104,6 +105,14 @@ HistoryPoint::Seen HistoryPoint::see_from_reference(const Snapshot& snapshot) co
     seen.motion.Lambda = to_axes * node.Lambda * relative_axes_;
     seen.motion.omega = to_axes * (node.omega - omega);
     return seen;
+}
+
+// M + (r − about) × F of the force F and the moment M on the node at r.
+Vec3 HistoryPoint::reaction_moment(const Snapshot& snapshot) const {
+    const auto node = static_cast<std::size_t>(node_);
+    const Vec6& reaction = snapshot.reactions[node];
+    if (!about_) return reaction.tail<3>();
+    return reaction.tail<3>() + (snapshot.nodes[node].r - *about_).cross(reaction.head<3>());
 }
 
 Vec3 HistoryPoint::section_value(Quantity quantity, const Snapshot& snapshot, const Quat& axes) const {
@@ -242,7 +251,7 @@ HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snaps
         case Quantity::reaction_force:
             return row(snapshot.reactions[static_cast<std::size_t>(node_)].head<3>());
         case Quantity::reaction_moment:
-            return row(snapshot.reactions[static_cast<std::size_t>(node_)].tail<3>());
+            return row(reaction_moment(snapshot));
         case Quantity::elongation:
         case Quantity::axial_force:
         case Quantity::angle:

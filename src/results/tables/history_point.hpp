@@ -45,6 +45,7 @@ class HistoryPoint {
     static Row joint_value(Quantity quantity, const JointValues& joint);
     double spring_value(Quantity quantity, const Snapshot& snapshot) const;
     Vec3 bushing_value(Quantity quantity, const Snapshot& snapshot) const;
+    Vec3 reaction_moment(const Snapshot& snapshot) const;
     Vec3 section_value(Quantity quantity, const Snapshot& snapshot, const Quat& axes) const;
     Row continuous_quaternion(const Quat& rotation, Quat& last);
 
@@ -62,6 +63,7 @@ class HistoryPoint {
     int relative_node_;          // what the point is relative to, or -1
     Quat relative_axes_;         // there, at t = 0
     Vec3 relative_start_ = Vec3::Zero();
+    std::optional<Vec3> about_;  // of moments of reactions
     Quat last_quaternion_ = Quat::Identity();
     Quat last_orientation_ = Quat::Identity();
 };

@@ -3,6 +3,8 @@
 #include "results/tables/quantity.hpp"
 #include "results/tables/stage_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -12,9 +14,24 @@ namespace {
 
 constexpr int most_columns = 4;
 
+// "[1, 0, 2]", or "" where moments are about the support's point.
+std::string describe_about(const HistoryRequest& request) {
+    if (!request.about) return "";
+    const Vec3& point = *request.about;
+    return fmt::format("[{:.17g}, {:.17g}, {:.17g}]", point[0], point[1], point[2]);
+}
+
 QuantityForm form_of(Quantity quantity, PointKind kind, const HistoryRequest& request) {
-    return request.relative_to.empty() ? quantity_form(quantity, kind)
-                                       : relative_quantity_form(quantity, kind, request.relative_to);
+    if (!request.relative_to.empty()) return relative_quantity_form(quantity, kind, request.relative_to);
+    QuantityForm form = quantity_form(quantity, kind);
+    if (quantity == Quantity::reaction_moment && request.about)
+        form.label.description += ", about " + describe_about(request);
+    return form;
+}
+
+// What an attribute of a group says, "" without it.
+std::string read_label(const Hdf5Handle& group, const char* name) {
+    return H5Aexists(group.id(), name) > 0 ? read_text_attribute(group.id(), name) : "";
 }
 
 RowShape shape_of(const Hdf5Handle& group, const std::string& name) {
@@ -28,14 +45,17 @@ RowShape shape_of(const Hdf5Handle& group, const std::string& name) {
 // Writes which point a history is of; throws if it already belongs to another.
 void label_group(const Hdf5Handle& group, const HistoryRequest& request) {
     const bool is_new = H5Aexists(group.id(), "at") <= 0;
+    const std::string about = describe_about(request);
     if (is_new) {
         write_attribute(group.id(), "at", request.at);
         if (!request.relative_to.empty()) write_attribute(group.id(), "relative_to", request.relative_to);
+        if (!about.empty()) write_attribute(group.id(), "about", about);
         return;
     }
-    const bool was_relative = H5Aexists(group.id(), "relative_to") > 0;
-    const std::string relative_to = was_relative ? read_text_attribute(group.id(), "relative_to") : "";
-    if (read_text_attribute(group.id(), "at") == request.at && relative_to == request.relative_to) return;
+    if (read_label(group, "at") == request.at && read_label(group, "relative_to") == request.relative_to &&
+        read_label(group, "about") == about) {
+        return;
+    }
     throw std::runtime_error("its history " + request.name +
                              " is of another point; give this one another name");
 }

@@ -14,7 +14,7 @@
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t form_version = 11;  // of /restart; raise it with every change
+inline constexpr std::int64_t form_version = 12;  // of /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 using Vec1 = Eigen::Matrix<double, 1, 1>;
@@ -148,6 +148,8 @@ inline const DatasetLabel sections_label{
     "material curvature",
     "none",
     ""};
+inline const DatasetLabel law_memory_label{
+    "law_memory", "of each force point whose section has a law: what that remembers", "none", ""};
 inline const DatasetLabel algorithmic_label{
     "algorithmic", "of each node: algorithmic acceleration and angular acceleration", "spatial", ""};
 inline const DatasetLabel joints_label{
@@ -180,6 +182,7 @@ template <class Record, class Visitor>
 void visit_lists(Record& record, Visitor&& visit) {
     visit(nodes_label, record.nodes);
     visit(sections_label, record.sections);
+    visit(law_memory_label, record.law_memory);
     visit(algorithmic_label, record.algorithmic);
     visit(joints_label, record.joints);
     visit(forces_label, record.ledger.forces);

@@ -62,6 +62,7 @@ class PathNewton {
 
     void compute_residual() {
         const PhaseTimer timer(workspace_.seconds.assembly);
+        state_.trial_time = solution_.load_factor;
         system_.compute_residual(state_, solution_.load_factor, workspace_.residual);
         for (std::size_t i = 0; i < problem_.disturbances.size(); ++i) {
             const Eigen::VectorXd force =

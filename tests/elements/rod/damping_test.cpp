@@ -73,7 +73,7 @@ struct MovingSample {
             sample.motions[i].omega = random.vector();
         }
         for (int p = 0; p < E::history_count; ++p) {
-            sample.histories.push_back({random.rotation(), random.vector(0.5)});
+            sample.histories.axes.push_back({random.rotation(), random.vector(0.5)});
         }
     }
     static RodPiece<E::node_count> make_piece(RandomValues& random,

@@ -43,7 +43,7 @@ struct RodRun {
             }
             geometries.push_back(geometry);
             elements.emplace_back(geometry, section);
-            elements.back().start(histories_of(e));
+            elements.back().start(writable_axes_of(e));
         }
         previous = motions;
     }
@@ -55,9 +55,9 @@ struct RodRun {
         return pointers;
     }
     Histories histories_of(int e) const {
-        return {histories.data() + e * E::history_count, static_cast<std::size_t>(E::history_count)};
+        return {.axes = {histories.data() + e * E::history_count, E::history_count}};
     }
-    std::span<SectionHistory> histories_of(int e) {
+    std::span<SectionHistory> writable_axes_of(int e) {
         return {histories.data() + e * E::history_count, static_cast<std::size_t>(E::history_count)};
     }
     SectionValues values(int e) const { return elements[e].section_values(motions_of(e), histories_of(e)); }
@@ -67,7 +67,8 @@ struct RodRun {
         place(previous[node], r, log(Lambda * previous[node].Lambda.conjugate()), motions[node]);
     }
     void commit() {
-        for (int e = 0; e < piece_count(); ++e) elements[e].commit(motions_of(e), histories_of(e));
+        for (int e = 0; e < piece_count(); ++e)
+            elements[e].commit(motions_of(e), histories_of(e), {.axes = writable_axes_of(e)});
         for (NodeMotion& motion : motions) motion.theta.setZero();
         previous = motions;
     }

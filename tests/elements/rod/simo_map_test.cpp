@@ -56,8 +56,7 @@ TEST_CASE("nodal moments depend on when a step began, to the first order of its 
         nodal[0].theta = theta_0;
         nodal[1].theta = theta_1;
         const auto before = sample.internal_force(nodal);
-        auto histories = sample.histories;
-        sample.element.commit(sample.point_at(nodal), histories);
+        const auto histories = sample.committed(nodal);
         for (NodeMotion& motion : nodal) motion.theta.setZero();
         const auto after = sample.internal_force(nodal, histories);
         Vec3 total = Vec3::Zero();

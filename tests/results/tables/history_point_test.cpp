@@ -138,6 +138,18 @@ TEST_CASE("Reactions are those of the point's node", "[results]") {
     CHECK(vector_of(make_point(model, middle), Quantity::reaction_force, motion) == Vec3::Zero());
 }
 
+TEST_CASE("The moment of a reaction can be about any point", "[results]") {
+    const Model model = sample::make_model();
+    const Motion motion(0.7);
+    std::vector<HistoryRequest> requests = sample::make_output().histories;
+    requests[root].about = Vec3(0.5, -2.0, 3.0);
+    const HistoryPoint point(model, requests, root);
+    const Vec3 arm = motion.nodes[static_cast<std::size_t>(requests[root].node)].r - Vec3(0.5, -2.0, 3.0);
+    const Vec3 expected = Vec3(4, 5, 6) + arm.cross(Vec3(1.7, 2, 3));
+    CHECK((vector_of(point, Quantity::reaction_moment, motion) - expected).norm() < 1e-14);
+    CHECK(vector_of(point, Quantity::reaction_force, motion) == Vec3(1.7, 2, 3));
+}
+
 TEST_CASE("Quaternions do not change sign from step to step, rotation vectors stay within pi", "[results]") {
     const Model model = sample::make_model();
     HistoryPoint point = make_point(model, middle);
