@@ -60,6 +60,11 @@ std::string describe_load(const Model& model, const NodalLoad& load) {
 }
 
 std::string describe_load(const Model& model, const DistributedLoad& load) {
+    if (load.field)
+        return fmt::format("{} on rod {}: in a {}magnetic field\n",
+                           load.key,
+                           model.rods[load.rod].name,
+                           load.field->by_place ? "" : "uniform ");
     return fmt::format("{} on rod {}:{}{}, {}\n",
                        load.key,
                        model.rods[load.rod].name,

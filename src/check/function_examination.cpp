@@ -46,11 +46,17 @@ class FunctionExamination {
         }
         for (const DistributedLoad& load : model_.distributed_loads) {
             const double middle = 0.5 * model_.rods[load.rod].length;
+            if (load.field) {
+                examine_magnet(load, middle);
+                continue;
+            }
             for (std::size_t i = 0; i < 3; ++i) {
                 examine_line(fmt::format("{}.force_per_length[{}]", load.key, i), load.force[i], middle);
                 examine_line(fmt::format("{}.moment_per_length[{}]", load.key, i), load.moment[i], middle);
             }
         }
+        for (const Tendon& tendon : model_.tendons)
+            examine_load(fmt::format("tendon.{}.tension", tendon.name), tendon.tension);
         for (const Support& support : model_.supports) examine_moves(support);
         for (const Joint& joint : model_.joints) {
             examine_coordinate(joint.name, "turn", joint.turn);
@@ -65,6 +71,13 @@ class FunctionExamination {
         if (function.is_constant()) return;
         examine(
             key, [&function](double time) { return function(time); }, function.switches().get());
+    }
+
+    void examine_magnet(const DistributedLoad& load, double middle) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            examine_load(fmt::format("{}.field[{}]", load.key, i), load.field->uniform[i]);
+            examine_line(fmt::format("{}.moment[{}]", load.key, i), load.moment[i], middle);
+        }
     }
 
     // A load along a rod in the middle of it; not one whose jumps travel, which passes a place as a pulse.
@@ -126,8 +139,9 @@ class FunctionExamination {
             examine_load(fmt::format("joint.{}.spring.rest ({})", joint, name), coordinate.rest);
     }
 
-    // `what`: "the [[support]] at hub moves rx".
+    // `what`: "the [[support]] at hub moves rx". Without inertia no motion is a blow.
     void examine_move(const std::string& what, const TimeFunction& motion) {
+        if (!settings_.has_inertia) return;
         try {
             examine_kinks(what, motion);
             examine_start(what, motion);

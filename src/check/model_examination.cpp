@@ -185,9 +185,11 @@ bool any_load(const Model& model) {
     const auto strains = [&](const Spring& spring) { return is_strained(model, spring); };
     const auto pushes = [](const auto& load) { return !is_zero(load.force) || !is_zero(load.moment); };
     const auto acts = [](const NodalLoad& load) { return load.has_force() || !is_zero(load.moment); };
+    const auto is_bent = [](const Rod& rod) { return !rod.rest_strains.empty(); };
     const auto moves = [](const Support& support) { return support.moved != std::array<bool, 6>{}; };
-    return model.rotation || !model.gravity.is_zero() ||
-           std::any_of(model.springs.begin(), model.springs.end(), strains) || any_joint_is_moved(model) ||
+    return model.rotation || !model.gravity.is_zero() || !model.actuations.empty() ||
+           !model.tendons.empty() || std::any_of(model.springs.begin(), model.springs.end(), strains) ||
+           std::ranges::any_of(model.rods, is_bent) || any_joint_is_moved(model) ||
            std::any_of(model.loads.begin(), model.loads.end(), acts) ||
            std::any_of(model.distributed_loads.begin(), model.distributed_loads.end(), pushes) ||
            std::any_of(model.supports.begin(), model.supports.end(), moves);

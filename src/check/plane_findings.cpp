@@ -22,12 +22,22 @@ bool pushes_out(const Load& load, int normal) {
     return false;
 }
 
+// A magnetic moment along the rod, in a field that is surely along the plane, turns the rod in it.
+bool pushes_out(const DistributedLoad& load, const MagneticField& field, int normal) {
+    const bool is_along_rod = load.moment[1].is_zero() && load.moment[2].is_zero();
+    return field.by_place || !field.uniform[normal].is_zero() || !is_along_rod;
+}
+
+// What acts within a rod whose axis y or z is along the normal stays in the plane if it stretches the rod and
+// bends it about the normal; that is not looked into.
+bool acts_within(const Model& model) { return !model.actuations.empty() || !model.tendons.empty(); }
+
 std::string find_push(const Model& model, int normal) {
     for (const NodalLoad& load : model.loads) {
         if (load.motion_force || pushes_out(load, normal)) return load.key;
     }
     for (const DistributedLoad& load : model.distributed_loads) {
-        if (pushes_out(load, normal)) return load.key;
+        if (load.field ? pushes_out(load, *load.field, normal) : pushes_out(load, normal)) return load.key;
     }
     if (!model.gravity.components()[normal].is_zero()) return "gravity";
     return "";
@@ -100,7 +110,7 @@ std::string find_push_out_of_plane(const Model& model) {
 }
 
 std::string suggest_plane(const Model& model) {
-    if (model.plane || model.rods.empty() || !model.bodies.empty()) return "";
+    if (model.plane || model.rods.empty() || !model.bodies.empty() || acts_within(model)) return "";
     for (const int normal : {2, 1, 0}) {
         if (!find_push(model, normal).empty() || !lies_in_plane(model, normal)) continue;
         return fmt::format(

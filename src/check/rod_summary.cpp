@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "check/rod_lines.hpp"
+#include "check/section_summary.hpp"
 
 namespace gxrod {
 namespace {
@@ -153,9 +154,14 @@ double compute_twist(const Model& model, const Rod& rod) {
 std::string describe_section(const Section& section) {
     std::string text = fmt::format("section {}:\n", section.name);
     text += describe_stiffness(section.stiffness) + describe_inertia(section.mass);
+    text += describe_centres(section);
+    if (section.law) text += fmt::format("  law: {}\n", section.law->describe());
     if (section.kelvin_voigt == 0.0 && section.mass_proportional == 0.0) return text;
-    return text + fmt::format("  damping: kelvin_voigt {:.6g}, mass_proportional {:.6g}\n",
-                              section.kelvin_voigt,
+    std::string kelvin_voigt = fmt::format("{:.6g}", section.kelvin_voigt);
+    if (section.kelvin_voigt_components)
+        kelvin_voigt = fmt::format("[{:.6g}]", fmt::join(*section.kelvin_voigt_components, ", "));
+    return text + fmt::format("  damping: kelvin_voigt {}, mass_proportional {:.6g}\n",
+                              kelvin_voigt,
                               section.mass_proportional);
 }
 
@@ -174,6 +180,7 @@ std::string describe_rod(const Model& model, const Rod& rod) {
     if (rod.has_varying_sections()) {
         text += "  section at the start: " + describe_diagonals(rod.varying.at_nodes.front()) + "\n";
         text += "  section at the end: " + describe_diagonals(rod.varying.at_nodes.back()) + "\n";
+        text += describe_varying_centres(rod);
     }
     text += "  axes at the start: " + describe_axes(rod.triads.front()) + "\n";
     const bool are_equal = rod.triads.front().angularDistance(rod.triads.back()) < round_off;

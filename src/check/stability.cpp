@@ -70,6 +70,7 @@ std::string find_load_without_potential(const Model& model) {
             return load.key + " is a moment whose axis does not turn with its point";
     }
     for (const DistributedLoad& load : model.distributed_loads) {
+        if (load.field) continue;
         if (load.frame != Frame::spatial && !(is_zero(load.force) && is_zero(load.moment)))
             return load.key + " follows its rod";
         if (!is_zero(load.moment)) return load.key + " is a moment whose axis does not turn with its rod";

@@ -33,6 +33,10 @@ bool is_steady(const NodalLoad& load, const Vec3& axis) {
 }
 
 bool is_steady(const DistributedLoad& load, double length, const Vec3& axis) {
+    if (load.field) {
+        const auto value = [&](double t) { return load.field->at(t, Vec3::Zero()); };
+        return !load.field->by_place && is_always_along(axis, value);
+    }
     if (load.frame != Frame::spatial) return true;
     for (const double part : load_factors) {
         const double s = part * length;

@@ -26,6 +26,7 @@
 #include "deck/checks/check_memory.hpp"
 #include "deck/checks/check_points.hpp"
 #include "deck/checks/check_velocities.hpp"
+#include "deck/drives/build_drives.hpp"
 #include "deck/expressions/function_files.hpp"
 #include "deck/joints/build_gears.hpp"
 #include "deck/joints/build_joints.hpp"
@@ -35,6 +36,7 @@
 #include "deck/reading/text_file.hpp"
 #include "deck/reading/validation.hpp"
 #include "deck/sections/build_sections.hpp"
+#include "deck/sections/section_files.hpp"
 #include "machine/file_error.hpp"
 #include "machine/machine_memory.hpp"
 #include "model/frame_interval.hpp"
@@ -42,10 +44,10 @@
 namespace gxrod {
 namespace {
 
-// Points, springs, bushings, joints and gears go by their names.
+// Points, springs, bushings, joints, gears and tendons go by their names.
 void check_names(const CheckedTable& deck, FaultList& faults) {
     std::vector<const CheckedTable*> tables;
-    for (const char* kind : {"rod", "body", "spring", "bushing", "joint", "gear"}) {
+    for (const char* kind : {"rod", "body", "spring", "bushing", "joint", "gear", "tendon"}) {
         for (const CheckedTable& table : deck.tables(kind)) tables.push_back(&table);
     }
     std::ranges::sort(tables, {}, &CheckedTable::place);
@@ -67,11 +69,13 @@ void build_actions(BuildContext& context) {
         if (i > 0) first = take_actions(context.model);
         const auto* timed = std::get_if<DynamicSettings>(&context.stages[i].analysis);
         context.model.has_inertia = timed == nullptr || timed->has_inertia;
+        context.model.has_time = timed != nullptr;
         build_supports(context);
         check_velocities(context);
         build_joint_actions(context);
         build_sleeve_actions(context);
         build_loads(context);
+        build_drives(context);
         check_functions(context);
         if (i == 0) continue;
         context.stages[i].actions = take_actions(context.model);
@@ -101,9 +105,16 @@ void note_stages(const std::vector<StagePlan>& stages, DeckRecord& record) {
     }
 }
 
-Problem build_problem(const CheckedTable& deck, const MeshFiles& files, FaultList& faults) {
+// The files that a deck names: its meshes, and its tables of numbers.
+struct DeckFiles {
+    const MeshFiles& meshes;
+    const TableFiles& tables;
+};
+
+Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultList& faults) {
     Problem problem;
-    const RodNets nets = read_rod_nets(deck, files, faults, problem.record.meshes);
+    const RodNets nets = read_rod_nets(deck, files.meshes, faults, problem.record.meshes);
+    const SectionFiles section_files = read_section_files(deck, files.tables, faults, problem.record.meshes);
     check_memory(deck, nets, count_usable_bytes(), faults);
     faults.throw_if_any();
     const PointNames names(deck, points_of(nets));
@@ -114,7 +125,7 @@ Problem build_problem(const CheckedTable& deck, const MeshFiles& files, FaultLis
     build_inputs(context);
     const std::vector<RodPoint> points = check_points(context);
     build_sections(context);
-    build_rods(points, nets, context);
+    build_rods(points, nets, section_files, context);
     build_connections(context);
     build_bodies(context);
     build_springs(context);
@@ -214,9 +225,9 @@ Problem build_tree(DeckNode tree,
     faults.throw_if_any();
     if (before != nullptr) check_resumption(read_toml(before->text, before->name), tree, faults);
     faults.throw_if_any();
-    Problem problem = build_problem(deck, source.meshes, faults);
+    Problem problem = build_problem(deck, {source.meshes, source.tables}, faults);
     faults.throw_if_any();
-    problem.record.meshes.insert(problem.record.meshes.end(), tables.begin(), tables.end());
+    for (const MeshRecord& table : tables) keep_file(table.file, table.bytes, problem.record.meshes);
     problem.record.name = std::filesystem::path(source.file).filename().string();
     problem.record.text =
         overrides.empty() ? source.text : write_overridden_deck(problem.record.name, overrides, tree);

@@ -1,6 +1,9 @@
 #include "report/load_arrows.hpp"
 
+#include <algorithm>
+
 #include "loads/distributed_load.hpp"
+#include "loads/magnet.hpp"
 #include "loads/nodal_load.hpp"
 
 namespace gxrod {
@@ -15,10 +18,25 @@ Vec6 turned(const Quat& turn, const Vec6& value) {
     return result;
 }
 
+// What a load puts on a section whose axes were `axes` at t = 0, per length.
+Vec6 compute_per_length(const DistributedLoad& load,
+                        double s,
+                        const Quat& axes,
+                        const NodeMotion& motion,
+                        double time,
+                        double length) {
+    const Vec6 value = compute_load_per_length(load, time, s);
+    if (load.frame == Frame::spatial) return value;
+    const Vec6 own = turned(load.frame == Frame::body ? motion.Lambda * axes : motion.Lambda, value);
+    if (!load.field) return own;
+    return compute_magnetic_load({*load.field, time, motion.r, own.tail<3>(), length});
+}
+
 void add_arrows_along_rod(const Model& model, const DistributedLoad& load, std::vector<LoadArrow>& arrows) {
     const Rod& rod = model.rods[load.rod];
     const std::size_t places = rod.arc_length.size();
     const std::size_t count = std::min(places, most_arrows_along_rod);
+    const double size = rod.length / std::max(rod.element_count(), 1);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t place = count < 2 ? 0 : i * (places - 1) / (count - 1);
         const double s = rod.arc_length[place];
@@ -26,11 +44,8 @@ void add_arrows_along_rod(const Model& model, const DistributedLoad& load, std::
         arrows.push_back({load.key,
                           rod.element_nodes[place],
                           true,
-                          [&load, s, axes](const NodeMotion& motion, double time) {
-                              Vec6 value = compute_load_per_length(load, time, s);
-                              if (load.frame == Frame::spatial) return value;
-                              const bool in_axes = load.frame == Frame::body;
-                              return turned(in_axes ? motion.Lambda * axes : motion.Lambda, value);
+                          [&load, s, axes, size](const NodeMotion& motion, double time) {
+                              return compute_per_length(load, s, axes, motion, time, size);
                           }});
     }
 }

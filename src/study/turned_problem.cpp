@@ -79,6 +79,16 @@ MotionForce turn(const Quat& rotation, const MotionForce& force, Frame frame) {
     };
 }
 
+MagneticField turn(const Quat& rotation, const MagneticField& field) {
+    MagneticField turned{.uniform = turn(rotation, field.uniform)};
+    if (!field.by_place) return turned;
+    const Mat3 R = rotation.toRotationMatrix();
+    turned.by_place = [R, own = field.by_place](double time, const Vec3& position) -> Vec3 {
+        return R * own(time, R.transpose() * position);
+    };
+    return turned;
+}
+
 TimeVector turn(const Quat& rotation, const TimeVector& vector) {
     if (vector.is_constant()) return TimeVector(rotation * vector(0.0));
     return TimeVector(turn(rotation, vector.components()));
@@ -120,6 +130,7 @@ void turn_model(const Quat& rotation, Model& model) {
         load.moment = turn(rotation, load.moment);
     }
     for (DistributedLoad& load : model.distributed_loads) {
+        if (load.field) load.field = turn(rotation, *load.field);
         if (load.frame == Frame::body) continue;
         load.force = turn(rotation, load.force);
         load.moment = turn(rotation, load.moment);
@@ -130,6 +141,7 @@ void turn_problem(const Quat& rotation, Problem& problem) {
     turn_model(rotation, problem.model);
     for (HistoryRequest& request : problem.output.histories) {
         request.relative_axes = rotation * request.relative_axes;
+        if (request.about) request.about = rotation * *request.about;
     }
 }
 

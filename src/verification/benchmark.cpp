@@ -29,6 +29,7 @@ Vec3 ledger_value(const std::string& quantity, const LedgerRow& row) {
     if (quantity == "angular_momentum") return row.angular_momentum;
     if (quantity == "energy") return {row.kinetic_energy + row.strain_energy, 0.0, 0.0};
     if (quantity == "strain_energy") return {row.strain_energy, 0.0, 0.0};
+    if (quantity == "dissipated_energy") return {row.dissipated_energy, 0.0, 0.0};
     if (quantity == "external_work") return {row.external_work, 0.0, 0.0};
     if (quantity == "energy_less_work") {
         return {row.kinetic_energy + row.strain_energy - row.external_work, 0.0, 0.0};

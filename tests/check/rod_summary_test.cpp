@@ -5,6 +5,7 @@
 #include "check/rod_lines.hpp"
 #include "rotation/rotation_map.hpp"
 #include "tools/catch.hpp"
+#include "tools/sample_law.hpp"
 
 using namespace gxrod;
 
@@ -128,6 +129,7 @@ TEST_CASE("A section is described by its constants, or in full where they couple
           "               0            0            0           10           80            0\n"
           "               0            0            0            0            0          100\n"
           "  inertia per length: none\n"
+          "  bending stiffness 78 and 100 about y and z\n"  // 80 − 10²/50, free to twist
           "  damping: kelvin_voigt 0.001, mass_proportional 0\n");
 }
 
@@ -136,4 +138,13 @@ TEST_CASE("A rod thicker than long is warned of", "[check]") {
     CHECK(describe_thick_rods(model).empty());
     model.sections[0].stiffness.diagonal().tail<3>().setConstant(model.sections[0].stiffness(0, 0) * 100.0);
     CHECK(describe_thick_rods(model) == "rod spring is thicker than long; are all lengths in one unit?");
+}
+
+TEST_CASE("The law of a section is named, and damping by components", "[check]") {
+    Section section = make_section();
+    section.law = std::make_shared<const tools::SampleLaw>(section.stiffness, 0.0, 0.0);
+    CHECK_THAT(describe_section(section), Catch::Contains("\n  law: a sample\n"));
+    section.kelvin_voigt = 0.6;
+    section.kelvin_voigt_components.emplace() << 0.1, 0.2, 0.3, 0.4, 0.5, 0.6;
+    CHECK_THAT(describe_section(section), Catch::Contains("kelvin_voigt [0.1, 0.2, 0.3, 0.4, 0.5, 0.6],"));
 }

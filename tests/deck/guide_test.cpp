@@ -37,12 +37,29 @@ const std::string analysis = "[analysis]\nkind = \"dynamic\"\nend_time = 1.0\nst
 TEST_CASE("The sections and rods of the guide are a deck", "[deck]") {
     const std::string deck = toml_of("sections.md") + toml_of("geometry.md") + analysis;
     const Problem problem = read_problem_text(deck, GXROD_SOURCE_DIR "/guide.toml");
-    CHECK(problem.model.sections.size() == 11);  // with the mean of those along the wing
-    REQUIRE(problem.model.rods.size() == 9);
+    CHECK(problem.model.sections.size() == 12);  // with the mean of those along the wing
+    REQUIRE(problem.model.rods.size() == 10);
     CHECK(problem.model.rods[0].has_varying_sections());
     CHECK(problem.model.rods[4].order == 3);
     CHECK(problem.model.rods.back().element_count() == 12);
     CHECK(problem.model.supports.size() == 1);
+}
+
+TEST_CASE("The materials of the guide are sections with laws", "[deck]") {
+    const std::string rod =
+        "[rod.r]\nsection = \"strand\"\nline = { from = [0, 0, 0], to = [1, 0, 0] }\nelements = 1\n";
+    const Problem problem = read(toml_of("materials.md") + rod + analysis);
+    REQUIRE(problem.model.sections.size() == 5);
+    for (const Section& section : problem.model.sections) CHECK(section.law != nullptr);
+}
+
+TEST_CASE("The tendons and muscles of the guide are a deck", "[deck]") {
+    const Model model = read(toml_of("tendons.md")).model;
+    REQUIRE(model.tendons.size() == 3);
+    CHECK(model.tendons[1].to == Approx(0.375));
+    CHECK(model.actuations.size() == 2);
+    CHECK(model.distributed_loads.at(0).field);
+    CHECK(model.sections.at(0).expansion == 1.2e-5);
 }
 
 TEST_CASE("The mechanisms of the guide are decks", "[deck][joint]") {

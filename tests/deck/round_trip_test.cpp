@@ -1,8 +1,8 @@
 #include <cmath>
-#include <functional>
 #include <set>
 
 #include "deck/decks.hpp"
+#include "deck/round_trips.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema.hpp"
 #include "model/spring_law.hpp"
@@ -19,13 +19,6 @@ PathSettings path_of(const Problem& p) {
 }
 
 AdaptiveSettings adaptive_of(const Problem& p) { return dynamic_of(p).adaptive.value_or(AdaptiveSettings{}); }
-
-// A deck with a value other than the default for one key, and whether the problem has that value.
-struct RoundTrip {
-    std::string key;  // path in the schema
-    std::string deck;
-    std::function<bool(const Problem&)> is_seen;
-};
 
 std::string with_body_key(const std::string& line) {
     return replaced(body_deck, "[analysis]", line + "\n[analysis]");
@@ -939,29 +932,21 @@ std::vector<RoundTrip> follow_trips() {
 
 std::vector<RoundTrip> all_trips() {
     std::vector<RoundTrip> all;
-    for (const auto& trips : {top_level_trips(),
-                              section_trips(),
-                              shape_trips(),
-                              matrix_trips(),
-                              geometry_trips(),
-                              rod_trips(),
-                              body_trips(),
-                              spring_trips(),
-                              bushing_trips(),
-                              joint_trips(),
-                              gear_trips(),
-                              coordinate_trips(),
-                              load_trips(),
-                              action_trips(),
-                              rotation_trips(),
-                              response_trips(),
-                              sweep_trips(),
-                              support_trips(),
-                              connection_and_initial_trips(),
-                              analysis_trips(),
-                              path_trips(),
-                              follow_trips(),
-                              stage_trips()}) {
+    for (const auto& trips : {top_level_trips(),     section_trips(),
+                              shape_trips(),         matrix_trips(),
+                              law_trips(),           drive_trips(),
+                              geometry_trips(),      rod_trips(),
+                              section_file_trips(),  section_frame_trips(),
+                              spin_trips(),          rest_trips(),
+                              history_frame_trips(), body_trips(),
+                              spring_trips(),        bushing_trips(),
+                              joint_trips(),         gear_trips(),
+                              coordinate_trips(),    load_trips(),
+                              action_trips(),        rotation_trips(),
+                              response_trips(),      sweep_trips(),
+                              support_trips(),       connection_and_initial_trips(),
+                              analysis_trips(),      path_trips(),
+                              follow_trips(),        stage_trips()}) {
         all.insert(all.end(), trips.begin(), trips.end());
     }
     return all;
@@ -978,6 +963,9 @@ void add_leaf_paths(const TableSpec& table, const std::string& prefix, std::set<
             case ValueType::named_tables:
                 add_leaf_paths(*key.table, path + ".NAME.", paths);
                 break;
+            case ValueType::stations:
+                add_leaf_paths(*key.table, path + ".", paths);
+                [[fallthrough]];
             default:
                 paths.insert(path);
         }
@@ -1003,7 +991,8 @@ TEST_CASE("The values that round trips see are not there by default", "[deck]") 
                                 trip.key.starts_with("connect") || trip.key.starts_with("spring") ||
                                 trip.key.starts_with("bushing") || trip.key.starts_with("joint") ||
                                 trip.key.starts_with("initial") || trip.key.starts_with("gear") ||
-                                trip.key.starts_with("rotation");
+                                trip.key.starts_with("rotation") || trip.key.starts_with("tendon") ||
+                                trip.key.starts_with("actuation") || trip.key.starts_with("magnetic");
         if (has_loads || has_others) continue;  // not there at all without their table
         const bool of_rod = trip.key.starts_with("rod") || trip.key.starts_with("section");
         INFO(trip.key);

@@ -218,7 +218,7 @@ bool acts_in_stage(const CheckedTable& table, const BuildContext& context) {
 }
 
 void check_stage_names(const BuildContext& context) {
-    for (const char* kind : {"load", "support"}) {
+    for (const char* kind : {"load", "support", "tendon", "actuation", "magnetic"}) {
         for (const CheckedTable& table : context.deck.tables(kind)) {
             if (table.gives("relative_to") && !follows_limits(context.stages))
                 context.add_fault(table, "relative_to", "no stage follows a limit point");

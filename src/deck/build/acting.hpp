@@ -37,7 +37,7 @@ struct Acting {
 
 // Of gravity and moves, which have no factor.
 Acting find_acting(const BuildContext& context);
-// Of a [[load]].
+// Of a [[load]], or of what acts from inside.
 Acting find_acting(const CheckedTable& load, const BuildContext& context);
 
 // Whether a table concerns the stage at hand, going by its key `stages`.

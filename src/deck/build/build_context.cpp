@@ -74,4 +74,11 @@ Quat BuildContext::axes_at(const PlacedPoint& point) const {
     return point.end_element > 0 ? rod.triads.back() : rod.triad_at(point.position_in_rod);
 }
 
+double BuildContext::twist_at(const PlacedPoint& point) const {
+    if (point.body >= 0) return 0.0;
+    const std::vector<double>& twists = rod_twists[static_cast<std::size_t>(point.rod)];
+    if (twists.empty()) return 0.0;
+    return point.end_element > 0 ? twists.back() : twists[static_cast<std::size_t>(point.position_in_rod)];
+}
+
 }  // namespace gxrod

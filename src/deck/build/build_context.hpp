@@ -48,6 +48,7 @@ struct BuildContext {
     std::vector<StagePlan> stages = {};                   // one at least, once built
     std::size_t stage = 0;                                // whose loads and supports are built
     std::vector<std::vector<double>> rod_fractions = {};  // of each rod's nodes; empty for one without a mesh
+    std::vector<std::vector<double>> rod_twists = {};     // of their sections there, by rod_fractions
     std::vector<std::vector<int>> rod_nodes = {};         // at those fractions, after build_connections
     std::vector<int> body_nodes = {};                     // of each body; -1 for one without
     // Of each node: of its velocity and of its angular velocity.
@@ -76,6 +77,8 @@ struct BuildContext {
 
     // The axes of the section or body at a point, at t = 0.
     Quat axes_at(const PlacedPoint& point) const;
+    // The turn of the section about the tangent that the deck gives it there; 0 of a body.
+    double twist_at(const PlacedPoint& point) const;
 };
 
 }  // namespace gxrod

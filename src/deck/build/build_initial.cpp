@@ -73,30 +73,69 @@ struct Velocity {
     const char* key;
     Vec3 Node::*member;
     std::size_t setting;  // index in BuildContext::velocity_settings
+
+    bool is_angular() const { return setting == 1; }
 };
+
+// How a rigid body turns about a line.
+struct Spin {
+    Vec3 rate = Vec3::Zero();     // angular velocity
+    Vec3 through = Vec3::Zero();  // a point of the line
+};
+
+// nullopt without one, or with a fault.
+std::optional<Spin> find_spin(const CheckedTable& table, const BuildContext& context) {
+    if (!table.gives("spin")) return std::nullopt;
+    const CheckedTable& spin = table.tables("spin").front();
+    const Vec3& axis = spin.get<Vec3>("axis");
+    if (axis.isZero(0.0)) {
+        context.add_fault(spin, "axis", "expected a direction, found a vector of zero length");
+        return std::nullopt;
+    }
+    return Spin{spin.get<double>("rate") * axis.stableNormalized(), spin.get<Vec3>("through")};
+}
+
+// What the spin adds to a velocity at each station.
+void add_spin(const Spin& spin,
+              const Velocity& velocity,
+              const std::vector<Station>& stations,
+              const BuildContext& context,
+              std::vector<Vec3>& values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const Vec3& position = context.model.nodes[stations[i].node].position;
+        values[i] += velocity.is_angular() ? spin.rate : spin.rate.cross(position - spin.through);
+    }
+}
 
 void set_velocity(const CheckedTable& table,
                   const Part& part,
                   const Velocity& velocity,
+                  const std::optional<Spin>& spin,
                   BuildContext& context) {
-    if (!table.gives(velocity.key)) return;
-    const auto& components = table.get<CheckedPlaceVector>(velocity.key);
-    if (!check_variables(components, part, context)) return;
+    const bool is_given = table.gives(velocity.key);
+    if (!is_given && !spin) return;
     const std::vector<Station> stations = find_stations(part, context);
-    const std::vector<Vec3> values = evaluate(components, stations, context);
+    std::vector<Vec3> values(stations.size(), Vec3::Zero());
+    if (is_given) {
+        const auto& components = table.get<CheckedPlaceVector>(velocity.key);
+        if (!check_variables(components, part, context)) return;
+        values = evaluate(components, stations, context);
+    }
+    if (spin) add_spin(*spin, velocity, stations, context, values);
+    const std::string key = is_given ? velocity.key : "spin";
     double size = 0.0;
     for (const Vec3& value : values) size = std::max(size, value.norm());
     for (std::size_t i = 0; i < values.size(); ++i) {
         Node& node = context.model.nodes[stations[i].node];
         VelocitySetting& setting = context.velocity_settings[stations[i].node][velocity.setting];
         if (setting.table == nullptr) {
-            setting = {&table, velocity.key, size};
+            setting = {&table, key, size};
             node.*velocity.member = values[i];
         } else if ((node.*velocity.member - values[i]).norm() >
                    same_velocity * std::max(size, setting.size)) {
             return context.add_fault(
                 table,
-                velocity.key,
+                key,
                 fmt::format("gives {} to {}, to which {} gives {}; a node has one velocity",
                             describe(values[i]),
                             node.name,
@@ -114,10 +153,11 @@ void build_initial(BuildContext& context) {
         if (!context.has_velocities()) {
             context.faults.add(table.place, table.path, context.explain_no_velocities());
         }
-        const std::optional<Part> part = find_part(table, *initial_table().find("on"), context);
-        if (!part) continue;
-        set_velocity(table, *part, {"velocity", &Node::velocity, 0}, context);
-        set_velocity(table, *part, {"angular_velocity", &Node::angular_velocity, 1}, context);
+        const std::optional<Spin> spin = find_spin(table, context);
+        for (const Part& part : find_parts(table, *initial_table().find("on"), context)) {
+            set_velocity(table, part, {"velocity", &Node::velocity, 0}, spin, context);
+            set_velocity(table, part, {"angular_velocity", &Node::angular_velocity, 1}, spin, context);
+        }
     }
 }
 

@@ -112,6 +112,8 @@ void check_meshed_rod(const CheckedTable& table, const BuildContext& context) {
     for (const char* key : {"elements", "order"}) {
         if (table.gives(key)) context.add_fault(table, key, "comes from the mesh; leave it out");
     }
+    if (table.gives("rest"))
+        context.add_fault(table, "rest", "a rod from a mesh is free of stress where the mesh has it");
     if (std::holds_alternative<CheckedProfile>(table.find("twist")->value))
         context.add_fault(table, "twist", "along a rod from a mesh twist is even; expected a number");
 }

@@ -10,6 +10,7 @@
 
 #include "deck/build/part.hpp"
 #include "deck/schema/choices.hpp"
+#include "deck/sections/section_axes.hpp"
 #include "mesh/rod_mesh.hpp"
 #include "model/frame_interval.hpp"
 
@@ -281,6 +282,20 @@ void set_reference(const CheckedTable& table, HistoryRequest& request, const Bui
     request.relative_to = table.get<std::string>("relative_to");
     request.relative_node = point->node;
     request.relative_axes = context.axes_at(*point);
+    if (table.get<std::string>("axes") == section_axes_word) return;
+    if (point->body >= 0)
+        context.add_fault(table, "axes", "only sections of rods have a twist; this point is a body's");
+    if (point->rod >= 0 && context.deck.tables("rod")[static_cast<std::size_t>(point->rod)].gives("mesh"))
+        context.add_fault(table, "axes", "a rod from a mesh has its section axes only");
+    request.relative_to += ", untwisted";
+    request.relative_axes = twisted(request.relative_axes, -context.twist_at(*point));
+}
+
+void set_about(const CheckedTable& table, HistoryRequest& request, const BuildContext& context) {
+    if (!table.gives("about")) return;
+    request.about = table.get<Vec3>("about");
+    if (std::ranges::find(request.quantities, Quantity::reaction_moment) == request.quantities.end())
+        context.add_fault(table, "about", "goes with reaction_moment, which is not among the quantities");
 }
 
 HistoryRequest build_history(const CheckedTable& table,
@@ -317,6 +332,7 @@ HistoryRequest build_history(const CheckedTable& table,
         }
         request.quantities.push_back(quantity);
     }
+    set_about(table, request, context);
     return request;
 }
 

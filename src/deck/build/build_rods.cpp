@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "deck/build/build_centreline.hpp"
 #include "deck/build/build_nets.hpp"
 #include "deck/build/element_turn.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
+#include "deck/sections/rest_shape.hpp"
 #include "deck/sections/rod_sections.hpp"
 #include "deck/sections/section_axes.hpp"
 #include "machine/reserve_more.hpp"
@@ -61,13 +63,8 @@ bool is_near_any(double fraction, const std::vector<double>& points) {
 // The turn of the section about the tangent since the start, by the fraction of the length.
 class Twist {
   public:
-    explicit Twist(const CheckedTable& rod) {
-        const CheckedValue& value = *rod.find("twist");
-        if (const auto* total = std::get_if<double>(&value.value))
-            rows_ = {{0.0, 0.0}, {1.0, *total}};
-        else
-            rows_ = std::get<CheckedProfile>(value.value).rows;
-    }
+    // Of fractions and angles.
+    explicit Twist(std::vector<std::pair<double, double>> rows) : rows_(std::move(rows)) {}
 
     double at(double fraction) const {
         std::size_t i = 1;
@@ -81,6 +78,19 @@ class Twist {
   private:
     std::vector<std::pair<double, double>> rows_;
 };
+
+Twist find_twist(const CheckedTable& rod, const SectionFile* file, const BuildContext& context) {
+    if (file != nullptr && !file->twist.empty()) {
+        if (rod.gives("twist")) {
+            context.add_fault(
+                rod, "twist", "the file of its sections has a column twist; only one of them can be");
+        }
+        return Twist(file->twist);
+    }
+    const CheckedValue& value = *rod.find("twist");
+    if (const auto* total = std::get_if<double>(&value.value)) return Twist({{0.0, 0.0}, {1.0, *total}});
+    return Twist(std::get<CheckedProfile>(value.value).rows);
+}
 
 // Adds the nodes and elements of one rod along its centreline.
 class LineBuilder {
@@ -97,7 +107,15 @@ class LineBuilder {
           points_(points),
           rod_(context.model.rods[static_cast<std::size_t>(index)]),
           nodes_(context.model.nodes),
-          fractions_(context.rod_fractions[static_cast<std::size_t>(index)]) {}
+          fractions_(context.rod_fractions[static_cast<std::size_t>(index)]),
+          twists_(context.rod_twists[static_cast<std::size_t>(index)]) {}
+
+    // The section axes on a piece of the line, at a fraction of its length.
+    std::function<Quat(std::size_t, double)> axes() const {
+        return [this](std::size_t piece, double fraction) {
+            return twisted(line_.transport(piece, fraction) * start_axes_, twist_.at(fraction));
+        };
+    }
 
     // The largest turn within one of the elements that were added.
     double largest_turn() const { return largest_turn_; }
@@ -127,6 +145,7 @@ class LineBuilder {
         const auto order = static_cast<std::size_t>(rod_.order);
         rod_.nodes.reserve(elements * order + 1);
         fractions_.reserve(elements * order + 1);
+        twists_.reserve(elements * order + 1);
         reserve_more(elements * order + 1, nodes_);
         rod_.element_nodes.reserve(elements * (order + 1));
         rod_.arc_length.reserve(elements * (order + 1));
@@ -137,6 +156,7 @@ class LineBuilder {
         const std::size_t position = rod_.nodes.size();
         rod_.nodes.push_back(static_cast<int>(nodes_.size()));
         fractions_.push_back(fraction);
+        twists_.push_back(twist_.at(fraction));
         nodes_.push_back({name_node(rod_.name, fraction, position, is_near_any(fraction, points_)),
                           line_.position(piece, fraction)});
     }
@@ -144,7 +164,7 @@ class LineBuilder {
     void add_entry(std::size_t piece, double fraction) {
         rod_.element_nodes.push_back(rod_.nodes.back());
         rod_.arc_length.push_back(fraction * line_.length());
-        rod_.triads.push_back(twisted(line_.transport(piece, fraction) * start_axes_, twist_.at(fraction)));
+        rod_.triads.push_back(axes()(piece, fraction));
     }
 
     const Centreline& line_;
@@ -154,15 +174,22 @@ class LineBuilder {
     Rod& rod_;
     std::vector<Node>& nodes_;
     std::vector<double>& fractions_;  // of nodes
+    std::vector<double>& twists_;     // there
     double largest_turn_ = 0.0;
 };
 
+// What varies along a rod.
+struct Variation {
+    std::vector<Station> stations;
+    Twist twist;
+};
+
 void build_line(const CheckedTable& table,
-                const std::vector<Station>& stations,
+                const Variation& along,
                 std::vector<double> points,
                 int index,
                 BuildContext& context) {
-    const std::vector<double> jumps = find_jumps(stations);
+    const std::vector<double> jumps = find_jumps(along.stations);
     points.insert(points.end(), jumps.begin(), jumps.end());
     const std::optional<Centreline> line = find_centreline(table, context);
     const RodBreaks breaks{points, line ? line->corners() : std::vector<double>{}};
@@ -173,36 +200,41 @@ void build_line(const CheckedTable& table,
     const auto order = static_cast<int>(table.get<long>("order"));
     Rod& rod = context.model.rods[static_cast<std::size_t>(index)];
     rod.order = order;
-    const Twist twist(table);
-    LineBuilder builder(*line, *axes, twist, points, index, context);
+    LineBuilder builder(*line, *axes, along.twist, points, index, context);
     builder.add(fractions);
-    set_sections(stations, fractions, rod, context);
+    set_sections(along.stations, fractions, rod, context);
+    set_rest(table, {*line, builder.axes()}, fractions, rod, context);
     check_element_turn(builder.largest_turn(), order, table, context);
 }
 
 }  // namespace
 
-void build_rods(const std::vector<RodPoint>& points, const RodNets& nets, BuildContext& context) {
+void build_rods(const std::vector<RodPoint>& points,
+                const RodNets& nets,
+                const SectionFiles& files,
+                BuildContext& context) {
     const std::vector<CheckedTable>& tables = context.deck.tables("rod");
     std::vector<std::vector<double>> fractions(tables.size());
     for (const RodPoint& point : points) fractions[point.rod].push_back(point.fraction);
     context.model.rods.resize(tables.size());
     context.rod_fractions.resize(tables.size());
+    context.rod_twists.resize(tables.size());
     for (std::size_t i = 0; i < tables.size(); ++i) {
         const CheckedTable& table = tables[i];
         Rod& rod = context.model.rods[i];
         rod.name = table.name;
-        const std::vector<Station> stations = find_stations(table, context);
+        const int index = static_cast<int>(i);
+        const SectionFile* file = files.contains(index) ? &files.at(index) : nullptr;
+        const std::vector<Station> stations = find_stations(table, file, context);
         rod.section = stations.front().section;
         rod.kind = value_of(element_kind_choices, table.get<std::string>("element"));
-        const int index = static_cast<int>(i);
         if (table.gives("mesh") && stations.size() > 1) {
             context.add_fault(table,
                               table.gives("section") ? "section" : "sections",
                               "a rod from a mesh has one section, the same everywhere and without s");
         }
         if (!table.gives("mesh")) {
-            build_line(table, stations, fractions[i], index, context);
+            build_line(table, {stations, find_twist(table, file, context)}, fractions[i], index, context);
         } else if (check_meshed_rod(table, context); nets.contains(index)) {
             build_net(table, nets.at(index), index, context);
         }

@@ -34,17 +34,30 @@ std::string explain(const std::string& text, const KeySpec& key, const CheckedTa
     return fmt::format("no {} \"{}\"{}", kinds, text, hint);
 }
 
+std::optional<Part> find_named(const CheckedWord& name, const KeySpec& key, const BuildContext& context) {
+    Part part;
+    for (const std::string& kind : key.refers_to) {
+        (kind == "rod" ? part.rod : part.body) =
+            find_index(context.deck.tables(kind), name.word).value_or(-1);
+    }
+    if (part.rod >= 0 || part.body >= 0) return part;
+    context.faults.add(name.place, name.path, explain(name.word, key, context.deck));
+    return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<Part> find_part(const CheckedTable& table, const KeySpec& key, const BuildContext& context) {
-    const std::string& name = table.get<std::string>(key.name);
-    Part part;
-    for (const std::string& kind : key.refers_to) {
-        (kind == "rod" ? part.rod : part.body) = find_index(context.deck.tables(kind), name).value_or(-1);
+    return find_named(
+        {table.get<std::string>(key.name), table.place_of(key.name), table.path_of(key.name)}, key, context);
+}
+
+std::vector<Part> find_parts(const CheckedTable& table, const KeySpec& key, const BuildContext& context) {
+    std::vector<Part> parts;
+    for (const CheckedWord& name : table.get<std::vector<CheckedWord>>(key.name)) {
+        if (const std::optional<Part> part = find_named(name, key, context)) parts.push_back(*part);
     }
-    if (part.rod >= 0 || part.body >= 0) return part;
-    context.add_fault(table, key.name, explain(name, key, context.deck));
-    return std::nullopt;
+    return parts;
 }
 
 }  // namespace gxrod

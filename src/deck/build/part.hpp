@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "deck/build/build_context.hpp"
 #include "deck/schema/schema.hpp"
@@ -20,5 +21,8 @@ std::optional<int> find_index(const std::vector<CheckedTable>& tables, std::stri
 // The part that a key of the schema names, which says whether that can be a rod, a body or either; nullopt
 // with a fault if there is none.
 std::optional<Part> find_part(const CheckedTable& table, const KeySpec& key, const BuildContext& context);
+
+// Those that a key names which takes one name or a list of them; what is none of them is a fault.
+std::vector<Part> find_parts(const CheckedTable& table, const KeySpec& key, const BuildContext& context);
 
 }  // namespace gxrod

@@ -4,8 +4,6 @@
 #include "deck/build/part.hpp"
 #include "deck/build/sample_times.hpp"
 #include "deck/joints/joint_coordinates.hpp"
-#include "deck/schema/choices.hpp"
-#include "deck/schema/schema_tables.hpp"
 #include "model/evaluation_error.hpp"
 
 namespace gxrod {
@@ -41,21 +39,63 @@ void check_vector(const CheckedTable& table,
     }
 }
 
-void check_line_vector(const CheckedTable& table,
-                       const char* key,
-                       double length,
-                       const BuildContext& context) {
-    if (!table.gives(key)) return;
-    const std::vector<double> times = sample_times(context.analysis(), most_line_samples);
-    for (const CheckedLineFunction& component : table.get<CheckedLineVector>(key)) {
-        report_error(component, context, [&] {
-            for (const double time : times) {
-                for (long i = 0; i <= most_line_samples; ++i) {
-                    component.expression.function(
-                        time, length * (static_cast<double>(i) / static_cast<double>(most_line_samples)));
-                }
+void check_along(const CheckedLineFunction& value, double length, const BuildContext& context) {
+    if (value.expression.function.is_constant()) return;
+    report_error(value, context, [&] {
+        for (const double time : sample_times(context.analysis(), most_line_samples)) {
+            for (long i = 0; i <= most_line_samples; ++i) {
+                value.expression.function(
+                    time, length * (static_cast<double>(i) / static_cast<double>(most_line_samples)));
             }
-        });
+        }
+    });
+}
+
+// Those along a rod that a table gives.
+void check_along(const CheckedTable& table, const BuildContext& context) {
+    if (!table.gives("on")) return;
+    const std::optional<int> rod = find_index(context.deck.tables("rod"), table.get<std::string>("on"));
+    if (!rod) return;
+    const double length = context.model.rods[static_cast<std::size_t>(*rod)].length;
+    const auto check_all = [&](const auto& components) {
+        for (const CheckedLineFunction& component : components) check_along(component, length, context);
+    };
+    for (const CheckedValue& value : table.values) {
+        if (const auto* one = std::get_if<CheckedLineFunction>(&value.value))
+            check_along(*one, length, context);
+        if (const auto* pair = std::get_if<CheckedLinePair>(&value.value)) check_all(*pair);
+        if (const auto* vector = std::get_if<CheckedLineVector>(&value.value)) check_all(*vector);
+    }
+}
+
+// The factor of the stage at hand.
+void check_factor(const CheckedTable& table, const std::vector<double>& times, const BuildContext& context) {
+    if (!table.gives("factor")) return;
+    for (const CheckedNamedFunction& factor : table.get<std::vector<CheckedNamedFunction>>("factor")) {
+        if (factor.name.empty() || factor.name == context.stages[context.stage].name)
+            check(factor.value, times, context);
+    }
+}
+
+// Forces and fields by what of them depends on time alone.
+void check_by_time(const CheckedTable& table,
+                   const char* key,
+                   const std::vector<double>& times,
+                   const BuildContext& context) {
+    if (!table.gives(key)) return;
+    for (const CheckedMotionFunction& component : table.get<CheckedMotionVector>(key))
+        check({component.expression.by_time, component.place, component.path}, times, context);
+}
+
+void check_drives(const std::vector<double>& times, const BuildContext& context) {
+    for (const char* kind : {"tendon", "actuation", "magnetic"}) {
+        for (const CheckedTable& table : context.deck.tables(kind)) {
+            if (find_acting(table, context).is_absent) continue;
+            check_factor(table, times, context);
+            if (table.gives("tension")) check(table.get<CheckedTimeFunction>("tension"), times, context);
+            check_by_time(table, "field", times, context);
+            check_along(table, context);
+        }
     }
 }
 
@@ -66,24 +106,12 @@ void check_functions(const BuildContext& context) {
     check_vector(context.deck, "gravity", times, context);
     for (const CheckedTable& load : context.deck.tables("load")) {
         if (find_acting(load, context).is_absent) continue;
-        if (load.gives("factor")) {
-            for (const CheckedNamedFunction& factor : load.get<std::vector<CheckedNamedFunction>>("factor")) {
-                if (factor.name.empty() || factor.name == context.stages[context.stage].name)
-                    check(factor.value, times, context);
-            }
-        }
-        if (load.gives("force")) {
-            for (const CheckedMotionFunction& component : load.get<CheckedMotionVector>("force"))
-                check({component.expression.by_time, component.place, component.path}, times, context);
-        }
+        check_factor(load, times, context);
+        check_by_time(load, "force", times, context);
         check_vector(load, "moment", times, context);
-        if (!load.gives("on")) continue;
-        const std::optional<int> rod = find_index(context.deck.tables("rod"), load.get<std::string>("on"));
-        if (!rod) continue;
-        for (const char* key : {"force_per_length", "moment_per_length"}) {
-            check_line_vector(load, key, context.model.rods[*rod].length, context);
-        }
+        check_along(load, context);
     }
+    check_drives(times, context);
     for (const CheckedTable& support : context.deck.tables("support")) {
         if (!support.gives("move") || !acts_in_stage(support, context)) continue;
         for (const CheckedValue& move : support.tables("move").front().values) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "deck/build/part.hpp"
+#include "deck/drives/tendon_path.hpp"
 #include "deck/joints/ends.hpp"
 #include "deck/schema/suggestion.hpp"
 
@@ -127,7 +128,10 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
             for (const CheckedTable& force : table.tables("excite")) points.check_key(force, "at");
         }
     }
-    return points.take_points_of_rods();
+    std::vector<RodPoint> all = points.take_points_of_rods();
+    const std::vector<RodPoint> of_tendons = list_tendon_points(context);
+    all.insert(all.end(), of_tendons.begin(), of_tendons.end());
+    return all;
 }
 
 }  // namespace gxrod

@@ -393,14 +393,14 @@ std::optional<PlaceExpression> compile_place_function(const std::string& express
     return PlaceExpression{evaluate, has_arc_length};
 }
 
-std::optional<MotionExpression> compile_motion_function(const std::string& expression,
-                                                        const std::string& key,
-                                                        const Symbols& symbols) {
-    const Compiled compiled = compile({expression, symbols, Variables::motion}, key);
+namespace {
+
+std::optional<MotionExpression> compile_by_position(const Formula& formula, const std::string& key) {
+    const Compiled compiled = compile(formula, key);
     if (!compiled.program) return std::nullopt;
     const bool has_time = compiled.variables.contains("t");
     if (compiled.variables.size() == (has_time ? 1U : 0U)) {
-        std::optional<TimeFunction> by_time = compile_time_function(expression, key, symbols);
+        std::optional<TimeFunction> by_time = compile_time_function(formula.text, key, formula.symbols);
         return MotionExpression{.by_time = std::move(*by_time), .by_motion = {}, .has_time = has_time};
     }
     const auto evaluate = [program = compiled.program](
@@ -408,6 +408,20 @@ std::optional<MotionExpression> compile_motion_function(const std::string& expre
         return program->evaluate({.t = time, .position = position, .velocity = velocity});
     };
     return MotionExpression{.by_time = {}, .by_motion = evaluate, .has_time = has_time};
+}
+
+}  // namespace
+
+std::optional<MotionExpression> compile_motion_function(const std::string& expression,
+                                                        const std::string& key,
+                                                        const Symbols& symbols) {
+    return compile_by_position({expression, symbols, Variables::motion}, key);
+}
+
+std::optional<MotionExpression> compile_field_function(const std::string& expression,
+                                                       const std::string& key,
+                                                       const Symbols& symbols) {
+    return compile_by_position({expression, symbols, Variables::field}, key);
 }
 
 std::optional<SpringExpression> compile_spring_function(const std::string& expression,

@@ -97,6 +97,11 @@ std::optional<MotionExpression> compile_motion_function(const std::string& expre
                                                         const std::string& key,
                                                         const Symbols& symbols);
 
+// The same without the velocity: in t, x, y and z.
+std::optional<MotionExpression> compile_field_function(const std::string& expression,
+                                                       const std::string& key,
+                                                       const Symbols& symbols);
+
 // A force by a spring's length and the rate of it.
 struct SpringExpression {
     std::function<double(double length, double rate)> function;  // NaN where it has no value

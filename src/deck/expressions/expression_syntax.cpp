@@ -14,7 +14,8 @@ namespace {
 
 const std::vector<std::string>& names_of(Variables variables) {
     static const std::vector<std::string> none, time{"t"}, line{"t", "s"}, arc{"s"},
-        place{"x", "y", "z", "s"}, motion{"t", "x", "y", "z", "vx", "vy", "vz"}, spring{"length", "rate"};
+        place{"x", "y", "z", "s"}, field{"t", "x", "y", "z"}, motion{"t", "x", "y", "z", "vx", "vy", "vz"},
+        spring{"length", "rate"};
     switch (variables) {
         case Variables::none:
             return none;
@@ -26,6 +27,8 @@ const std::vector<std::string>& names_of(Variables variables) {
             return arc;
         case Variables::place:
             return place;
+        case Variables::field:
+            return field;
         case Variables::motion:
             return motion;
         case Variables::spring:
@@ -170,7 +173,7 @@ class ExpressionCheck {
     // Whether the value is looked at again while a run goes on.
     bool can_change() const {
         return variables_ == Variables::time || variables_ == Variables::line ||
-               variables_ == Variables::motion;
+               variables_ == Variables::field || variables_ == Variables::motion;
     }
 
     void use_input(const std::string& name) {

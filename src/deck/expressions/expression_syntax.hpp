@@ -16,6 +16,7 @@ enum class Variables {
     line,    // also s, the arc length from a rod's start
     arc,     // s, and the deck's functions; not t
     place,   // x, y, z of the reference position, s and the deck's functions; not t
+    field,   // t, x, y, z of a position, and the deck's functions
     motion,  // t, x, y, z of a point's position, vx, vy, vz of its velocity, and the deck's functions
     spring   // length, rate of a spring's length, and the deck's functions; not t
 };

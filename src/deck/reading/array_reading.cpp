@@ -50,6 +50,35 @@ std::optional<std::vector<double>> read_number_list(const DeckNode& node,
     return std::nullopt;
 }
 
+std::optional<std::vector<double>> read_section_point(const DeckNode& node,
+                                                      const std::string& path,
+                                                      const KeySpec& key,
+                                                      const ReadingContext& context) {
+    if (node.array() != nullptr && node.array()->size() == 2) return read_numbers(node, path, 2, context);
+    expect(node, path, key, context);
+    return std::nullopt;
+}
+
+std::optional<std::vector<double>> read_number_or_six(const DeckNode& node,
+                                                      const std::string& path,
+                                                      const KeySpec& key,
+                                                      const ReadingContext& context) {
+    if (node.array() == nullptr) {
+        const std::optional<double> number = read_number(node, path, key, context);
+        return number ? std::optional(std::vector{*number}) : std::nullopt;
+    }
+    if (node.array()->size() != 6) {
+        expect(node, path, key, context);
+        return std::nullopt;
+    }
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const auto value = read_number((*node.array())[i], fmt::format("{}[{}]", path, i), key, context);
+        if (value) numbers.push_back(*value);
+    }
+    return numbers.size() == 6 ? std::optional(numbers) : std::nullopt;
+}
+
 std::optional<std::vector<double>> read_bounds(const DeckNode& node,
                                                const std::string& path,
                                                const KeySpec& key,

@@ -16,6 +16,18 @@ std::optional<std::vector<double>> read_number_list(const DeckNode& node,
                                                     const KeySpec& key,
                                                     const ReadingContext& context);
 
+// y and z.
+std::optional<std::vector<double>> read_section_point(const DeckNode& node,
+                                                      const std::string& path,
+                                                      const KeySpec& key,
+                                                      const ReadingContext& context);
+
+// One number, or six, each within the key's range.
+std::optional<std::vector<double>> read_number_or_six(const DeckNode& node,
+                                                      const std::string& path,
+                                                      const KeySpec& key,
+                                                      const ReadingContext& context);
+
 // One number, or a lower and an upper one.
 std::optional<std::vector<double>> read_bounds(const DeckNode& node,
                                                const std::string& path,

@@ -40,12 +40,12 @@ struct CheckedNamedFunction {
     CheckedTimeFunction value;
 };
 
-// A value f(t, s).
 // f(s) along a rod.
 struct CheckedArcFunction {
     std::function<double(double s)> function;
 };
 
+// A value f(t, s).
 struct CheckedLineFunction {
     LineExpression expression;
     Place place;
@@ -80,11 +80,23 @@ struct CheckedVector {
     std::string path;
 };
 
+// Where a tendon passes: y and z by the arc length, or by rows of a fraction of the rod's length, y and z.
+struct CheckedTendonPath {
+    std::array<std::function<double(double s)>, 2> functions;  // empty with rows
+    std::vector<std::array<double, 3>> rows;
+};
+
 using CheckedTimeVector = std::array<CheckedTimeFunction, 3>;
+using CheckedLinePair = std::array<CheckedLineFunction, 2>;
 using CheckedLineVector = std::array<CheckedLineFunction, 3>;
 using CheckedMotionVector = std::array<CheckedMotionFunction, 3>;
 using CheckedPlaceVector = std::array<CheckedPlaceFunction, 3>;
 using TimeTable = std::vector<std::pair<double, double>>;
+// Rows of 2 numbers, and of each where it stands.
+struct CheckedPairs {
+    std::vector<std::pair<double, double>> rows;
+    std::vector<Place> places;
+};
 
 // Where along a rod a section is, 0 … 1.
 struct CheckedStation {
@@ -133,6 +145,7 @@ struct CheckedValue {
                  std::string,
                  double,
                  long,
+                 bool,
                  Vec3,
                  Mat3,
                  Mat6,
@@ -140,12 +153,16 @@ struct CheckedValue {
                  std::vector<double>,
                  TimeTable,
                  std::vector<CheckedStation>,
+                 CheckedPairs,
                  CheckedProfile,
                  CheckedTimeFunction,
                  std::vector<CheckedNamedFunction>,
                  CheckedTimeVector,
                  CheckedArcFunction,
+                 CheckedLineFunction,
+                 CheckedLinePair,
                  CheckedLineVector,
+                 CheckedTendonPath,
                  CheckedPlaceVector,
                  CheckedMotionVector,
                  CheckedSpringFunction,

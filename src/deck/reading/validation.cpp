@@ -78,6 +78,9 @@ class Validator {
                 return check_named_tables(entry, path, key);
             case ValueType::table_list:
                 return check_table_list(entry, path, key);
+            case ValueType::stations:
+                if (entry.node.table() != nullptr) return check_single_table(entry, path, key);
+                return read_value(entry.node, path, key, context_);
             case ValueType::parameters:
             case ValueType::variations:
                 if (entry.node.table() == nullptr) expect(entry, path, key);
@@ -215,8 +218,7 @@ class Validator {
                 const bool is_empty =
                     entry != nullptr && entry->node.table() != nullptr && entry->node.table()->empty();
                 if (entry != nullptr && !is_empty) given.push_back(key);
-                const TableSpec* table = spec.find(key)->table;
-                spellings.push_back(table == nullptr ? key : table->heading);
+                spellings.push_back(spell(*spec.find(key)));
             }
             const bool is_meant =
                 std::any_of(group.keys.begin(), group.keys.end(), [&](const std::string& key) {

@@ -173,6 +173,12 @@ class ValueReader {
         return CheckedMotionFunction{std::move(*expression), node.place, path};
     }
 
+    std::optional<CheckedMotionFunction> field_function(const DeckNode& node, const std::string& path) const {
+        auto expression = compiled<MotionExpression>(node, path, compile_field_function);
+        if (!expression) return std::nullopt;
+        return CheckedMotionFunction{std::move(*expression), node.place, path};
+    }
+
     std::optional<CheckedSpringFunction> spring_function(const DeckNode& node,
                                                          const std::string& path) const {
         auto expression = compiled<SpringExpression>(node, path, compile_spring_function);
@@ -180,19 +186,19 @@ class ValueReader {
         return CheckedSpringFunction{std::move(*expression), node.place, path};
     }
 
-    // Three functions, read by one of the members above.
-    template <class Function>
-    std::optional<std::array<Function, 3>> functions(
+    // Functions, read by one of the members above.
+    template <std::size_t Count, class Function>
+    std::optional<std::array<Function, Count>> functions(
         const DeckNode& node,
         const std::string& path,
         std::optional<Function> (ValueReader::*read)(const DeckNode&, const std::string&) const) const {
-        if (!is_array_of(node, 3)) {
+        if (!is_array_of(node, Count)) {
             expect(node, path, describe_expected(key_));
             return std::nullopt;
         }
-        std::array<Function, 3> vector;
+        std::array<Function, Count> vector;
         bool complete = true;
-        for (int i = 0; i < 3; ++i) {
+        for (std::size_t i = 0; i < Count; ++i) {
             auto component = (this->*read)((*node.array())[i], fmt::format("{}[{}]", path, i));
             complete = complete && component;
             if (component) vector[i] = std::move(*component);
@@ -209,7 +215,7 @@ class ValueReader {
         bool complete = true;
         for (std::size_t i = 0; i < node.array()->size(); ++i) {
             const DeckNode& row = (*node.array())[i];
-            const auto values = table_row(row, fmt::format("{}[{}]", path, i));
+            const auto values = table_row(row, fmt::format("{}[{}]", path, i), "a row [t, value]");
             complete = complete && values;
             if (!complete) continue;
             if (!table.empty() && values->first <= table.back().first) {
@@ -222,6 +228,27 @@ class ValueReader {
             table.push_back(*values);
         }
         return complete ? std::optional(std::move(table)) : std::nullopt;
+    }
+
+    std::optional<CheckedPairs> pairs(const DeckNode& node, const std::string& path) const {
+        if (node.array() == nullptr || node.array()->empty()) {
+            expect(node, path, describe_expected(key_));
+            return std::nullopt;
+        }
+        CheckedPairs pairs;
+        for (std::size_t i = 0; i < node.array()->size(); ++i) {
+            const DeckNode& row = (*node.array())[i];
+            const auto values = table_row(row, fmt::format("{}[{}]", path, i), "a row of 2 numbers");
+            if (values) pairs.rows.push_back(*values);
+            pairs.places.push_back(row.place);
+        }
+        return pairs.rows.size() == node.array()->size() ? std::optional(std::move(pairs)) : std::nullopt;
+    }
+
+    std::optional<bool> flag(const DeckNode& node, const std::string& path) const {
+        if (const auto* value = std::get_if<bool>(&node.value)) return *value;
+        expect(node, path, describe_expected(key_));
+        return std::nullopt;
     }
 
     // From 0 to 1; where the same fraction stands twice, what follows it jumps. read(row, path, fraction)
@@ -285,6 +312,29 @@ class ValueReader {
         return fractions(node, path, read) ? std::optional(std::move(stations)) : std::nullopt;
     }
 
+    // y and z as functions of s, or rows.
+    std::optional<CheckedTendonPath> tendon_path(const DeckNode& node, const std::string& path) const {
+        if (node.array() != nullptr && !node.array()->empty() && node.array()->front().array() != nullptr)
+            return tendon_rows(node, path);
+        if (!is_array_of(node, 2)) {
+            expect(node, path, describe_expected(key_));
+            return std::nullopt;
+        }
+        CheckedTendonPath checked;
+        bool complete = true;
+        for (std::size_t i = 0; i < 2; ++i) {
+            auto value = arc_number((*node.array())[i], fmt::format("{}[{}]", path, i));
+            if (auto* function = std::get_if<CheckedArcFunction>(&value)) {
+                checked.functions[i] = std::move(function->function);
+            } else if (const auto* constant = std::get_if<double>(&value)) {
+                checked.functions[i] = [number = *constant](double) { return number; };
+            } else {
+                complete = false;
+            }
+        }
+        return complete ? std::optional(std::move(checked)) : std::nullopt;
+    }
+
     static bool is_array_of(const DeckNode& node, std::size_t size) {
         return node.array() != nullptr && node.array()->size() == size;
     }
@@ -339,7 +389,8 @@ class ValueReader {
 
     // Components of vectors and tables are described as bare numbers.
     std::string number_expected() const {
-        return key_.type == ValueType::number || key_.type == ValueType::arc_number
+        return key_.type == ValueType::number || key_.type == ValueType::arc_number ||
+                       key_.type == ValueType::number_or_pairs
                    ? describe_expected(key_)
                    : "a number or an expression";
     }
@@ -373,9 +424,39 @@ class ValueReader {
         return std::nullopt;
     }
 
-    std::optional<std::pair<double, double>> table_row(const DeckNode& row, const std::string& path) const {
+    std::optional<CheckedTendonPath> tendon_rows(const DeckNode& node, const std::string& path) const {
+        CheckedTendonPath checked;
+        bool complete = node.array()->size() >= 2;
+        if (!complete) expect(node, path, describe_expected(key_));
+        for (std::size_t i = 0; i < node.array()->size(); ++i) {
+            const DeckNode& row = (*node.array())[i];
+            const std::string row_path = fmt::format("{}[{}]", path, i);
+            if (!is_array_of(row, 3)) {
+                expect(row, row_path, "a row [fraction, y, z]");
+                complete = false;
+                continue;
+            }
+            const std::optional<Vec3> values = vector(row, row_path);
+            complete = complete && values;
+            if (!values) continue;
+            const double fraction = (*values)[0];
+            const double last = checked.rows.empty() ? -1.0 : checked.rows.back()[0];
+            if (fraction < 0.0 || fraction > 1.0 || fraction <= last) {
+                add(row,
+                    row_path,
+                    fmt::format("fractions must increase from row to row, from 0 to 1; found {}", fraction));
+                complete = false;
+            }
+            checked.rows.push_back({fraction, (*values)[1], (*values)[2]});
+        }
+        return complete ? std::optional(std::move(checked)) : std::nullopt;
+    }
+
+    std::optional<std::pair<double, double>> table_row(const DeckNode& row,
+                                                       const std::string& path,
+                                                       const std::string& expected) const {
         if (!is_array_of(row, 2)) {
-            expect(row, path, "a row [t, value]");
+            expect(row, path, expected);
             return std::nullopt;
         }
         const auto time = number((*row.array())[0], path + "[0]");
@@ -419,6 +500,8 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(read_words(node, path, key, context));
         case ValueType::names:
             return wrap(read_names(node, path, key, context));
+        case ValueType::flag:
+            return wrap(reader.flag(node, path));
         case ValueType::integer:
             return wrap(reader.integer(node, path));
         case ValueType::number:
@@ -433,6 +516,10 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(reader.square_matrix(node, path));
         case ValueType::vectors:
             return wrap(read_vectors(node, path, key, context));
+        case ValueType::section_point:
+            return wrap(read_section_point(node, path, key, context));
+        case ValueType::number_or_six:
+            return wrap(read_number_or_six(node, path, key, context));
         case ValueType::numbers:
             return wrap(read_number_list(node, path, key, context));
         case ValueType::bounds:
@@ -454,19 +541,32 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
         case ValueType::coordinate_functions:
             return wrap(reader.coordinate_functions(node, path));
         case ValueType::time_vector:
-            return wrap(reader.functions(node, path, &ValueReader::time_function));
+            return wrap(reader.functions<3>(node, path, &ValueReader::time_function));
         case ValueType::line_vector:
-            return wrap(reader.functions(node, path, &ValueReader::line_function));
+            return wrap(reader.functions<3>(node, path, &ValueReader::line_function));
+        case ValueType::line_expression:
+            return wrap(reader.line_function(node, path));
+        case ValueType::line_pair:
+            return wrap(reader.functions<2>(node, path, &ValueReader::line_function));
+        case ValueType::field_vector:
+            return wrap(reader.functions<3>(node, path, &ValueReader::field_function));
+        case ValueType::tendon_path:
+            return wrap(reader.tendon_path(node, path));
         case ValueType::place_vector:
-            return wrap(reader.functions(node, path, &ValueReader::place_function));
+            return wrap(reader.functions<3>(node, path, &ValueReader::place_function));
         case ValueType::motion_vector:
-            return wrap(reader.functions(node, path, &ValueReader::motion_function));
+            return wrap(reader.functions<3>(node, path, &ValueReader::motion_function));
         case ValueType::spring_expression:
             return wrap(reader.spring_function(node, path));
         case ValueType::time_table:
             return wrap(reader.time_table(node, path));
         case ValueType::arc_number:
             return reader.arc_number(node, path);
+        case ValueType::number_or_pairs:
+            if (node.array() == nullptr) return wrap(reader.number(node, path));
+            return wrap(reader.pairs(node, path));
+        case ValueType::pairs:
+            return wrap(reader.pairs(node, path));
         case ValueType::profile:
             if (node.array() == nullptr) return wrap(reader.number(node, path));
             return wrap(reader.profile(node, path));

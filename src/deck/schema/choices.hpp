@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "deck/expressions/table_function.hpp"
+#include "laws/plastic_law.hpp"
+#include "laws/strain_part.hpp"
 #include "model/model.hpp"
 #include "model/settings.hpp"
 
@@ -40,6 +42,10 @@ inline constexpr std::array<Choice<InputHold>, 2> input_hold_choices{
 inline constexpr std::array<Choice<Frame>, 3> frame_choices{
     {{"spatial", Frame::spatial}, {"follower", Frame::follower}, {"body", Frame::body}}};
 
+// Axes of a history that is relative to a point of a rod.
+inline constexpr const char* section_axes_word = "section";
+inline constexpr const char* untwisted_axes_word = "untwisted";
+
 // By the axis across it.
 inline constexpr std::array<Choice<int>, 3> plane_choices{{{"yz", 0}, {"xz", 1}, {"xy", 2}}};
 
@@ -70,6 +76,25 @@ inline constexpr std::array<Choice<LinearSolverKind>, 4> linear_solver_choices{
 
 inline constexpr std::array<Choice<CriticalSearch>, 3> critical_search_choices{
     {{"locate", CriticalSearch::locate}, {"report", CriticalSearch::report}, {"off", CriticalSearch::off}}};
+
+inline constexpr std::array<Choice<StrainPart>, 8> strain_part_choices{{{"bending", StrainPart::bending},
+                                                                        {"torsion", StrainPart::torsion},
+                                                                        {"tension", StrainPart::tension},
+                                                                        {"shear", StrainPart::shear},
+                                                                        {"bending y", StrainPart::bending_y},
+                                                                        {"bending z", StrainPart::bending_z},
+                                                                        {"shear y", StrainPart::shear_y},
+                                                                        {"shear z", StrainPart::shear_z}}};
+
+inline constexpr std::array<Choice<YieldInteraction>, 2> yield_interaction_choices{
+    {{"ellipsoid", YieldInteraction::ellipsoid}, {"none", YieldInteraction::none}}};
+
+// Whether a moment follows its curve back.
+inline constexpr std::array<Choice<bool>, 2> hysteresis_choices{{{"none", false}, {"kinematic", true}}};
+
+// Entries of S that can yield.
+inline constexpr std::array<Choice<int>, 6> resultant_choices{
+    {{"N", 0}, {"Vy", 1}, {"Vz", 2}, {"T", 3}, {"My", 4}, {"Mz", 5}}};
 
 // Of a displacement.
 inline constexpr std::array<Choice<int>, 3> direction_choices{{{"x", 0}, {"y", 1}, {"z", 2}}};

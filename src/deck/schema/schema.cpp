@@ -62,6 +62,9 @@ TableSpec make_root() {
         {.name = "gear", .type = ValueType::named_tables, .table = &gear_table()},
         {.name = "connect", .type = ValueType::table_list, .table = &connect_table()},
         {.name = "load", .type = ValueType::table_list, .table = &load_table()},
+        {.name = "tendon", .type = ValueType::named_tables, .table = &tendon_table()},
+        {.name = "actuation", .type = ValueType::table_list, .table = &actuation_table()},
+        {.name = "magnetic", .type = ValueType::table_list, .table = &magnetic_table()},
         {.name = "support", .type = ValueType::table_list, .table = &support_table()},
         {.name = "initial", .type = ValueType::table_list, .table = &initial_table()},
         {.name = "rotation", .type = ValueType::table, .table = &rotation_table()},
@@ -141,8 +144,14 @@ std::string describe_range(const Range& range) {
 
 std::string variables_of(ValueType type) {
     switch (type) {
+        case ValueType::line_expression:
+        case ValueType::line_pair:
         case ValueType::line_vector:
             return "t and s";
+        case ValueType::tendon_path:
+            return "s";
+        case ValueType::field_vector:
+            return "t, x, y and z";
         case ValueType::place_vector:
             return "x, y, z and s";
         case ValueType::motion_vector:
@@ -152,6 +161,11 @@ std::string variables_of(ValueType type) {
         default:
             return "t";
     }
+}
+
+std::string spell(const KeySpec& key) {
+    const bool is_table = key.table != nullptr && key.type != ValueType::stations;
+    return is_table ? key.table->heading : key.name;
 }
 
 std::string describe_expected(const KeySpec& key) {
@@ -177,6 +191,8 @@ std::string describe_expected(const KeySpec& key) {
             return "one or a list of " + quoted_list(key.choices);
         case ValueType::names:
             return fmt::format("the name of a {0}, or an array of names", fmt::join(key.refers_to, " or "));
+        case ValueType::flag:
+            return "true or false";
         case ValueType::integer:
             return "an integer" + ranged;
         case ValueType::number:
@@ -189,12 +205,21 @@ std::string describe_expected(const KeySpec& key) {
             return "an array of 3 rows of 3 numbers or expressions";
         case ValueType::vectors:
             return "an array of 2 vectors or more, each of 3 numbers or expressions";
+        case ValueType::section_point:
+            return "an array of 2 numbers or expressions, y and z";
+        case ValueType::number_or_six:
+            return "a number" + ranged + " or an expression, or an array of 6 of them";
         case ValueType::numbers:
             return "an array of numbers or expressions, one at least";
+        case ValueType::pairs:
+            return "an array of rows of 2 numbers or expressions, one at least";
+        case ValueType::number_or_pairs:
+            return "a number" + ranged + " or an expression, or an array of rows of 2";
         case ValueType::profile:
             return "a number or an expression, or an array of rows [fraction, number], from 0 to 1";
         case ValueType::stations:
-            return "an array of rows [fraction, \"section\"], two at least, from 0 to 1";
+            return "an array of rows [fraction, \"section\"], two at least, from 0 to 1, or a table { file = "
+                   "\"…\" }";
         case ValueType::bounds:
             return "a number or an expression, or an array of 2: the lower and the upper bound";
         case ValueType::section_matrix:
@@ -206,6 +231,7 @@ std::string describe_expected(const KeySpec& key) {
         case ValueType::mesh_group:
             return "the name or the number of a physical group";
         case ValueType::time_expression:
+        case ValueType::line_expression:
         case ValueType::spring_expression:
             return "a number or an expression in " + variables_of(key.type);
         case ValueType::stage_functions:
@@ -217,7 +243,12 @@ std::string describe_expected(const KeySpec& key) {
         case ValueType::line_vector:
         case ValueType::place_vector:
         case ValueType::motion_vector:
+        case ValueType::field_vector:
             return "an array of 3 numbers or expressions in " + variables_of(key.type);
+        case ValueType::line_pair:
+            return "an array of 2 numbers or expressions in " + variables_of(key.type);
+        case ValueType::tendon_path:
+            return "an array of 2 numbers or expressions in s, or of rows [fraction, y, z], two at least";
         case ValueType::time_table:
             return "an array of rows [t, value]";
         case ValueType::columns:

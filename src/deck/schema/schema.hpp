@@ -24,15 +24,20 @@ enum class ValueType {
     choice,     // one of the key's words
     choices,    // one of the key's words, or a list of them that is not empty
     names,      // the name of a table elsewhere in the deck, or a list of them that is not empty
+    flag,       // true or false
     integer,    // or an expression whose value is one
     number,
     arc_number,            // a number, or f(s), s the arc length along a rod
     vector,                // 3 numbers
     matrix,                // 3 rows of 3 numbers
     vectors,               // 2 vectors or more
+    section_point,         // 2 numbers: y and z of a section
     numbers,               // a list of numbers that is not empty
+    pairs,                 // rows of 2 numbers
+    number_or_pairs,       // a number, or rows of 2
     profile,               // a number, or rows of 2: a fraction from 0 to 1, and a number
     stations,              // rows of 2: a fraction, and the name of a section
+    number_or_six,         // a number, or 6 of them: one for each strain of a section
     bounds,                // a number, or 2 of them: the lower and the upper one
     section_matrix,        // 6 rows of 6 numbers
     inertia,               // 3 numbers, or 3 rows of 3 that make a symmetric matrix
@@ -42,7 +47,11 @@ enum class ValueType {
     stage_functions,       // f(t), or a table of one for each stage that it names
     coordinate_functions,  // f(t), or a table of one for the turn, one for the slide or both
     time_vector,           // 3 f(t)
-    line_vector,           // 3 f(t, s), s the arc length along a rod
+    line_expression,       // f(t, s), s the arc length along a rod
+    line_pair,             // 2 f(t, s)
+    line_vector,           // 3 f(t, s)
+    tendon_path,           // 2 f(s), or rows of 3: a fraction from 0 to 1, and 2 numbers
+    field_vector,          // 3 f(t, x, y, z) of a position
     place_vector,          // 3 f(x, y, z, s) of the reference position
     motion_vector,         // 3 f(t, x, y, z, vx, vy, vz) of a point's position and velocity
     spring_expression,     // f(length, rate) of a spring
@@ -133,6 +142,9 @@ std::string describe_range(const Range& range);
 
 // The variables of expressions of this type, as messages say them: "t and s".
 std::string variables_of(ValueType type);
+
+// A key as messages that list keys say it: a table by its heading.
+std::string spell(const KeySpec& key);
 
 // What a key takes, as messages say it: "a number greater than 0 or an expression".
 std::string describe_expected(const KeySpec& key);

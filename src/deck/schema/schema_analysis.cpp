@@ -328,6 +328,19 @@ const TableSpec& history_table() {
               .sentence = "A point whose section axes (body axes of a body) the components are in, and from "
                           "which positions count; it moves. For position, displacement, velocity, "
                           "acceleration, centre_of_mass and rotations."},
+             {.name = "axes",
+              .type = ValueType::choice,
+              .default_value = section_axes_word,
+              .sentence = "Those of relative_to that the components are in. untwisted: its section axes "
+                          "turned back by the twist there, so y_axis carried along the rod.",
+              .choices = {section_axes_word, untwisted_axes_word},
+              .only_with = "relative_to"},
+             {.name = "about",
+              .type = ValueType::vector,
+              .dimension = "length",
+              .default_text = "the point itself",
+              .sentence = "The point, fixed in space, about which reaction_moment is: the moment of the "
+                          "support and that of its force."},
              {.name = "quantities",
               .type = ValueType::choices,
               .presence = Presence::required,

@@ -74,6 +74,8 @@ std::string describe_type(const KeySpec& key) {
             return "one or a list of " + code_list(key.choices);
         case ValueType::names:
             return "name or list of names";
+        case ValueType::flag:
+            return "true or false";
         case ValueType::integer:
             return "integer";
         case ValueType::number:
@@ -86,12 +88,20 @@ std::string describe_type(const KeySpec& key) {
             return "3×3";
         case ValueType::vectors:
             return "2 vectors or more";
+        case ValueType::section_point:
+            return "2 numbers";
+        case ValueType::number_or_six:
+            return "number or 6 numbers";
         case ValueType::numbers:
             return "numbers";
+        case ValueType::pairs:
+            return "rows of 2 numbers";
+        case ValueType::number_or_pairs:
+            return "number or rows of 2";
         case ValueType::profile:
             return "number or rows [fraction, number]";
         case ValueType::stations:
-            return "rows [fraction, section]";
+            return "rows [fraction, section], or table";
         case ValueType::bounds:
             return "number or 2 numbers";
         case ValueType::section_matrix:
@@ -110,6 +120,14 @@ std::string describe_type(const KeySpec& key) {
             return "f(t), or { turn = f(t), slide = f(t) }";
         case ValueType::time_vector:
             return "3 f(t)";
+        case ValueType::line_expression:
+            return "f(t, s)";
+        case ValueType::line_pair:
+            return "2 f(t, s)";
+        case ValueType::tendon_path:
+            return "2 f(s), or rows [fraction, y, z]";
+        case ValueType::field_vector:
+            return "3 f(t, x, y, z)";
         case ValueType::line_vector:
             return "3 f(t, s)";
         case ValueType::place_vector:
@@ -176,7 +194,8 @@ std::string write_rows(const TableSpec& table, const std::string& prefix) {
                             describe_range(key.range),
                             describe_default(key),
                             sentence_of(key));
-        if (key.type == ValueType::table) rows += write_rows(*key.table, prefix + key.name + ".");
+        if (key.type == ValueType::table || key.type == ValueType::stations)
+            rows += write_rows(*key.table, prefix + key.name + ".");
         if (key.type == ValueType::table_list) rows += write_rows(*key.table, prefix + key.name + "[].");
     }
     return rows;
@@ -197,8 +216,7 @@ const char* describe_rule(GroupRule rule) {
 std::string describe_group(const KeyGroup& group, const TableSpec& table) {
     std::vector<std::string> spellings;
     for (const std::string& key : group.keys) {
-        const KeySpec& spec = *table.find(key);
-        spellings.push_back(spec.table == nullptr ? key : spec.table->heading);
+        spellings.push_back(spell(*table.find(key)));
     }
     const std::string uses = describe_uses(group.only_for, group.only_with);
     const std::string lead = uses.empty() ? "" : uses + ": ";

@@ -71,6 +71,8 @@ Json make_type(const KeySpec& key) {
         case ValueType::names:
             return any_of({{{"type", "string"}},
                            {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 1}}});
+        case ValueType::flag:
+            return {{"type", "boolean"}};
         case ValueType::integer:
             return any_of({make_range("integer", key.range), reference("expression")});
         case ValueType::number:
@@ -81,17 +83,37 @@ Json make_type(const KeySpec& key) {
         case ValueType::line_vector:
         case ValueType::place_vector:
         case ValueType::motion_vector:
+        case ValueType::field_vector:
             return array_of(reference("number"), 3);
+        case ValueType::line_pair:
+            return array_of(reference("number"), 2);
+        case ValueType::tendon_path:
+            return any_of(
+                {array_of(reference("number"), 2), array_of_at_least(array_of(reference("number"), 3), 2)});
         case ValueType::matrix:
             return array_of(array_of(reference("number"), 3), 3);
         case ValueType::vectors:
             return array_of_at_least(array_of(reference("number"), 3), 2);
+        case ValueType::section_point:
+            return array_of(reference("number"), 2);
+        case ValueType::number_or_six:
+            return any_of({make_range("number", key.range),
+                           reference("expression"),
+                           array_of(any_of({make_range("number", key.range), reference("expression")}), 6)});
         case ValueType::numbers:
             return array_of_at_least(reference("number"), 1);
+        case ValueType::pairs:
+            return array_of_at_least(array_of(reference("number"), 2), 1);
+        case ValueType::number_or_pairs:
+            return any_of({make_range("number", key.range),
+                           reference("expression"),
+                           array_of_at_least(array_of(reference("number"), 2), 1)});
         case ValueType::profile:
             return any_of({reference("number"), array_of_at_least(array_of(reference("number"), 2), 2)});
         case ValueType::stations:
-            return array_of_at_least(array_of(any_of({reference("number"), {{"type", "string"}}}), 2), 2);
+            return any_of(
+                {array_of_at_least(array_of(any_of({reference("number"), {{"type", "string"}}}), 2), 2),
+                 make_table(*key.table)});
         case ValueType::bounds:
             return any_of({reference("number"), array_of(reference("number"), 2)});
         case ValueType::section_matrix:
@@ -103,6 +125,7 @@ Json make_type(const KeySpec& key) {
         case ValueType::mesh_group:
             return {{"type", {"string", "integer"}}};
         case ValueType::time_expression:
+        case ValueType::line_expression:
         case ValueType::spring_expression:
             return reference("number");
         case ValueType::stage_functions:

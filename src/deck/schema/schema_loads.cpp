@@ -15,14 +15,6 @@ std::vector<std::string> fix_words() {
     return words;
 }
 
-KeySpec stages_key(const char* sentence) {
-    return {.name = "stages",
-            .type = ValueType::names,
-            .default_text = "all",
-            .sentence = sentence,
-            .refers_to = {"stage"}};
-}
-
 KeySpec load_vector(const char* name, const char* dimension, const char* with, const char* sentence) {
     const bool at_point = std::string_view(with) == "at";
     const ValueType along = at_point ? ValueType::time_vector : ValueType::line_vector;
@@ -61,12 +53,7 @@ std::vector<KeySpec> load_keys() {
                      "with the node or section. body: components in the section axes of the point named, "
                      "or along the rod (body axes of a body).",
          .choices = words_of(frame_choices)},
-        {.name = "factor",
-         .type = ValueType::stage_functions,
-         .dimension = "1",
-         .default_text = "1; t in the first stage if that is static and the value has no t",
-         .sentence = "What the load is multiplied by, in a stage's own t. By stage: a stage that is not "
-                     "named keeps the last value, and before the first one there is no load."},
+        factor_key("load"),
         {.name = "relative_to",
          .type = ValueType::choice,
          .default_text = "nothing",
@@ -93,6 +80,25 @@ const TableSpec& move_table() {
 }
 
 }  // namespace
+
+KeySpec stages_key(const char* sentence) {
+    return {.name = "stages",
+            .type = ValueType::names,
+            .default_text = "all",
+            .sentence = sentence,
+            .refers_to = {"stage"}};
+}
+
+KeySpec factor_key(const std::string& what) {
+    return {.name = "factor",
+            .type = ValueType::stage_functions,
+            .dimension = "1",
+            .default_text = "1; t in the first stage if that is static and the value has no t",
+            .sentence = "What the " + what +
+                        " is multiplied by, in a stage's own t. By stage: a stage that is not "
+                        "named keeps the last value, and before the first one there is no " +
+                        what + "."};
+}
 
 const TableSpec& connect_table() {
     static const TableSpec table{
@@ -189,15 +195,41 @@ const TableSpec& support_table() {
     return table;
 }
 
+namespace {
+
+const TableSpec& spin_table() {
+    static const TableSpec table{.path = "initial.spin",
+                                 .heading = "spin = { … }",
+                                 .sentence = "",
+                                 .keys = {{.name = "axis",
+                                           .type = ValueType::vector,
+                                           .dimension = "1",
+                                           .presence = Presence::required,
+                                           .sentence = "Its direction, of any length."},
+                                          {.name = "through",
+                                           .type = ValueType::vector,
+                                           .dimension = "length",
+                                           .default_value = Vec3(0.0, 0.0, 0.0),
+                                           .sentence = "A point of the axis."},
+                                          {.name = "rate",
+                                           .type = ValueType::number,
+                                           .dimension = "angle/time",
+                                           .presence = Presence::required,
+                                           .sentence = "Right-handed about the axis."}}};
+    return table;
+}
+
+}  // namespace
+
 const TableSpec& initial_table() {
     static const TableSpec table{
         .path = "initial",
         .heading = "[[initial]]",
-        .sentence = "The velocities of a rod's nodes, or of a body's, at t = 0. For dynamic analyses.",
+        .sentence = "The velocities of the nodes of rods and bodies at t = 0. For dynamic analyses.",
         .keys = {{.name = "on",
-                  .type = ValueType::reference,
+                  .type = ValueType::names,
                   .presence = Presence::required,
-                  .sentence = "The name of a rod or body.",
+                  .sentence = "The name of a rod or body, or a list of them.",
                   .refers_to = {"rod", "body"}},
                  {.name = "velocity",
                   .type = ValueType::place_vector,
@@ -209,8 +241,13 @@ const TableSpec& initial_table() {
                   .type = ValueType::place_vector,
                   .dimension = "angle/time",
                   .default_text = "[0, 0, 0]",
-                  .sentence = "Global components, in the same variables."}},
-        .groups = {{.rule = GroupRule::at_least_one, .keys = {"velocity", "angular_velocity"}}},
+                  .sentence = "Global components, in the same variables."},
+                 {.name = "spin",
+                  .type = ValueType::table,
+                  .sentence = "Turns all of them as one rigid body about an axis, in addition to velocity.",
+                  .table = &spin_table()}},
+        .groups = {{.rule = GroupRule::at_least_one, .keys = {"velocity", "angular_velocity", "spin"}},
+                   {.rule = GroupRule::at_most_one, .keys = {"angular_velocity", "spin"}}},
         .example =
             "[[initial]]\n"
             "on = \"tail\"\n"

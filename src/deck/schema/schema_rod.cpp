@@ -32,6 +32,23 @@ KeySpec table_key(const char* name, const TableSpec& table, const char* sentence
     return {.name = name, .type = ValueType::table, .sentence = sentence, .table = &table};
 }
 
+const TableSpec& section_file_table() {
+    static const TableSpec table{
+        .path = "rod.NAME.sections",
+        .heading = "sections = { … }",
+        .sentence = "",
+        .keys = {{.name = "file",
+                  .type = ValueType::text,
+                  .presence = Presence::required,
+                  .sentence =
+                      "A CSV file with a row for each station, relative to the deck's folder. A first line "
+                      "names its columns: fraction, from 0 to 1; twist, if given, as the key twist; K11 K12 "
+                      "… K66, the stiffness on and above the diagonal; M11 … M66, the inertia. Entries off "
+                      "the diagonal without a column are 0. [Sections](guide/sections.md) has an example."},
+                 table_key("damping", damping_table(), "Of the rod; none if left out.")}};
+    return table;
+}
+
 const TableSpec& line_table() {
     static const TableSpec table{
         .path = "rod.NAME.line",
@@ -113,6 +130,22 @@ const TableSpec& mesh_table() {
     return table;
 }
 
+const TableSpec& rest_table() {
+    static const TableSpec table{
+        .path = "rod.NAME.rest",
+        .heading = "rest = { … }",
+        .sentence = "",
+        .keys = {{.name = "curvature",
+                  .type = ValueType::place_vector,
+                  .dimension = "angle/length",
+                  .presence = Presence::required,
+                  .sentence =
+                      "Of the rest, in section axes: the twist per length, and the curvatures about y and z, "
+                      "as functions of s, the arc length, or of the place at t = 0. [0, 0, 0] is straight "
+                      "and without twist."}}};
+    return table;
+}
+
 std::vector<KeySpec> geometry_keys() {
     return {table_key("line", line_table(), "The centreline at t = 0: straight."),
             table_key(
@@ -141,7 +174,8 @@ std::vector<KeySpec> rod_keys() {
           .type = ValueType::stations,
           .sentence = "In place of section, sections along the rod: fractions of its length and names. "
                       "Between them the 6×6 matrices are linear, entry by entry; where a fraction stands "
-                      "twice they jump, and a node is placed."}});
+                      "twice they jump, and a node is placed. Or a table that names a file of them.",
+          .table = &section_file_table()}});
     keys.push_back(
         {.name = "elements",
          .type = ValueType::integer,
@@ -177,6 +211,11 @@ std::vector<KeySpec> rod_keys() {
                     .sentence = "Turn of the section about the tangent from start to end, even along the "
                                 "length, right-handed; free of stress. Or the turn at fractions of the "
                                 "length, linear between them, from y_axis on."});
+    keys.push_back(
+        table_key("rest",
+                  rest_table(),
+                  "The shape in which the rod is free of stress, where that is not the one in "
+                  "which it starts; of the same length. Left out, the rod starts free of stress."));
     return keys;
 }
 

@@ -115,6 +115,13 @@ const TableSpec& material_table() {
                   .range = {.lower = -1.0, .at_lower = Bound::open, .upper = 0.5},
                   .sentence = "Poisson's ratio; G is E/(2(1 + nu))."},
                  positive_key("G", "mass/(length·time²)", Presence::optional, "Shear modulus."),
+                 {.name = "yield_stress",
+                  .type = ValueType::number,
+                  .dimension = "mass/(length·time²)",
+                  .range = positive,
+                  .sentence = "Beyond it the material yields perfectly, and at 1/√3 of it in shear: bending, "
+                              "torsion and tension each by itself "
+                              "([materials](guide/materials.md#yield-stress-of-a-material))."},
                  {.name = "density",
                   .type = ValueType::arc_number,
                   .dimension = "mass/length³",
@@ -134,6 +141,8 @@ const TableSpec& material_table() {
     return table;
 }
 
+}  // namespace
+
 const TableSpec& damping_table() {
     static const TableSpec table{
         .path = "section.NAME.damping",
@@ -141,11 +150,13 @@ const TableSpec& damping_table() {
         .sentence = "",
         .keys = {
             {.name = "kelvin_voigt",
-             .type = ValueType::number,
+             .type = ValueType::number_or_six,
              .dimension = "time",
              .range = {.lower = 0.0},
-             .default_value = 0.0,
-             .sentence = "Resultants are the stiffness times strain + kelvin_voigt × rate of the strain."},
+             .default_text = "0",
+             .sentence = "Resultants are the stiffness times strain + kelvin_voigt × rate of the strain. Six "
+                         "numbers, for extension, shear along y and z, torsion and bending about y and z, "
+                         "damp each by its own: √(τᵢ τⱼ) Kᵢⱼ in place of τ Kᵢⱼ."},
             {.name = "mass_proportional",
              .type = ValueType::number,
              .dimension = "1/time",
@@ -154,8 +165,6 @@ const TableSpec& damping_table() {
              .sentence = "Forces and couples are −mass_proportional × the momenta, per length."}}};
     return table;
 }
-
-}  // namespace
 
 const TableSpec& section_table() {
     static const TableSpec table{
@@ -187,7 +196,32 @@ const TableSpec& section_table() {
                   .sentence = "What the shape is made of.",
                   .only_with = "shape",
                   .table = &material_table()},
-                 table_key("damping", damping_table(), "None if left out.")},
+                 {.name = "at",
+                  .type = ValueType::section_point,
+                  .dimension = "length",
+                  .default_text = "[0, 0]",
+                  .sentence = "Where the point is, from the rod and in its section axes, about which "
+                              "stiffness and inertia are given, or in which the middle of the shape lies. "
+                              "They are moved from there to the rod, exactly."},
+                 {.name = "turn",
+                  .type = ValueType::arc_number,
+                  .dimension = "angle",
+                  .default_value = 0.0,
+                  .sentence = "Of the axes in which they are given, from the rod's about x, right-handed: "
+                              "from y towards z. Also of the shape."},
+                 table_key("damping", damping_table(), "None if left out."),
+                 table_key("law", law_table(), "Linear and elastic if left out."),
+                 {.name = "trapeze",
+                  .type = ValueType::flag,
+                  .default_text = "false",
+                  .sentence =
+                      "Whether twist pulls the section together, as BeamDyn has it: with c = EIy + EIz, "
+                      "½ c twist² of axial force and c × twist × extension of torque."},
+                 {.name = "expansion",
+                  .type = ValueType::arc_number,
+                  .dimension = "1/temperature",
+                  .default_value = 0.0,
+                  .sentence = "Strain by heat, for the temperatures of [[actuation]]."}},
         .groups = {{GroupRule::exactly_one, {"stiffness", "stiffness_matrix", "shape"}},
                    {GroupRule::at_most_one, {"inertia", "mass_matrix", "material"}}},
         .example =
@@ -199,6 +233,11 @@ const TableSpec& section_table() {
             "[section.wire]\n"
             "shape    = { circle = { radius = 5e-3 } }\n"
             "material = { E = 2.1e11, nu = 0.3, density = 7850 }\n"
+            "\n"
+            "[section.strand]\n"
+            "stiffness = { EA = 1e4, GAy = 1e4, GAz = 1e4, GJ = 300, EIy = 800, EIz = 800 }\n"
+            "inertia   = { rhoA = 1.0, rhoIy = 10.0, rhoIz = 10.0 }\n"
+            "law       = { layers = [{ on = \"bending\", stiffness = 4200, limit = 120 }] }\n"
             "\n"
             "[section.laminate]\n"
             "stiffness_matrix = [\n"

@@ -8,6 +8,8 @@ namespace gxrod {
 const TableSpec& function_table();
 const TableSpec& input_table();
 const TableSpec& section_table();
+const TableSpec& damping_table();  // of sections
+const TableSpec& law_table();
 const TableSpec& rod_table();
 const TableSpec& body_table();
 const TableSpec& spring_table();
@@ -16,6 +18,9 @@ const TableSpec& joint_table();
 const TableSpec& gear_table();
 const TableSpec& connect_table();
 const TableSpec& load_table();
+const TableSpec& tendon_table();
+const TableSpec& actuation_table();
+const TableSpec& magnetic_table();
 const TableSpec& support_table();
 const TableSpec& initial_table();
 const TableSpec& analysis_table();
@@ -23,6 +28,10 @@ const TableSpec& stage_table();
 const TableSpec& rotation_table();
 const TableSpec& output_table();
 const TableSpec& history_table();
+
+// When something acts: the stages, and what it is multiplied by there, which `what` calls it.
+KeySpec stages_key(const char* sentence);
+KeySpec factor_key(const std::string& what);
 
 // Keys of [analysis] and [[stage]] for paths.
 std::vector<KeySpec> path_keys();

@@ -6,9 +6,11 @@
 #include <sstream>
 
 #include "deck/schema/schema_tables.hpp"
+#include "deck/sections/build_law.hpp"
 #include "deck/sections/section_matrices.hpp"
 #include "deck/sections/section_shape.hpp"
 #include "model/evaluation_error.hpp"
+#include "model/section_frame.hpp"
 
 namespace gxrod {
 namespace {
@@ -225,6 +227,16 @@ void check_inertia(const CheckedTable& table, const Section& section, const Buil
     }
 }
 
+// The frame in which a deck gives the section.
+SectionFrame frame_of(const CheckedTable& section, const SectionPlace& at, const BuildContext& context) {
+    SectionFrame frame{.y = 0.0, .z = 0.0, .turn = number_of(section, "turn", at, context)};
+    if (!section.gives("at")) return frame;
+    const auto& point = section.get<std::vector<double>>("at");
+    frame.y = point[0];
+    frame.z = point[1];
+    return frame;
+}
+
 bool has_function(const CheckedTable& table) {
     return std::ranges::any_of(table.values, [](const CheckedValue& value) {
         if (const auto* tables = std::get_if<std::vector<CheckedTable>>(&value.value))
@@ -248,12 +260,24 @@ Section build_section(const CheckedTable& table, const SectionPlace& at, const B
     if (table.gives("mass_matrix")) {
         section.mass = matrix_of(table, "mass_matrix", check_mass_matrix, context);
     }
+    section.expansion = number_of(table, "expansion", at, context);
     if (at.rod.empty()) check_inertia(table, section, context);
-    if (table.gives("damping")) {
-        section.kelvin_voigt = only(table, "damping").get<double>("kelvin_voigt");
-        section.mass_proportional = only(table, "damping").get<double>("mass_proportional");
-    }
+    const SectionFrame frame = frame_of(table, at, context);
+    section.stiffness = move_from(frame, section.stiffness);
+    section.mass = move_from(frame, section.mass);
+    set_damping(table, section);
     return section;
+}
+
+void set_damping(const CheckedTable& table, Section& section) {
+    if (!table.gives("damping")) return;
+    const CheckedTable& damping = only(table, "damping");
+    if (damping.gives("kelvin_voigt")) {
+        const auto& times = damping.get<std::vector<double>>("kelvin_voigt");
+        section.kelvin_voigt = std::ranges::max(times);
+        if (times.size() == 6) section.kelvin_voigt_components = Eigen::Map<const Vec6>(times.data());
+    }
+    section.mass_proportional = damping.get<double>("mass_proportional");
 }
 
 bool varies_along_rod(const CheckedTable& section) { return has_function(section); }
@@ -261,6 +285,7 @@ bool varies_along_rod(const CheckedTable& section) { return has_function(section
 void build_sections(BuildContext& context) {
     for (const CheckedTable& table : context.deck.tables("section")) {
         context.model.sections.push_back(build_section(table, {}, context));
+        set_law(table, context.model.sections.back(), context);
     }
 }
 

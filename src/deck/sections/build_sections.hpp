@@ -19,4 +19,7 @@ void build_sections(BuildContext& context);
 bool varies_along_rod(const CheckedTable& section);
 Section build_section(const CheckedTable& section, const SectionPlace& at, const BuildContext& context);
 
+// Gives a section the damping of a table that has the key, of a [section.NAME] or of `sections` of a rod.
+void set_damping(const CheckedTable& table, Section& section);
+
 }  // namespace gxrod

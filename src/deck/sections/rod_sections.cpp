@@ -29,18 +29,36 @@ int find_section(const std::string& name,
     return 0;
 }
 
+std::vector<Station> list_stations(const CheckedTable& rod,
+                                   const SectionFile& file,
+                                   const BuildContext& context) {
+    if (context.needs_inertia() && file.rows.front().section.mass.isZero(0.0)) {
+        const CheckedTable& table = *find_section_file(rod);
+        context.add_fault(table, "file", "has no columns M11 … M66; a dynamic analysis needs them");
+    }
+    std::vector<Station> stations;
+    for (const SectionRow& row : file.rows)
+        stations.push_back({.fraction = row.fraction, .of_file = &row.section});
+    return stations;
+}
+
+// The section at one end of a rod, for what stands for the rod as a whole.
+const Section& section_of(const Station& station, const BuildContext& context) {
+    if (station.of_file != nullptr) return *station.of_file;
+    return context.model.sections[static_cast<std::size_t>(station.section)];
+}
+
 // Damping is that of a rod, not of its points.
 void check_damping(const CheckedTable& rod,
                    const std::vector<Station>& stations,
                    const BuildContext& context) {
     if (context.model.sections.empty()) return;
-    const auto section = [&](const Station& station) -> const Section& {
-        return context.model.sections[static_cast<std::size_t>(station.section)];
-    };
-    const Section& first = section(stations.front());
+    const Section& first = section_of(stations.front(), context);
     for (const Station& station : stations) {
-        const Section& other = section(station);
-        if (other.kelvin_voigt == first.kelvin_voigt && other.mass_proportional == first.mass_proportional)
+        const Section& other = section_of(station, context);
+        if (other.kelvin_voigt == first.kelvin_voigt &&
+            other.kelvin_voigt_components == first.kelvin_voigt_components &&
+            other.mass_proportional == first.mass_proportional)
             continue;
         context.add_fault(
             rod,
@@ -57,6 +75,30 @@ void check_damping(const CheckedTable& rod,
     }
 }
 
+// Whether a rod has the section of its first station everywhere. One with a law must, or it is a fault.
+bool has_one_law(const CheckedTable& rod, const std::vector<Station>& stations, const BuildContext& context) {
+    const auto section = [&](const Station& station) -> const Section& {
+        return context.model.sections[static_cast<std::size_t>(station.section)];
+    };
+    if (context.model.sections.empty()) return false;
+    const auto with_law = std::ranges::find_if(
+        stations, [&](const Station& station) { return section(station).law != nullptr; });
+    if (with_law == stations.end()) return false;
+    const int first = stations.front().section;
+    const bool is_constant =
+        std::ranges::all_of(stations, [&](const Station& station) { return station.section == first; });
+    if (!is_constant) {
+        context.add_fault(
+            rod,
+            "sections",
+            fmt::format("section \"{}\" has a law, so that the rod cannot have another section; "
+                        "expected \"{}\" at all stations, or a rod for each section",
+                        section(*with_law).name,
+                        section(*with_law).name));
+    }
+    return is_constant;
+}
+
 bool are_one(double a, double b) { return std::abs(a - b) <= 2.0 * same_fraction; }
 
 Section nameless(Section section) {
@@ -69,6 +111,7 @@ Section mix(const Section& a, const Section& b, double t) {
     Section section = nameless(a);
     section.stiffness = (1.0 - t) * a.stiffness + t * b.stiffness;
     section.mass = (1.0 - t) * a.mass + t * b.mass;
+    section.expansion = (1.0 - t) * a.expansion + t * b.expansion;
     return section;
 }
 
@@ -86,6 +129,7 @@ class Profile {
         const double length = b.fraction - a.fraction;
         const double t = length > 0.0 ? std::clamp((fraction - a.fraction) / length, 0.0, 1.0) : 0.0;
         const double s = fraction * rod_.length;
+        if (a.of_file != nullptr) return mix(*a.of_file, *b.of_file, t);
         if (a.section == b.section) return nameless(section(a, s));
         return mix(section(a, s), section(b, s), t);
     }
@@ -108,37 +152,16 @@ class Profile {
     const BuildContext& context_;
 };
 
-template <int Points>
-std::vector<QuadraturePoint> list_rule() {
-    const auto rule = compute_gauss_rule<Points>();
-    return {rule.begin(), rule.end()};
-}
+}  // namespace
 
-std::vector<QuadraturePoint> list_gauss_rule(int count) {
-    switch (count) {
-        case 1:
-            return list_rule<1>();
-        case 2:
-            return list_rule<2>();
-        case 3:
-            return list_rule<3>();
-        case 4:
-            return list_rule<4>();
-        default:
-            return list_rule<5>();
-    }
-}
-
-// Fractions of an element's length.
-std::vector<double> list_gauss_points(int count) {
+std::vector<double> list_force_points(int order) {
     std::vector<double> points;
-    for (const QuadraturePoint& point : list_gauss_rule(count)) points.push_back(0.5 * (1.0 + point.xi));
+    for (const QuadraturePoint& point : list_gauss_rule(order)) points.push_back(0.5 * (1.0 + point.xi));
     return points;
 }
 
-}  // namespace
-
-std::vector<Station> find_stations(const CheckedTable& rod, BuildContext& context) {
+std::vector<Station> find_stations(const CheckedTable& rod, const SectionFile* file, BuildContext& context) {
+    if (file != nullptr) return list_stations(rod, *file, context);
     if (rod.gives("section")) {
         const std::string& name = rod.get<std::string>("section");
         const int section = find_section(name, rod.place_of("section"), rod.path_of("section"), context);
@@ -152,6 +175,7 @@ std::vector<Station> find_stations(const CheckedTable& rod, BuildContext& contex
         stations.push_back(
             {station.fraction, find_section(station.section, station.place, station.path, context)});
     check_damping(rod, stations, context);
+    if (has_one_law(rod, stations, context)) return {stations.front()};
     return stations;
 }
 
@@ -171,12 +195,13 @@ void set_sections(const std::vector<Station>& stations,
                   BuildContext& context) {
     std::vector<Section>& known = context.model.sections;
     rod.section = stations.front().section;
-    if (stations.size() == 1 || known.empty()) return;
+    const bool is_unknown = stations.front().of_file == nullptr && known.empty();
+    if (stations.size() == 1 || is_unknown) return;
     const Profile profile(stations, rod, context);
-    const std::vector<double> force_points = list_gauss_points(rod.order);
+    const std::vector<double> force_points = list_force_points(rod.order);
     const std::vector<double> nodes = compute_element_nodes(rod.order);
     const std::vector<QuadraturePoint> mass_points = list_gauss_rule(rod.order + 1);
-    Section mean = known[static_cast<std::size_t>(rod.section)];
+    Section mean = section_of(stations.front(), context);
     mean.stiffness.setZero();
     mean.mass.setZero();
     for (std::size_t e = 0; e + 1 < element_fractions.size(); ++e) {

@@ -49,10 +49,10 @@ class BandLanczos {
           settings_(settings),
           known_(known.cols()),
           capacity_(known_ + 3 * settings.wanted + 30 + 3 * settings.block),
-          V_(pencil.size(), capacity_),
-          T_(Eigen::MatrixXd::Zero(capacity_, capacity_)),
+          vectors_(pencil.size(), capacity_),
+          projected_(Eigen::MatrixXd::Zero(capacity_, capacity_)),
           noise_(pencil.size()) {
-        if (known_ > 0) V_.leftCols(known_) = known;
+        if (known_ > 0) vectors_.leftCols(known_) = known;
         done_ = end_ = known_;
     }
 
@@ -85,13 +85,13 @@ class BandLanczos {
     // Applies the operator to the first vector that waits.
     void step() {
         const Index j = done_;
-        pencil_.apply(V_.col(j), images_.front(), w_);
+        pencil_.apply(vectors_.col(j), images_.front(), w_);
         spare_.swap(images_.front());
         images_.pop_front();
         ++products_;
         const Index added = append(std::max(known_, j - settings_.block), j);
         ++done_;
-        if (added >= 0) T_(added, j) = T_(j, added) = last_norm_;
+        if (added >= 0) projected_(added, j) = projected_(j, added) = last_norm_;
     }
 
     // Makes w orthogonal to the basis, first to the columns from `near` on, and appends what is left. Its
@@ -103,7 +103,7 @@ class BandLanczos {
         Index first = near;
         for (int pass = 0; pass < 4 && norm > negligible * norm_before; ++pass) {
             const double norm_of_pass = norm;
-            const auto basis = V_.middleCols(first, end_ - first);
+            const auto basis = vectors_.middleCols(first, end_ - first);
             const Eigen::VectorXd h = basis.transpose() * image_;
             w_.noalias() -= basis * h;
             if (j >= 0) record(j, first, h);
@@ -116,7 +116,7 @@ class BandLanczos {
         largest_norm_ = std::max(largest_norm_, norm_before);
         last_norm_ = norm;
         if (!(norm > negligible * norm_before) || !(norm_before > 1e-14 * largest_norm_)) return -1;
-        V_.col(end_) = w_ / norm;
+        vectors_.col(end_) = w_ / norm;
         spare_ = image_ / norm;
         images_.push_back(std::move(spare_));
         return end_++;
@@ -125,8 +125,8 @@ class BandLanczos {
     // Columns that were processed before have their couplings to j already: T is symmetric.
     void record(Index j, Index first, const Eigen::VectorXd& h) {
         for (Index i = std::max(first, j); i < end_; ++i) {
-            T_(i, j) += h[i - first];
-            if (i != j) T_(j, i) = T_(i, j);
+            projected_(i, j) += h[i - first];
+            if (i != j) projected_(j, i) = projected_(i, j);
         }
     }
 
@@ -146,12 +146,12 @@ class BandLanczos {
     void look() {
         const Index size = done_ - known_;
         if (size == 0) return;
-        const SymmetricEigen ritz = find_symmetric_eigen(T_.block(known_, known_, size, size));
+        const SymmetricEigen ritz = find_symmetric_eigen(projected_.block(known_, known_, size, size));
         const std::vector<Index> order = order_by_size(ritz.values);
         ritz_values_ = ritz.values(order);
         ritz_vectors_ = ritz.vectors(Eigen::all, order);
         // What the operator does beyond the processed columns.
-        residuals_ = T_.block(done_, known_, end_ - done_, size) * ritz_vectors_;
+        residuals_ = projected_.block(done_, known_, end_ - done_, size) * ritz_vectors_;
         converged_ = 0;
         while (converged_ < size &&
                residuals_.col(converged_).norm() <= settings_.tolerance * std::abs(ritz_values_[converged_]))
@@ -163,16 +163,16 @@ class BandLanczos {
         const Index size = done_ - known_;
         const Index kept = std::min<Index>(size, settings_.wanted + (size - settings_.wanted) / 3);
         const Index waiting = end_ - done_;
-        const Eigen::MatrixXd best = V_.middleCols(known_, size) * ritz_vectors_.leftCols(kept);
-        const Eigen::MatrixXd rest = V_.middleCols(done_, waiting);
-        V_.middleCols(known_, kept) = best;
-        V_.middleCols(known_ + kept, waiting) = rest;
-        const Eigen::MatrixXd between = T_.block(done_, done_, waiting, waiting);
-        T_.setZero();
-        T_.block(known_, known_, kept, kept) = ritz_values_.head(kept).asDiagonal();
-        T_.block(known_ + kept, known_, waiting, kept) = residuals_.leftCols(kept);
-        T_.block(known_, known_ + kept, kept, waiting) = residuals_.leftCols(kept).transpose();
-        T_.block(known_ + kept, known_ + kept, waiting, waiting) = between;
+        const Eigen::MatrixXd best = vectors_.middleCols(known_, size) * ritz_vectors_.leftCols(kept);
+        const Eigen::MatrixXd rest = vectors_.middleCols(done_, waiting);
+        vectors_.middleCols(known_, kept) = best;
+        vectors_.middleCols(known_ + kept, waiting) = rest;
+        const Eigen::MatrixXd between = projected_.block(done_, done_, waiting, waiting);
+        projected_.setZero();
+        projected_.block(known_, known_, kept, kept) = ritz_values_.head(kept).asDiagonal();
+        projected_.block(known_ + kept, known_, waiting, kept) = residuals_.leftCols(kept);
+        projected_.block(known_, known_ + kept, kept, waiting) = residuals_.leftCols(kept).transpose();
+        projected_.block(known_ + kept, known_ + kept, waiting, waiting) = between;
         done_ = known_ + kept;
         end_ = done_ + waiting;
     }
@@ -181,7 +181,7 @@ class BandLanczos {
         count = std::min<Index>(count, ritz_values_.size());
         EigenPairs pairs;
         pairs.values = ritz_values_.head(count);
-        pairs.vectors = V_.middleCols(known_, ritz_vectors_.rows()) * ritz_vectors_.leftCols(count);
+        pairs.vectors = vectors_.middleCols(known_, ritz_vectors_.rows()) * ritz_vectors_.leftCols(count);
         pairs.exhausted = exhausted;
         return pairs;
     }
@@ -189,10 +189,10 @@ class BandLanczos {
     const Pencil& pencil_;
     LanczosSettings settings_;
     Index known_, capacity_;
-    Index done_ = 0;  // columns to which the operator was applied, known ones included
-    Index end_ = 0;   // columns of the basis
-    Eigen::MatrixXd V_;
-    Eigen::MatrixXd T_;                   // Vᵀ (image of) B⁻¹A V, of the processed columns
+    Index done_ = 0;                      // columns to which the operator was applied, known ones included
+    Index end_ = 0;                       // columns of the basis
+    Eigen::MatrixXd vectors_;             // V, the basis, a column each
+    Eigen::MatrixXd projected_;           // Vᵀ (image of) B⁻¹A V, of the processed columns
     std::deque<Eigen::VectorXd> images_;  // of the columns that wait
     Eigen::VectorXd w_, image_, spare_;   // what is worked on; large vectors are not allocated each time
     Noise noise_;

@@ -16,7 +16,8 @@ colour = 3)")) ==
     CHECK(faults_of(rod_deck + "[zone.a]") ==
           "x.toml:13:2: zone: unknown key; known here: title, units, gravity, plane, parameters, function, "
           "input, "
-          "section, rod, body, spring, bushing, joint, gear, connect, load, support, initial, rotation, "
+          "section, rod, body, spring, bushing, joint, gear, connect, load, tendon, actuation, magnetic, "
+          "support, initial, rotation, "
           "analysis, "
           "stage, output, history");
     CHECK(faults_of(body_deck + "gravity = [0, 0, -9.81]") ==

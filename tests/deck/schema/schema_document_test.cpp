@@ -57,7 +57,9 @@ TEST_CASE("The examples of the reference, one after the other, are a deck", "[de
     CHECK(problem.model.rods.size() == 5);
     CHECK(problem.model.bodies.size() == 1);
     CHECK(problem.model.loads.size() == 2);
-    CHECK(problem.model.distributed_loads.size() == 1);
+    CHECK(problem.model.distributed_loads.size() == 2);  // one of them magnetic
+    CHECK(problem.model.tendons.size() == 1);
+    CHECK(problem.model.actuations.size() == 1);
     CHECK(problem.model.supports.size() == 2);
     CHECK(problem.output.histories.size() == 1);
 }

@@ -12,6 +12,7 @@ using Json = nlohmann::json;
 const Json& inside(const Json& schema, ValueType type) {
     if (type == ValueType::table_list) return schema.at("items");
     if (type == ValueType::named_tables) return schema.at("patternProperties").begin().value();
+    if (type == ValueType::stations) return schema.at("anyOf").at(1);
     return schema;
 }
 

@@ -123,7 +123,7 @@ TEST_CASE("An initial displacement is explained, not reported as a missing veloc
           "comes "
           "from a static analysis");
     CHECK(faults_of(rod_deck + "[[initial]]\non = \"r\"\n") ==
-          "x.toml:13:1: initial[0]: missing; expected velocity or angular_velocity");
+          "x.toml:13:1: initial[0]: missing; expected velocity or angular_velocity or spin = { … }");
     CHECK(faults_of(rod_deck + "[[initial]]\non = \"r\"\nv = [0, 0, 1]\n") ==
           "x.toml:15:1: initial[0].v: unknown key; did you mean \"velocity\"?");
 }

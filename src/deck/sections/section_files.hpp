@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "deck/reading/checked_deck.hpp"
+#include "deck/reading/fault_list.hpp"
+#include "deck/reading/table_files.hpp"
+#include "model/model.hpp"
+
+// Sections along a rod from a CSV file, a row for each station.
+namespace gxrod {
+
+struct SectionRow {
+    double fraction;  // of the rod's length
+    Section section;  // its name is that of the file, its mass zero if the file has none
+};
+
+struct SectionFile {
+    std::vector<SectionRow> rows;                  // two at least, from 0 to 1
+    std::vector<std::pair<double, double>> twist;  // fractions and angles; empty if the file has none
+};
+
+using SectionFiles = std::map<int, SectionFile>;  // by index in Model::rods
+
+// What is wrong with a file is thrown as FileError, each text beginning with "file:line:column", the column
+// counted in fields.
+SectionFile read_section_file(std::string_view bytes, const std::string& file);
+
+// Reads the files of the rods of a deck. What is wrong goes to the faults, and the rod has no entry.
+// `records` gets the files' bytes.
+SectionFiles read_section_files(const CheckedTable& deck,
+                                const TableFiles& files,
+                                FaultList& faults,
+                                std::vector<MeshRecord>& records);
+
+// The table of a rod that names a file of sections; nullptr if it names none.
+const CheckedTable* find_section_file(const CheckedTable& rod);
+
+}  // namespace gxrod

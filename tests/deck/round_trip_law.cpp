@@ -1,0 +1,138 @@
+#include <cmath>
+
+#include "deck/decks.hpp"
+#include "deck/round_trips.hpp"
+#include "laws/layered_law.hpp"
+#include "laws/moment_curvature_law.hpp"
+#include "laws/plastic_law.hpp"
+#include "laws/trapeze_law.hpp"
+#include "laws/viscoelastic_law.hpp"
+
+namespace gxrod::test {
+namespace {
+
+// The deck's stiffness is EA = 1e4, GAy = 2e4, GAz = 3e4, GJ = 500, EIy = 600, EIz = 700.
+std::string with_law(const std::string& law) {
+    return replaced(rod_deck, "inertia = { rhoA", "law = { " + law + " }\ninertia = { rhoA");
+}
+
+template <class Law>
+std::function<bool(const Problem&)> sees(const std::function<bool(const Law&)>& is_seen) {
+    return [is_seen](const Problem& problem) {
+        const auto* law = dynamic_cast<const Law*>(problem.model.sections[0].law.get());
+        return law != nullptr && is_seen(*law);
+    };
+}
+
+std::vector<RoundTrip> layer_trips() {
+    const std::string key = "section.NAME.law.layers.";
+    const auto layer = [](const std::string& more) {
+        return with_law("layers = [{ stiffness = 7, limit = 3, " + more + " }]");
+    };
+    const auto sees_layer = [](const std::function<bool(const Layer&)>& is_seen) {
+        return sees<LayeredLaw>([is_seen](const LayeredLaw& law) {
+            return law.layers().size() == 1 && law.stiffness()(3, 3) == 500.0 && is_seen(law.layers()[0]);
+        });
+    };
+    return {
+        {key + "on", layer("on = \"shear z\""), sees_layer([](const Layer& l) {
+             return l.on == StrainPart::shear_z;
+         })},
+        {key + "stiffness", layer("on = \"bending\""), sees_layer([](const Layer& l) {
+             return l.stiffness == 7.0;
+         })},
+        {key + "limit", layer("on = \"torsion\""), sees_layer([](const Layer& l) { return l.limit == 3.0; })},
+        {key + "limit_per_tension",
+         layer("on = \"bending y\", limit_per_tension = 0.5"),
+         sees_layer([](const Layer& l) { return l.limit_per_tension == 0.5; })}};
+}
+
+std::vector<RoundTrip> curve_trips() {
+    const std::string key = "section.NAME.law.moment_curvature.";
+    const std::string rows = " = [[0, 0], [0.1, 50], [1, 60]]";
+    const auto curve = [&](const std::string& name) {
+        return with_law("moment_curvature = { " + name + rows + " }");
+    };
+    const auto is_on = [](StrainPart on) {
+        return sees<MomentCurvatureLaw>([on](const MomentCurvatureLaw& law) {
+            return law.curves().size() == 1 && law.curves()[0].on == on &&
+                   law.curves()[0].curve.at(1.0).value == 60.0;
+        });
+    };
+    return {{key + "table", curve("table"), is_on(StrainPart::bending)},
+            {key + "y", curve("y"), is_on(StrainPart::bending_y)},
+            {key + "z", curve("z"), is_on(StrainPart::bending_z)},
+            {key + "hysteresis",
+             with_law("moment_curvature = { hysteresis = \"kinematic\", table" + rows + " }"),
+             sees<LayeredLaw>([](const LayeredLaw& law) {
+                 return law.layers().size() == 1 &&
+                        std::abs(law.layers()[0].limit - 0.1 * (500.0 - 10.0 / 0.9)) < 1e-9;
+             })}};
+}
+
+std::vector<RoundTrip> plastic_trips() {
+    const std::string key = "section.NAME.law.plastic.";
+    const auto sees_yield = [](const std::function<bool(const YieldLimits&)>& is_seen) {
+        return sees<PlasticLaw>([is_seen](const PlasticLaw& law) { return is_seen(law.yield()); });
+    };
+    const auto with = [](const std::string& more) {
+        return with_law("plastic = { yield = { My = 7 }, " + more + " }");
+    };
+    std::vector<RoundTrip> trips{
+        {key + "interaction", with("interaction = \"none\""), sees_yield([](const YieldLimits& y) {
+             return y.interaction == YieldInteraction::none;
+         })},
+        {key + "isotropic", with("isotropic = [[0, 1], [2, 1.5]]"), sees_yield([](const YieldLimits& y) {
+             return y.isotropic && y.isotropic->at(2.0).value == 1.5;
+         })},
+        {key + "kinematic", with("kinematic = 0.25"), sees_yield([](const YieldLimits& y) {
+             return y.kinematic == 0.25;
+         })}};
+    int entry = 0;
+    for (const char* name : {"N", "Vy", "Vz", "T", "My", "Mz"}) {
+        trips.push_back({key + "yield." + name,
+                         with_law(std::string("plastic = { yield = { ") + name + " = 7 } }"),
+                         sees_yield([entry](const YieldLimits& y) {
+                             return y.limits == std::vector{std::pair(entry, 7.0)};
+                         })});
+        ++entry;
+    }
+    return trips;
+}
+
+}  // namespace
+
+std::vector<RoundTrip> law_trips() {
+    std::vector<RoundTrip> trips = layer_trips();
+    for (const auto& more : {curve_trips(), plastic_trips()})
+        trips.insert(trips.end(), more.begin(), more.end());
+    const std::string key = "section.NAME.law.viscoelastic.";
+    trips.push_back({key + "prony",
+                     with_law("viscoelastic = { prony = [[0.5, 0.2], [\"3/10\", 2]] }"),
+                     sees<ViscoelasticLaw>([](const ViscoelasticLaw& law) {
+                         const auto& b = law.branches();
+                         return b.size() == 2 && b[0].time == 0.2 && b[1].ratio == 0.3 &&
+                                law.relaxing()(0, 0) == 1e4;
+                     })});
+    trips.push_back({key + "on",
+                     with_law("viscoelastic = { prony = [[1, 1]], on = [\"bending\", \"tension\"] }"),
+                     sees<ViscoelasticLaw>([](const ViscoelasticLaw& law) {
+                         return law.relaxing().diagonal() == Vec6(1e4, 0.0, 0.0, 0.0, 600.0, 700.0);
+                     })});
+    trips.push_back({"section.NAME.trapeze",
+                     replaced(rod_deck, "inertia = { rhoA", "trapeze = true\ninertia = { rhoA"),
+                     sees<TrapezeLaw>([](const TrapezeLaw& law) { return law.coefficient() == 1300.0; })});
+    trips.push_back(
+        {"section.NAME.material.yield_stress",
+         replaced(replaced(rod_deck,
+                           "stiffness = { EA = 1e4, GAy = 2e4, GAz = 3e4, GJ = 500, EIy = 600, EIz = 700 }",
+                           "shape = { circle = { radius = 1 } }"),
+                  "inertia = { rhoA = 1.0, rhoJ = 20, rhoIy = 10, rhoIz = 11 }",
+                  "material = { E = 1, G = 1, shear_factor = 1, density = 1, yield_stress = 0.01 }"),
+         sees<LayeredLaw>([](const LayeredLaw& law) {
+             return law.layers().size() == 33 && law.layers()[0].limit == 0.01 * M_PI;
+         })});
+    return trips;
+}
+
+}  // namespace gxrod::test
