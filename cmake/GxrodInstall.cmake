@@ -1,4 +1,4 @@
-# What `cmake --install` puts where: the program, gxrod-plot, the Python package, the documentation with its examples; the
+# What `cmake --install` puts where: the program, gxrod-plot, gxrod-import, the Python package, the documentation with its examples; the
 # library, its headers and a CMake package by which other programs find it. What is for wheels or for Debian's packages
 # alone is EXCLUDE_FROM_ALL; packages are made of components (GxrodPackages.cmake).
 include(CMakePackageConfigHelpers)
@@ -18,9 +18,9 @@ function(gxrod_install_python folder component)
   install(FILES "${PROJECT_BINARY_DIR}/python/gxrod/_version.py" DESTINATION "${folder}/gxrod" COMPONENT ${component} ${ARGN})
 endfunction()
 gxrod_install_python(${gxrod_share}/python python_files)
-install(PROGRAMS apps/gxrod-plot DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT python_files)
+install(PROGRAMS apps/gxrod-plot apps/gxrod-import DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT python_files)
 if(SKBUILD)
-  # The wheel: scikit-build-core itself adds the files of apps/python/gxrod and makes gxrod-plot (pyproject.toml).
+  # The wheel: scikit-build-core itself adds the files of apps/python/gxrod and makes gxrod-plot and gxrod-import (pyproject.toml).
   install(FILES "${PROJECT_BINARY_DIR}/python/gxrod/_version.py" DESTINATION gxrod COMPONENT python EXCLUDE_FROM_ALL)
   install(TARGETS gxrod RUNTIME DESTINATION "${SKBUILD_SCRIPTS_DIR}" COMPONENT python EXCLUDE_FROM_ALL)
 endif()

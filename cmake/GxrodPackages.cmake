@@ -17,7 +17,7 @@ endif()
 configure_file(cmake/debian/changelog "${gxrod_debian}/changelog" @ONLY)
 gxrod_compress("${gxrod_debian}/changelog" "${gxrod_debian}/changelog.Debian.gz")
 gxrod_compress("${PROJECT_SOURCE_DIR}/CHANGELOG.md" "${gxrod_debian}/changelog.gz")
-foreach(page gxrod/gxrod gxrod-plot)
+foreach(page gxrod/gxrod gxrod-plot gxrod-import)
   get_filename_component(name ${page} NAME)
   gxrod_compress("${PROJECT_SOURCE_DIR}/apps/${page}.1" "${gxrod_debian}/${name}.1.gz")
 endforeach()
@@ -49,14 +49,17 @@ gxrod_debian_package(debian_python python3-gxrod python "geometrically exact rod
 ${gxrod_about}
 
 This package has the Python package, which drives runs step by step and
-reads results, and gxrod-plot, which draws them.")
+reads results, gxrod-plot, which draws them, and gxrod-import, which
+writes blades of other programs as decks.")
 set(gxrod_debian_modules lib/python3/dist-packages)  # below the prefix
 gxrod_install_python(${gxrod_debian_modules} debian_python EXCLUDE_FROM_ALL)
-file(READ apps/gxrod-plot gxrod_plot)
-string(REPLACE "#!/usr/bin/env python3" "#!/usr/bin/python3" gxrod_plot "${gxrod_plot}")
-file(WRITE "${gxrod_debian}/gxrod-plot" "${gxrod_plot}")
-install(PROGRAMS "${gxrod_debian}/gxrod-plot" DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT debian_python EXCLUDE_FROM_ALL)
-install(FILES "${gxrod_debian}/gxrod-plot.1.gz" DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT debian_python)
+foreach(script gxrod-plot gxrod-import)
+  file(READ apps/${script} gxrod_script)
+  string(REPLACE "#!/usr/bin/env python3" "#!/usr/bin/python3" gxrod_script "${gxrod_script}")
+  file(WRITE "${gxrod_debian}/${script}" "${gxrod_script}")
+  install(PROGRAMS "${gxrod_debian}/${script}" DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT debian_python EXCLUDE_FROM_ALL)
+  install(FILES "${gxrod_debian}/${script}.1.gz" DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT debian_python)
+endforeach()
 set(CPACK_DEBIAN_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.11), python3-numpy")
 if(GXROD_PYTHON_MODULE)
   install(TARGETS gxrod_core LIBRARY DESTINATION ${gxrod_debian_modules}/gxrod COMPONENT debian_python EXCLUDE_FROM_ALL)
@@ -65,7 +68,7 @@ if(GXROD_PYTHON_MODULE)
   set(CPACK_DEBIAN_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${minor}), python3 (<< 3.${next}), python3-numpy")
 endif()
 set(CPACK_DEBIAN_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-h5py, python3-matplotlib, python3-pandas, gxrod")
-set(CPACK_DEBIAN_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-scipy, python3-xarray")
+set(CPACK_DEBIAN_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-scipy, python3-xarray, python3-yaml")
 set(CPACK_DEBIAN_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
   "${PROJECT_SOURCE_DIR}/cmake/debian/postinst;${PROJECT_SOURCE_DIR}/cmake/debian/prerm")
 

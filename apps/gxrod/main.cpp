@@ -1,10 +1,12 @@
 #include <fcntl.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 #include <system_error>
@@ -21,13 +23,23 @@
 
 namespace {
 
-// Throws if the first argument is meant as a verb but is not one.
+// `gxrod import` is gxrod-import, if that stands beside this program. Returns if there is none.
+void become_program_beside(const std::string& verb, char** argv) {
+    std::error_code error;
+    const auto folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+    if (error || verb.find('/') != std::string::npos) return;
+    ::execv((folder / ("gxrod-" + verb)).c_str(), argv + 1);
+}
+
+// Throws if the first argument is meant as a verb but is not one, and no program of that name stands beside
+// this one.
 void check_verb(const CLI::App& program, int argc, char** argv) {
     const std::string verb = argc > 1 ? argv[1] : "-";
     if (verb.empty() || verb[0] == '-') return;
     std::vector<std::string> verbs;
     for (const CLI::App* known : program.get_subcommands({})) verbs.push_back(known->get_name());
     if (std::find(verbs.begin(), verbs.end(), verb) != verbs.end()) return;
+    become_program_beside(verb, argv);
     throw CLI::ValidationError("gxrod has no verb '" + verb + "'" + gxrod::did_you_mean(verb, verbs));
 }
 
@@ -66,6 +78,7 @@ int run_program(int argc, char** argv) {
         return std::string("gxrod: ") + error.what() + "\nTry 'gxrod --help' or 'gxrod VERB --help'.\n";
     });
     program.footer(
+        "gxrod import and gxrod plot are programs of their own: gxrod-import, gxrod-plot.\n"
         "Exit codes: 0 done, 1 internal error or too little memory, 2 usage or deck fault, 3 did not "
         "converge,\n"
         "4 a file could not be read or written, 5 a verification missed its reference, 130 interrupted.");

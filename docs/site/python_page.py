@@ -30,11 +30,12 @@ GROUPS = [
     ("Results of runs", "", {"results": ["open_results", "Results"], "results/records": ["Record", "History", "Quantity", "Named"],
                      "results/frames": ["Frames", "Frame", "Fields", "Rod"], "results/tables": ["Table"],
                      "results/stages": ["Stage", "ShapesStage", "Sweep", "Response", "Answers", "PathStage", "Shapes"], "plot": ["draw"], "page": ["Page"]}),
+    ("Blades and sections of other programs", "", {"importers/formats": ["read_blade"], "importers/writing": ["write_deck"], "importers/blade": ["Blade"], "importers/sections": ["from_sectionproperties"]}),
     ("Environments to learn in", "Needs gymnasium.", {"gym": ["RodEnv"]}),
     ("Errors", "", {"errors": ["Error", "DeckError", "Fault", "ConvergenceError", "EvaluationError", "FileError", "UnknownNameError"]}),
 ]
 CONSTRUCTED = {"Deck": "gxrod.Deck", "Simulation": "gxrod.Simulation", "RodEnv": "gxrod.gym.RodEnv"}  # by users; others are handed out
-PREFIXES = {"gym": "gxrod.gym.", "plot": "gxrod.plot."}
+PREFIXES = {"gym": "gxrod.gym.", "plot": "gxrod.plot.", **dict.fromkeys(("importers/formats", "importers/writing", "importers/sections"), "gxrod.importers.")}
 NAMES = {name for _, _, modules in GROUPS for names in modules.values() for name in names}
 TYPES = {"Array": "array", "WholeArray": "array of int", "NDArray[np.complex128]": "complex array"}
 

@@ -125,6 +125,15 @@ class Examples(Pages):
             self.assertLess(error, 0.1)
         self.assertGreater((self.folder / "free_flight.png").stat().st_size, 20000)
 
+    def test_blade(self):
+        self.run_page("blade")
+        with self.open("blade") as file:
+            # The same blade, from the matrices of a HAWC2 file.
+            np.testing.assert_allclose(file["stages/tones/frequency"][:2], [0.5054, 0.6939], rtol=3e-3)
+            # All of its weight, 66997 kg, at the root; it moves flapwise under it.
+            self.assertAlmostEqual(abs(file["histories/root/force_spatial"][-1, 0]), 66996.9 * 9.81, delta=50.0)
+            self.assertGreater(file["histories/tip/displacement"][-1, 0], 2.0)
+
     def test_rubin2007(self):
         self.run_page("rubin2007")
         with self.open("rubin2007") as file:

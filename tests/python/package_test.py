@@ -56,16 +56,18 @@ def test_every_public_name_is_described():
 
 @pytest.mark.parametrize("package, program", [("python", "."), ("share/gxrod/python", "bin")], ids=["build tree", "installed"])
 def test_where_it_is_put(package, program, tmp_path):
-    """The package finds the program, and gxrod-plot the package, in a build tree as in an installed one."""
+    """The package finds the program, and gxrod-plot and gxrod-import the package, in a build tree as in an installed one."""
     shutil.copytree(PACKAGE, tmp_path / package / "gxrod", ignore=shutil.ignore_patterns("*.so", "__pycache__"))
     (tmp_path / program).mkdir(exist_ok=True)
     (tmp_path / program / "gxrod").write_text("#!/bin/sh\n")
     (tmp_path / program / "gxrod").chmod(0o755)
     plot = shutil.copy(SOURCE / "apps" / "gxrod-plot", tmp_path / program)
+    importer = shutil.copy(SOURCE / "apps" / "gxrod-import", tmp_path / program)
     environment = {key: value for key, value in os.environ.items() if key not in ("GXROD_PROGRAM", "PYTHONPATH")} | {"PYTHONPATH": str(tmp_path / package)}
     run = lambda *command: subprocess.run([sys.executable, "-B", *command], text=True, capture_output=True, check=True, env=environment).stdout
     code = "import gxrod; print(gxrod.program.find_program())"
     assert run("-c", code).strip() == str((tmp_path / program / "gxrod").resolve())
+    del environment["PYTHONPATH"]
+    assert "usage: gxrod-import" in run(importer, "--help")
     if importlib.util.find_spec("matplotlib"):
-        del environment["PYTHONPATH"]
         assert "usage: gxrod-plot" in run(plot, "--help")

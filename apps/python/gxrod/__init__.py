@@ -5,6 +5,7 @@
     sim = gxrod.Simulation(gxrod.Deck("arm.toml").build())
     gxrod.map(deck, cases, collect)             many runs, a row each
     gxrod.gym.RodEnv("arm.toml", …)             an environment to learn in
+    gxrod.importers.read_blade("blade.htc")     a blade of another program, for a deck
 
 NumPy is needed; h5py by results; pandas, xarray, matplotlib and gymnasium by what is named after them.
 """
@@ -22,12 +23,12 @@ except ImportError:  # in the source tree, which CMake has not configured
 
 # Where names are that are imported when they are asked for.
 _HOMES = {"open_results": "results", "Results": "results", "batch": "batches", "read_batch": "batches", "map": "mapping"}
-_MODULES = ("batches", "gym", "mapping", "plot", "program", "results")
+_MODULES = ("batches", "gym", "importers", "mapping", "plot", "program", "results")
 # What needs the compiled part, and where it is.
 _COMPILED = {**dict.fromkeys(("Checkpoint", "Deck", "Model", "Simulation", "Step", "Summary", "schema"), "simulation"), "check_gradient": "gradients"}
 
 if _typing.TYPE_CHECKING:  # the same names, for editors and type checkers
-    from . import batches as batches, gym as gym, mapping as mapping, plot as plot, program as program, results as results
+    from . import batches as batches, gym as gym, importers as importers, mapping as mapping, plot as plot, program as program, results as results
     from .batches import batch as batch, read_batch as read_batch
     from .decks import Deck as Deck, Model as Model, schema as schema
     from .gradients import check_gradient as check_gradient

@@ -1,0 +1,61 @@
+"""The command line of gxrod-import."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from ..errors import FileError
+from .formats import FORMATS, read_blade
+from .text import ImportFault
+from .writing import write_deck
+
+EPILOG = """\
+examples:
+  gxrod-import NREL5MW_BeamDyn.dat -o blade.toml             the primary file of BeamDyn, which names the blade file
+  gxrod-import IEA-15-240-RWT.yaml -o blade.toml             windIO
+  gxrod-import IEA_15MW.htc --body blade1 -o blade.toml      HAWC2
+  gxrod-import ElastoDyn_blade.dat --length 117 -o blade.toml
+
+exit codes: 0 done, 2 usage or a fault in a file, 4 a file could not be read or written"""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    request = parse(sys.argv[1:] if arguments is None else arguments)
+    try:
+        blade = read_blade(request.file, request.format, blade_file=request.blade, st_file=request.st, body=request.body,
+                           chosen=tuple(request.set) if request.set else None, length=request.length)
+        written = write_deck(blade, request.output or Path(request.file).stem + ".toml", inline=request.inline)
+    except FileError as error:
+        print(f"gxrod-import: {error}", file=sys.stderr)
+        return 2 if isinstance(error, ImportFault) else 4
+    print(f"{len(blade.fractions)} stations, {blade.length:.6g} m, {blade.total_mass:.6g} kg ({blade.source})")
+    for note in blade.notes:
+        print(f"note: {note}")
+    for path in written:
+        print(path)
+    return 0
+
+
+def parse(arguments: Sequence[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="gxrod-import", description="Writes a blade of another program as a deck of gxrod.", epilog=EPILOG,
+                                     allow_abbrev=False, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("file", metavar="FILE", help="BeamDyn primary file, windIO yaml, htc or st file of HAWC2, ElastoDyn blade file")
+    parser.add_argument("-o", "--output", metavar="DECK", help="deck to write, with a CSV file of its sections beside it (FILE's name with .toml)")
+    parser.add_argument("--format", choices=FORMATS, help="by default what the contents of FILE show")
+    parser.add_argument("--inline", action="store_true", help="sections in the deck itself, a [section.NAME] for each station")
+    parser.add_argument("--blade", metavar="FILE", help="BeamDyn: blade file, in place of the one that the primary file names")
+    parser.add_argument("--st", metavar="FILE", help="HAWC2: st file, in place of the one that the htc file names")
+    parser.add_argument("--body", metavar="NAME", help="HAWC2: body of the htc file (the first one with a blade's name)")
+    parser.add_argument("--set", nargs=2, type=int, metavar=("NUMBER", "SUBSET"), help="HAWC2: table of the st file (that of the htc file, or 1 1)")
+    parser.add_argument("--length", type=length, metavar="L", help="ElastoDyn: length of the blade in m, TipRad - HubRad")
+    return parser.parse_args(arguments)
+
+
+def length(text: str) -> float:
+    number = float(text)
+    if not 0.0 < number < float("inf"):
+        raise argparse.ArgumentTypeError("must be a number above 0")
+    return number

@@ -1,0 +1,89 @@
+"""ElastoDyn of OpenFAST: a table of masses and bending stiffnesses. It has no torsion, shear or extension, no curve and no length."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..typed import AnyPath, Array
+from .blade import Blade, check_blade
+from .text import Lines
+
+COLUMNS = ("BlFract", "StrcTwst", "BMassDen", "FlpStff", "EdgStff")
+STIFF = 1e6  # EA and GA: so many times the larger EI over the length squared
+STIFF_TORSION = 10.0  # GJ: so many times EI flapwise + edgewise
+SLENDER = 1e-3  # radius of gyration over the length
+
+
+def is_elastodyn(text: str) -> bool:
+    return "BlFract" in text and "BMassDen" in text
+
+
+def read_elastodyn(path: AnyPath, length: float | None) -> Blade:
+    """`length`: of the blade, which the file does not say."""
+    lines = Lines(path)
+    if length is None:
+        raise lines.fault("an ElastoDyn blade file does not say how long the blade is", "give --length, the TipRad − HubRad of ElastoDyn's primary file", 0)
+    table, first = read_table(lines)
+    masses, flapwise, edgewise = scale(lines, table)
+    found = Blade(title=lines.lines[1].strip(), source=f"ElastoDyn: {lines.path.name}", fractions=table["BlFract"],
+                  stiffness=stiffness_of(flapwise, edgewise, length), mass=mass_of(masses, length),
+                  points=np.array([[0.0, 0.0, 0.0], [0.0, 0.0, length]]), twist_fractions=table["BlFract"], twist=-np.radians(table["StrcTwst"]),
+                  notes=["ElastoDyn has bending and mass only. Assumed: a straight axis through all centres, no couplings; extension and shear "
+                         f"stiff (EA = GA = {STIFF:g} EI/L²), torsion stiff (GJ = {STIFF_TORSION:g} (EI flapwise + edgewise)), hardly any rotary "
+                         f"inertia (radius of gyration {SLENDER:g} L). For a blade that twists, import a BeamDyn, HAWC2 or windIO file"])
+    found.notes += tuned(lines)
+    return check_blade(found, lambda i, what, todo: lines.fault(what, todo, first + i))
+
+
+def read_table(lines: Lines) -> tuple[dict[str, Array], int]:
+    """Columns by name, and the line of their first row."""
+    header = lines.find(lambda line: "BlFract" in line and "BMassDen" in line)
+    names = lines[header].split()
+    if missing := [name for name in COLUMNS if name not in names]:
+        raise lines.fault(f"there is no column {missing[0]} among {', '.join(names)}", "give a blade file of ElastoDyn", header)
+    count = int(value_of(lines, "NBlInpSt"))
+    lines.at = header + 2  # a line of units
+    rows = np.array([lines.numbers(len(names), f"row {i + 1} of {count}") for i in range(count)])
+    return {name: rows[:, names.index(name)] for name in COLUMNS}, lines.at - count
+
+
+def value_of(lines: Lines, key: str, default: float | None = None) -> float:
+    """Of `value key - …`; names of old files have brackets, BldFlDmp(1)."""
+    line = lines.find(lambda text: text.split()[1:2] == [key])
+    if not line and default is not None:
+        return default
+    if not line:
+        raise lines.fault(f"there is no line with {key}", "give a whole blade file of ElastoDyn", 0)
+    lines.at = line + 1
+    return lines.number(lines[line].split()[0], f"expected a number for {key}")
+
+
+def scale(lines: Lines, table: dict[str, Array]) -> tuple[Array, Array, Array]:
+    """Mass per length, flapwise and edgewise EI, with the factors of the file."""
+    factors = [value_of(lines, key, 1.0) for key in ("AdjBlMs", "AdjFlSt", "AdjEdSt")]
+    masses, flapwise, edgewise = (factor * table[name] for factor, name in zip(factors, ("BMassDen", "FlpStff", "EdgStff")))
+    return masses, flapwise, edgewise
+
+
+def tuned(lines: Lines) -> list[str]:
+    """A note on factors by mode, which a beam does not have."""
+    factors = [value_of(lines, f"FlStTunr{end}", 1.0) for end in ("1", "2", "(1)", "(2)")]
+    return ["the factors FlStTunr on the stiffness by mode were left out"] if set(factors) != {1.0} else []
+
+
+def stiffness_of(flapwise: Array, edgewise: Array, length: float) -> Array:
+    """[n,6,6]."""
+    large = STIFF * np.maximum(flapwise, edgewise) / length**2
+    return diagonals(large, large, large, STIFF_TORSION * (flapwise + edgewise), edgewise, flapwise)
+
+
+def mass_of(masses: Array, length: float) -> Array:
+    """[n,6,6]."""
+    inertia = masses * (SLENDER * length) ** 2
+    return diagonals(masses, masses, masses, 2.0 * inertia, inertia, inertia)
+
+
+def diagonals(*entries: Array) -> Array:
+    return np.array([np.diag(row) for row in zip(*entries)])
+
+

@@ -1,0 +1,48 @@
+"""Which format a file has, and its reader."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from ..typed import AnyPath
+from .beamdyn import is_beamdyn, read_beamdyn
+from .blade import Blade
+from .elastodyn import is_elastodyn, read_elastodyn
+from .hawc2 import is_hawc2, read_hawc2
+from .text import ImportFault, read_text
+from .windio import is_windio, read_windio
+
+KNOWN_BY = {"beamdyn": is_beamdyn, "windio": is_windio, "hawc2": is_hawc2, "elastodyn": is_elastodyn}
+FORMATS = tuple(KNOWN_BY)
+
+
+def find_format(path: AnyPath) -> str:
+    """The format of a file, by what is in it, not by its name."""
+    text = read_text(Path(path))
+    for name, is_this in KNOWN_BY.items():
+        if is_this(text):
+            return name
+    raise ImportFault(f"{path}: neither a BeamDyn primary file, a windIO yaml, an htc or st file of HAWC2 nor an ElastoDyn blade file; "
+                      f"give one of these, or name its format: --format {' | '.join(FORMATS)}")
+
+
+def read_blade(path: AnyPath, format: str | None = None, *, blade_file: AnyPath | None = None, st_file: AnyPath | None = None,
+               body: str | None = None, chosen: tuple[int, int] | None = None, length: float | None = None) -> Blade:
+    """A blade from a BeamDyn primary file, a windIO yaml, an htc or st file of HAWC2, or an ElastoDyn blade file.
+
+    format: "beamdyn", "windio", "hawc2" or "elastodyn"; by default what the file's contents show. blade_file: BeamDyn's, in place of the one that
+    the primary file names. st_file: HAWC2's, in place of the one that the htc file names. body: its name in the htc file; by default the first with a blade's
+    name. chosen: set and subset of the st file. length: of a blade of ElastoDyn, in m.
+
+    Raises FileError, with file, line, what was expected and what to do.
+    """
+    kind = format or find_format(path)
+    if kind == "beamdyn":
+        return read_beamdyn(path, blade_file)
+    if kind == "windio":
+        return read_windio(path)
+    if kind == "hawc2":
+        return read_hawc2(path, st_file, body, chosen)
+    if kind == "elastodyn":
+        return read_elastodyn(path, length)
+    raise ImportFault(f'{path}: there is no format "{kind}"; give one of {", ".join(FORMATS)}')
