@@ -5,7 +5,7 @@ import re
 from .cases import EXAMPLES, KINDS, figure_of
 from .figures import SKETCH
 
-OTHERS = "Batches"  # what `gxrod verify` has no case for
+OTHERS = "Others"  # what `gxrod verify` has no case for
 SCRIPTS = "From Python"  # those in a folder of their own
 
 
