@@ -28,9 +28,69 @@ bool pushes_out(const DistributedLoad& load, const MagneticField& field, int nor
     return field.by_place || !field.uniform[normal].is_zero() || !is_along_rod;
 }
 
-// What acts within a rod whose axis y or z is along the normal stays in the plane if it stretches the rod and
-// bends it about the normal; that is not looked into.
-bool acts_within(const Model& model) { return !model.actuations.empty() || !model.tendons.empty(); }
+// The axis along the normal, or −1.
+int find_normal(const Quat& axes, int normal) {
+    const Mat3 columns = axes.toRotationMatrix();
+    for (int i = 0; i < 3; ++i) {
+        if (std::abs(std::abs(columns(normal, i)) - 1.0) < in_plane) return i;
+    }
+    return -1;
+}
+
+// The section axis of a rod, y or z, that is along the normal all along; −1 if there is no such axis.
+int find_normal(const Rod& rod, int normal) {
+    const int across = find_normal(rod.triads.front(), normal);
+    const auto is_same = [&](const Quat& triad) { return find_normal(triad, normal) == across; };
+    return across > 0 && std::ranges::all_of(rod.triads, is_same) ? across : -1;
+}
+
+bool pushes_out(const Actuation& actuation, int across) {
+    const Plane plane{across};
+    for (int i = 0; i < 6; ++i) {
+        if (plane.holds(i) && !actuation.strain[i].is_zero()) return true;
+    }
+    // Heat that rises along y bends about z, along z about y.
+    return (plane.holds(5) && !actuation.temperature_gradient[0].is_zero()) ||
+           (plane.holds(4) && !actuation.temperature_gradient[1].is_zero());
+}
+
+bool pushes_out(const Tendon& tendon, const Rod& rod, int across) {
+    return std::ranges::any_of(list_force_points(rod), [&](double s) {
+        if (s <= tendon.from || s >= tendon.to) return false;
+        const TendonPlace place = tendon.path(s);
+        return place.at[across] != 0.0 || place.slope[across] != 0.0;
+    });
+}
+
+// Whether a rod's rest, seen from its start, bends or twists it out of the plane.
+bool rests_outside(const Rod& rod, int across) {
+    const Plane plane{across};
+    return std::ranges::any_of(rod.rest_strains, [&](const Vec6& strain) {
+        for (int i = 3; i < 6; ++i) {
+            if (plane.holds(i) && std::abs(strain[i]) * rod.length > in_plane) return true;
+        }
+        return false;
+    });
+}
+
+// Of what acts within rods.
+std::string find_inner_push(const Model& model, int normal) {
+    for (const Actuation& actuation : model.actuations) {
+        const int across = find_normal(model.rods[static_cast<std::size_t>(actuation.rod)], normal);
+        if (across < 0 || pushes_out(actuation, across)) return actuation.key;
+    }
+    for (const Tendon& tendon : model.tendons) {
+        const Rod& rod = model.rods[static_cast<std::size_t>(tendon.rod)];
+        const int across = find_normal(rod, normal);
+        if (across < 0 || pushes_out(tendon, rod, across)) return "tendon." + tendon.name;
+    }
+    for (const Rod& rod : model.rods) {
+        if (rod.rest_strains.empty()) continue;
+        const int across = find_normal(rod, normal);
+        if (across < 0 || rests_outside(rod, across)) return "rod." + rod.name + ".rest";
+    }
+    return "";
+}
 
 std::string find_push(const Model& model, int normal) {
     for (const NodalLoad& load : model.loads) {
@@ -40,15 +100,7 @@ std::string find_push(const Model& model, int normal) {
         if (load.field ? pushes_out(load, *load.field, normal) : pushes_out(load, normal)) return load.key;
     }
     if (!model.gravity.components()[normal].is_zero()) return "gravity";
-    return "";
-}
-
-int find_normal(const Quat& axes, int normal) {
-    const Mat3 columns = axes.toRotationMatrix();
-    for (int i = 0; i < 3; ++i) {
-        if (std::abs(std::abs(columns(normal, i)) - 1.0) < in_plane) return i;
-    }
-    return -1;
+    return find_inner_push(model, normal);
 }
 
 // Whether no entry of a section's matrix couples what stays in the plane with what leaves it; `across` is the
@@ -110,7 +162,7 @@ std::string find_push_out_of_plane(const Model& model) {
 }
 
 std::string suggest_plane(const Model& model) {
-    if (model.plane || model.rods.empty() || !model.bodies.empty() || acts_within(model)) return "";
+    if (model.plane || model.rods.empty() || !model.bodies.empty()) return "";
     for (const int normal : {2, 1, 0}) {
         if (!find_push(model, normal).empty() || !lies_in_plane(model, normal)) continue;
         return fmt::format(

@@ -84,3 +84,32 @@ TEST_CASE("What pushes out of the plane of a deck is named", "[deck][plane]") {
     CHECK(find_push_out_of_plane(read(replaced(in_plane, "[3, 40, 0]", "[3, 40, 1]")).model) ==
           "load[0] pushes out of the plane xy of the deck, which holds against it; only reactions feel it");
 }
+
+TEST_CASE("What acts within rods is named where it pushes out of the plane", "[deck][plane]") {
+    const std::string warm = replaced(in_plane, "[section.s]", "[section.s]\nexpansion = 1e-5");
+    const auto pusher = [&](const std::string& added) {
+        const std::string push = find_push_out_of_plane(read(warm + added).model);
+        return push.substr(0, push.find(' '));
+    };
+    // Section y is in the plane, z along its normal.
+    REQUIRE(read(in_plane).model.rods.front().triads.front().isApprox(Quat::Identity()));
+    const std::string rod = read(in_plane).model.rods.front().name;
+    const std::string muscle = "[[actuation]]\non = \"" + rod + "\"\n";
+    CHECK(pusher(muscle + "stretch = 0.1\ncurvature = [0, 0, \"0.2*s\"]\nshear = [0.1, 0]\n") == "");
+    CHECK(pusher(muscle + "curvature = [0, 0.2, 0]\n") == "actuation[0]");
+    CHECK(pusher(muscle + "curvature = [0.2, 0, 0]\n") == "actuation[0]");
+    CHECK(pusher(muscle + "shear = [0, 0.1]\n") == "actuation[0]");
+    CHECK(pusher(muscle + "temperature_gradient = [3, 0]\n") == "");
+    CHECK(pusher(muscle + "temperature_gradient = [0, 3]\n") == "actuation[0]");
+    const std::string tendon = "[tendon.t]\non = \"" + rod + "\"\ntension = 1\noffset = ";
+    CHECK(pusher(tendon + "[0.1, 0]\n") == "");
+    CHECK(pusher(tendon + "[0, 0.1]\n") == "tendon.t");
+    CHECK(pusher(tendon + "[0, \"0.1*sin(s)\"]\n") == "tendon.t");
+    const auto bent = [&](const std::string& curvature) {
+        const std::string with_rest =
+            replaced(in_plane, "elements = 5", "elements = 5\nrest = { curvature = " + curvature + " }");
+        return find_push_out_of_plane(read(with_rest).model);
+    };
+    CHECK(bent("[0, 0, 0.3]").empty());
+    CHECK_THAT(bent("[0, 0.3, 0]"), Catch::Contains("rod." + rod + ".rest pushes"));
+}
