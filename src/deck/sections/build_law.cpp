@@ -139,7 +139,7 @@ SharedLaw make_curve_law(const CheckedTable& table, const Mat6& C, const BuildCo
     return std::make_shared<MomentCurvatureLaw>(C, std::move(curves));
 }
 
-// A factor on limits over plastic strain; nullopt of none, or where it is at fault.
+// A factor on limits over plastic strain; nullopt without one, or with a fault.
 std::optional<PiecewiseLine> find_isotropic(const CheckedTable& table, const BuildContext& context) {
     const CheckedValue* value = table.find("isotropic");
     if (value == nullptr) return std::nullopt;
@@ -253,6 +253,13 @@ void set_law(const CheckedTable& table, Section& section, const BuildContext& co
         return add_law_fault(
             table,
             "a section with a law is the same all along a rod; expected no function of s in it",
+            context);
+    }
+    if (table.gives("at") || table.gives("turn")) {
+        return add_law_fault(
+            table,
+            "a law is about the rod and in its section axes; expected neither at nor turn in "
+            "a section that has one",
             context);
     }
     if (table.gives("law") && yields(table)) {

@@ -112,6 +112,15 @@ TEST_CASE("Rods with laws have one section, the same everywhere", "[deck]") {
     CHECK_THAT(faults_of(twice), Contains("section.s.law: yield_stress of the material is given too"));
 }
 
+TEST_CASE("A law is about the rod and in its section axes", "[deck]") {
+    for (const std::string key : {"at = [0.1, 0]", "turn = 0.3"}) {
+        CHECK_THAT(faults_of(replaced(with_law(layer), "inertia = { rhoA", key + "\ninertia = { rhoA")),
+                   Contains("section.s.law: a law is about the rod"));
+        CHECK_THAT(faults_of(replaced(of_shape("circle = { radius = 1 }"), "shape = ", key + "\nshape = ")),
+                   Contains("yield_stress: a law is about the rod"));
+    }
+}
+
 TEST_CASE("A section with a law has the stiffness of small strains after a long time", "[deck]") {
     const auto stiffness = [](const std::string& deck) { return read(deck).model.sections[0].stiffness; };
     CHECK(stiffness(with_law(layer)).diagonal() == Vec6(1e4, 2e4, 3e4, 500.0, 700.0, 800.0));
