@@ -23,7 +23,7 @@ Limit find_limit(const Layer& layer, const SectionResponse& response) {
 
 }  // namespace
 
-LayeredLaw::LayeredLaw(const Mat6& C, std::vector<Layer> layers) : C_(C), layers_(std::move(layers)) {
+LayeredLaw::LayeredLaw(const Mat6& C, std::vector<Layer> layers) : stiffness_(C), layers_(std::move(layers)) {
     std::ranges::stable_partition(layers_,
                                   [](const Layer& layer) { return layer.on == StrainPart::tension; });
     for (const Layer& layer : layers_) {
@@ -39,8 +39,8 @@ SectionResponse LayeredLaw::respond(const Vec6& strain,
                                     double,
                                     std::span<double> after) const {
     SectionResponse response;
-    response.resultants = C_ * strain;
-    response.tangent = C_;
+    response.resultants = stiffness_ * strain;
+    response.tangent = stiffness_;
     response.stored = 0.5 * strain.dot(response.resultants);
     std::size_t at = 0;
     for (const Layer& layer : layers_) {

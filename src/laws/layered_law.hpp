@@ -31,7 +31,7 @@ class LayeredLaw final : public SectionLaw {
                             double elapsed,
                             std::span<double> after) const override;
 
-    const Mat6& stiffness() const { return C_; }
+    const Mat6& stiffness() const { return stiffness_; }
     const std::vector<Layer>& layers() const { return layers_; }
 
   private:
@@ -41,7 +41,7 @@ class LayeredLaw final : public SectionLaw {
              double* slip_after,
              SectionResponse& response) const;
 
-    Mat6 C_;
+    Mat6 stiffness_;
     std::vector<Layer> layers_;  // those on tension first
     int memory_size_ = 0;
 };

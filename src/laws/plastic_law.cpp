@@ -71,7 +71,7 @@ PlasticLaw::Surface PlasticLaw::make_surface(const Mat6& C,
     return surface;
 }
 
-PlasticLaw::PlasticLaw(const Mat6& C, const YieldLimits& yield) : C_(C), yield_(yield) {
+PlasticLaw::PlasticLaw(const Mat6& C, const YieldLimits& yield) : stiffness_(C), yield_(yield) {
     assert(!yield.limits.empty());
     if (yield.interaction == YieldInteraction::ellipsoid) {
         surfaces_.push_back(make_surface(C, yield.limits, yield.kinematic));
@@ -129,7 +129,7 @@ void PlasticLaw::add(const Surface& surface,
     const double gone = memory[count];
     Entries scaled(count);
     for (Eigen::Index a = 0; a < count; ++a) {
-        const double resultant = C_.row(surface.index[a]).dot(elastic_trial);
+        const double resultant = stiffness_.row(surface.index[a]).dot(elastic_trial);
         scaled[a] = (resultant - surface.hardening[a] * memory[a]) / surface.limits[a];
     }
     Return found;
@@ -150,7 +150,8 @@ void PlasticLaw::add(const Surface& surface,
     response.dissipated += found.flow;
     if (!yields) return;
     Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 6, 6> rows(count, 6);
-    for (Eigen::Index a = 0; a < count; ++a) rows.row(a) = C_.row(surface.index[a]) / surface.limits[a];
+    for (Eigen::Index a = 0; a < count; ++a)
+        rows.row(a) = stiffness_.row(surface.index[a]) / surface.limits[a];
     const Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 6, 6> turned = surface.axes.transpose() * rows;
     response.tangent -= turned.transpose() * found.compliance * turned;
 }
@@ -160,7 +161,7 @@ SectionResponse PlasticLaw::respond(const Vec6& strain,
                                     double,
                                     std::span<double> after) const {
     SectionResponse response;
-    response.tangent = C_;
+    response.tangent = stiffness_;
     Vec6 trial = strain;
     std::size_t at = 0;
     for (const Surface& surface : surfaces_) {
@@ -173,7 +174,7 @@ SectionResponse PlasticLaw::respond(const Vec6& strain,
         add(surface, trial, &memory[at], after.empty() ? nullptr : &after[at], elastic, response);
         at += surface.index.size() + 1;
     }
-    response.resultants = C_ * elastic;
+    response.resultants = stiffness_ * elastic;
     response.stored += 0.5 * elastic.dot(response.resultants);
     return response;
 }

@@ -72,7 +72,7 @@ class PlasticLaw final : public SectionLaw {
              Vec6& elastic,
              SectionResponse& response) const;
 
-    Mat6 C_;
+    Mat6 stiffness_;
     YieldLimits yield_;
     std::vector<Surface> surfaces_;
     int memory_size_ = 0;

@@ -51,7 +51,7 @@ Mat6 restrict_to(const Mat6& C, const std::vector<StrainPart>& on) {
 ViscoelasticLaw::ViscoelasticLaw(const Mat6& C,
                                  std::vector<PronyBranch> branches,
                                  const std::vector<StrainPart>& on)
-    : C_(C), relaxing_(restrict_to(C, on)), branches_(std::move(branches)) {}
+    : stiffness_(C), relaxing_(restrict_to(C, on)), branches_(std::move(branches)) {}
 
 SectionResponse ViscoelasticLaw::respond(const Vec6& strain,
                                          std::span<const double> memory,
@@ -76,9 +76,9 @@ SectionResponse ViscoelasticLaw::respond(const Vec6& strain,
                      factors.driven * change.dot(driving));
         if (!after.empty()) std::ranges::copy(now, after.begin() + 6 * static_cast<std::ptrdiff_t>(i + 1));
     }
-    const Vec6 relaxed = C_ * strain;
+    const Vec6 relaxed = stiffness_ * strain;
     response.resultants = relaxed + relaxing_ * sum;
-    response.tangent = C_ + gained * relaxing_;
+    response.tangent = stiffness_ + gained * relaxing_;
     response.stored += 0.5 * strain.dot(relaxed);
     response.dissipated = std::max(response.dissipated, 0.0);  // of round-off
     return response;

@@ -33,7 +33,7 @@ class ViscoelasticLaw final : public SectionLaw {
     const std::vector<PronyBranch>& branches() const { return branches_; }
 
   private:
-    Mat6 C_, relaxing_;
+    Mat6 stiffness_, relaxing_;
     std::vector<PronyBranch> branches_;
 };
 

@@ -61,17 +61,12 @@ void DriveValues::place(const Tendon& tendon) {
     const auto order = static_cast<std::size_t>(rod.order);
     const std::vector<double> points = list_force_points(rod);
     Strand strand;
-    while (strand.first_element < rod.element_count() && middle_of(rod, strand.first_element) < tendon.from)
-        ++strand.first_element;
-    strand.last_element = strand.first_element;
-    while (strand.last_element < rod.element_count() && middle_of(rod, strand.last_element) < tendon.to)
-        ++strand.last_element;
-    const auto begin = static_cast<std::size_t>(strand.first_element) * order;
-    const auto end = static_cast<std::size_t>(strand.last_element) * order;
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double middle = middle_of(rod, static_cast<int>(i / order));
+        if (middle < tendon.from || middle >= tendon.to) continue;
         const TendonPlace place = tendon.path(points[i]);
         std::vector<TendonPull>& pulls = drives_[first + i].pulls;
-        strand.points.push_back({first + i, pulls.size()});
+        strand.push_back({first + i, pulls.size()});
         pulls.push_back({0.0, place.at, place.slope});
     }
     strands_.push_back(std::move(strand));
@@ -89,8 +84,7 @@ void DriveValues::move_to(double time) {
     move_strains(time);
     for (std::size_t i = 0; i < strands_.size(); ++i) {
         const double tension = model_->tendons[i].tension(time);
-        for (const TendonPoint& one : strands_[i].points)
-            drives_[one.point].pulls[one.pull].tension = tension;
+        for (const TendonPoint& one : strands_[i]) drives_[one.point].pulls[one.pull].tension = tension;
     }
     time_ = time;
 }
@@ -100,14 +94,6 @@ std::span<const PointDrive> DriveValues::of(int rod, int element) const {
     const auto order = static_cast<std::size_t>(model_->rods[static_cast<std::size_t>(rod)].order);
     return std::span(drives_).subspan(
         first_point_[static_cast<std::size_t>(rod)] + static_cast<std::size_t>(element) * order, order);
-}
-
-std::optional<std::size_t> DriveValues::find_pull(std::size_t tendon, int element) const {
-    const Strand& strand = strands_[tendon];
-    if (element < strand.first_element || element >= strand.last_element) return std::nullopt;
-    const auto order =
-        static_cast<std::size_t>(model_->rods[static_cast<std::size_t>(model_->tendons[tendon].rod)].order);
-    return strand.points[static_cast<std::size_t>(element - strand.first_element) * order].pull;
 }
 
 }  // namespace gxrod

@@ -29,10 +29,6 @@ class DriveValues {
     // At the force points of an element, from its start to its end; empty if the rod is not driven.
     std::span<const PointDrive> of(int rod, int element) const;
 
-    // Of Model::tendons, where it passes one of the element's force points: which of that point's pulls is
-    // its; nullopt where the tendon does not pass.
-    std::optional<std::size_t> find_pull(std::size_t tendon, int element) const;
-
   private:
     static constexpr std::size_t no_point = static_cast<std::size_t>(-1);
 
@@ -47,12 +43,7 @@ class DriveValues {
         std::size_t point;
         std::size_t pull;  // of that point
     };
-    // The elements that a tendon passes, and its points there, one after the other.
-    struct Strand {
-        int first_element = 0;
-        int last_element = 0;  // the one after
-        std::vector<TendonPoint> points;
-    };
+    using Strand = std::vector<TendonPoint>;
 
     void lay_out(int rod);
     void place(const Actuation& actuation);

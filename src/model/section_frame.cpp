@@ -3,15 +3,10 @@
 #include <cmath>
 #include <limits>
 
+#include "rotation/rotation_map.hpp"
+
 namespace gxrod {
 namespace {
-
-// [d]×.
-Mat3 cross_matrix(const Vec3& d) {
-    Mat3 matrix;
-    matrix << 0.0, -d.z(), d.y(), d.z(), 0.0, -d.x(), -d.y(), d.x(), 0.0;
-    return matrix;
-}
 
 // R, from the frame's axes to the section's.
 Mat3 axes_of(const SectionFrame& frame) {
@@ -42,7 +37,7 @@ Mat6 move_from(const SectionFrame& frame, const Mat6& matrix) {
     const Mat3 to_frame = axes_of(frame).transpose();
     Mat6 T = Mat6::Zero();
     T.topLeftCorner<3, 3>() = to_frame;
-    T.topRightCorner<3, 3>() = -to_frame * cross_matrix({0.0, frame.y, frame.z});
+    T.topRightCorner<3, 3>() = -to_frame * spin({0.0, frame.y, frame.z});
     T.bottomRightCorner<3, 3>() = to_frame;
     return cleaned(T.transpose() * matrix * T);
 }

@@ -22,7 +22,7 @@ std::optional<int> find_index(const std::vector<CheckedTable>& tables, std::stri
 // with a fault if there is none.
 std::optional<Part> find_part(const CheckedTable& table, const KeySpec& key, const BuildContext& context);
 
-// Those that a key names which takes one name or a list of them; what is none of them is a fault.
+// Those that a key names which takes one name or a list of them; any other word is a fault.
 std::vector<Part> find_parts(const CheckedTable& table, const KeySpec& key, const BuildContext& context);
 
 }  // namespace gxrod

@@ -41,7 +41,7 @@ struct FileTable {
 // errors name. Throws FileError.
 FileTable read_file_table(std::string_view bytes, const std::string& file);
 
-// The finite number that a field is, blanks around it or not; nullopt if it is none.
+// The finite number that a field is, blanks around it or not; nullopt if it is not one.
 std::optional<double> read_finite(const std::string& field);
 
 }  // namespace gxrod

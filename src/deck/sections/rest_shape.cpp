@@ -6,8 +6,8 @@
 namespace gxrod {
 namespace {
 
-// The curvature, material, of axes along a line: by differences of fourth order with a step that is small
-// against an element, of which the error is round-off.
+// The curvature, material, of axes along a line: by differences of fourth order; their step is so small
+// that what is left is round-off.
 Vec3 compute_curvature(const DrawnRod& drawn, std::size_t piece, double fraction, double step) {
     const auto turn = [&](double distance) {
         const Quat before = drawn.axes(piece, fraction - distance);

@@ -77,12 +77,9 @@ void check_damping(const CheckedTable& rod,
 
 // Whether a rod has the section of its first station everywhere. One with a law must, or it is a fault.
 bool has_one_law(const CheckedTable& rod, const std::vector<Station>& stations, const BuildContext& context) {
-    const auto section = [&](const Station& station) -> const Section& {
-        return context.model.sections[static_cast<std::size_t>(station.section)];
-    };
     if (context.model.sections.empty()) return false;
     const auto with_law = std::ranges::find_if(
-        stations, [&](const Station& station) { return section(station).law != nullptr; });
+        stations, [&](const Station& station) { return section_of(station, context).law != nullptr; });
     if (with_law == stations.end()) return false;
     const int first = stations.front().section;
     const bool is_constant =
@@ -93,8 +90,8 @@ bool has_one_law(const CheckedTable& rod, const std::vector<Station>& stations, 
             "sections",
             fmt::format("section \"{}\" has a law, so that the rod cannot have another section; "
                         "expected \"{}\" at all stations, or a rod for each section",
-                        section(*with_law).name,
-                        section(*with_law).name));
+                        section_of(*with_law, context).name,
+                        section_of(*with_law, context).name));
     }
     return is_constant;
 }

@@ -32,6 +32,16 @@ const PointShape<Nodes>& point_shape(int point) {
     return shapes[point];
 }
 
+// Eᵀ D E + G(S).
+Mat9 compute_hessian_density(const SectionFields& fields,
+                             const SectionHistory& history,
+                             const StrainGradient& E_u,
+                             const Vec6& resultants,
+                             const Mat6& stiffness) {
+    const StrainGradient D_E_u = stiffness * E_u;
+    return E_u.transpose() * D_E_u + compute_geometric_hessian(fields, history, resultants);
+}
+
 }  // namespace
 
 template <int Nodes>
@@ -90,19 +100,6 @@ void InterpolatedRod<Nodes>::add_matrix(const ForcePoint& point,
                 point.shape[i] * columns.middleRows<3>(3) + point.slope[i] * columns.bottomRows<3>();
         }
     }
-}
-
-template <int Nodes>
-void InterpolatedRod<Nodes>::add_hessian(const ForcePoint& point,
-                                         const SectionFields& fields,
-                                         const SectionHistory& history,
-                                         const StrainGradient& E_u,
-                                         const Vec6& resultants,
-                                         const Mat6& stiffness,
-                                         NodalMatrix<Nodes>& hessian) const {
-    const StrainGradient C_E_u = stiffness * E_u;
-    add_matrix(
-        point, E_u.transpose() * C_E_u + compute_geometric_hessian(fields, history, resultants), hessian);
 }
 
 template <int Nodes>
@@ -219,7 +216,8 @@ auto InterpolatedRod<Nodes>::compute_derivatives(const LocalMotion<Nodes>& motio
                          const Mat6& stiffness) {
         const StrainGradient E_u = compute_strain_gradient(fields, history);
         add_force(point, E_u.transpose() * resultants, derivatives.gradient);
-        add_hessian(point, fields, history, E_u, resultants, stiffness, derivatives.hessian);
+        add_matrix(
+            point, compute_hessian_density(fields, history, E_u, resultants, stiffness), derivatives.hessian);
     };
     for (int p = 0; p < point_count; ++p) {
         const ForcePoint point = force_point(p);
@@ -258,13 +256,10 @@ NodalMatrix<Nodes> InterpolatedRod<Nodes>::compute_mixed_hessian(const LocalMoti
         const ForcePoint point = force_point(p);
         const SectionFields fields = interpolate(point, motion);
         const StrainGradient E_u = compute_strain_gradient(fields, histories.axes[p]);
-        add_hessian(point,
-                    fields,
-                    histories.axes[p],
-                    E_u,
-                    resultants[p],
-                    compute_stiffness(p, fields, histories),
-                    hessian);
+        const Mat6 stiffness = compute_stiffness(p, fields, histories);
+        add_matrix(point,
+                   compute_hessian_density(fields, histories.axes[p], E_u, resultants[p], stiffness),
+                   hessian);
     }
     return hessian;
 }

@@ -165,13 +165,6 @@ class InterpolatedRod {
     Vec6 compute_total_strain(int point, const Vec6& strain) const;
     // D at the strains of these fields.
     Mat6 compute_stiffness(int point, const SectionFields& fields, Histories histories) const;
-    void add_hessian(const ForcePoint& point,
-                     const SectionFields& fields,
-                     const SectionHistory& history,
-                     const StrainGradient& E_u,
-                     const Vec6& resultants,
-                     const Mat6& stiffness,
-                     NodalMatrix<Nodes>& hessian) const;
     Vec6 compute_strain_rates(const ForcePoint& point,
                               const LocalMotion<Nodes>& motion,
                               const LocalMotion<Nodes>& rates,
