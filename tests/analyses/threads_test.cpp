@@ -1,4 +1,7 @@
 
+#include <array>
+#include <thread>
+
 #include "deck/decks.hpp"
 #include "run/run.hpp"
 #include "tools/catch.hpp"
@@ -9,8 +12,8 @@ namespace gxrod::test {
 namespace {
 
 // Rods that share nodes, long enough for several parts of every loop; with what assembly treats apart: a
-// body, `simo` elements, damping, a section whose mass lies off its line, loads along rods, a roller in
-// its own axes and a support that moves.
+// body, `simo` elements, damping, a section with a law, a tendon, loads along rods, a roller in its own axes
+// and a support that moves.
 const std::string structure = R"deck(gravity = [0, 0, "-9.81*cos(t)"]
 [section.s]
 stiffness = { EA = 1e6, GAy = 1e6, GAz = 1e6, GJ = 5e3, EIy = 6e3, EIz = 7e3 }
@@ -38,12 +41,27 @@ section = "s"
 line = { from = [4, 5, 0], to = [8, 0, 0] }
 elements = 300
 order = 3
+[section.limp]
+stiffness = { EA = 1e6, GAy = 1e6, GAz = 1e6, GJ = 5e3, EIy = 6e3, EIz = 7e3 }
+inertia = { rhoA = 1.0, rhoJ = 0.2, rhoIy = 0.1, rhoIz = 0.1 }
+law = { viscoelastic = { prony = [[0.5, 0.1]] } }
+[rod.limb]
+section = "limp"
+line = { from = [8, 0, 0], to = [8, 0, -3] }
+elements = 200
+[tendon.cord]
+on = "limb"
+offset = [0.02, "0.01*sin(s)"]
+tension = "100*t"
+[[actuation]]
+on = "limb"
+curvature = [0, "0.1*t", 0]
 [[connect]]
 points = ["branch.start", "spine@0.5"]
 [[connect]]
 points = ["branch.end", "leaf.start", "brace.start"]
 [[connect]]
-points = ["brace.end", "spine.end"]
+points = ["brace.end", "spine.end", "limb.start"]
 [body.b]
 at = "leaf.end"
 mass = 0.5
@@ -131,6 +149,25 @@ TEST_CASE("The number of threads changes no bit", "[analyses][threads]") {
         CHECK(are_same(shared.motions, alone.motions));
         CHECK(are_same(shared.ledger, alone.ledger));
         CHECK(shared.reactions == alone.reactions);
+    }
+}
+
+// Each reads its deck and builds its problem, as whoever drives several at once does.
+TEST_CASE("Two simulations at once give the bits of one", "[analyses][threads]") {
+    const std::string analysis =
+        "[analysis]\nkind = \"dynamic\"\nend_time = 0.03\ntime_step = 0.01\nintegrator = "
+        "\"generalized-alpha\"\n";
+    const Outcome alone = run(analysis, 1);
+    REQUIRE(alone.summary.status == RunStatus::complete);
+    std::array<Outcome, 2> both;
+    {
+        const std::jthread other([&] { both[0] = run(analysis, 1); });
+        both[1] = run(analysis, 1);
+    }
+    for (const Outcome& one : both) {
+        CHECK(are_same(one.motions, alone.motions));
+        CHECK(are_same(one.ledger, alone.ledger));
+        CHECK(one.reactions == alone.reactions);
     }
 }
 
