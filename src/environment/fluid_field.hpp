@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+
+#include "model/surroundings.hpp"
+
+namespace gxrod {
+
+// Water at a place and a time; spatial.
+struct WaterAt {
+    Vec3 velocity = Vec3::Zero();           // u
+    Vec3 acceleration = Vec3::Zero();       // ∂u/∂t at the place
+    Mat3 velocity_gradient = Mat3::Zero();  // ∂u_i/∂x_j
+    Mat3 acceleration_gradient = Mat3::Zero();
+    bool has_surface = false;           // otherwise water is everywhere
+    double surface = 0.0;               // z of the surface above the place
+    Vec3 surface_slope = Vec3::Zero();  // its gradient, z component 0
+};
+
+// Air at a place and a time; spatial.
+struct AirAt {
+    Vec3 velocity = Vec3::Zero();
+    Mat3 velocity_gradient = Mat3::Zero();
+};
+
+// The water and the air of a model. What depends on the time alone is found once for each time.
+class FluidField {
+  public:
+    // The surroundings must outlive this. `length`: of the model, of which differences of fields by place
+    // take a small part.
+    FluidField(const Surroundings& surroundings, double length);
+    ~FluidField();
+    FluidField(FluidField&& other) noexcept;
+    FluidField& operator=(FluidField&& other) noexcept;
+
+    // Throws EvaluationError, of a function without a finite value.
+    void move_to(double time);
+    // Of functions that rest on more than the time.
+    void forget();
+
+    // Whether places can be asked for by several threads at once.
+    bool is_shareable() const;
+
+    // At the time of move_to; there must be water, or air. Rates of functions are differences by the time;
+    // the acceleration of stretched waves is that at the height of their formula (docs/theory/water.md).
+    // Without `gradients`, those that take time of their own, by differences, are left out.
+    WaterAt water_at(const Vec3& position, bool gradients = true) const;
+    AirAt air_at(const Vec3& position, bool gradients = true) const;
+
+  private:
+    struct Fields;
+    std::unique_ptr<Fields> fields_;
+};
+
+}  // namespace gxrod

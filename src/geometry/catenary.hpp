@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cmath>
+
+namespace gxrod {
+
+// Part of a catenary in its upright plane, from a point on it: x is level, z is up. The slope dz/dx grows
+// evenly with the arc length, by `rate` = 1/a with a the level part of the tension over the weight per
+// length. Nothing cancels where the catenary is nearly straight, as a part of a large one, or nearly upright.
+struct Catenary {
+    double slope;       // at the point
+    double rate = 0.0;  // 0 makes a straight line
+
+    struct Point {
+        double x, z;
+    };
+    double slope_at(double s) const { return slope + rate * s; }
+    // s can be negative.
+    Point point_at(double s) const {
+        const double slope_there = slope_at(s);
+        const double here = std::hypot(1.0, slope), there = std::hypot(1.0, slope_there);
+        const double product = slope * slope_there;
+        // cosh of the difference of the arsinh of both slopes.
+        const double factor =
+            product > 0.0 ? (1.0 + slope * slope + slope_there * slope_there) / (here * there + product)
+                          : here * there - product;
+        const double mean = (1.0 + factor) / (here + there);
+        const double difference = std::asinh(rate * s * mean);
+        const double x = rate * s * mean == 0.0 ? s * mean : difference / rate;
+        return {x, s * (slope + slope_there) / (here + there)};
+    }
+};
+
+// x = X/(2a) of sinh x / x = ratio, where log_ratio = ln(ratio) > 0: of the span X of a catenary.
+double find_catenary_argument(double log_ratio);
+
+}  // namespace gxrod
