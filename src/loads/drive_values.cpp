@@ -1,5 +1,9 @@
 #include "loads/drive_values.hpp"
 
+#include "loads/pressure.hpp"
+#include "loads/shape_functions.hpp"
+#include "numerics/gauss_legendre.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -32,10 +36,20 @@ Vec6 compute_strain(const Actuation& actuation, double expansion, double time, d
 
 }  // namespace
 
-DriveValues::DriveValues(const Model& model) : model_(&model), first_point_(model.rods.size(), no_point) {
+DriveValues::DriveValues(const Model& model, TendonsIn tendons)
+    : model_(&model), first_point_(model.rods.size(), no_point) {
+    if (tendons == TendonsIn::none) return;
+    const std::size_t pressed = model.surroundings.is_empty() ? 0 : model.rods.size();
+    for (std::size_t rod = 0; rod < pressed; ++rod) place_pressures(static_cast<int>(rod));
     for (const Actuation& actuation : model.actuations) place(actuation);
     strands_.reserve(model.tendons.size());
-    for (const Tendon& tendon : model.tendons) place(tendon);
+    for (const Tendon& tendon : model.tendons) {
+        if (tendon.winch && tendons == TendonsIn::prescribed) {
+            strands_.emplace_back();
+        } else {
+            place(tendon);
+        }
+    }
 }
 
 void DriveValues::lay_out(int rod) {
@@ -72,21 +86,62 @@ void DriveValues::place(const Tendon& tendon) {
     strands_.push_back(std::move(strand));
 }
 
+void DriveValues::place_pressures(int index) {
+    const Rod& rod = model_->rods[static_cast<std::size_t>(index)];
+    const auto is_pressed = [](const Section& section) {
+        return section.fluid && section.fluid->poisson != 0.5;
+    };
+    if (!is_pressed(section_at(*model_, rod, 0))) return;
+    lay_out(index);
+    const std::size_t first = first_point_[static_cast<std::size_t>(index)];
+    const auto order = static_cast<std::size_t>(rod.order);
+    const ShapeFunctions shapes_at = find_shape_functions(rod.order);
+    const std::vector<QuadraturePoint> rule = list_gauss_rule(rod.order);
+    for (std::size_t i = 0; i < count_force_points(rod); ++i) {
+        const ShapeValues shapes = shapes_at(rule[i % order].xi);
+        PressedPoint pressed{.point = first + i, .section = &section_at(*model_, rod, i), .heights = {}};
+        for (std::size_t k = 0; k <= order; ++k)
+            pressed.heights.emplace_back(rod.element_nodes[i / order * (order + 1) + k], shapes.value[k]);
+        pressed_.push_back(std::move(pressed));
+    }
+}
+
+void DriveValues::press(const std::vector<NodeMotion>& motions, double gravity) {
+    for (const PressedPoint& one : pressed_) {
+        double z = 0.0;
+        for (const auto& [node, share] : one.heights)
+            z += share * motions[static_cast<std::size_t>(node)].r.z();
+        const double force =
+            compute_pressure_force(*one.section->fluid, model_->surroundings.water, gravity, z);
+        drives_[one.point].strain[0] =
+            one.given + compute_pressure_strain(*one.section->fluid, force, one.section->stiffness(0, 0));
+    }
+}
+
 void DriveValues::move_strains(double time) {
     for (const ActuatedPoint& one : actuated_) drives_[one.point].strain.setZero();
+    for (const PressedPoint& one : pressed_) drives_[one.point].strain.setZero();
     for (const ActuatedPoint& one : actuated_)
         drives_[one.point].strain += compute_strain(*one.actuation, one.expansion, time, one.s);
+    for (PressedPoint& one : pressed_) one.given = drives_[one.point].strain[0];
 }
 
 void DriveValues::move_to(double time) {
     if (time_ == time) return;
     time_.reset();
     move_strains(time);
-    for (std::size_t i = 0; i < strands_.size(); ++i) {
-        const double tension = model_->tendons[i].tension(time);
-        for (const TendonPoint& one : strands_[i]) drives_[one.point].pulls[one.pull].tension = tension;
+    std::vector<double> tensions;
+    if (!strands_.empty()) {
+        for (const Tendon& tendon : model_->tendons) tensions.push_back(tendon.tension(time));
+        set_tensions(tensions);
     }
     time_ = time;
+}
+
+void DriveValues::set_tensions(std::span<const double> tensions) {
+    for (std::size_t i = 0; i < strands_.size(); ++i) {
+        for (const TendonPoint& one : strands_[i]) drives_[one.point].pulls[one.pull].tension = tensions[i];
+    }
 }
 
 std::span<const PointDrive> DriveValues::of(int rod, int element) const {

@@ -2,23 +2,35 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "model/model.hpp"
+#include "state/motion.hpp"
 #include "state/point_drive.hpp"
 
 namespace gxrod {
 
-// What a model's actuations and tendons are at one time, at the force points of rods: found again only where
-// the time has changed, so that the iterations of a step share it. What has been asked for before changes no
-// value. Threads can read it at once while nobody moves it.
+// Which tendons are among what acts: those whose tension is prescribed, which is all that elements need to
+// know of, or those that winches pull too; or nothing at all.
+enum class TendonsIn { prescribed, all, none };
+
+// What a model's actuations, tendons and pressures are at one time, at the force points of rods: found again
+// only where the time has changed, so that the iterations of a step share it. What has been asked for before
+// changes no value. Threads can read it at once while nobody moves it.
 class DriveValues {
   public:
     // The model must outlive this.
-    explicit DriveValues(const Model& model);
+    explicit DriveValues(const Model& model, TendonsIn tendons = TendonsIn::prescribed);
 
     // Throws EvaluationError, of a function without a finite value.
     void move_to(double time);
+    // Of all tendons of the model, whatever their functions say, until the time changes.
+    void set_tensions(std::span<const double> tensions);
+    // Where the rods are: of strains by the pressure of water and of contents, which depend on the depth. Of
+    // gravity the size. Before what acts is asked for, and after move_to.
+    void press(const std::vector<NodeMotion>& motions, double gravity);
+    bool have_pressures() const { return !pressed_.empty(); }
     // Of functions that rest on more than the time: they are evaluated again, whatever the time.
     void forget() { time_.reset(); }
 
@@ -44,10 +56,18 @@ class DriveValues {
         std::size_t pull;  // of that point
     };
     using Strand = std::vector<TendonPoint>;
+    // A force point whose wall the pressures stretch.
+    struct PressedPoint {
+        std::size_t point;
+        const Section* section;
+        std::vector<std::pair<int, double>> heights;  // nodes of the element and their shape functions there
+        double given = 0.0;                           // the strain by actuations
+    };
 
     void lay_out(int rod);
     void place(const Actuation& actuation);
     void place(const Tendon& tendon);
+    void place_pressures(int rod);
     void move_strains(double time);
 
     const Model* model_;
@@ -55,6 +75,7 @@ class DriveValues {
     std::vector<PointDrive> drives_;
     std::vector<ActuatedPoint> actuated_;
     std::vector<Strand> strands_;  // of each tendon
+    std::vector<PressedPoint> pressed_;
     std::optional<double> time_;
 };
 

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "rotation/types.hpp"
+
+// Drag that is quadratic in u, the velocity of the fluid relative to what it pushes, in the axes of that.
+namespace gxrod {
+
+// Of a rod: by the cross-flow principle, factors · (|u_x| u_x, u_n u_y, u_n u_z), u_n = √(u_y² + u_z²).
+Vec3 compute_cross_flow_drag(const Vec3& factors, const Vec3& u);
+Mat3 compute_cross_flow_drag_derivative(const Vec3& factors, const Vec3& u);
+
+// Of a body: factors · |u_i| u_i along each axis.
+Vec3 compute_axis_drag(const Vec3& factors, const Vec3& u);
+Mat3 compute_axis_drag_derivative(const Vec3& factors, const Vec3& u);
+
+}  // namespace gxrod
