@@ -65,12 +65,14 @@ Ledger::Ledger(const System& system,
     initial_energy_ = balance.kinetic_energy + balance.strain_energy;
     initial_potential_ = balance.gravity_potential;
     strain_energy_ = balance.strain_energy;
+    fluid_forces_ = system.compute_surrounding_forces(state, state.time);
     if (before == nullptr) return;
     initial_energy_ = before->initial_energy;
     work_ = before->external_work;
     // Where a stage without time follows, the motion stops.
     dissipated_ = before->dissipated + before->kinetic_energy - balance.kinetic_energy;
     dissipated_by_scheme_ = before->dissipated_by_scheme;
+    fluid_work_ = before->fluid_work;
     largest_energy_ = before->largest_energy;
 }
 
@@ -80,6 +82,7 @@ LedgerTotals Ledger::totals(const State& state) const {
             at_end.external_work,
             dissipated_,
             dissipated_by_scheme_,
+            fluid_work_,
             at_end.kinetic_energy,
             std::max({largest_energy_, at_end.strain_energy, std::abs(at_end.external_work)})};
 }
@@ -110,7 +113,16 @@ void Ledger::add_step(const State& state, const Step& step) {
         forces_ = std::move(forces);
     }
     dissipated_ += law_dissipation_ + system_->joints().compute_slip_dissipation(state);
+    add_fluid_work(state, step.time);
     dissipated_by_scheme_ += compute_scheme_dissipation(state, step.time_step);
+}
+
+// Of the mean of the forces at both ends of the step, in every scheme.
+void Ledger::add_fluid_work(const State& state, double time) {
+    if (fluid_forces_.empty()) return;
+    std::vector<Vec6> forces = system_->compute_surrounding_forces(state, time);
+    fluid_work_ += compute_mean_work(fluid_forces_, forces, compute_movement(state));
+    fluid_forces_ = std::move(forces);
 }
 
 void Ledger::add_load_step(const State& state, const Step& step, const std::vector<Vec6>& forces) {
@@ -178,6 +190,8 @@ LedgerMemory Ledger::memory() const {
     memory.work = work_;
     memory.dissipated = dissipated_;
     memory.dissipated_by_scheme = dissipated_by_scheme_;
+    memory.fluid_work = fluid_work_;
+    memory.fluid_forces = fluid_forces_;
     memory.driving_power = power_.driving;
     memory.damping_power = power_.damping;
     memory.load_step = load_step_.length;
@@ -200,6 +214,8 @@ void Ledger::resume(const LedgerMemory& memory) {
     work_ = memory.work;
     dissipated_ = memory.dissipated;
     dissipated_by_scheme_ = memory.dissipated_by_scheme;
+    fluid_work_ = memory.fluid_work;
+    fluid_forces_ = memory.fluid_forces;
     power_ = {memory.driving_power, memory.damping_power};
     forces_ = memory.forces;
     load_step_ = {memory.force_change, memory.movement, memory.load_step};
@@ -214,6 +230,7 @@ LedgerRow Ledger::row(const State& state) const {
     // A resumed series of equilibria continues from the last one, to the last bit.
     row.strain_energy = integrator_->is_static() ? strain_energy_ : balance.strain_energy;
     row.external_work = work_ - (balance.gravity_potential - initial_potential_);
+    row.fluid_work = fluid_work_;
     row.work_uncertainty = step_work_.uncertainty;
     row.dissipated_energy = dissipated_;
     row.numerical_dissipation = dissipated_by_scheme_;

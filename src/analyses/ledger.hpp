@@ -17,6 +17,7 @@ struct LedgerTotals {
     double external_work = 0.0;
     double dissipated = 0.0;
     double dissipated_by_scheme = 0.0;
+    double fluid_work = 0.0;
     double kinetic_energy = 0.0;
     double largest_energy = 0.0;
 };
@@ -82,6 +83,7 @@ class Ledger {
     std::vector<Vec6> compute_forces(const State& state, double time, const Residual& residual) const;
     void add_load_step(const State& state, const Step& step, const std::vector<Vec6>& forces);
     void add_powers(const Step& step);
+    void add_fluid_work(const State& state, double time);
     // In statics, after a step.
     void measure_largest_energy();
     double compute_scheme_dissipation(const State& state, double time_step) const;
@@ -108,6 +110,8 @@ class Ledger {
     double work_ = 0.0;
     double dissipated_ = 0.0;
     double dissipated_by_scheme_ = 0.0;
+    double fluid_work_ = 0.0;
+    std::vector<Vec6> fluid_forces_;  // at the last accepted step; empty where nothing is around
     bool has_drive_ = false;
 };
 

@@ -77,6 +77,7 @@ SteppedAnalysis::SteppedAnalysis(const Model& model,
 void SteppedAnalysis::accept_start(double time, bool is_loaded) {
     integrator_->start(state_);
     point_values_ = system_.compute_point_values(state_, time, watched_);
+    body_values_ = system_.compute_body_surroundings(state_, time);
     system_.commit(state_, time);
     reactions_ = system_.compute_reactions(workspace_.residual);
     solver_row_.negative_pivots = accepted_pivots();
@@ -105,6 +106,7 @@ EquilibriumReport SteppedAnalysis::start_after(const SteppedAnalysis& before) {
     state_.trial = before.state_.previous;
     state_.sections = before.state_.sections;
     state_.law_memory = before.state_.law_memory;
+    state_.bed_contacts = before.state_.bed_contacts;
     state_.joints_trial = state_.joints_previous = before.state_.joints_previous;
     totals_before_ = before.ledger_->totals(before.state_);
     for (int i = 0; i < static_cast<int>(state_.trial.size()); ++i) system_.hold_rates(i, state_.trial[i]);
@@ -122,6 +124,7 @@ EquilibriumReport SteppedAnalysis::settle_after(const SteppedAnalysis& before, d
     state_.trial = state_.previous = before.state_.previous;
     state_.sections = before.state_.sections;
     state_.law_memory = before.state_.law_memory;
+    state_.bed_contacts = before.state_.bed_contacts;
     state_.joints_trial = state_.joints_previous = before.state_.joints_previous;
     const EquilibriumReport report =
         solve_step(system_, *integrator_, newton_, {0, time, 0.0, time}, workspace_, state_);
@@ -185,6 +188,7 @@ RestartRecord SteppedAnalysis::restart_record() const {
     record.nodes = state_.previous;
     record.sections = state_.sections;
     record.law_memory = state_.law_memory;
+    record.bed_contacts = state_.bed_contacts;
     record.joints = state_.joints_previous;
     record.algorithmic = state_.algorithmic_previous;
     record.ledger = ledger_->memory();
@@ -201,11 +205,13 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     const std::size_t of_load_step = integrator_->is_static() ? with_joints : 0;
     const bool has_forces = books.forces.size() == (integrator_->power_weights().empty() ? with_joints : 0) &&
                             books.force_change.size() == of_load_step &&
-                            books.movement.size() == of_load_step;
+                            books.movement.size() == of_load_step &&
+                            books.fluid_forces.size() == (system_.surroundings() ? nodes : 0);
     const bool has_algorithmic =
         record.algorithmic.size() == (integrator_->has_algorithmic_accelerations() ? nodes : 0);
     if (record.nodes.size() != nodes || record.sections.size() != state_.sections.size() ||
         record.law_memory.size() != state_.law_memory.size() ||
+        record.bed_contacts.size() != state_.bed_contacts.size() ||
         record.joints.size() != state_.joints_previous.size() || !has_forces || !has_algorithmic) {
         throw std::invalid_argument("the state to resume from belongs to another model");
     }
@@ -213,6 +219,7 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     state_.previous = state_.trial = record.nodes;
     state_.sections = record.sections;
     state_.law_memory = record.law_memory;
+    state_.bed_contacts = record.bed_contacts;
     state_.joints_previous = state_.joints_trial = record.joints;
     state_.algorithmic_previous = state_.algorithmic_trial = record.algorithmic;
     state_.time = state_.trial_time = steps_->time();
@@ -284,6 +291,7 @@ EquilibriumReport SteppedAnalysis::advance() {
     reactions_ = system_.compute_reactions(workspace_.residual);
     const double time = trial_time();
     point_values_ = system_.compute_point_values(state_, time, watched_);
+    body_values_ = system_.compute_body_surroundings(state_, time);
     ledger_->add_step(state_, {time, steps_->time_step(), workspace_.residual, workspace_.stage_powers});
     look_into_load_step();
     solver_row_.time_step = steps_->time_step();
@@ -401,6 +409,9 @@ Snapshot SteppedAnalysis::snapshot(bool with_elements) {
     joint_values_ = system_.joints().compute_joint_values(state_, state_.time);
     Snapshot snapshot{axis_time(), state_.trial, section_values_, reactions_, point_values_};
     snapshot.joints = joint_values_;
+    snapshot.bodies = body_values_;
+    if (!system_.model().tendons.empty()) tendon_values_ = system_.compute_tendon_values(state_, state_.time);
+    snapshot.tendons = tendon_values_;
     return snapshot;
 }
 

@@ -152,7 +152,9 @@ class SteppedAnalysis {
     double largest_error_ = 0.0;
     std::vector<RodPlace> watched_;
     std::vector<PointValues> point_values_;
+    std::vector<PointSurroundings> body_values_;
     std::vector<JointValues> joint_values_;
+    std::vector<TendonValues> tendon_values_;
     std::vector<SectionValues> section_values_;
     std::vector<Vec6> reactions_;
 };

@@ -1,46 +1,16 @@
 #include <algorithm>
-#include <cassert>
 
+#include "assembly/element_geometry.hpp"
 #include "assembly/node_groups.hpp"
+#include "assembly/surroundings_assembly.hpp"
 #include "assembly/system.hpp"
+#include "loads/shape_functions.hpp"
 #include "machine/reserve_more.hpp"
 
 // How a system is made of its model, once.
 namespace gxrod {
 
 namespace {
-
-// Calls visit with the number of nodes of an element of this order as a constant.
-template <class Visitor>
-void visit_node_count(int order, Visitor&& visit) {
-    switch (order) {
-        case 1:
-            return visit(std::integral_constant<int, 2>());
-        case 2:
-            return visit(std::integral_constant<int, 3>());
-        case 3:
-            return visit(std::integral_constant<int, 4>());
-        default:
-            assert(order == 4);
-            return visit(std::integral_constant<int, 5>());
-    }
-}
-
-template <int Nodes>
-RodElementGeometry<Nodes> find_geometry(const Model& model, const Rod& rod, int element) {
-    RodElementGeometry<Nodes> geometry;
-    for (int i = 0; i < Nodes; ++i) {
-        const int entry = element * Nodes + i;
-        geometry.nodes[i] = rod.element_nodes[entry];
-        geometry.positions[i] = model.nodes[geometry.nodes[i]].position;
-        geometry.triads[i] = rod.triads[entry];
-    }
-    if (!rod.rest_strains.empty()) {
-        const auto first = rod.rest_strains.begin() + element * (Nodes - 1);
-        std::copy(first, first + (Nodes - 1), geometry.strains.begin());
-    }
-    return geometry;
-}
 
 // Of an element of a rod whose sections vary along it.
 template <int Nodes>
@@ -93,18 +63,6 @@ void add_tie(const Tie& tie, int group, ElementBlocks& blocks) {
 }
 
 template <int Nodes>
-ShapeValues compute_shapes(double xi) {
-    const NodeValues<Nodes> shape = compute_shape_functions<Nodes>(xi);
-    const NodeValues<Nodes> slope = compute_shape_slopes<Nodes>(xi);
-    ShapeValues values{};
-    for (std::size_t i = 0; i < Nodes; ++i) {
-        values.value[i] = shape[static_cast<Eigen::Index>(i)];
-        values.slope[i] = slope[static_cast<Eigen::Index>(i)];
-    }
-    return values;
-}
-
-template <int Nodes>
 LoadedElement make_loaded_element(const Model& model, const DistributedLoad& load, int element) {
     const Rod& rod = model.rods[load.rod];
     const RodElementGeometry<Nodes> geometry = find_geometry<Nodes>(model, rod, element);
@@ -114,7 +72,7 @@ LoadedElement make_loaded_element(const Model& model, const DistributedLoad& loa
             .triads = {geometry.triads.begin(), geometry.triads.end()},
             .arc_lengths = {first, first + Nodes},
             .positions = {geometry.positions.begin(), geometry.positions.end()},
-            .shapes = compute_shapes<Nodes>};
+            .shapes = find_shape_functions(rod.order)};
 }
 
 std::vector<LoadedElement> make_loaded_elements(const Model& model) {
@@ -146,12 +104,17 @@ System::System(const Model& model, const Kernels& kernels, const ThreadTeam& tea
       rotary_batches_(kernels.rotary, kernels.width, equations_),
       rotary_damping_batches_(kernels.rotary_damping, kernels.width, equations_),
       load_values_(model, make_loaded_elements(model)),
-      drive_values_(model) {
+      drive_values_(model),
+      tendon_lines_(model) {
     build_blocks();
     build_pattern();
     build_batches();
     measure();
     joints_.lay_out(equations_, pattern_, length_scale_);
+    auto surroundings = std::make_unique<SurroundingsAssembly>(model, team);
+    if (surroundings->empty()) return;
+    surroundings->lay_out(equations_, pattern_, length_scale_);
+    surroundings_ = std::move(surroundings);
 }
 
 void System::build_blocks() {

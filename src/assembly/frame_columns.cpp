@@ -37,6 +37,7 @@ Model without_supports(const Model& model) {
     other.joints.clear();
     other.gears.clear();
     other.sleeves.clear();
+    std::erase_if(other.tendons, [](const Tendon& tendon) { return tendon.winch.has_value(); });
     return other;
 }
 

@@ -232,6 +232,7 @@ PairVector JointAssembly::compute_force(const State& state, double time, std::si
 
 void JointAssembly::add_forces(const State& state,
                                double time,
+                               ConstraintLevel level,
                                const ScaleGroups& groups,
                                Residual& residual) const {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
@@ -244,7 +245,7 @@ void JointAssembly::add_forces(const State& state,
             residual.nodal[nodes[side]] -= on_node;
         }
     }
-    wide_.add_forces(state, time, groups, residual);
+    wide_.add_forces(state, time, level, groups, residual);
 }
 
 void JointAssembly::subtract_ground_forces(const State& state, double time, std::vector<Vec6>& nodal) const {

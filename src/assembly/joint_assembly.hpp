@@ -64,7 +64,11 @@ class JointAssembly {
                       const ConstraintRequest& request,
                       std::vector<double>& rows) const;
     // Subtracts what joints exert from the nodal residual of the trial motions.
-    void add_forces(const State& state, double time, const ScaleGroups& groups, Residual& residual) const;
+    void add_forces(const State& state,
+                    double time,
+                    ConstraintLevel level,
+                    const ScaleGroups& groups,
+                    Residual& residual) const;
     // Subtracts what joints that are held by the ground exert on the nodes.
     void subtract_ground_forces(const State& state, double time, std::vector<Vec6>& nodal) const;
     // Adds to the values of a tangent, which has all else already. Equations and their multipliers are left

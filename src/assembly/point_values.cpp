@@ -1,7 +1,9 @@
 #include <algorithm>
 
+#include "assembly/surroundings_assembly.hpp"
 #include "assembly/system.hpp"
 #include "loads/distributed_load.hpp"
+#include "loads/shape_functions.hpp"
 
 // Points of rods: the part of System that histories look at.
 namespace gxrod {
@@ -12,6 +14,14 @@ std::vector<PointValues> System::compute_point_values(const State& state,
     std::vector<PointValues> values;
     values.reserve(places.size());
     for (const RodPlace& place : places) values.push_back(compute_point_value(state, time, place));
+    return values;
+}
+
+std::vector<PointSurroundings> System::compute_body_surroundings(const State& state, double time) const {
+    std::vector<PointSurroundings> values;
+    if (!surroundings_) return values;
+    for (std::size_t body = 0; body < model_->bodies.size(); ++body)
+        values.push_back(surroundings_->compute_body_value(state, time, body));
     return values;
 }
 
@@ -28,7 +38,7 @@ PointValues System::compute_point_value(const State& state, double time, const R
             const auto e = static_cast<std::size_t>(found - block.section_index.begin());
             const auto& element = block.elements[e];
             const auto motions = block.motions(state.trial, e);
-            const Histories histories = block.histories(state, e, instant(state, time));
+            const Histories histories = block.histories(state, e, instant_of_sections(state, time));
             NodalVector<Block::node_count> force = NodalVector<Block::node_count>::Zero();
             element.add_internal_force(motions, histories, force);
             if (element.is_damped()) element.add_damping_force(motions, histories, force);
@@ -40,11 +50,16 @@ PointValues System::compute_point_value(const State& state, double time, const R
                 force -= compute_distributed_load(
                     loads.elements()[loaded], {time, loads.moments(loaded)}, state.trial);
             }
+            if (surroundings_)
+                force -= surroundings_->compute_element_force(state, time, place.rod, place.element);
             values = element.point_values(motions, histories, force, place.xi);
             const auto shape = compute_shape_functions<Block::node_count>(place.xi);
             values.start.setZero();
             for (int i = 0; i < Block::node_count; ++i)
                 values.start += shape[i] * model_->nodes[element.nodes[i]].position;
+            if (surroundings_)
+                values.surroundings = surroundings_->compute_point_value(
+                    state, time, place, find_shape_functions(Block::node_count - 1)(place.xi));
         }
     });
     return values;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "assembly/surroundings_assembly.hpp"
 #include "loads/distributed_load.hpp"
 #include "loads/nodal_load.hpp"
 
@@ -56,6 +57,12 @@ NodalVector<E::node_count> compute_acceleration_force(const E& element,
 
 }  // namespace
 
+System::~System() = default;
+
+void System::forget_surroundings() const {
+    if (surroundings_) surroundings_->forget();
+}
+
 std::size_t System::element_count() const {
     return static_cast<std::size_t>(rod_element_count_) + model_->bodies.size() + model_->springs.size() +
            model_->bushings.size();
@@ -87,6 +94,7 @@ State System::initial_state() const {
     joints_.start(state);
     state.sections.resize(history_count_);
     state.law_memory.assign(memory_count_, 0.0);
+    if (surroundings_) state.bed_contacts.resize(surroundings_->rubbing_count());
     for_each_block(blocks_, [&](const auto& block) {
         for (std::size_t e = 0; e < block.elements.size(); ++e)
             block.elements[e].start(block.writable_histories(state, e).axes);
@@ -94,15 +102,22 @@ State System::initial_state() const {
     return state;
 }
 
-Instant System::instant(const State& state, double time) const {
+Instant System::instant(const State& state, double time, const std::vector<NodeMotion>& motions) const {
     Instant instant;
     instant.elapsed =
         model_->has_time ? std::max(time - state.time, 0.0) : std::numeric_limits<double>::infinity();
     if (is_driven()) {
         drive_values_.move_to(time);
+        if (drive_values_.have_pressures()) drive_values_.press(motions, model_->gravity(time).norm());
         instant.drives = &drive_values_;
     }
     return instant;
+}
+
+Instant System::instant_of_sections(const State& state, double time) const {
+    Instant now = instant(state, time);
+    if (tendon_lines_.have_winches()) now.drives = &tendon_lines_.drives_at(state, joints_, time);
+    return now;
 }
 
 const LoadValues& System::loads_at(double time) const {
@@ -123,6 +138,7 @@ void System::add_loads(const State& state, double time, Residual& residual) cons
         residual.raise_group(scale_groups_.of_node(static_cast<int>(i)), distributed[i]);
         residual.nodal[i] -= distributed[i];
     }
+    if (surroundings_) surroundings_->subtract_forces(state, time, scale_groups_, residual);
 }
 
 template <class E>
@@ -190,7 +206,7 @@ void System::compute_residual(const State& state,
     add_loads(state, time, residual);
     if (!joints_.empty()) {
         joints_.compute_rows(state, time, request, residual.rows);
-        joints_.add_forces(state, time, scale_groups_, residual);
+        joints_.add_forces(state, time, request.level, scale_groups_, residual);
     }
     residual.force_scale = residual.moment_scale = 0.0;
     for (const ForceScales& group : residual.groups) residual.raise(group);
@@ -222,6 +238,7 @@ void System::add_load_tangents(const State& state,
         turn_to_own_axes(std::span<const int>(element.nodes), equations_, tangent);
         add_to_values(tangent.data(), loaded_element_slots_[i], values);
     }
+    if (surroundings_) surroundings_->add_tangents(state, time, linearizations, values);
 }
 
 template <class E>
@@ -298,7 +315,7 @@ void System::set_resultants(const std::vector<NodeMotion>& motions,
                             double time,
                             const std::vector<Vec6>& increments,
                             State& state) const {
-    const Instant now = instant(state, time);
+    const Instant now = instant(state, time, motions);
     for_each_block(blocks_, [&](const auto& block) {
         using Block = std::remove_cvref_t<decltype(block)>;
         if constexpr (Block::point_count > 0) {
@@ -321,6 +338,7 @@ void System::set_resultants(const std::vector<NodeMotion>& motions,
 
 void System::commit(State& state, double time) const {
     joints_.commit(state);
+    if (surroundings_) surroundings_->commit(state);
     const Instant now = instant(state, time);
     for_each_block(blocks_, [&](const auto& block) {
         if (std::remove_cvref_t<decltype(block)>::history_count == 0 && block.first_memory.empty()) return;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "assembly/rod_batches.hpp"
 #include "assembly/rotary_batches.hpp"
 #include "assembly/scale_groups.hpp"
+#include "assembly/tendon_lines.hpp"
 #include "constraints/supports.hpp"
 #include "linear/sparse_pattern.hpp"
 #include "loads/load_values.hpp"
@@ -18,8 +20,11 @@
 #include "state/point_values.hpp"
 #include "state/section_values.hpp"
 #include "state/state.hpp"
+#include "state/tendon_values.hpp"
 
 namespace gxrod {
+
+class SurroundingsAssembly;
 
 // Sums over the model, all of the trial motions.
 struct Balance {
@@ -51,6 +56,7 @@ class System {
     // changes no result.
     explicit System(const Model& model, const ThreadTeam& team = ThreadTeam::alone());
     System(const Model& model, const Kernels& kernels, const ThreadTeam& team = ThreadTeam::alone());
+    ~System();
     System(const System&) = delete;  // its parts point at each other
     System& operator=(const System&) = delete;
 
@@ -58,6 +64,8 @@ class System {
     const ThreadTeam& team() const { return *team_; }
     const Supports& supports() const { return supports_; }
     const JointAssembly& joints() const { return joints_; }
+    // nullptr where neither fluid nor ground is.
+    const SurroundingsAssembly* surroundings() const { return surroundings_.get(); }
     const EquationNumbers& equations() const { return equations_; }
     const SparsePattern& pattern() const { return pattern_; }
     // The model's length for scaling: the largest of its extent and the bodies' own sizes; 1 if both are
@@ -105,6 +113,7 @@ class System {
     void forget_loads() const {
         load_values_.forget();
         drive_values_.forget();
+        forget_surroundings();
     }
 
     // With gravity at `time`.
@@ -112,6 +121,8 @@ class System {
     // Forces and moments per node that do work, of the trial motions: loads, and gravity where it changes
     // with time; and what moving supports exert, added to `forces`. `residual` is that of the trial.
     std::vector<Vec6> compute_load_forces(const State& state, double time) const;
+    // The part of these that water, air and the ground exert; empty where nothing is around.
+    std::vector<Vec6> compute_surrounding_forces(const State& state, double time) const;
     void add_support_forces(const Residual& residual, std::vector<Vec6>& forces) const;
     // The power of damping at the trial's rates; and the sum of the elements' damping_action in the step from
     // the previous motions to the trial ones. Neither is negative.
@@ -132,6 +143,8 @@ class System {
     Resultant compute_outer_resultant(const State& state, double time, std::span<const Vec6> reactions) const;
     // Of all rod elements, rods in the order of the model, from start to end; of the trial motions.
     std::vector<SectionValues> compute_section_values(const State& state) const;
+    // Of all tendons, in the order of the model; of the trial motions and multipliers.
+    std::vector<TendonValues> compute_tendon_values(const State& state, double time) const;
     // For each rod ∫ δE (C δE) ds, component by component (Γx Γy Γz Kx Ky Kz), of the strains δE that
     // increments (δr, δφ) of the nodes add to those of the trial motions, to first order.
     std::vector<Vec6> compute_strain_work(const State& state, const std::vector<Vec6>& increments) const;
@@ -139,6 +152,8 @@ class System {
     std::vector<PointValues> compute_point_values(const State& state,
                                                   double time,
                                                   const std::vector<RodPlace>& places) const;
+    // Of Model::bodies, of the trial motions; empty where nothing is around.
+    std::vector<PointSurroundings> compute_body_surroundings(const State& state, double time) const;
     // Of elements that interpolate relative rotations: the largest one in `motions`, plus what `spins` of the
     // nodes can add to it at most (exp does not lengthen distances). Below π no relative rotation is mistaken
     // for its complement.
@@ -152,7 +167,8 @@ class System {
                                                 double time) const;
     template <class E>
     void lay_out_memory(ElementBlock<E>& block);
-    Instant instant(const State& state, double time) const;
+    Instant instant(const State& state, double time, const std::vector<NodeMotion>& motions) const;
+    Instant instant(const State& state, double time) const { return instant(state, time, state.trial); }
     Instant instant(const State& state) const { return instant(state, state.trial_time); }
     void build_pattern();
     void build_batches();
@@ -185,11 +201,14 @@ class System {
                       std::vector<double>& values) const;
     // One vector for each node, zero where there was none.
     void add_damping_forces(const State& state, std::vector<Vec6>& nodal) const;
+    void forget_surroundings() const;
     void add_loads(const State& state, double time, Residual& residual) const;
     void add_load_tangents(const State& state,
                            double time,
                            const std::vector<NodeLinearization>& linearizations,
                            std::vector<double>& values) const;
+    // With the tensions of all tendons, for what is recorded of sections.
+    Instant instant_of_sections(const State& state, double time) const;
     const LoadValues& loads_at(double time) const;
     PointValues compute_point_value(const State& state, double time, const RodPlace& place) const;
 
@@ -205,6 +224,8 @@ class System {
     RotaryBatches rotary_damping_batches_;
     mutable LoadValues load_values_;
     mutable DriveValues drive_values_;
+    std::unique_ptr<const SurroundingsAssembly> surroundings_;  // nullptr where nothing is around
+    TendonLines tendon_lines_;
     SparsePattern pattern_;
     std::vector<ElementPlaces<1>> load_places_;  // of each load's node
     std::vector<std::vector<std::int64_t>> loaded_element_slots_;

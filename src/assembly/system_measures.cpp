@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "assembly/surroundings_assembly.hpp"
 #include "assembly/system.hpp"
 
 // What is measured of a system's motion, once a step.
@@ -93,7 +94,7 @@ double System::compute_kinetic_energy(const std::vector<NodeMotion>& motions) co
 std::vector<DrivenPoint> System::list_driven_points(const std::vector<NodeMotion>& motions,
                                                     const State& state,
                                                     double time) const {
-    const Instant now = instant(state, time);
+    const Instant now = instant(state, time, motions);
     std::vector<DrivenPoint> points;
     for_each_block(blocks_, [&](const auto& block) {
         for (std::size_t e = 0; e < block.elements.size(); ++e) {
@@ -189,6 +190,15 @@ std::vector<Vec6> System::compute_load_forces(const State& state, double time) c
         });
     });
     return forces;
+}
+
+std::vector<Vec6> System::compute_surrounding_forces(const State& state, double time) const {
+    if (!surroundings_) return {};
+    Residual loads;
+    loads.nodal.assign(state.trial.size(), Vec6::Zero());
+    surroundings_->subtract_forces(state, time, scale_groups_, loads);
+    for (Vec6& force : loads.nodal) force = -force;
+    return std::move(loads.nodal);
 }
 
 void System::add_support_forces(const Residual& residual, std::vector<Vec6>& forces) const {
@@ -298,8 +308,12 @@ std::vector<Vec6> System::compute_strain_work(const State& state, const std::vec
     return of_rods;
 }
 
+std::vector<TendonValues> System::compute_tendon_values(const State& state, double time) const {
+    return tendon_lines_.compute_values(state, joints_, time);
+}
+
 std::vector<SectionValues> System::compute_section_values(const State& state) const {
-    const Instant now = instant(state);
+    const Instant now = instant_of_sections(state, state.trial_time);
     std::vector<SectionValues> values(static_cast<std::size_t>(rod_element_count_));
     for_each_block(blocks_, [&](const auto& block) {
         if constexpr (std::remove_cvref_t<decltype(block)>::has_section) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "assembly/scatter.hpp"
+#include "assembly/tendon_rows.hpp"
 #include "constraints/joints/list_wide_rows.hpp"
 
 namespace gxrod {
@@ -33,7 +34,9 @@ void visit_parts(const std::vector<int>& nodes, const Eigen::VectorXd& vector, V
 
 }  // namespace
 
-WideAssembly::WideAssembly(const Model& model) : rows_(list_wide_rows(model)), first_(model.joints.size()) {}
+WideAssembly::WideAssembly(const Model& model) : rows_(list_wide_rows(model)), first_(model.joints.size()) {
+    for (auto& tendon : list_tendon_rows(model)) rows_.push_back(std::move(tendon));
+}
 
 bool WideAssembly::have_laws() const {
     return std::ranges::any_of(rows_, [](const auto& rows) { return rows->has_laws(); });
@@ -82,9 +85,21 @@ std::size_t WideAssembly::row_count() const {
     return count;
 }
 
-Eigen::VectorXd WideAssembly::multipliers(const State& state, std::size_t index) const {
+Eigen::VectorXd WideAssembly::kept_multipliers(const State& state, std::size_t index) const {
     return Eigen::Map<const Eigen::VectorXd>(state.joints_trial[first_ + index].multipliers.data(),
                                              rows_[index]->count());
+}
+
+Eigen::VectorXd WideAssembly::multipliers(std::size_t index,
+                                          const WidePlace& at,
+                                          ConstraintLevel level) const {
+    Eigen::VectorXd kept = kept_multipliers(at.state, index);
+    if (!rows_[index]->hold(at, kept, level)) kept.setZero();
+    return kept;
+}
+
+bool WideAssembly::hold(std::size_t index, const WidePlace& at, ConstraintLevel level) const {
+    return rows_[index]->hold(at, kept_multipliers(at.state, index), level);
 }
 
 void WideAssembly::compute_rows(const State& state,
@@ -92,28 +107,33 @@ void WideAssembly::compute_rows(const State& state,
                                 const ConstraintRequest& request,
                                 std::vector<double>& rows) const {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-        const Eigen::VectorXd values =
-            rows_[i]->compute_values(place(i, state, time), request.level, request.step);
+        const WidePlace at = place(i, state, time);
+        Eigen::VectorXd values = rows_[i]->compute_values(at, request.level, request.step);
+        if (!hold(i, at, request.level)) values.setZero();
         for (int row = 0; row < rows_[i]->count(); ++row)
             rows[static_cast<std::size_t>(first_rows_[i] + row)] = request.factor * values[row];
     }
 }
 
-Eigen::VectorXd WideAssembly::compute_force(const State& state, double time, std::size_t index) const {
+Eigen::VectorXd WideAssembly::compute_force(const State& state,
+                                            double time,
+                                            std::size_t index,
+                                            ConstraintLevel level) const {
     const WideRows& rows = *rows_[index];
     const WidePlace at = place(index, state, time);
-    Eigen::VectorXd force = rows.compute_force(at, multipliers(state, index));
+    Eigen::VectorXd force = rows.compute_force(at, multipliers(index, at, level));
     if (rows.has_laws()) force += rows.compute_law_force(at);
     return force;
 }
 
 void WideAssembly::add_forces(const State& state,
                               double time,
+                              ConstraintLevel level,
                               const ScaleGroups& groups,
                               Residual& residual) const {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         visit_parts(rows_[i]->list_nodes(place(i, state, time)),
-                    compute_force(state, time, i),
+                    compute_force(state, time, i, level),
                     [&](std::size_t node, const Vec6& on_node) {
                         residual.raise_group(groups.of_node(static_cast<int>(node)), on_node);
                         residual.nodal[node] -= on_node;
@@ -124,7 +144,7 @@ void WideAssembly::add_forces(const State& state,
 void WideAssembly::subtract_ground_forces(const State& state, double time, std::vector<Vec6>& nodal) const {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const WidePlace at = place(i, state, time);
-        const Eigen::VectorXd force = rows_[i]->compute_ground_force(at, multipliers(state, i));
+        const Eigen::VectorXd force = rows_[i]->compute_ground_force(at, multipliers(i, at));
         if (force.size() == 0) continue;
         visit_parts(rows_[i]->list_nodes(at), force, [&](std::size_t node, const Vec6& on_node) {
             nodal[node] -= on_node;
@@ -181,10 +201,12 @@ Eigen::MatrixXd WideAssembly::compute_equations(const WidePlace& at,
     const Eigen::Index columns = G.cols();
     const Eigen::Index size = columns + D.size();
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
+    matrix.bottomRightCorner(D.size(), D.size()).diagonal() = -joint_scaling::regularization * D;
+    if (!hold(index, at, request.level)) return matrix;
     matrix.topLeftCorner(columns, columns) = G.transpose() * scaled;
     if (placement != 0.0) {
         matrix.topLeftCorner(columns, columns) -=
-            placement * rows.compute_force_derivative(at, multipliers(at.state, index));
+            placement * rows.compute_force_derivative(at, kept_multipliers(at.state, index));
     }
     matrix.topRightCorner(columns, D.size()) = -scaled.transpose();
     matrix.bottomLeftCorner(D.size(), columns) = -scaled;
@@ -192,8 +214,20 @@ Eigen::MatrixXd WideAssembly::compute_equations(const WidePlace& at,
         const Eigen::MatrixXd H = rows.compute_acceleration_derivative(at, linearizations);
         matrix.bottomLeftCorner(D.size(), columns) = -request.factor * (D.asDiagonal() * H);
     }
-    matrix.bottomRightCorner(D.size(), D.size()).diagonal() = -joint_scaling::regularization * D;
     return matrix;
+}
+
+// That of rows which do not hold is zero but for its diagonal.
+bool WideAssembly::have_equation(std::size_t index,
+                                 int row,
+                                 const std::vector<int>& nodes,
+                                 const std::vector<double>& values) const {
+    const std::int64_t number = equations_->of_attached(first_ + index) + row;
+    return std::ranges::any_of(nodes, [&](int node) {
+        return std::ranges::any_of(equations_->of_node(node), [&](std::int64_t column) {
+            return column >= 0 && values[pattern_->slot(number, column)] != 0.0;
+        });
+    });
 }
 
 void WideAssembly::add_tangents(const State& state,
@@ -265,15 +299,20 @@ void WideAssembly::advance_multipliers(const std::vector<Vec6>& increments,
         const Eigen::VectorXd G_delta = rows_[i]->compute_gradient(at) * delta;
         const std::int64_t first = equations_->of_attached(first_ + i);
         for (int row = 0; row < rows_[i]->count(); ++row) {
-            state.joints_trial[first_ + i].multipliers[static_cast<std::size_t>(row)] +=
-                scale_of_row(i, row, values) * (solution[first + row] - G_delta[row]);
+            double& kept = state.joints_trial[first_ + i].multipliers[static_cast<std::size_t>(row)];
+            if (have_equation(i, row, nodes, values)) {
+                kept += scale_of_row(i, row, values) * (solution[first + row] - G_delta[row]);
+            } else {
+                kept = 0.0;
+            }
         }
     }
 }
 
 void WideAssembly::add_driving_forces(const State& state, double time, std::vector<Vec6>& forces) const {
     for (std::size_t i = 0; i < rows_.size(); ++i)
-        forces.push_back(rows_[i]->compute_driving_forces(place(i, state, time), multipliers(state, i)));
+        forces.push_back(
+            rows_[i]->compute_driving_forces(place(i, state, time), multipliers(i, place(i, state, time))));
 }
 
 void WideAssembly::add_coordinates(const std::vector<NodeMotion>& nodes,
@@ -287,8 +326,9 @@ void WideAssembly::add_coordinates(const std::vector<NodeMotion>& nodes,
 void WideAssembly::add_joint_values(const State& state, double time, std::vector<JointValues>& all) const {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const WidePlace at = place(i, state, time);
-        JointValues values = rows_[i]->compute_joint_values(at, multipliers(state, i));
-        const Eigen::VectorXd open = rows_[i]->compute_values(at, ConstraintLevel::position, {});
+        JointValues values = rows_[i]->compute_joint_values(at, multipliers(i, at));
+        Eigen::VectorXd open = rows_[i]->compute_values(at, ConstraintLevel::position, {});
+        if (!hold(i, at, ConstraintLevel::position)) open.setZero();
         for (int row = 0; row < rows_[i]->count(); ++row) {
             const double size = std::abs(open[row]) * (rows_[i]->is_length(row) ? 1.0 : length_);
             values.gap = std::max(values.gap, size);
@@ -306,7 +346,7 @@ double WideAssembly::sum_over(const State& state, double time, Compute&& compute
 
 double WideAssembly::compute_driving_power(const State& state, double time, const TimeSpan& step) const {
     return sum_over(state, time, [&](const WideRows& rows, const WidePlace& at, std::size_t i) {
-        return rows.compute_driving_power(at, multipliers(state, i), step);
+        return rows.compute_driving_power(at, multipliers(i, at), step);
     });
 }
 

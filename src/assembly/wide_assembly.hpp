@@ -45,7 +45,11 @@ class WideAssembly {
                       double time,
                       const ConstraintRequest& request,
                       std::vector<double>& rows) const;
-    void add_forces(const State& state, double time, const ScaleGroups& groups, Residual& residual) const;
+    void add_forces(const State& state,
+                    double time,
+                    ConstraintLevel level,
+                    const ScaleGroups& groups,
+                    Residual& residual) const;
     void subtract_ground_forces(const State& state, double time, std::vector<Vec6>& nodal) const;
     // Appends the mean of the diagonal at the nodes of each.
     void add_means(const State& state,
@@ -104,8 +108,20 @@ class WideAssembly {
     WidePlace place(std::size_t index, const State& state, double time) const {
         return place(index, state.trial, time, state);
     }
-    Eigen::VectorXd multipliers(const State& state, std::size_t index) const;
-    Eigen::VectorXd compute_force(const State& state, double time, std::size_t index) const;
+    // As the trial state keeps them, and those that act: none of rows that do not hold.
+    Eigen::VectorXd kept_multipliers(const State& state, std::size_t index) const;
+    Eigen::VectorXd multipliers(std::size_t index,
+                                const WidePlace& place,
+                                ConstraintLevel level = ConstraintLevel::position) const;
+    bool hold(std::size_t index, const WidePlace& place, ConstraintLevel level) const;
+    bool have_equation(std::size_t index,
+                       int row,
+                       const std::vector<int>& nodes,
+                       const std::vector<double>& values) const;
+    Eigen::VectorXd compute_force(const State& state,
+                                  double time,
+                                  std::size_t index,
+                                  ConstraintLevel level) const;
     double scale_of_row(std::size_t index, int row, const std::vector<double>& values) const;
     Eigen::VectorXd compute_regularization(std::size_t index,
                                            const ConstraintRequest& request,

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "model/time_function.hpp"
@@ -28,6 +29,17 @@ struct TendonPlace {
     Vec3 slope = Vec3::Zero();  // d′, by the arc length of the reference
 };
 
+// What winds up one end of a tendon: of the tendon's part within the rod, ℓ₀ long at t = 0, it leaves
+// ℓ₀ − shortening(t), or ℓ₀ + share(t) (length(t) − ℓ₀).
+struct TendonWinch {
+    TimeFunction shortening{};
+    std::optional<TimeFunction> length = {};
+    TimeFunction share{1.0};
+    double stiffness = 0.0;    // EA of the tendon; 0: it does not stretch
+    bool pulls_only = true;    // it hangs loose where it is longer than what the winch leaves
+    bool is_released = false;  // in the stage at hand
+};
+
 // A tendon that slides without friction along a path in a rod, fixed to it at both ends. The rod is one line,
 // and has nodes where the tendon starts and ends, and where its path has a kink.
 struct Tendon {
@@ -37,6 +49,7 @@ struct Tendon {
     double to = 0.0;         // greater
     TimeFunction tension{};  // a chamber under the pressure p, of the area A across, has −p A
     std::function<TendonPlace(double s)> path{};  // of arc lengths between from and to, not at kinks
+    std::optional<TendonWinch> winch = {};        // of one whose tension is not prescribed but follows
 };
 
 }  // namespace gxrod

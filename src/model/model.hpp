@@ -14,6 +14,7 @@
 #include "model/input.hpp"
 #include "model/joint.hpp"
 #include "model/section_law.hpp"
+#include "model/surroundings.hpp"
 #include "model/time_function.hpp"
 #include "model/turning_frame.hpp"
 #include "rotation/types.hpp"
@@ -43,6 +44,7 @@ struct Section {
     // Where resultants do not follow from strains by the stiffness alone, which is then that of small strains
     // after a long time; nullptr where they do.
     std::shared_ptr<const SectionLaw> law{};
+    std::optional<SectionInFluid> fluid{};  // nullopt: water and air pass it by
 };
 
 enum class ElementKind {
@@ -109,6 +111,7 @@ struct Body {
     Mat3 inertia = Mat3::Zero();         // about the centre of mass, body axes
     Vec3 centre_of_mass = Vec3::Zero();  // from the node, body axes
     Quat attitude = Quat::Identity();    // body axes at t = 0: columns are x, y, z
+    std::optional<BodyInFluid> fluid{};
 };
 
 class SpringLaw;
@@ -234,6 +237,7 @@ struct Model {
     std::vector<DistributedLoad> distributed_loads;
     std::vector<Actuation> actuations;
     std::vector<Tendon> tendons;
+    Surroundings surroundings;
     std::vector<Support> supports;
     // Of expressions above; not const, as whoever drives a run changes them.
     std::vector<std::shared_ptr<Input>> inputs;

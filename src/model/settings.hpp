@@ -172,14 +172,22 @@ enum class Quantity {
     moment_a,
     drive,
     friction,
-    gap
+    gap,
+    effective_tension,
+    wall_tension,
+    water_velocity,
+    wet_fraction,
+    fluid_force,
+    bed_force,
+    tendon_length,
+    tendon_tension
 };
 
 // Names a point and what to record there at every accepted step.
 struct HistoryRequest {
     std::string name;
     std::string at;    // as the deck has it
-    int node = 0;      // -1: between nodes, a spring, a bushing, a joint or a gear
+    int node = 0;      // -1: between nodes, a spring, a bushing, a joint, a gear or a tendon
     int body = -1;     // index in Model::bodies if the point is a body's
     int spring = -1;   // index in Model::springs if it is of a spring, which has no node
     int bushing = -1;  // index in Model::bushings if it is of a bushing, likewise
@@ -194,6 +202,7 @@ struct HistoryRequest {
     int gear = -1;                          // index in Model::gears if it is of a gear, likewise
     // Where moments of reactions are about a point, fixed in space, and not about the support's.
     std::optional<Vec3> about = {};
+    int tendon = -1;  // index in Model::tendons if it is of a tendon, which has no node
 };
 
 // Of frames, in the file; lossless.

@@ -19,7 +19,8 @@ Actions take_actions(Model& model) {
             model.joints,
             model.sleeves,
             std::exchange(model.actuations, {}),
-            std::exchange(model.tendons, {})};
+            std::exchange(model.tendons, {}),
+            std::exchange(model.surroundings, {})};
 }
 
 void set_actions(Actions actions, Model& model) {
@@ -34,6 +35,7 @@ void set_actions(Actions actions, Model& model) {
     model.sleeves = std::move(actions.sleeves);
     model.actuations = std::move(actions.actuations);
     model.tendons = std::move(actions.tendons);
+    model.surroundings = std::move(actions.surroundings);
 }
 
 bool follows_limits(std::span<const StagePlan> stages) {

@@ -25,6 +25,8 @@ struct Actions {
     std::vector<Sleeve> sleeves = {};
     std::vector<Actuation> actuations = {};
     std::vector<Tendon> tendons = {};  // the same in all stages, those that are slack with a tension of zero
+    // The same in all stages but for currents, wind and waves.
+    Surroundings surroundings = {};
 };
 
 struct StagedModel;

@@ -29,7 +29,9 @@ void check_memory(const Model& model) {
         return joint.turn.friction.acts() || joint.slide.friction.acts();
     };
     const auto rubs_along = [](const Sleeve& sleeve) { return sleeve.slide.friction.acts(); };
-    if (std::ranges::any_of(model.joints, rubs) || std::ranges::any_of(model.sleeves, rubs_along))
+    const std::optional<Seabed>& seabed = model.surroundings.seabed;
+    if ((seabed && seabed->has_friction()) || std::ranges::any_of(model.joints, rubs) ||
+        std::ranges::any_of(model.sleeves, rubs_along))
         throw std::invalid_argument(
             "an equilibrium with friction depends on how it was reached: carry derivatives along instead");
 }

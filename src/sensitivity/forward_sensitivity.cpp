@@ -13,9 +13,14 @@ bool have_equal_forms(const Model& a, const Model& b) {
     const auto equal_rods = [](const Rod& one, const Rod& other) {
         return one.element_nodes == other.element_nodes && one.order == other.order && one.kind == other.kind;
     };
+    const auto equal_tendons = [](const Tendon& one, const Tendon& other) {
+        return one.winch.has_value() == other.winch.has_value() &&
+               (!one.winch || (one.winch->stiffness > 0.0) == (other.winch->stiffness > 0.0));
+    };
     return a.nodes.size() == b.nodes.size() && a.bodies.size() == b.bodies.size() &&
            std::ranges::equal(a.rods, b.rods, equal_rods) && a.joints.size() == b.joints.size() &&
-           a.gears.size() == b.gears.size() && a.sleeves.size() == b.sleeves.size();
+           a.gears.size() == b.gears.size() && a.sleeves.size() == b.sleeves.size() &&
+           std::ranges::equal(a.tendons, b.tendons, equal_tendons);
 }
 
 // What an input was set to; one that was not set has its own course in each model.

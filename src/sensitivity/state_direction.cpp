@@ -38,6 +38,8 @@ void move_along(const StateDirection& direction, double amount, State& state) {
     }
     for (std::size_t i = 0; i < direction.law_memory.size(); ++i)
         state.law_memory[i] += amount * direction.law_memory[i];
+    for (std::size_t i = 0; i < direction.bed_targets.size(); ++i)
+        state.bed_contacts[i].target += amount * direction.bed_targets[i];
     for (std::size_t i = 0; i < direction.algorithmic.size(); ++i) {
         state.algorithmic_previous[i].a += amount * direction.algorithmic[i].a;
         state.algorithmic_previous[i].alpha += amount * direction.algorithmic[i].alpha;
@@ -68,6 +70,8 @@ StateDirection differentiate(const State& up, const State& down, double step) {
                                       half * (up.sections[i].K - down.sections[i].K)});
     for (std::size_t i = 0; i < up.law_memory.size(); ++i)
         direction.law_memory.push_back(half * (up.law_memory[i] - down.law_memory[i]));
+    for (std::size_t i = 0; i < up.bed_contacts.size(); ++i)
+        direction.bed_targets.push_back(half * (up.bed_contacts[i].target - down.bed_contacts[i].target));
     for (std::size_t i = 0; i < up.algorithmic_previous.size(); ++i)
         direction.algorithmic.push_back(
             {half * (up.algorithmic_previous[i].a - down.algorithmic_previous[i].a),
@@ -98,6 +102,7 @@ StateDirection extrapolate(StateDirection near, const StateDirection& far) {
         mix(near.sections[i].K, far.sections[i].K);
     }
     for (std::size_t i = 0; i < near.law_memory.size(); ++i) mix(near.law_memory[i], far.law_memory[i]);
+    for (std::size_t i = 0; i < near.bed_targets.size(); ++i) mix(near.bed_targets[i], far.bed_targets[i]);
     for (std::size_t i = 0; i < near.algorithmic.size(); ++i) {
         mix(near.algorithmic[i].a, far.algorithmic[i].a);
         mix(near.algorithmic[i].alpha, far.algorithmic[i].alpha);

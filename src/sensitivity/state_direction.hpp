@@ -21,6 +21,7 @@ struct StateDirection {
     std::vector<OfNode> nodes;
     std::vector<OfSection> sections;
     std::vector<double> law_memory;
+    std::vector<Vec3> bed_targets;  // of State::bed_contacts
     std::vector<AlgorithmicAcceleration> algorithmic;
     std::vector<JointState> joints;
 };

@@ -4,6 +4,16 @@
 
 namespace gxrod {
 
+// What surrounds a point of a rod, or a body; spatial. Zero where nothing does.
+struct PointSurroundings {
+    Vec3 water_velocity = Vec3::Zero();
+    double wet_fraction = 0.0;
+    Vec3 fluid_force = Vec3::Zero();  // of water and air, per length of a rod
+    Vec3 bed_force = Vec3::Zero();    // per length of a rod
+    // p_i A_i − p_o A_o of the water outside and the contents of a rod: its wall carries N + this.
+    double pressure_force = 0.0;
+};
+
 // A point of a rod, at a node or between.
 struct PointValues {
     // Between nodes interpolated as `objective` elements do; theta and alpha are left out.
@@ -13,6 +23,7 @@ struct PointValues {
     // In the section axes.
     Vec3 force, moment;
     Vec3 strain, curvature;
+    PointSurroundings surroundings;
 };
 
 }  // namespace gxrod

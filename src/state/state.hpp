@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "state/bed_contact.hpp"
 #include "state/joint_state.hpp"
 #include "state/motion.hpp"
 
@@ -37,6 +38,7 @@ struct State {
     std::vector<NodeMotion> trial;                          // per node, where equilibrium is asked
     std::vector<SectionHistory> sections;                   // per force point, in element order
     std::vector<double> law_memory;                         // per force point with a law, of `previous`
+    std::vector<BedContact> bed_contacts;                   // per piece that can touch, of `previous`
     std::vector<JointState> joints_previous, joints_trial;  // per joint
     // Resultants (N, M) per force point, material, that the mixed tangent is made of; empty with any other.
     std::vector<Vec6> resultants;

@@ -7,6 +7,7 @@
 #include "state/point_values.hpp"
 #include "state/section_values.hpp"
 #include "state/state.hpp"
+#include "state/tendon_values.hpp"
 
 // What an analysis hands to the results at an accepted step.
 namespace gxrod {
@@ -15,6 +16,7 @@ struct LedgerRow {
     double kinetic_energy = 0.0;
     double strain_energy = 0.0;
     double external_work = 0.0;          // of loads, gravity included, since t = 0
+    double fluid_work = 0.0;             // the part of it that water, air and the ground do
     double work_uncertainty = 0.0;       // of the work of the last load step; 0 in dynamics
     double dissipated_energy = 0.0;      // by material and mass-proportional damping since t = 0
     double numerical_dissipation = 0.0;  // by the scheme itself since t = 0
@@ -49,6 +51,9 @@ struct Snapshot {
     double limit_load_factor = 0.0;
     std::span<const JointValues> joints = {};  // in the order of Model::joints, then of Model::gears
     std::span<const double> inputs = {};       // of Model::inputs
+    // Of Model::bodies; empty where nothing is around.
+    std::span<const PointSurroundings> bodies = {};
+    std::span<const TendonValues> tendons = {};  // in the order of Model::tendons; empty if no history asks
 };
 
 }  // namespace gxrod

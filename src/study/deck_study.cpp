@@ -48,8 +48,10 @@ class DeckExaminer {
         study_.times = choose_times(problem.analysis);
         study_.end_time = study_.times.back();
         series_ = list_series(problem.output);
-        rotation_ = make_random_rotation(options.seed);
-        rotation_more_ = rotation_ * exp_quaternion(Vec3(angle_more, 0.0, 0.0));
+        rotation_ = restrict_rotation(make_random_rotation(options.seed), problem.model);
+        const bool only_about_z = !problem.model.surroundings.is_empty();
+        rotation_more_ =
+            rotation_ * exp_quaternion(angle_more * (only_about_z ? Vec3::UnitZ() : Vec3::UnitX()));
         study_.rotation = log(rotation_);
     }
 

@@ -80,6 +80,8 @@ double DeckStudy::mesh_order_of(const Series& of) const {
         case Quantity::moment_spatial:
         case Quantity::strain:
         case Quantity::curvature:
+        case Quantity::effective_tension:
+        case Quantity::wall_tension:
             return element_order;
         default:
             return 2.0 * element_order;

@@ -75,8 +75,10 @@ double NaturalScales::of(Quantity quantity) const {
         case Quantity::elongation:
         case Quantity::slide:
         case Quantity::gap:
+        case Quantity::tendon_length:
             return length;
         case Quantity::velocity:
+        case Quantity::water_velocity:
         case Quantity::slide_rate:
             return speed;
         case Quantity::angular_velocity:
@@ -90,7 +92,12 @@ double NaturalScales::of(Quantity quantity) const {
         case Quantity::reaction_force:
         case Quantity::axial_force:
         case Quantity::force_a:
+        case Quantity::effective_tension:
+        case Quantity::wall_tension:
             return by_length(energy);
+        case Quantity::fluid_force:
+        case Quantity::bed_force:  // of a body a force, which is larger
+            return by_length(by_length(energy));
         case Quantity::moment:
         case Quantity::moment_spatial:
         case Quantity::reaction_moment:
@@ -100,6 +107,7 @@ double NaturalScales::of(Quantity quantity) const {
             return by_length(1.0);
         case Quantity::strain:
         case Quantity::angle:
+        case Quantity::wet_fraction:
             return 1.0;
         default:
             return 0.0;

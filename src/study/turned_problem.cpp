@@ -89,6 +89,30 @@ MagneticField turn(const Quat& rotation, const MagneticField& field) {
     return turned;
 }
 
+Flow turn(const Quat& rotation, Flow flow) {
+    if (flow.profile) flow.profile->direction = rotation * flow.profile->direction;
+    if (!flow.field) return flow;
+    const Mat3 R = rotation.toRotationMatrix();
+    flow.field = [R, own = flow.field](double time, const Vec3& position) -> Vec3 {
+        return R * own(time, R.transpose() * position);
+    };
+    return flow;
+}
+
+// By a rotation about z.
+void turn(const Quat& rotation, Surroundings& around) {
+    const double angle = 2.0 * std::atan2(rotation.z(), rotation.w());
+    if (around.water) {
+        around.water->current = turn(rotation, around.water->current);
+        for (WaveTrain& train : around.water->waves) train.direction += angle;
+    }
+    if (around.air) around.air->wind = turn(rotation, around.air->wind);
+    if (!around.seabed) return;
+    around.seabed->point = rotation * around.seabed->point;
+    around.seabed->normal = rotation * around.seabed->normal;
+    if (around.seabed->grid) around.seabed->grid->turn += angle;
+}
+
 TimeVector turn(const Quat& rotation, const TimeVector& vector) {
     if (vector.is_constant()) return TimeVector(rotation * vector(0.0));
     return TimeVector(turn(rotation, vector.components()));
@@ -96,8 +120,14 @@ TimeVector turn(const Quat& rotation, const TimeVector& vector) {
 
 }  // namespace
 
+Quat restrict_rotation(const Quat& rotation, const Model& model) {
+    if (model.surroundings.is_empty()) return rotation;
+    return Quat(rotation.w(), 0.0, 0.0, rotation.z()).normalized();
+}
+
 void turn_model(const Quat& rotation, Model& model) {
     model.gravity = turn(rotation, model.gravity);
+    turn(rotation, model.surroundings);
     for (Node& node : model.nodes) {
         node.position = rotation * node.position;
         node.velocity = rotation * node.velocity;
@@ -168,6 +198,11 @@ Turning turning_of(Quantity quantity, const HistoryRequest& request) {
         case Quantity::curvature:
         case Quantity::elongation:
         case Quantity::axial_force:
+        case Quantity::effective_tension:
+        case Quantity::wall_tension:
+        case Quantity::wet_fraction:
+        case Quantity::tendon_length:
+        case Quantity::tendon_tension:
             return Turning::none;
         case Quantity::orientation:
             return Turning::attitude;

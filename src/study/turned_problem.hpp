@@ -4,8 +4,11 @@
 #include "results/tables/history_point.hpp"
 
 // The same problem, seen from axes that are turned: all of it, with its loads, gravity and supports, rotated
-// about the origin. Its motion is the turned motion, exactly.
+// about the origin: about z, if it has surroundings. Its motion is the turned motion, exactly.
 namespace gxrod {
+
+// The rotation, or of it what is about z where water, air or ground know up from down.
+Quat restrict_rotation(const Quat& rotation, const Model& model);
 
 void turn_model(const Quat& rotation, Model& model);
 // The model and what histories are relative to.

@@ -101,6 +101,20 @@ std::string with_integrator(const std::string& name) {
     return replaced(swinging, "time_step = 0.02", "time_step = 0.02\nintegrator = \"" + name + "\"");
 }
 
+// With velocities at the start that fit the support's.
+std::string projected(const std::string& deck) {
+    return replaced(deck, "time_step", "start = \"project\"\ntime_step");
+}
+
+// With a tendon that is drawn in, and seen.
+std::string with_winch(const std::string& deck, const std::string& lines) {
+    return replaced(deck,
+                    "[body.b]",
+                    "[tendon.t]\non = \"r\"\noffset = [0.05, \"0.02*s\"]\n" + lines +
+                        "[[history]]\nname = \"tendon\"\nat = \"t\"\nquantities = [\"tendon_length\", "
+                        "\"tendon_tension\"]\n[body.b]");
+}
+
 std::string with_law(const std::string& deck, const std::string& law) {
     return replaced(deck, "[rod.r]", "law = { " + law + " }\n[rod.r]");
 }
@@ -124,6 +138,13 @@ TEST_CASE("A resumed run equals one in one piece to the last bit", "[analyses][r
         with_law(with_integrator("sdirk-4"), "viscoelastic = { prony = [[0.5, 0.1], [0.2, 2]] }"),
         with_law(replaced(loaded(), "elements = 4", "elements = 2\norder = 2\nelement = \"simo\""),
                  "plastic = { yield = { My = 0.5, Mz = 0.5 }, kinematic = 0.3 }"),
+        with_winch(projected(with_integrator("generalized-alpha")),
+                   "shortening = \"0.01*sin(9*t)^2\"\nslack = false\n"),
+        with_winch(projected(with_integrator("sdirk-4")),
+                   "shortening = \"0.01*sin(9*t)^2\"\nslack = false\n"),
+        with_winch(swinging, "shortening = \"0.01*t\"\nstiffness = 100\n"),
+        with_winch(swinging, "tension = \"3*t\"\n"),
+        with_winch(loaded(), "shortening = 0.01\n"),
         loaded(),
         replaced(loaded(), "elements = 4", "elements = 2\norder = 3\nelement = \"simo\""));
     INFO(deck);

@@ -12,7 +12,7 @@ namespace gxrod::test {
 namespace {
 
 // Rods that share nodes, long enough for several parts of every loop; with what assembly treats apart: a
-// body, `simo` elements, damping, a section with a law, a tendon, loads along rods, a roller in its own axes
+// body, `simo` elements, damping, a section with a law, tendons, loads along rods, a roller in its own axes
 // and a support that moves.
 const std::string structure = R"deck(gravity = [0, 0, "-9.81*cos(t)"]
 [section.s]
@@ -53,6 +53,12 @@ elements = 200
 on = "limb"
 offset = [0.02, "0.01*sin(s)"]
 tension = "100*t"
+[tendon.drawn]
+on = "limb"
+offset = [-0.02, 0]
+shortening = "1e-3*t^2"
+slack = false
+to = 0.05
 [[actuation]]
 on = "limb"
 curvature = [0, "0.1*t", 0]

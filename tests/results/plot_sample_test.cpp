@@ -118,7 +118,7 @@ Motion move(const Model& model, double time) {
     }
     const SectionValues& last = motion.sections.back();
     motion.points.push_back(
-        {{}, Vec3::Zero(), Quat::Identity(), last.force, last.moment, last.strain, last.curvature});
+        {{}, Vec3::Zero(), Quat::Identity(), last.force, last.moment, last.strain, last.curvature, {}});
     NodeMotion& pivot = motion.nodes.back();
     pivot.r = model.nodes.back().position;
     pivot.Lambda = top_attitude(time) * model.bodies[0].attitude.conjugate();

@@ -131,7 +131,7 @@ TEST_CASE("Every dataset of a results file is described", "[results]") {
     write_sample(folder / "a.vtkhdf", model);
     const Hdf5Reader file(folder / "a.vtkhdf");
     const std::vector<std::string> datasets = file.datasets();
-    CHECK(datasets.size() == 129);
+    CHECK(datasets.size() == 130);
     for (const std::string& dataset : datasets) {
         INFO(dataset);
         CHECK(!file.text_attribute(dataset, "description").empty());
@@ -205,6 +205,7 @@ TEST_CASE("Histories, ledger and solver record have a row for each step", "[resu
         CHECK(file.numbers("/ledger/work_uncertainty")[i] == ledger.work_uncertainty);
         CHECK(file.numbers("/ledger/dissipated_energy")[i] == ledger.dissipated_energy);
         CHECK(file.numbers("/ledger/numerical_dissipation")[i] == ledger.numerical_dissipation);
+        CHECK(file.numbers("/ledger/fluid_work")[i] == ledger.fluid_work);
         CHECK(file.numbers("/ledger/energy_error")[i] == ledger.energy_error);
         CHECK(row(file.numbers("/ledger/linear_momentum"), i, 3) == components(ledger.linear_momentum));
         CHECK(row(file.numbers("/ledger/angular_momentum"), i, 3) == components(ledger.angular_momentum));

@@ -126,6 +126,7 @@ LedgerRow make_ledger(double t) {
     row.work_uncertainty = 3.5 + t;
     row.dissipated_energy = 4.0 + t;
     row.numerical_dissipation = 4.5 + t;
+    row.fluid_work = 0.5 + t;
     row.energy_error = 5.0 + t;
     row.linear_momentum = Vec3(6.0 + t, 7.0, 8.0);
     row.angular_momentum = Vec3(9.0 + t, 10.0, 11.0);
@@ -147,6 +148,9 @@ RestartRecord make_restart(double t) {
         record.algorithmic.push_back({Vec3(k, 8.0, t), Vec3(t, 9.0, k)});
         record.ledger.forces.push_back(Vec6::Constant(k + t));
         record.ledger.force_change.push_back(Vec6::Constant(k - t));
+        record.ledger.fluid_forces.push_back(Vec6::Constant(k + 2.0 * t));
+        record.law_memory.push_back(k - 2.0 * t);
+        record.bed_contacts.push_back({1.0, Vec3(k, 10.0, t)});
         record.ledger.movement.push_back(Vec6::Constant(2.0 * k - t));
         record.path.tangent.push_back(Vec6::Constant(3.0 * k - t));
     }
@@ -155,6 +159,7 @@ RestartRecord make_restart(double t) {
     record.ledger.work = 3.5 + t;
     record.ledger.dissipated = 4.5;
     record.ledger.dissipated_by_scheme = 4.75;
+    record.ledger.fluid_work = 3.25;
     record.ledger.driving_power = 5.5;
     record.ledger.damping_power = 6.5;
     record.ledger.load_step = 0.875;

@@ -86,6 +86,9 @@ std::vector<double> Driven::compute_at(const Problem& problem,
     Snapshot snapshot{load_factor, state.trial, {}, reactions, points};
     snapshot.load_factor = snapshot.limit_load_factor = load_factor;
     snapshot.joints = joints;
+    std::vector<TendonValues> tendons;
+    if (requests.at(history).tendon >= 0) tendons = system.compute_tendon_values(state, load_factor);
+    snapshot.tendons = tendons;
     HistoryPoint point(problem.model, problem.output.histories, history);
     const HistoryPoint::Row row = point.compute(asked, snapshot);
     return {row.begin(), row.begin() + histories_[history].widths[quantity]};

@@ -45,7 +45,7 @@ class FactorFinder {
         record_.load_time = load_time_;
         record_.cause = find_load_without_potential(system_.model());
         record_.is_symmetric = record_.cause.empty();
-        if (system_.is_driven()) {
+        if (system_.is_driven() || !system_.model().tendons.empty()) {
             record_.failure =
                 "the factor would leave out what tendons and actuations do: raise these in a static stage "
                 "with "

@@ -43,6 +43,13 @@ class WideRows {
     virtual Eigen::VectorXd compute_values(const WidePlace& place,
                                            ConstraintLevel level,
                                            const TimeSpan& step) const = 0;
+    // Whether the equations hold at this place. One-sided ones (Φ ≥ 0, λ ≥ 0, Φ λ = 0) let go where λ < r Φ,
+    // r any positive number: there λ = 0 takes the place of Φ = 0, and they exert nothing.
+    virtual bool hold(const WidePlace& /*place*/,
+                      const Eigen::VectorXd& /*multipliers*/,
+                      ConstraintLevel /*level*/) const {
+        return true;
+    }
     // G.
     virtual Eigen::MatrixXd compute_gradient(const WidePlace& place) const = 0;
     // ∂Φ̈/∂(Newton's unknowns), by placement, rate and acceleration; linearizations of all nodes.

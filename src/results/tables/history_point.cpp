@@ -52,7 +52,8 @@ HistoryPoint::HistoryPoint(const Model& model, const std::vector<HistoryRequest>
     : node_(requests[index].node),
       relative_node_(requests[index].relative_node),
       relative_axes_(requests[index].relative_axes),
-      about_(requests[index].about) {
+      about_(requests[index].about),
+      tendon_(requests[index].tendon) {
     const HistoryRequest& request = requests[index];
     for (std::size_t i = 0; i < index; ++i) point_ += requests[i].place ? 1 : 0;
     if (request.spring >= 0) spring_ = &model.springs[static_cast<std::size_t>(request.spring)];
@@ -66,7 +67,8 @@ HistoryPoint::HistoryPoint(const Model& model, const std::vector<HistoryRequest>
         rubs_slide_ = slide.friction.acts();
     }
     if (request.body >= 0) {
-        body_ = &model.bodies[static_cast<std::size_t>(request.body)];
+        body_index_ = static_cast<std::size_t>(request.body);
+        body_ = &model.bodies[body_index_];
         start_axes_ = body_->attitude;
     } else if (request.place && node_ >= 0) {
         start_axes_ = section_axes(model, *request.place, node_);
@@ -133,6 +135,32 @@ Vec3 HistoryPoint::section_value(Quantity quantity, const Snapshot& snapshot, co
     }
 }
 
+// Of a point of a rod, or of a body.
+HistoryPoint::Row HistoryPoint::surrounding_value(Quantity quantity, const Snapshot& snapshot) const {
+    static const PointSurroundings none{};
+    const PointSurroundings* around = &none;
+    if (!body_) {
+        around = &snapshot.points[point_].surroundings;
+    } else if (!snapshot.bodies.empty()) {
+        around = &snapshot.bodies[body_index_];
+    }
+    switch (quantity) {
+        case Quantity::effective_tension:
+            return {snapshot.points[point_].force.x()};
+        case Quantity::wall_tension:
+            return {snapshot.points[point_].force.x() + around->pressure_force};
+        case Quantity::water_velocity:
+            return row(around->water_velocity);
+        case Quantity::wet_fraction:
+            return {around->wet_fraction};
+        case Quantity::fluid_force:
+            return row(around->fluid_force);
+        default:
+            assert(quantity == Quantity::bed_force);
+            return row(around->bed_force);
+    }
+}
+
 HistoryPoint::Row HistoryPoint::continuous_quaternion(const Quat& rotation, Quat& last) {
     const double sign = rotation.dot(last) < 0.0 ? -1.0 : 1.0;
     last.coeffs() = sign * rotation.coeffs();
@@ -147,6 +175,7 @@ void HistoryPoint::go_on_from(Quantity quantity, std::span<const double> row) {
 PointKind HistoryPoint::kind() const {
     if (spring_) return PointKind::spring;
     if (bushing_) return PointKind::bushing;
+    if (tendon_ >= 0) return PointKind::tendon;
     if (joint_ >= 0) return is_of_gear_ ? PointKind::gear : PointKind::joint;
     return body_ ? PointKind::body : PointKind::rod;
 }
@@ -214,6 +243,10 @@ Vec3 HistoryPoint::bushing_value(Quantity quantity, const Snapshot& snapshot) co
 HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snapshot) {
     if (bushing_) return row(bushing_value(quantity, snapshot));
     if (spring_) return {spring_value(quantity, snapshot)};
+    if (tendon_ >= 0) {
+        const TendonValues& tendon = snapshot.tendons[static_cast<std::size_t>(tendon_)];
+        return {quantity == Quantity::tendon_length ? tendon.length : tendon.tension};
+    }
     if (joint_ >= 0) return joint_value(quantity, snapshot.joints[static_cast<std::size_t>(joint_)]);
     const Seen seen = see_from_reference(snapshot);
     const NodeMotion& node = seen.motion;
@@ -252,6 +285,13 @@ HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snaps
             return row(snapshot.reactions[static_cast<std::size_t>(node_)].head<3>());
         case Quantity::reaction_moment:
             return row(reaction_moment(snapshot));
+        case Quantity::effective_tension:
+        case Quantity::wall_tension:
+        case Quantity::water_velocity:
+        case Quantity::wet_fraction:
+        case Quantity::fluid_force:
+        case Quantity::bed_force:
+            return surrounding_value(quantity, snapshot);
         case Quantity::elongation:
         case Quantity::axial_force:
         case Quantity::angle:
@@ -263,7 +303,9 @@ HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snaps
         case Quantity::drive:
         case Quantity::friction:
         case Quantity::gap:
-            break;  // of springs and joints only
+        case Quantity::tendon_length:
+        case Quantity::tendon_tension:
+            break;  // of springs, joints and tendons only
     }
     assert(false);
     return {};

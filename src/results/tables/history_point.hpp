@@ -46,6 +46,7 @@ class HistoryPoint {
     double spring_value(Quantity quantity, const Snapshot& snapshot) const;
     Vec3 bushing_value(Quantity quantity, const Snapshot& snapshot) const;
     Vec3 reaction_moment(const Snapshot& snapshot) const;
+    Row surrounding_value(Quantity quantity, const Snapshot& snapshot) const;
     Vec3 section_value(Quantity quantity, const Snapshot& snapshot, const Quat& axes) const;
     Row continuous_quaternion(const Quat& rotation, Quat& last);
 
@@ -54,6 +55,7 @@ class HistoryPoint {
     int node_;                          // or -1
     std::size_t point_ = 0;             // of a rod's: in Snapshot::points
     const Body* body_ = nullptr;        // the point is a body's
+    std::size_t body_index_ = 0;        // of it
     const Spring* spring_ = nullptr;    // or a spring
     const Bushing* bushing_ = nullptr;  // or a bushing
     int joint_ = -1;                    // or a joint, or a gear, by index in Snapshot::joints
@@ -64,6 +66,7 @@ class HistoryPoint {
     Quat relative_axes_;         // there, at t = 0
     Vec3 relative_start_ = Vec3::Zero();
     std::optional<Vec3> about_;  // of moments of reactions
+    int tendon_ = -1;            // or a tendon, by index in Snapshot::tendons
     Quat last_quaternion_ = Quat::Identity();
     Quat last_orientation_ = Quat::Identity();
 };

@@ -53,10 +53,6 @@ QuantityForm bushing_form(Quantity quantity) {
     }
 }
 
-}  // namespace
-
-namespace {
-
 // Of a joint, whose forces are those that A exerts on B.
 QuantityForm joint_form(Quantity quantity) {
     constexpr const char* a_axes = "joint axes of A";
@@ -99,6 +95,14 @@ QuantityForm joint_form(Quantity quantity) {
     }
 }
 
+QuantityForm tendon_form(Quantity quantity) {
+    if (quantity == Quantity::tendon_length)
+        return {{"tendon_length", "length of the tendon's part within the rod", "none", "length"},
+                scalar_row};
+    assert(quantity == Quantity::tendon_tension);
+    return {{"tendon_tension", "tension of the tendon, the same all along", "none", "force"}, scalar_row};
+}
+
 // Of a gear.
 QuantityForm gear_form(Quantity quantity) {
     if (quantity == Quantity::gap) {
@@ -114,12 +118,37 @@ QuantityForm gear_form(Quantity quantity) {
         scalar_row};
 }
 
+// Of water, air and ground; what is per length on a rod is a sum on a body.
+QuantityForm surroundings_form(Quantity quantity, PointKind kind) {
+    const char* dimension = kind == PointKind::body ? "force" : "force/length";
+    switch (quantity) {
+        case Quantity::effective_tension:
+            return {{"effective_tension", "effective tension, the axial section force", "none", "force"},
+                    scalar_row};
+        case Quantity::wall_tension:
+            return {
+                {"wall_tension", "tension in the wall: less pressures, p_o A_o − p_i A_i", "none", "force"},
+                scalar_row};
+        case Quantity::water_velocity:
+            return {{"water_velocity", "velocity of the water there", "spatial", "length/time"}, vector_row};
+        case Quantity::wet_fraction:
+            return {{"wet_fraction", "fraction of the piece there that is under water", "none", "1"},
+                    scalar_row};
+        case Quantity::fluid_force:
+            return {{"fluid_force", "force of water and air", "spatial", dimension}, vector_row};
+        default:
+            assert(quantity == Quantity::bed_force);
+            return {{"bed_force", "force of the ground", "spatial", dimension}, vector_row};
+    }
+}
+
 }  // namespace
 
 QuantityForm quantity_form(Quantity quantity, PointKind kind) {
     if (kind == PointKind::bushing) return bushing_form(quantity);
     if (kind == PointKind::joint) return joint_form(quantity);
     if (kind == PointKind::gear) return gear_form(quantity);
+    if (kind == PointKind::tendon) return tendon_form(quantity);
     const std::string component_order = " (axial, shear y, shear z)";
     const std::string couple_order = " (about x, y, z)";
     switch (quantity) {
@@ -166,6 +195,13 @@ QuantityForm quantity_form(Quantity quantity, PointKind kind) {
         case Quantity::elongation:
             return {{"elongation", "length less that at which the spring is free", "none", "length"},
                     scalar_row};
+        case Quantity::effective_tension:
+        case Quantity::wall_tension:
+        case Quantity::water_velocity:
+        case Quantity::wet_fraction:
+        case Quantity::fluid_force:
+        case Quantity::bed_force:
+            return surroundings_form(quantity, kind);
         case Quantity::axial_force:
             return {{"axial_force", "tension of spring and damper", "none", "force"}, scalar_row};
         default:

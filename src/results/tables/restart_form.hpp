@@ -14,7 +14,7 @@
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t form_version = 12;  // of /restart; raise it with every change
+inline constexpr std::int64_t form_version = 13;  // of /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 using Vec1 = Eigen::Matrix<double, 1, 1>;
@@ -40,6 +40,9 @@ void visit_vectors(Row& row, Visitor&& visit) {
         visit(Eigen::Map<std::conditional_t<std::is_const_v<Row>, const Vec6, Vec6>>(row.multipliers.data()));
         for (auto* number : {&row.turn, &row.slide, &row.turn_slip, &row.slide_slip})
             visit_vectors(*number, visit);
+    } else if constexpr (std::is_same_v<Kind, BedContact>) {
+        visit_vectors(row.touches, visit);
+        visit(row.target);
     } else if constexpr (std::is_same_v<Kind, InputState>) {
         for (auto* number : {&row.is_set, &row.planned, &row.from_time, &row.from, &row.to_time, &row.to})
             visit_vectors(*number, visit);
@@ -107,6 +110,7 @@ void visit_numbers(Place& place, Visitor&& visit) {
     visit("work", record.ledger.work);
     visit("dissipated", record.ledger.dissipated);
     visit("dissipated_by_scheme", record.ledger.dissipated_by_scheme);
+    visit("fluid_work", record.ledger.fluid_work);
     visit("driving_power", record.ledger.driving_power);
     visit("damping_power", record.ledger.damping_power);
     visit("negative_pivots", record.negative_pivots);
@@ -150,6 +154,11 @@ inline const DatasetLabel sections_label{
     ""};
 inline const DatasetLabel law_memory_label{
     "law_memory", "of each force point whose section has a law: what that remembers", "none", ""};
+inline const DatasetLabel bed_contacts_label{
+    "bed_contacts",
+    "of each piece of a rod that rubs on the ground: whether it touches, and to where friction pulls it",
+    "spatial",
+    ""};
 inline const DatasetLabel algorithmic_label{
     "algorithmic", "of each node: algorithmic acceleration and angular acceleration", "spatial", ""};
 inline const DatasetLabel joints_label{
@@ -160,6 +169,8 @@ inline const DatasetLabel joints_label{
     ""};
 inline const DatasetLabel forces_label{
     "forces", "force and moment that does work on each node", "spatial", ""};
+inline const DatasetLabel fluid_forces_label{
+    "fluid_forces", "force and moment of water, air and the ground on each node", "spatial", ""};
 inline const DatasetLabel force_change_label{
     "force_change", "change of these in the last load step", "spatial", ""};
 inline const DatasetLabel movement_label{
@@ -183,9 +194,11 @@ void visit_lists(Record& record, Visitor&& visit) {
     visit(nodes_label, record.nodes);
     visit(sections_label, record.sections);
     visit(law_memory_label, record.law_memory);
+    visit(bed_contacts_label, record.bed_contacts);
     visit(algorithmic_label, record.algorithmic);
     visit(joints_label, record.joints);
     visit(forces_label, record.ledger.forces);
+    visit(fluid_forces_label, record.ledger.fluid_forces);
     visit(force_change_label, record.ledger.force_change);
     visit(movement_label, record.ledger.movement);
     visit(path_tangent_label, record.path.tangent);

@@ -25,13 +25,17 @@ struct StepColumn {
 using LedgerColumn = StepColumn<LedgerRow>;
 using SolverColumn = StepColumn<SolverRow>;
 
-inline constexpr std::array<LedgerColumn, 9> ledger_columns{{
+inline constexpr std::array<LedgerColumn, 10> ledger_columns{{
     {"kinetic_energy", "kinetic energy", "force·length", &LedgerRow::kinetic_energy},
     {"strain_energy", "strain energy", "force·length", &LedgerRow::strain_energy},
     {"external_work",
      "work of loads, gravity and moved supports since t = 0",
      "force·length",
      &LedgerRow::external_work},
+    {"fluid_work",
+     "the part of external_work that water, air and the ground do",
+     "force·length",
+     &LedgerRow::fluid_work},
     {"work_uncertainty",
      "how far the work of the load step that ended here may be off; 0 in dynamics",
      "force·length",

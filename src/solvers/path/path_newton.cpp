@@ -234,7 +234,7 @@ void add_motor_gradient(const System& system,
     for (auto [residual, time] : {std::pair(&here, load_factor), std::pair(&there, further)}) {
         residual->nodal.assign(state.trial.size(), Vec6::Zero());
         joints.compute_rows(state, time, {}, residual->rows);
-        joints.add_forces(state, time, system.scale_groups(), *residual);
+        joints.add_forces(state, time, ConstraintLevel::position, system.scale_groups(), *residual);
     }
     for (std::size_t i = 0; i < here.rows.size(); ++i)
         there.rows[i] = (there.rows[i] - here.rows[i]) / gradient_difference;

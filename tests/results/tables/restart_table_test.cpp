@@ -36,6 +36,10 @@ void check_equal(const RestartRecord& a, const RestartRecord& b) {
         a.algorithmic, b.algorithmic, &AlgorithmicAcceleration::a, &AlgorithmicAcceleration::alpha));
     CHECK(a.ledger.forces == b.ledger.forces);
     CHECK(a.ledger.force_change == b.ledger.force_change);
+    CHECK(a.ledger.fluid_forces == b.ledger.fluid_forces);
+    CHECK(a.law_memory == b.law_memory);
+    CHECK(are_equal(a.bed_contacts, b.bed_contacts, &BedContact::target));
+    CHECK(are_equal(a.bed_contacts, b.bed_contacts, &BedContact::touches));
     CHECK(a.ledger.movement == b.ledger.movement);
     CHECK(a.ledger.load_step == b.ledger.load_step);
     CHECK(a.ledger.initial_energy == b.ledger.initial_energy);
@@ -43,6 +47,7 @@ void check_equal(const RestartRecord& a, const RestartRecord& b) {
     CHECK(a.ledger.work == b.ledger.work);
     CHECK(a.ledger.dissipated == b.ledger.dissipated);
     CHECK(a.ledger.dissipated_by_scheme == b.ledger.dissipated_by_scheme);
+    CHECK(a.ledger.fluid_work == b.ledger.fluid_work);
     CHECK(a.ledger.driving_power == b.ledger.driving_power);
     CHECK(a.ledger.damping_power == b.ledger.damping_power);
     CHECK(a.ledger.strain_energy == b.ledger.strain_energy);

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "assembly/equation_numbers.hpp"
+#include "assembly/residual.hpp"
+#include "assembly/scale_groups.hpp"
+#include "environment/fluid_field.hpp"
+#include "linear/sparse_pattern.hpp"
+#include "loads/bed_force.hpp"
+#include "loads/distributed_load.hpp"
+#include "loads/fluid_force.hpp"
+#include "model/model.hpp"
+#include "parallel/thread_team.hpp"
+#include "state/point_values.hpp"
+#include "state/state.hpp"
+
+namespace gxrod {
+
+// Forces of water, air and the ground on the nodes of rods and bodies. A force per length is found at the
+// nodes of an element and distributed with ∫ N_I N_J ds, like a load that turns with the rod. Each node of a
+// rod touches the ground by itself, with the piece of the rod that goes with it. Of the motions last asked
+// for it remembers the water there, which changes no result.
+class SurroundingsAssembly {
+  public:
+    // The model and the threads must outlive it.
+    SurroundingsAssembly(const Model& model, const ThreadTeam& team);
+    // Before all that follows. `length`: of the model, of which differences of fields take a small part.
+    void lay_out(const EquationNumbers& equations, const SparsePattern& pattern, double length);
+
+    bool empty() const { return elements_.empty() && bodies_.empty() && contacts_.empty(); }
+    // Pieces that rub on the ground, State::bed_contacts.
+    std::size_t rubbing_count() const { return rubs_ ? contacts_.size() : 0; }
+
+    // On each node of the model, spatial, of the trial motions with fields at `time`: subtracted from the
+    // residual.
+    void subtract_forces(const State& state,
+                         double time,
+                         const ScaleGroups& groups,
+                         Residual& residual) const;
+    void add_tangents(const State& state,
+                      double time,
+                      const std::vector<NodeLinearization>& linearizations,
+                      std::vector<double>& values) const;
+    // Before the trial motions become the last accepted step.
+    void commit(State& state) const;
+    // Functions rest on a number that has changed, in addition to the time.
+    void forget() const;
+
+    // The forces on the nodes of an element, six a node; zero without fluid.
+    LoadVector compute_element_force(const State& state, double time, int rod, int element) const;
+    // `shapes`: at the place.
+    PointSurroundings compute_point_value(const State& state,
+                                          double time,
+                                          const RodPlace& place,
+                                          const ShapeValues& shapes) const;
+    PointSurroundings compute_body_value(const State& state, double time, std::size_t body) const;
+
+  private:
+    struct WetElement {
+        int rod = 0;
+        int element = 0;
+        std::vector<int> nodes{};
+        std::vector<std::size_t> places{};  // in places_, of each node
+        std::vector<Quat> triads{};         // section axes at t = 0
+        std::vector<const SectionInFluid*> sections{};
+        std::vector<double> weights{};  // ∫ N_I N_J ds, column by column
+        std::vector<double> piece_lengths, piece_offsets;
+        std::vector<std::int64_t> slots{};
+    };
+    struct WetBody {
+        int body = 0;
+        int node = 0;
+        std::vector<std::int64_t> slots{};
+    };
+    // A node of a rod that can touch the ground, with the tangent of the rod at t = 0.
+    struct Contact {
+        int rod = 0;
+        int node = 0;
+        double radius = 0.0;
+        double area = 0.0;
+        Vec3 axis = Vec3::Zero();
+        double length = 0.0;
+        std::vector<std::int64_t> slots{};
+    };
+    // What is around a node.
+    struct Around {
+        Vec3 position = Vec3::Zero();
+        WaterAt water{};
+        AirAt air{};
+        bool has_gradients = false;
+    };
+
+    void add_rod(int rod);
+    void add_contacts(int rod);
+    void move_to(double time) const;
+    // The fields at the nodes, for what follows.
+    void look_around(const State& state, double time, bool asks_gradients) const;
+    void find_fluids(const Vec3& position, bool gradients, Around& around) const;
+    FluidsAt fluids_at(const Around& around) const;
+    WetPoint wet_point(const WetElement& element, std::size_t node, const NodeMotion& motion) const;
+    LoadVector compute_force(const WetElement& element, const State& state) const;
+    LoadMatrix compute_tangent(const WetElement& element,
+                               const State& state,
+                               const std::vector<NodeLinearization>& linearizations) const;
+    Around around_body(const WetBody& body, const State& state) const;
+    BedForce compute_contact(std::size_t contact, const State& state) const;
+    BedPoint bed_point(const Contact& contact, const NodeMotion& motion) const;
+    const BedContact& memory_of(std::size_t contact, const State& state) const;
+    const WetElement* find_element(int rod, int element) const;
+
+    const Model* model_;
+    const ThreadTeam* team_;
+    const EquationNumbers* equations_ = nullptr;
+    std::vector<WetElement> elements_;           // of a rod one after the other
+    std::vector<std::ptrdiff_t> first_element_;  // of each rod in elements_; −1: dry
+    std::vector<WetBody> bodies_;
+    std::vector<Contact> contacts_;
+    std::vector<int> places_;  // nodes whose surroundings are asked for, each once
+    bool rubs_ = false;
+    bool has_fluid_ = false;
+    std::unique_ptr<FluidField> field_;
+    mutable std::vector<Around> around_;      // of places_
+    mutable std::vector<LoadVector> forces_;  // of elements_
+    mutable Vec3 gravity_ = Vec3::Zero();
+    mutable double time_ = 0.0;
+    mutable bool is_known_ = false;
+};
+
+}  // namespace gxrod
