@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "check/surroundings/fluid_summary.hpp"
+
 namespace gxrod {
 namespace {
 
@@ -117,6 +119,7 @@ std::vector<ItemList> list_conditions(const Model& model) {
     }
     ItemList gravity{"fields", {}};
     if (!model.gravity.is_zero()) gravity.items.push_back(describe_gravity(model));
+    for (const std::string& text : list_surroundings(model.surroundings)) gravity.items.push_back(text);
     return {list_connections(model), supports, velocities, loads, gravity};
 }
 

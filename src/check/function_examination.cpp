@@ -55,8 +55,7 @@ class FunctionExamination {
                 examine_line(fmt::format("{}.moment_per_length[{}]", load.key, i), load.moment[i], middle);
             }
         }
-        for (const Tendon& tendon : model_.tendons)
-            examine_load(fmt::format("tendon.{}.tension", tendon.name), tendon.tension);
+        for (const Tendon& tendon : model_.tendons) examine_tendon(tendon);
         for (const Support& support : model_.supports) examine_moves(support);
         for (const Joint& joint : model_.joints) {
             examine_coordinate(joint.name, "turn", joint.turn);
@@ -71,6 +70,17 @@ class FunctionExamination {
         if (function.is_constant()) return;
         examine(
             key, [&function](double time) { return function(time); }, function.switches().get());
+    }
+
+    void examine_tendon(const Tendon& tendon) {
+        examine_load(fmt::format("tendon.{}.tension", tendon.name), tendon.tension);
+        if (!tendon.winch || tendon.winch->is_released) return;
+        if (tendon.winch->stiffness > 0.0) {
+            examine_load(fmt::format("tendon.{}.shortening", tendon.name), tendon.winch->shortening);
+        } else if (!tendon.winch->length) {
+            examine_move(fmt::format("the winch of tendon {} draws it in", tendon.name),
+                         tendon.winch->shortening);
+        }
     }
 
     void examine_magnet(const DistributedLoad& load, double middle) {

@@ -11,6 +11,7 @@
 #include "check/plane_findings.hpp"
 #include "check/stability.hpp"
 #include "check/stiffness_contrast.hpp"
+#include "check/surroundings/surroundings_findings.hpp"
 #include "check/turning_loads.hpp"
 #include "check/unconnected_points.hpp"
 #include "model/analysis_traits.hpp"
@@ -38,11 +39,20 @@ std::string list_motions(const Model& model,
     return text;
 }
 
-// Equilibrium does not say where a part is that can move without being strained.
+// Equilibrium does not say where a part is that can move without being strained, unless what is around holds
+// it: as a current does a towed cable, and the surface what floats.
 void find_drifting_parts(const Model& model, std::vector<Finding>& findings) {
     const bool has_springs = !model.springs.empty() || !model.bushings.empty();
     const char* holds = has_springs ? "supports or springs" : "supports";
     for (const auto& [part, motions] : find_free_parts(model)) {
+        if (!model.surroundings.is_empty()) {
+            findings.push_back({Severity::note,
+                                fmt::format("{} can {}; in statics, water, wind or the ground have to "
+                                            "hold it where it is in equilibrium",
+                                            name_part(part, model),
+                                            list_motions(model, part, motions))});
+            continue;
+        }
         findings.push_back({Severity::error,
                             fmt::format("{} can {}; a static analysis needs {} that prevent it",
                                         name_part(part, model),
@@ -181,14 +191,20 @@ bool any_joint_is_moved(const Model& model) {
     return std::ranges::any_of(model.joints, of_joint) || std::ranges::any_of(model.sleeves, of_sleeve);
 }
 
+bool is_pushed_by_fluids(const Surroundings& surroundings) {
+    const auto& [water, air, seabed] = surroundings;
+    return (water && (!water->current.is_still() || !water->waves.empty())) || (air && !air->wind.is_still());
+}
+
 bool any_load(const Model& model) {
     const auto strains = [&](const Spring& spring) { return is_strained(model, spring); };
     const auto pushes = [](const auto& load) { return !is_zero(load.force) || !is_zero(load.moment); };
     const auto acts = [](const NodalLoad& load) { return load.has_force() || !is_zero(load.moment); };
     const auto is_bent = [](const Rod& rod) { return !rod.rest_strains.empty(); };
     const auto moves = [](const Support& support) { return support.moved != std::array<bool, 6>{}; };
-    return model.rotation || !model.gravity.is_zero() || !model.actuations.empty() ||
-           !model.tendons.empty() || std::any_of(model.springs.begin(), model.springs.end(), strains) ||
+    return model.rotation || !model.gravity.is_zero() || is_pushed_by_fluids(model.surroundings) ||
+           !model.actuations.empty() || !model.tendons.empty() ||
+           std::any_of(model.springs.begin(), model.springs.end(), strains) ||
            std::ranges::any_of(model.rods, is_bent) || any_joint_is_moved(model) ||
            std::any_of(model.loads.begin(), model.loads.end(), acts) ||
            std::any_of(model.distributed_loads.begin(), model.distributed_loads.end(), pushes) ||
@@ -268,6 +284,7 @@ std::vector<Finding> examine_model(const Model& model,
     find_idle_loads(model, findings);
     if (const std::string push = find_push_out_of_plane(model); !push.empty())
         findings.push_back({Severity::warning, push});
+    for (Finding& finding : examine_surroundings(model, analysis)) findings.push_back(std::move(finding));
     if (begins_at_rest) find_missing_causes(model, analysis, findings);
     describe_parts(model, parts, findings);
     return findings;

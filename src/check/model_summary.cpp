@@ -11,6 +11,7 @@
 #include "check/joint_summary.hpp"
 #include "check/mechanism/mechanism.hpp"
 #include "check/rod_summary.hpp"
+#include "check/surroundings/fluid_summary.hpp"
 #include "model/analysis_traits.hpp"
 #include "model/frame_interval.hpp"
 #include "model/spring_law.hpp"
@@ -24,14 +25,15 @@ namespace {
 std::string describe(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v[0], v[1], v[2]); }
 
 std::string describe_body(const Model& model, const Body& body) {
-    return fmt::format(
-        "body {}: mass {:.6g}, principal inertia {}, node {} at {}, centre of mass {} from it\n",
-        body.name,
-        body.mass,
-        describe(find_symmetric_eigen(body.inertia).values),
-        model.nodes[body.node].name,
-        describe(model.nodes[body.node].position),
-        describe(body.attitude * body.centre_of_mass));
+    const std::string text =
+        fmt::format("body {}: mass {:.6g}, principal inertia {}, node {} at {}, centre of mass {} from it\n",
+                    body.name,
+                    body.mass,
+                    describe(find_symmetric_eigen(body.inertia).values),
+                    model.nodes[body.node].name,
+                    describe(model.nodes[body.node].position),
+                    describe(body.attitude * body.centre_of_mass));
+    return text + describe_fluid(model, body);
 }
 
 std::string describe_spring(const Model& model, const Spring& spring) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gxrod {
@@ -92,6 +93,36 @@ std::string find_inner_push(const Model& model, int normal) {
     return "";
 }
 
+// A field by where the nodes are, at some times.
+bool pushes_out(const Flow& flow, const std::vector<Node>& nodes, int normal) {
+    if (flow.profile && std::abs(flow.profile->direction[normal]) > in_plane) return true;
+    if (!flow.field) return false;
+    return std::ranges::any_of(std::array{0.0, 0.5, 1.0}, [&](double time) {
+        return std::ranges::any_of(nodes, [&](const Node& node) {
+            const Vec3 velocity = flow.field(time, node.position);
+            return std::abs(velocity[normal]) > in_plane * velocity.norm();
+        });
+    });
+}
+
+// Waves along the normal, or in a plane that is level.
+bool pushes_out(const WaveTrain& wave, int normal) {
+    const Vec3 direction(std::cos(wave.direction), std::sin(wave.direction), 0.0);
+    return normal == 2 || std::abs(direction[normal]) > in_plane;
+}
+
+// Of what surrounds the model.
+std::string find_outer_push(const Model& model, int normal) {
+    const auto& [water, air, seabed] = model.surroundings;
+    if (water && pushes_out(water->current, model.nodes, normal)) return "fluid.current";
+    if (water &&
+        std::ranges::any_of(water->waves, [&](const WaveTrain& wave) { return pushes_out(wave, normal); }))
+        return "wave";
+    if (air && pushes_out(air->wind, model.nodes, normal)) return "air.wind";
+    if (seabed && (seabed->grid || std::abs(seabed->normal[normal]) > in_plane)) return "seabed";
+    return "";
+}
+
 std::string find_push(const Model& model, int normal) {
     for (const NodalLoad& load : model.loads) {
         if (load.motion_force || pushes_out(load, normal)) return load.key;
@@ -100,6 +131,7 @@ std::string find_push(const Model& model, int normal) {
         if (load.field ? pushes_out(load, *load.field, normal) : pushes_out(load, normal)) return load.key;
     }
     if (!model.gravity.components()[normal].is_zero()) return "gravity";
+    if (const std::string outer = find_outer_push(model, normal); !outer.empty()) return outer;
     return find_inner_push(model, normal);
 }
 
@@ -163,6 +195,9 @@ std::string find_push_out_of_plane(const Model& model) {
 
 std::string suggest_plane(const Model& model) {
     if (model.plane || model.rods.empty() || !model.bodies.empty()) return "";
+    // What a field does in time is not known.
+    const auto& [water, air, seabed] = model.surroundings;
+    if ((water && water->current.field) || (air && air->wind.field)) return "";
     for (const int normal : {2, 1, 0}) {
         if (!find_push(model, normal).empty() || !lies_in_plane(model, normal)) continue;
         return fmt::format(

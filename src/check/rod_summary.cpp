@@ -7,6 +7,7 @@
 
 #include "check/rod_lines.hpp"
 #include "check/section_summary.hpp"
+#include "check/surroundings/fluid_summary.hpp"
 
 namespace gxrod {
 namespace {
@@ -154,7 +155,7 @@ double compute_twist(const Model& model, const Rod& rod) {
 std::string describe_section(const Section& section) {
     std::string text = fmt::format("section {}:\n", section.name);
     text += describe_stiffness(section.stiffness) + describe_inertia(section.mass);
-    text += describe_centres(section);
+    text += describe_centres(section) + describe_fluid(section);
     if (section.law) text += fmt::format("  law: {}\n", section.law->describe());
     if (section.kelvin_voigt == 0.0 && section.mass_proportional == 0.0) return text;
     std::string kelvin_voigt = fmt::format("{:.6g}", section.kelvin_voigt);
@@ -182,6 +183,7 @@ std::string describe_rod(const Model& model, const Rod& rod) {
         text += "  section at the end: " + describe_diagonals(rod.varying.at_nodes.back()) + "\n";
         text += describe_varying_centres(rod);
     }
+    text += describe_fluid(model, rod);
     text += "  axes at the start: " + describe_axes(rod.triads.front()) + "\n";
     const bool are_equal = rod.triads.front().angularDistance(rod.triads.back()) < round_off;
     if (is_line(rod) && !are_equal) text += "  axes at the end: " + describe_axes(rod.triads.back()) + "\n";

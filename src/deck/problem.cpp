@@ -37,6 +37,7 @@
 #include "deck/reading/validation.hpp"
 #include "deck/sections/build_sections.hpp"
 #include "deck/sections/section_files.hpp"
+#include "deck/surroundings/build_surroundings.hpp"
 #include "machine/file_error.hpp"
 #include "machine/machine_memory.hpp"
 #include "model/frame_interval.hpp"
@@ -61,7 +62,7 @@ void check_names(const CheckedTable& deck, FaultList& faults) {
 }
 
 // What acts in each stage that takes steps; the model has that of the first stage.
-void build_actions(BuildContext& context) {
+void build_actions(const SurroundingsFiles& files, BuildContext& context) {
     for (std::size_t i = 0; i < context.stages.size(); ++i) {
         if (i > 0 && !has_steps(context.stages[i].analysis)) continue;
         context.stage = i;
@@ -76,6 +77,7 @@ void build_actions(BuildContext& context) {
         build_sleeve_actions(context);
         build_loads(context);
         build_drives(context);
+        build_surroundings(files, context);
         check_functions(context);
         if (i == 0) continue;
         context.stages[i].actions = take_actions(context.model);
@@ -115,6 +117,8 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     Problem problem;
     const RodNets nets = read_rod_nets(deck, files.meshes, faults, problem.record.meshes);
     const SectionFiles section_files = read_section_files(deck, files.tables, faults, problem.record.meshes);
+    const SurroundingsFiles surroundings =
+        read_surroundings_files(deck, files.tables, faults, problem.record.meshes);
     check_memory(deck, nets, count_usable_bytes(), faults);
     faults.throw_if_any();
     const PointNames names(deck, points_of(nets));
@@ -135,7 +139,7 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     build_sleeves(context);
     build_plane(context);
     build_initial(context);
-    build_actions(context);
+    build_actions(surroundings, context);
     build_path_targets(context);
     build_excitation(context);
     set_frame_intervals(context);

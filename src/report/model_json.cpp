@@ -79,7 +79,55 @@ Json describe_first(const std::vector<Part>& parts, std::size_t most, Describe&&
     return list;
 }
 
+// The first with waves; of the stages with time these go on from the first.
+const Water& find_sea(const Problem& problem) {
+    const std::optional<Water>& own = problem.model.surroundings.water;
+    if (!own->waves.empty()) return *own;
+    for (std::size_t i = 1; i < problem.stages.size(); ++i) {
+        const std::optional<Water>& water = problem.stages[i].actions.surroundings.water;
+        if (water && !water->waves.empty()) return *water;
+    }
+    return *own;
+}
+
+Json describe_water(const Water& water) {
+    Json waves = Json::array();
+    for (const WaveTrain& train : water.waves)
+        waves.push_back({train.amplitude,
+                         train.number * std::cos(train.direction),
+                         train.number * std::sin(train.direction),
+                         train.frequency,
+                         train.phase});
+    return {{"surface", *water.surface},
+            {"ramp", water.ramp},
+            {"ramp_start", water.ramp_start},
+            {"waves", waves}};
+}
+
+Json describe_ground(const Seabed& seabed) {
+    if (seabed.grid)
+        return {
+            {"x", seabed.grid->x}, {"y", seabed.grid->y}, {"z", seabed.grid->z}, {"turn", seabed.grid->turn}};
+    return {{"point", to_json(seabed.point)}, {"normal", to_json(seabed.normal)}};
+}
+
 }  // namespace
+
+Json describe_surroundings(const Problem& problem) {
+    const Surroundings& around = problem.model.surroundings;
+    Json json = Json::object();
+    if (around.water && around.water->surface) json["water"] = describe_water(find_sea(problem));
+    if (!around.seabed) return json;
+    json["ground"] = describe_ground(*around.seabed);
+    Json radii = Json::array();
+    for (const Rod& rod : problem.model.rods) {
+        const std::optional<SectionInFluid>& fluid =
+            problem.model.sections[static_cast<std::size_t>(rod.section)].fluid;
+        radii.push_back(fluid ? 0.5 * fluid->diameter : 0.0);
+    }
+    json["ground"]["radii"] = radii;
+    return json;
+}
 
 Json describe_bodies(const Model& model, const NodeNumbers& number, std::size_t most) {
     return describe_first(model.bodies, most, [&](const Body& body) { return describe_body(body, number); });

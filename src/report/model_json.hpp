@@ -12,6 +12,11 @@ namespace gxrod {
 // Where a node of the model went in the page.
 using NodeNumbers = std::function<int(int)>;
 
+// Where there is water with a surface: its height at rest, and waves, each amplitude, kx, ky, frequency and
+// phase, that grow over `ramp` from `ramp_start` on. Where there is ground: a point and the normal of the
+// plane, or the heights of the grid, and the radius of each rod, 0 of one that does not see the ground.
+nlohmann::ordered_json describe_surroundings(const Problem& problem);
+
 // At most `most` bodies, as cuboids of their mass and inertia: name, node, position of the centre of mass
 // from the node (body axes), axes of the cuboid in those of the body (quaternion w x y z), half sizes,
 // attitude at t = 0.

@@ -178,6 +178,7 @@ Json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbe
     }
     const Model& model = story.problem->model;
     json["unknowns"] = count_unknowns(model);
+    json["surroundings"] = describe_surroundings(*story.problem);
     json["bodies"] = describe_bodies(model, number, most_bodies);
     json["supports"] = describe_supports(model, number, most_supports);
     json["joints"] = describe_joints(model, number, most_joints);

@@ -55,11 +55,25 @@ TEST_CASE("The materials of the guide are sections with laws", "[deck]") {
 
 TEST_CASE("The tendons and muscles of the guide are a deck", "[deck]") {
     const Model model = read(toml_of("tendons.md")).model;
-    REQUIRE(model.tendons.size() == 3);
+    REQUIRE(model.tendons.size() == 4);
+    CHECK(model.tendons[3].winch->shortening(0.5) == 1e-3);
     CHECK(model.tendons[1].to == Approx(0.375));
     CHECK(model.actuations.size() == 2);
     CHECK(model.distributed_loads.at(0).field);
     CHECK(model.sections.at(0).expansion == 1.2e-5);
+}
+
+TEST_CASE("The riser and the mooring of the guide are decks", "[deck]") {
+    const std::vector<std::string> decks = decks_of("water.md");
+    REQUIRE(decks.size() == 2);
+    const Problem riser = read(decks[0]);
+    CHECK(riser.model.sections.at(0).fluid->diameter == 0.5);
+    CHECK(riser.stages.at(1).actions.surroundings.water->waves.size() == 200);
+    CHECK(riser.model.surroundings.air);
+    const Problem mooring = read(decks[1]);
+    CHECK(mooring.model.nodes.at(0).position.z() == -100.0);
+    CHECK(mooring.model.nodes.at(20).position.z() == -100.0);
+    CHECK(mooring.model.surroundings.seabed->friction_stiffness == 3e5);
 }
 
 TEST_CASE("The mechanisms of the guide are decks", "[deck][joint]") {

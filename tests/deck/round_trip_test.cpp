@@ -946,7 +946,8 @@ std::vector<RoundTrip> all_trips() {
                               response_trips(),      sweep_trips(),
                               support_trips(),       connection_and_initial_trips(),
                               analysis_trips(),      path_trips(),
-                              follow_trips(),        stage_trips()}) {
+                              follow_trips(),        stage_trips(),
+                              surroundings_trips()}) {
         all.insert(all.end(), trips.begin(), trips.end());
     }
     return all;
@@ -964,6 +965,7 @@ void add_leaf_paths(const TableSpec& table, const std::string& prefix, std::set<
                 add_leaf_paths(*key.table, path + ".NAME.", paths);
                 break;
             case ValueType::stations:
+            case ValueType::number_or_table:
                 add_leaf_paths(*key.table, path + ".", paths);
                 [[fallthrough]];
             default:

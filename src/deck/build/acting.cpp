@@ -101,6 +101,19 @@ void check_name(const Place& place,
                     name));
 }
 
+void check_stage_names(const CheckedTable& table, const BuildContext& context) {
+    if (table.gives("relative_to") && !follows_limits(context.stages))
+        context.add_fault(table, "relative_to", "no stage follows a limit point");
+    if (table.gives("stages")) {
+        for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("stages"))
+            check_name(word.place, word.path, word.word, context);
+    }
+    if (!table.gives("factor")) return;
+    for (const CheckedNamedFunction& one : table.get<StageFunctions>("factor")) {
+        if (!one.name.empty()) check_name(one.value.place, one.value.path, one.name, context);
+    }
+}
+
 }  // namespace
 
 TimeFunction Acting::apply(const TimeFunction& value) const {
@@ -137,9 +150,9 @@ TimeFunction Acting::find_motion_factor(bool has_time) const {
 
 TimeFunction Acting::apply_own(const TimeFunction& value) const {
     if (is_absent) return TimeFunction(0.0);
+    if (value.is_zero()) return value;
     if (held_at) return hold(value, *this);
     if (!factor) return grows ? apply_load_factor(value) : value;
-    if (value.is_zero()) return value;
     if (factor->is_constant() && value.is_constant()) return TimeFunction(value(0.0) * (*factor)(0.0));
     const auto& switches = factor->switches() ? factor->switches() : value.switches();
     if (factor->switches() && value.switches()) {
@@ -210,26 +223,24 @@ Acting find_acting(const CheckedTable& load, const BuildContext& context) {
 }
 
 bool acts_in_stage(const CheckedTable& table, const BuildContext& context) {
+    return acts_in_stage(table, context.stage, context);
+}
+
+bool acts_in_stage(const CheckedTable& table, std::size_t stage, const BuildContext& context) {
     if (!table.gives("stages")) return true;
     const auto& names = table.get<std::vector<CheckedWord>>("stages");
     return std::any_of(names.begin(), names.end(), [&](const CheckedWord& word) {
-        return word.word == context.stages[context.stage].name;
+        return word.word == context.stages[stage].name;
     });
 }
 
 void check_stage_names(const BuildContext& context) {
-    for (const char* kind : {"load", "support", "tendon", "actuation", "magnetic"}) {
+    for (const char* kind : {"load", "support", "tendon", "actuation", "magnetic", "wave"}) {
+        for (const CheckedTable& table : context.deck.tables(kind)) check_stage_names(table, context);
+    }
+    for (const auto& [kind, flow] : {std::pair("fluid", "current"), std::pair("air", "wind")}) {
         for (const CheckedTable& table : context.deck.tables(kind)) {
-            if (table.gives("relative_to") && !follows_limits(context.stages))
-                context.add_fault(table, "relative_to", "no stage follows a limit point");
-            if (table.gives("stages")) {
-                for (const CheckedWord& word : table.get<std::vector<CheckedWord>>("stages"))
-                    check_name(word.place, word.path, word.word, context);
-            }
-            if (!table.gives("factor")) continue;
-            for (const CheckedNamedFunction& one : table.get<StageFunctions>("factor")) {
-                if (!one.name.empty()) check_name(one.value.place, one.value.path, one.name, context);
-            }
+            for (const CheckedTable& one : table.tables(flow)) check_stage_names(one, context);
         }
     }
 }

@@ -42,6 +42,8 @@ Acting find_acting(const CheckedTable& load, const BuildContext& context);
 
 // Whether a table concerns the stage at hand, going by its key `stages`.
 bool acts_in_stage(const CheckedTable& table, const BuildContext& context);
+// The same of any stage.
+bool acts_in_stage(const CheckedTable& table, std::size_t stage, const BuildContext& context);
 
 // Faults of `stages` and `factor`: names of stages that the deck does not have, or that look at the state of
 // the stage before them and have no loads of their own.

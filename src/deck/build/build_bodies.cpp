@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "deck/schema/schema_tables.hpp"
+#include "deck/surroundings/body_fluid.hpp"
 #include "model/body_moments.hpp"
 #include "numerics/symmetric_eigen.hpp"
 #include "rotation/rotation_map.hpp"
@@ -140,6 +141,7 @@ void build_bodies(BuildContext& context) {
         body.inertia = find_inertia(table, context).value_or(Mat3::Identity());
         body.centre_of_mass = table.get<Vec3>("centre_of_mass");
         body.attitude = exp_quaternion(table.get<Vec3>("rotation_vector"));
+        body.fluid = find_body_fluid(table, context);
         const int node = find_node(table, context);
         context.body_nodes[i] = node;
         body.node = std::max(node, 0);

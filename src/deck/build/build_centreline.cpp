@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
+#include "deck/surroundings/build_seabed.hpp"
 #include "geometry/helix_curve.hpp"
+#include "geometry/hung_line.hpp"
 #include "geometry/line_curve.hpp"
 #include "geometry/natural_spline.hpp"
 #include "mesh/rod_mesh.hpp"
@@ -132,6 +135,62 @@ bool are_apart(const std::vector<CheckedVector>& points, const BuildContext& con
     return true;
 }
 
+// How a rod lies on the ground: from its line to what touches, and how deep it sinks in by its weight in
+// water.
+struct Lying {
+    double radius = 0.0;
+    double depth = 0.0;
+};
+
+Lying find_lying(const CheckedTable& rod, const BuildContext& context) {
+    if (!rod.gives("section")) return {};
+    const auto& sections = context.model.sections;
+    const auto found = std::ranges::find(sections, rod.get<std::string>("section"), &Section::name);
+    if (found == sections.end() || !found->fluid) return {};
+    const CheckedTable& deck = context.deck;
+    const double diameter = found->fluid->diameter;
+    const double density = deck.gives("fluid") ? deck.tables("fluid").front().get<double>("density") : 0.0;
+    const double gravity =
+        deck.gives("gravity") ? -deck.get<CheckedTimeVector>("gravity")[2].function(1.0) : 0.0;
+    const double weight = gravity * (found->mass(0, 0) - density * found->fluid->area);
+    const double stiffness = deck.tables("seabed").front().get<double>("stiffness");
+    return {0.5 * diameter, std::max(weight, 0.0) / (stiffness * diameter)};
+}
+
+// The height on which a hung line lies: nullopt, with a fault, if there is none and the table asks for one.
+std::optional<double> find_bed(const CheckedTable& catenary, const BuildContext& context) {
+    if (!catenary.gives("bed") || !catenary.get<bool>("bed")) return std::nullopt;
+    std::optional<double> bed = find_bed_height(context.deck);
+    if (!bed) {
+        context.add_fault(catenary,
+                          "bed",
+                          context.deck.gives("seabed")
+                              ? "a line can be laid on horizontal ground only, and this [seabed] is not"
+                              : "the deck has no [seabed]; expected one with a height z");
+    }
+    return bed;
+}
+
+Piece find_catenary(const CheckedTable& rod, const BuildContext& context) {
+    const CheckedTable& table = rod.tables("catenary").front();
+    HungLineEnds ends{
+        .from = table.get<Vec3>("from"), .to = table.get<Vec3>("to"), .length = table.get<double>("length")};
+    ends.bed = find_bed(table, context);
+    if (ends.bed) {
+        // An end can be held a little lower, on the ground itself.
+        const Lying lying = find_lying(rod, context);
+        const double lowest = std::min(ends.from.z(), ends.to.z());
+        *ends.bed += lying.radius - lying.depth;
+        if (lowest < *ends.bed && lowest > *ends.bed - 4.0 * lying.radius) ends.bed = lowest;
+    }
+    try {
+        return std::make_unique<HungLine>(ends);
+    } catch (const std::invalid_argument& error) {
+        context.add_fault(table, "length", error.what());
+        return nullptr;
+    }
+}
+
 std::vector<Piece> find_polyline(const std::vector<CheckedVector>& points, const BuildContext& context) {
     if (!are_apart(points, context)) return {};
     std::vector<Piece> pieces;
@@ -175,6 +234,8 @@ std::optional<Centreline> find_centreline(const CheckedTable& rod, const BuildCo
         pieces.push_back(find_arc(rod.tables("arc").front(), context));
     } else if (rod.gives("helix")) {
         pieces.push_back(find_helix(rod.tables("helix").front(), context));
+    } else if (rod.gives("catenary")) {
+        pieces.push_back(find_catenary(rod, context));
     } else {
         pieces.push_back(find_spline(rod, context));
     }

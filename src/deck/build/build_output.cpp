@@ -80,6 +80,10 @@ bool is_of_springs(Quantity quantity) {
     return quantity == Quantity::elongation || quantity == Quantity::axial_force;
 }
 
+bool is_of_tendons(Quantity quantity) {
+    return quantity == Quantity::tendon_length || quantity == Quantity::tendon_tension;
+}
+
 bool is_of_bushings(Quantity quantity) {
     switch (quantity) {
         case Quantity::displacement:
@@ -94,16 +98,31 @@ bool is_of_bushings(Quantity quantity) {
     }
 }
 
+bool is_of_surroundings(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::effective_tension:
+        case Quantity::wall_tension:
+        case Quantity::water_velocity:
+        case Quantity::wet_fraction:
+        case Quantity::fluid_force:
+        case Quantity::bed_force:
+            return true;
+        default:
+            return false;
+    }
+}
+
 // Where a history looks.
 struct HistoryPlace {
-    int node;  // -1: between nodes, a spring, a bushing or a joint
-    int body;  // -1: of a rod, a spring, a bushing or a joint
+    int node;  // -1: between nodes, a spring, a bushing, a joint or a tendon
+    int body;  // -1: of a rod, a spring, a bushing, a joint or a tendon
     std::optional<RodPlace> place;
     int spring = -1;
     int bushing = -1;
     int joint = -1;
     int gear = -1;
     int sleeve = -1;
+    int tendon = -1;
 };
 
 // The index of what has the name, as the model is built; nullopt without it.
@@ -191,6 +210,13 @@ std::optional<HistoryPlace> find_place(const std::string& text, const BuildConte
         place.gear = *gear;
         return place;
     }
+    if (find_index(context.deck.tables("tendon"), text)) {
+        const std::optional<int> tendon = find_tie(context.model.tendons, text);
+        if (!tendon) return std::nullopt;
+        HistoryPlace place{-1, -1, std::nullopt};
+        place.tendon = *tendon;
+        return place;
+    }
     const std::optional<PlacedPoint> placed = context.place(text);
     if (!placed) return std::nullopt;
     if (placed->body >= 0) return HistoryPlace{placed->node, placed->body, std::nullopt};
@@ -232,8 +258,32 @@ std::string explain_missing(Quantity quantity, const Sleeve& sleeve) {
     return explain_missing(quantity, joint);
 }
 
+// Why the point of a rod or a body has no such quantity of water, air or ground, or "".
+std::string explain_missing_surroundings(Quantity quantity, const HistoryPlace& point, const Model& model) {
+    const bool is_of_body = point.body >= 0;
+    if (is_of_body && (quantity == Quantity::effective_tension || quantity == Quantity::wall_tension ||
+                       quantity == Quantity::water_velocity))
+        return "only points of rods have it; this one is a body";
+    if (quantity == Quantity::effective_tension) return "";
+    const Surroundings& around = model.surroundings;
+    if (quantity == Quantity::bed_force && !around.seabed) return "the deck has no [seabed]";
+    const bool needs_water = quantity == Quantity::wall_tension || quantity == Quantity::water_velocity ||
+                             quantity == Quantity::wet_fraction;
+    if (needs_water && !around.water) return "the deck has no [fluid]";
+    if (quantity == Quantity::fluid_force && !around.water && !around.air)
+        return "the deck has no [fluid] and no [air]";
+    if (is_of_body)
+        return model.bodies[static_cast<std::size_t>(point.body)].fluid ? "" : "this body has no `fluid`";
+    const auto rod = static_cast<std::size_t>(point.place->rod);
+    const Section& section = model.sections[static_cast<std::size_t>(model.rods[rod].section)];
+    return section.fluid ? "" : "the section of this rod has no `fluid`";
+}
+
 // Why the point has no such quantity, or "".
 std::string explain_missing(Quantity quantity, const HistoryPlace& point, const Model& model) {
+    if (point.tendon >= 0)
+        return is_of_tendons(quantity) ? "" : "a tendon has tendon_length and tendon_tension only";
+    if (is_of_tendons(quantity)) return "only tendons have it";
     if (point.gear >= 0) {
         const bool has_it = quantity == Quantity::drive || quantity == Quantity::gap;
         return has_it ? "" : "a gear has drive and gap only; its joints have the rest";
@@ -245,6 +295,7 @@ std::string explain_missing(Quantity quantity, const HistoryPlace& point, const 
         return explain_missing(quantity, model.sleeves[static_cast<std::size_t>(point.sleeve)]);
     if (point.spring >= 0) return is_of_springs(quantity) ? "" : "only points have it; this is a spring";
     if (is_of_springs(quantity)) return "only springs have it; this is a point";
+    if (is_of_surroundings(quantity)) return explain_missing_surroundings(quantity, point, model);
     if (is_of_joints(quantity) && !is_of_rods(quantity)) return "only joints have it; this is a point";
     if (is_of_rods(quantity) && !point.place) return "only points of rods have it; this one is a body";
     if (quantity == Quantity::centre_of_mass && point.body < 0) {
@@ -309,7 +360,8 @@ HistoryRequest build_history(const CheckedTable& table,
                            .bushing = point.bushing,
                            .place = point.place,
                            .joint = point.joint,
-                           .gear = point.gear};
+                           .gear = point.gear,
+                           .tendon = point.tendon};
     // Values of sleeves come behind those of joints and gears.
     if (point.sleeve >= 0) {
         const std::size_t before = context.model.joints.size() + context.model.gears.size();
@@ -324,7 +376,8 @@ HistoryRequest build_history(const CheckedTable& table,
             continue;
         }
         std::string reason = explain_missing(quantity, point, context.model);
-        if (table.gives("relative_to") && (point.bushing >= 0 || !can_be_relative(quantity))) {
+        if (table.gives("relative_to") &&
+            (point.bushing >= 0 || point.tendon >= 0 || !can_be_relative(quantity))) {
             reason = "cannot be relative to a point; write another history for it";
         }
         if (!reason.empty()) {

@@ -92,9 +92,23 @@ void check_drives(const std::vector<double>& times, const BuildContext& context)
         for (const CheckedTable& table : context.deck.tables(kind)) {
             if (find_acting(table, context).is_absent) continue;
             check_factor(table, times, context);
-            if (table.gives("tension")) check(table.get<CheckedTimeFunction>("tension"), times, context);
+            for (const char* key : {"tension", "shortening", "length"}) {
+                if (table.gives(key)) check(table.get<CheckedTimeFunction>(key), times, context);
+            }
             check_by_time(table, "field", times, context);
             check_along(table, context);
+        }
+    }
+}
+
+void check_flows(const std::vector<double>& times, const BuildContext& context) {
+    for (const auto& [kind, flow] : {std::pair("fluid", "current"), std::pair("air", "wind")}) {
+        for (const CheckedTable& table : context.deck.tables(kind)) {
+            for (const CheckedTable& one : table.tables(flow)) {
+                if (find_acting(one, context).is_absent) continue;
+                check_factor(one, times, context);
+                check_by_time(one, "velocity", times, context);
+            }
         }
     }
 }
@@ -112,6 +126,7 @@ void check_functions(const BuildContext& context) {
         check_along(load, context);
     }
     check_drives(times, context);
+    check_flows(times, context);
     for (const CheckedTable& support : context.deck.tables("support")) {
         if (!support.gives("move") || !acts_in_stage(support, context)) continue;
         for (const CheckedValue& move : support.tables("move").front().values) {

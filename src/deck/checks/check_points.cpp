@@ -118,7 +118,8 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
         const auto is_tie = [&](const char* key) {
             return find_index(context.deck.tables(key), at).has_value();
         };
-        if (!is_tie("spring") && !is_tie("bushing") && !is_tie("joint") && !is_tie("gear"))
+        if (!is_tie("spring") && !is_tie("bushing") && !is_tie("joint") && !is_tie("gear") &&
+            !is_tie("tendon"))
             points.check_place(table, "at");
         points.check_key(table, "relative_to");
     }

@@ -6,6 +6,8 @@
 
 #include "deck/build/acting.hpp"
 #include "deck/build/part.hpp"
+#include "deck/checks/check_moves.hpp"
+#include "deck/drives/place_field.hpp"
 #include "deck/drives/tendon_path.hpp"
 #include "deck/schema/schema_tables.hpp"
 
@@ -36,6 +38,53 @@ void check_path(const CheckedTable& table, const Tendon& tendon, const BuildCont
     }
 }
 
+bool is_explicit(const AnalysisSettings& analysis) {
+    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
+    return dynamic != nullptr && dynamic->scheme == Scheme::runge_kutta_4;
+}
+
+// Keys that need a winch, or do not go with one.
+void check_winch_keys(const CheckedTable& table, const BuildContext& context) {
+    if (table.gives("tension")) {
+        for (const char* key : {"stiffness", "slack"}) {
+            if (table.gives(key))
+                context.add_fault(table, key, "goes with shortening or length, not with a tension");
+        }
+    }
+    if (table.gives("length") && table.gives("factor"))
+        context.add_fault(table, "factor", "of a length has no meaning; expected shortening in its place");
+}
+
+// How a value of a length that grows without t comes from the length at t = 0 to its own.
+TimeFunction find_share(const TimeFunction& length, const Acting& acting) {
+    return length.has_time() ? TimeFunction(1.0) : acting.apply(TimeFunction(1.0));
+}
+
+std::optional<TendonWinch> make_winch(const CheckedTable& table,
+                                      double length,
+                                      const Acting& acting,
+                                      const BuildContext& context) {
+    if (table.gives("tension")) return std::nullopt;
+    TendonWinch winch{.pulls_only = !table.gives("slack") || table.get<bool>("slack"),
+                      .is_released = acting.is_absent};
+    if (table.gives("stiffness")) winch.stiffness = table.get<double>("stiffness");
+    if (winch.stiffness == 0.0 && winch.pulls_only && is_explicit(context.analysis()))
+        context.add_fault(table,
+                          "slack",
+                          "a tendon that does not stretch cannot become taut in an explicit scheme; expected "
+                          "a stiffness, or slack = false");
+    if (table.gives("length")) {
+        const auto& function = table.get<CheckedTimeFunction>("length").function;
+        winch.length = function;
+        winch.share = find_share(function, acting);
+        return winch;
+    }
+    const auto& shortening = table.get<CheckedTimeFunction>("shortening");
+    winch.shortening = acting.apply(shortening.function);
+    if (winch.stiffness == 0.0) check_move(shortening, length, context);
+    return winch;
+}
+
 void add_tendon(const CheckedTable& table, BuildContext& context) {
     const std::optional<int> rod = find_rod(table, tendon_table(), context);
     const std::optional<TendonRange> range = find_tendon_range(table, context);
@@ -43,13 +92,15 @@ void add_tendon(const CheckedTable& table, BuildContext& context) {
     if (context.deck.tables("rod")[static_cast<std::size_t>(*rod)].gives("mesh"))
         return context.add_fault(table, "on", "a rod from a mesh has no tendons; expected one along a line");
     const double length = rod_of(*rod, context).length;
-    Tendon tendon{
-        .name = table.name,
-        .rod = *rod,
-        .from = range->from * length,
-        .to = range->to * length,
-        .tension = find_acting(table, context).apply(table.get<CheckedTimeFunction>("tension").function),
-        .path = make_tendon_path(table.get<CheckedTendonPath>("offset"), *range, length)};
+    check_winch_keys(table, context);
+    const Acting acting = find_acting(table, context);
+    Tendon tendon{.name = table.name,
+                  .rod = *rod,
+                  .from = range->from * length,
+                  .to = range->to * length,
+                  .path = make_tendon_path(table.get<CheckedTendonPath>("offset"), *range, length),
+                  .winch = make_winch(table, length, acting, context)};
+    if (!tendon.winch) tendon.tension = acting.apply(table.get<CheckedTimeFunction>("tension").function);
     if (context.stage == 0) check_path(table, tendon, context);
     context.model.tendons.push_back(std::move(tendon));
 }
@@ -109,29 +160,6 @@ void add_actuation(const CheckedTable& table, BuildContext& context) {
          .temperature_gradient = functions_of<2>(table, "temperature_gradient", acting)});
 }
 
-// The field grows and follows factors; the moment does not, or their product would grow twice.
-MagneticField make_field(const CheckedMotionVector& components, const Acting& acting) {
-    MagneticField field;
-    std::array<MotionComponent, 3> by_place;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const MotionExpression& component = components[i].expression;
-        if (component.by_motion) {
-            by_place[i] = acting.apply(component);
-        } else {
-            field.uniform[i] = acting.apply(component.by_time);
-        }
-    }
-    if (!by_place[0] && !by_place[1] && !by_place[2]) return field;
-    field.by_place = [by_place](double time, const Vec3& position) {
-        Vec3 value = Vec3::Zero();
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (by_place[i]) value[static_cast<Eigen::Index>(i)] = by_place[i](time, position, Vec3::Zero());
-        }
-        return value;
-    };
-    return field;
-}
-
 void add_magnetic(const CheckedTable& table, BuildContext& context) {
     const std::optional<int> rod = find_rod(table, magnetic_table(), context);
     const Acting acting = find_acting(table, context);
@@ -140,7 +168,9 @@ void add_magnetic(const CheckedTable& table, BuildContext& context) {
         .key = table.path, .rod = *rod, .force = {}, .moment = {}, .frame = Frame::body, .field = {}};
     const auto& moment = table.get<CheckedLineVector>("moment");
     for (std::size_t i = 0; i < 3; ++i) load.moment[i] = moment[i].expression.function;
-    load.field = make_field(table.get<CheckedMotionVector>("field"), acting);
+    // The field grows and follows factors; the moment does not, or their product would grow twice.
+    PlaceField field = make_field(table.get<CheckedMotionVector>("field"), acting);
+    load.field = MagneticField{std::move(field.uniform), std::move(field.by_place)};
     context.model.distributed_loads.push_back(std::move(load));
 }
 

@@ -96,13 +96,17 @@ bool have_same_mesh(const Model& before, const Model& now) {
     const auto same_sleeve = [&](const Sleeve& a, const Sleeve& b) {
         return a.name == b.name && a.rod == b.rod && same_end(a.point, b.point);
     };
+    const auto same_tendon = [&](const Tendon& a, const Tendon& b) {
+        return a.name == b.name && a.winch.has_value() == b.winch.has_value();
+    };
     return std::ranges::equal(before.nodes, now.nodes, same_node) &&
            std::ranges::equal(before.rods, now.rods, same_rod) &&
            std::ranges::equal(before.bodies, now.bodies, same_body) &&
            std::ranges::equal(before.springs, now.springs, same_tie) &&
            std::ranges::equal(before.bushings, now.bushings, same_tie) &&
            std::ranges::equal(before.joints, now.joints, same_joint) &&
-           std::ranges::equal(before.sleeves, now.sleeves, same_sleeve);
+           std::ranges::equal(before.sleeves, now.sleeves, same_sleeve) &&
+           std::ranges::equal(before.tendons, now.tendons, same_tendon);
 }
 
 }  // namespace gxrod

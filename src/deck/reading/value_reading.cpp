@@ -390,7 +390,7 @@ class ValueReader {
     // Components of vectors and tables are described as bare numbers.
     std::string number_expected() const {
         return key_.type == ValueType::number || key_.type == ValueType::arc_number ||
-                       key_.type == ValueType::number_or_pairs
+                       key_.type == ValueType::number_or_pairs || key_.type == ValueType::number_or_table
                    ? describe_expected(key_)
                    : "a number or an expression";
     }
@@ -505,6 +505,7 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
         case ValueType::integer:
             return wrap(reader.integer(node, path));
         case ValueType::number:
+        case ValueType::number_or_table:
             return wrap(reader.number(node, path));
         case ValueType::vector:
             return wrap(reader.vector(node, path));

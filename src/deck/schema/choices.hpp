@@ -46,6 +46,12 @@ inline constexpr std::array<Choice<Frame>, 3> frame_choices{
 inline constexpr const char* section_axes_word = "section";
 inline constexpr const char* untwisted_axes_word = "untwisted";
 
+inline constexpr std::array<Choice<Stretching>, 4> stretching_choices{
+    {{"wheeler", Stretching::wheeler},
+     {"vertical", Stretching::vertical},
+     {"extrapolate", Stretching::extrapolate},
+     {"none", Stretching::none}}};
+
 // By the axis across it.
 inline constexpr std::array<Choice<int>, 3> plane_choices{{{"yz", 0}, {"xz", 1}, {"xy", 2}}};
 
@@ -102,7 +108,7 @@ inline constexpr std::array<Choice<int>, 3> direction_choices{{{"x", 0}, {"y", 1
 inline constexpr std::array<Choice<Compression>, 2> compression_choices{
     {{"none", Compression::none}, {"deflate", Compression::deflate}}};
 
-inline constexpr std::array<Choice<Quantity>, 29> quantity_choices{
+inline constexpr std::array<Choice<Quantity>, 37> quantity_choices{
     {{"position", Quantity::position},
      {"displacement", Quantity::displacement},
      {"rotation_vector", Quantity::rotation_vector},
@@ -131,7 +137,15 @@ inline constexpr std::array<Choice<Quantity>, 29> quantity_choices{
      {"moment_a", Quantity::moment_a},
      {"drive", Quantity::drive},
      {"friction", Quantity::friction},
-     {"gap", Quantity::gap}}};
+     {"gap", Quantity::gap},
+     {"effective_tension", Quantity::effective_tension},
+     {"wall_tension", Quantity::wall_tension},
+     {"water_velocity", Quantity::water_velocity},
+     {"wet_fraction", Quantity::wet_fraction},
+     {"fluid_force", Quantity::fluid_force},
+     {"bed_force", Quantity::bed_force},
+     {"tendon_length", Quantity::tendon_length},
+     {"tendon_tension", Quantity::tendon_tension}}};
 
 template <class Value, std::size_t count>
 std::vector<std::string> words_of(const std::array<Choice<Value>, count>& choices) {

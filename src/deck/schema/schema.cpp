@@ -65,6 +65,10 @@ TableSpec make_root() {
         {.name = "tendon", .type = ValueType::named_tables, .table = &tendon_table()},
         {.name = "actuation", .type = ValueType::table_list, .table = &actuation_table()},
         {.name = "magnetic", .type = ValueType::table_list, .table = &magnetic_table()},
+        {.name = "fluid", .type = ValueType::table, .table = &fluid_table()},
+        {.name = "wave", .type = ValueType::table_list, .table = &wave_table()},
+        {.name = "air", .type = ValueType::table, .table = &air_table()},
+        {.name = "seabed", .type = ValueType::table, .table = &seabed_table()},
         {.name = "support", .type = ValueType::table_list, .table = &support_table()},
         {.name = "initial", .type = ValueType::table_list, .table = &initial_table()},
         {.name = "rotation", .type = ValueType::table, .table = &rotation_table()},
@@ -164,7 +168,8 @@ std::string variables_of(ValueType type) {
 }
 
 std::string spell(const KeySpec& key) {
-    const bool is_table = key.table != nullptr && key.type != ValueType::stations;
+    const bool is_table =
+        key.table != nullptr && key.type != ValueType::stations && key.type != ValueType::number_or_table;
     return is_table ? key.table->heading : key.name;
 }
 
@@ -253,6 +258,8 @@ std::string describe_expected(const KeySpec& key) {
             return "an array of rows [t, value]";
         case ValueType::columns:
             return "an array of 2 names or numbers of columns, such as [\"t\", \"x\"] or [1, 3]";
+        case ValueType::number_or_table:
+            return "a number" + ranged + " or an expression, or a table " + key.table->heading;
         case ValueType::table:
         case ValueType::named_tables:
         case ValueType::parameters:

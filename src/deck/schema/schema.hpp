@@ -58,6 +58,7 @@ enum class ValueType {
     time_table,            // rows of 2 numbers, the first of each increasing
     columns,               // 2 names or numbers of columns
     table,                 // keys of its own
+    number_or_table,       // a number, or keys of its own
     named_tables,          // [rod.NAME], any number
     table_list,            // [[load]], any number
     parameters,            // any names, a number each

@@ -311,7 +311,9 @@ const TableSpec& history_table() {
     static const TableSpec table{
         .path = "history",
         .heading = "[[history]]",
-        .sentence = "Quantities of a point, a spring, a bushing, a joint or a gear, recorded at every step.",
+        .sentence =
+            "Quantities of a point, a spring, a bushing, a joint, a gear or a tendon, recorded at every "
+            "step.",
         .keys =
             {{.name = "name",
               .type = ValueType::text,
@@ -320,8 +322,8 @@ const TableSpec& history_table() {
              {.name = "at",
               .type = ValueType::point,
               .presence = Presence::required,
-              .sentence =
-                  "A point of a rod, between nodes too, a body, a spring, a bushing, a joint or a gear."},
+              .sentence = "A point of a rod, between nodes too, a body, a spring, a bushing, a joint, a gear "
+                          "or a tendon."},
              {.name = "relative_to",
               .type = ValueType::point,
               .default_text = "the global axes and the origin",
@@ -355,7 +357,10 @@ const TableSpec& history_table() {
                   "global. A joint has angle, slide and their rates since t = 0, force and moment (what A "
                   "exerts on B, moment about the joint, global), force_a and moment_a (in the joint's axes "
                   "on A, along its axis first), drive (moment or force of its motor), friction and gap. A "
-                  "gear has drive (moment or force on its second joint) and gap.",
+                  "gear has drive (moment or force on its second joint) and gap. effective_tension, "
+                  "wall_tension "
+                  "and water_velocity are a rod's; wet_fraction, fluid_force and bed_force are those of what "
+                  "has a key fluid, forces per length of a rod and whole of a body.",
               .choices = words_of(quantity_choices)}},
         .example =
             "[[history]]\n"

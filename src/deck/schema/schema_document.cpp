@@ -138,6 +138,8 @@ std::string describe_type(const KeySpec& key) {
             return "f(length, rate)";
         case ValueType::time_table:
             return "rows [t, value]";
+        case ValueType::number_or_table:
+            return "number or table";
         case ValueType::columns:
             return "2 names or numbers";
         default:
@@ -194,7 +196,8 @@ std::string write_rows(const TableSpec& table, const std::string& prefix) {
                             describe_range(key.range),
                             describe_default(key),
                             sentence_of(key));
-        if (key.type == ValueType::table || key.type == ValueType::stations)
+        if (key.type == ValueType::table || key.type == ValueType::number_or_table ||
+            key.type == ValueType::stations)
             rows += write_rows(*key.table, prefix + key.name + ".");
         if (key.type == ValueType::table_list) rows += write_rows(*key.table, prefix + key.name + "[].");
     }

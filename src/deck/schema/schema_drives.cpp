@@ -48,16 +48,38 @@ const TableSpec& tendon_table() {
                  {.name = "tension",
                   .type = ValueType::time_expression,
                   .dimension = force_dimension,
-                  .presence = Presence::required,
                   .sentence =
                       "The same all along. Below 0 it pushes: −p A of a chamber of the area A across, under "
                       "the pressure p."},
+                 {.name = "shortening",
+                  .type = ValueType::time_expression,
+                  .dimension = "length",
+                  .sentence = "What a winch draws in: by how much the tendon's part within the rod is "
+                              "shorter than at t = 0. The tension follows."},
+                 {.name = "length",
+                  .type = ValueType::time_expression,
+                  .dimension = "length",
+                  .sentence =
+                      "The same by the length of that part. A value without t is reached from that at "
+                      "t = 0 in the first static stage."},
+                 {.name = "stiffness",
+                  .type = ValueType::number,
+                  .dimension = force_dimension,
+                  .range = {.lower = 0.0, .at_lower = Bound::open},
+                  .default_text = "does not stretch",
+                  .sentence = "EA of a tendon with a winch: a force over the strain that it causes."},
+                 {.name = "slack",
+                  .type = ValueType::flag,
+                  .default_text = "true",
+                  .sentence = "Whether a tendon with a winch hangs loose where it is too long; otherwise it "
+                              "pushes there."},
                  fraction_key("from",
                               0.0,
                               "Where it starts, as a fraction of the rod's length, where a node is placed."),
                  fraction_key("to", 1.0, "Where it ends, likewise."),
-                 factor_key("tension"),
-                 stages_key("The stages in which it pulls.")},
+                 factor_key("tension or shortening"),
+                 stages_key("The stages in which it pulls; in others it hangs loose.")},
+        .groups = {{GroupRule::exactly_one, {"tension", "shortening", "length"}}},
         .example =
             "[tendon.pull]\n"
             "on      = \"flyer\"\n"

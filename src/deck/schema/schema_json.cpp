@@ -140,6 +140,8 @@ Json make_type(const KeySpec& key) {
             return {{"type", "array"}, {"items", array_of(reference("number"), 2)}, {"minItems", 1}};
         case ValueType::columns:
             return array_of({{"type", {"string", "integer"}}}, 2);
+        case ValueType::number_or_table:
+            return any_of({make_range("number", key.range), reference("expression"), make_table(*key.table)});
         case ValueType::table:
             return make_table(*key.table);
         case ValueType::named_tables:

@@ -134,7 +134,11 @@ const TableSpec& body_table() {
                   .type = ValueType::vector,
                   .dimension = "angle/time",
                   .default_text = "what angular_velocity says",
-                  .sentence = "At t = 0, components in the body axes."}},
+                  .sentence = "At t = 0, components in the body axes."},
+                 {.name = "fluid",
+                  .type = ValueType::table,
+                  .sentence = "What [fluid], [air] and [seabed] see of it. Without it they pass it by.",
+                  .table = &body_fluid_table()}},
         .groups = {{GroupRule::at_most_one, {"angular_velocity", "angular_velocity_material"}}},
         .example = body_example};
     return table;

@@ -112,6 +112,26 @@ const TableSpec& helix_table() {
     return table;
 }
 
+const TableSpec& catenary_table() {
+    static const TableSpec table{
+        .path = "rod.NAME.catenary",
+        .heading = "catenary = { … }",
+        .sentence = "",
+        .keys = {place_key("from", "Where the rod starts."),
+                 place_key("to", "Where it ends."),
+                 {.name = "length",
+                  .type = ValueType::number,
+                  .dimension = "length",
+                  .range = positive,
+                  .presence = Presence::required,
+                  .sentence = "Of the rod, more than there is between its ends."},
+                 {.name = "bed",
+                  .type = ValueType::flag,
+                  .default_text = "false",
+                  .sentence = "Whether what hangs below a horizontal [seabed] lies on it."}}};
+    return table;
+}
+
 const TableSpec& mesh_table() {
     static const TableSpec table{
         .path = "rod.NAME.mesh",
@@ -159,6 +179,10 @@ std::vector<KeySpec> geometry_keys() {
              .type = ValueType::vectors,
              .dimension = "length",
              .sentence = "The natural cubic spline through points, its parameter the length of the chords."},
+            table_key("catenary",
+                      catenary_table(),
+                      "As a line hangs between two points, z up; straight and without twist where it is free "
+                      "of stress, if `rest` does not say otherwise."),
             table_key("mesh", mesh_table(), "The line elements of a mesh.")};
 }
 
@@ -215,7 +239,8 @@ std::vector<KeySpec> rod_keys() {
         table_key("rest",
                   rest_table(),
                   "The shape in which the rod is free of stress, where that is not the one in "
-                  "which it starts; of the same length. Left out, the rod starts free of stress."));
+                  "which it starts; of the same length. Left out, the rod starts free of stress, but for a "
+                  "catenary, which is straight then."));
     return keys;
 }
 
@@ -232,7 +257,8 @@ const TableSpec& rod_table() {
             "the points of a mesh.",
         .keys = rod_keys(),
         .groups = {{GroupRule::exactly_one, {"section", "sections"}},
-                   {GroupRule::exactly_one, {"line", "arc", "helix", "polyline", "spline", "mesh"}}},
+                   {GroupRule::exactly_one,
+                    {"line", "arc", "helix", "polyline", "spline", "catenary", "mesh"}}},
         .example =
             "[rod.flyer]\n"
             "section  = \"tube\"\n"

@@ -221,7 +221,11 @@ const TableSpec& section_table() {
                   .type = ValueType::arc_number,
                   .dimension = "1/temperature",
                   .default_value = 0.0,
-                  .sentence = "Strain by heat, for the temperatures of [[actuation]]."}},
+                  .sentence = "Strain by heat, for the temperatures of [[actuation]]."},
+                 table_key("fluid",
+                           section_fluid_table(),
+                           "What [fluid], [air] and [seabed] see of it; {} takes part with the defaults. "
+                           "Without it they pass it by.")},
         .groups = {{GroupRule::exactly_one, {"stiffness", "stiffness_matrix", "shape"}},
                    {GroupRule::at_most_one, {"inertia", "mass_matrix", "material"}}},
         .example =
@@ -233,6 +237,7 @@ const TableSpec& section_table() {
             "[section.wire]\n"
             "shape    = { circle = { radius = 5e-3 } }\n"
             "material = { E = 2.1e11, nu = 0.3, density = 7850 }\n"
+            "fluid    = { drag = 1.0 }\n"
             "\n"
             "[section.strand]\n"
             "stiffness = { EA = 1e4, GAy = 1e4, GAz = 1e4, GJ = 300, EIy = 800, EIz = 800 }\n"

@@ -9,6 +9,7 @@
 #include "deck/sections/build_law.hpp"
 #include "deck/sections/section_matrices.hpp"
 #include "deck/sections/section_shape.hpp"
+#include "deck/surroundings/section_fluid.hpp"
 #include "model/evaluation_error.hpp"
 #include "model/section_frame.hpp"
 
@@ -32,36 +33,6 @@ const Range& range_of(const CheckedTable& table, const char* key) {
         if (i > 1) spec = spec->find(part)->table;
     }
     return spec->find(key)->range;
-}
-
-// A number at a place along a rod. One that is out of range there, or no number, is a fault.
-double number_of(const CheckedTable& table,
-                 const char* key,
-                 const SectionPlace& at,
-                 const BuildContext& context) {
-    const CheckedValue& value = *table.find(key);
-    if (const auto* constant = std::get_if<double>(&value.value)) return *constant;
-    const Range& range = range_of(table, key);
-    const std::string of_rod = at.rod.empty() ? "" : " of " + at.rod;
-    try {
-        const double number = std::get<CheckedArcFunction>(value.value).function(at.s);
-        if (range.contains(number)) return number;
-        context.faults.add(value.place,
-                           table.path_of(key),
-                           fmt::format("expected a number {}, found {} at s = {:.6g}{}",
-                                       describe_range(range),
-                                       number,
-                                       at.s,
-                                       of_rod));
-    } catch (const EvaluationError& error) {
-        // Its text begins with the key.
-        const std::string text = error.what();
-        const std::string path = table.path_of(key) + ": ";
-        context.faults.add(value.place,
-                           table.path_of(key),
-                           (text.starts_with(path) ? text.substr(path.size()) : text) + of_rod);
-    }
-    return 1.0;
 }
 
 Mat6 stiffness_of(const CheckedTable& stiffness, const SectionPlace& at, const BuildContext& context) {
@@ -247,6 +218,35 @@ bool has_function(const CheckedTable& table) {
 
 }  // namespace
 
+double number_of(const CheckedTable& table,
+                 const char* key,
+                 const SectionPlace& at,
+                 const BuildContext& context) {
+    const CheckedValue& value = *table.find(key);
+    if (const auto* constant = std::get_if<double>(&value.value)) return *constant;
+    const Range& range = range_of(table, key);
+    const std::string of_rod = at.rod.empty() ? "" : " of " + at.rod;
+    try {
+        const double number = std::get<CheckedArcFunction>(value.value).function(at.s);
+        if (range.contains(number)) return number;
+        context.faults.add(value.place,
+                           table.path_of(key),
+                           fmt::format("expected a number {}, found {} at s = {:.6g}{}",
+                                       describe_range(range),
+                                       number,
+                                       at.s,
+                                       of_rod));
+    } catch (const EvaluationError& error) {
+        // Its text begins with the key.
+        const std::string text = error.what();
+        const std::string path = table.path_of(key) + ": ";
+        context.faults.add(value.place,
+                           table.path_of(key),
+                           (text.starts_with(path) ? text.substr(path.size()) : text) + of_rod);
+    }
+    return 1.0;
+}
+
 Section build_section(const CheckedTable& table, const SectionPlace& at, const BuildContext& context) {
     Section section{.name = table.name};
     if (table.gives("shape")) {
@@ -266,6 +266,7 @@ Section build_section(const CheckedTable& table, const SectionPlace& at, const B
     section.stiffness = move_from(frame, section.stiffness);
     section.mass = move_from(frame, section.mass);
     set_damping(table, section);
+    set_fluid(table, at, section, context);
     return section;
 }
 

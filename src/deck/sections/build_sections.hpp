@@ -19,6 +19,13 @@ void build_sections(BuildContext& context);
 bool varies_along_rod(const CheckedTable& section);
 Section build_section(const CheckedTable& section, const SectionPlace& at, const BuildContext& context);
 
+// A number of a table in that of a section, at a place along a rod. One that is out of range there, or no
+// number, is a fault.
+double number_of(const CheckedTable& table,
+                 const char* key,
+                 const SectionPlace& at,
+                 const BuildContext& context);
+
 // Gives a section the damping of a table that has the key, of a [section.NAME] or of `sections` of a rod.
 void set_damping(const CheckedTable& table, Section& section);
 

@@ -17,17 +17,19 @@ Vec3 compute_curvature(const DrawnRod& drawn, std::size_t piece, double fraction
     return by_fraction / drawn.line.length();
 }
 
-// Of the rest at a place of the reference; nullopt with a fault.
-std::optional<Vec3> find_rest_curvature(const CheckedPlaceVector& components,
+// Of the rest at a place of the reference, zero without components; nullopt with a fault.
+std::optional<Vec3> find_rest_curvature(const CheckedPlaceVector* components,
                                         const Vec3& position,
                                         double s,
                                         const BuildContext& context) {
-    Vec3 curvature;
+    Vec3 curvature = Vec3::Zero();
+    if (components == nullptr) return curvature;
     for (int i = 0; i < 3; ++i) {
+        const CheckedPlaceFunction& component = (*components)[static_cast<std::size_t>(i)];
         try {
-            curvature[i] = components[i].expression.function(position, s);
+            curvature[i] = component.expression.function(position, s);
         } catch (const EvaluationError& error) {
-            context.add_evaluation_fault(components[i].place, components[i].path, error);
+            context.add_evaluation_fault(component.place, component.path, error);
             return std::nullopt;
         }
     }
@@ -41,8 +43,10 @@ void set_rest(const CheckedTable& table,
               const std::vector<double>& element_fractions,
               Rod& rod,
               const BuildContext& context) {
-    if (!table.gives("rest")) return;
-    const auto& components = table.tables("rest").front().get<CheckedPlaceVector>("curvature");
+    // A hung line is straight and without twist where it is free of stress.
+    if (!table.gives("rest") && !table.gives("catenary")) return;
+    const CheckedPlaceVector* components = nullptr;
+    if (table.gives("rest")) components = &table.tables("rest").front().get<CheckedPlaceVector>("curvature");
     const std::vector<double> points = list_force_points(rod.order);
     std::vector<Vec6> strains;
     for (std::size_t e = 0; e + 1 < element_fractions.size(); ++e) {

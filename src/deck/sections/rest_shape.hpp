@@ -15,7 +15,8 @@ struct DrawnRod {
 };
 
 // Gives a rod the strains that its start has against its rest, of elements that meet at these fractions of
-// its length; none if the deck's table says nothing of a rest. What is wrong goes to the faults.
+// its length; none if the deck's table says nothing of a rest and the rod is no hung line. What is wrong goes
+// to the faults.
 void set_rest(const CheckedTable& table,
               const DrawnRod& drawn,
               const std::vector<double>& element_fractions,

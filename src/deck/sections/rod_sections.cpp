@@ -7,6 +7,7 @@
 
 #include "deck/schema/suggestion.hpp"
 #include "deck/sections/build_sections.hpp"
+#include "deck/surroundings/section_fluid.hpp"
 #include "mesh/rod_mesh.hpp"
 #include "numerics/gauss_legendre.hpp"
 
@@ -75,6 +76,23 @@ void check_damping(const CheckedTable& rod,
     }
 }
 
+// All of a rod takes part in fluids, or nothing of it.
+void check_fluid(const CheckedTable& rod, const std::vector<Station>& stations, const BuildContext& context) {
+    if (context.model.sections.empty()) return;
+    const Section& first = section_of(stations.front(), context);
+    for (const Station& station : stations) {
+        const Section& other = section_of(station, context);
+        if (other.fluid.has_value() == first.fluid.has_value()) continue;
+        const bool is_first = first.fluid.has_value();
+        return context.add_fault(rod,
+                                 "sections",
+                                 fmt::format("section \"{}\" has `fluid` and \"{}\" has not; expected it in "
+                                             "all sections of a rod, or in none",
+                                             (is_first ? first : other).name,
+                                             (is_first ? other : first).name));
+    }
+}
+
 // Whether a rod has the section of its first station everywhere. One with a law must, or it is a fault.
 bool has_one_law(const CheckedTable& rod, const std::vector<Station>& stations, const BuildContext& context) {
     if (context.model.sections.empty()) return false;
@@ -109,13 +127,14 @@ Section mix(const Section& a, const Section& b, double t) {
     section.stiffness = (1.0 - t) * a.stiffness + t * b.stiffness;
     section.mass = (1.0 - t) * a.mass + t * b.mass;
     section.expansion = (1.0 - t) * a.expansion + t * b.expansion;
+    section.fluid = combine(1.0 - t, a.fluid, t, b.fluid);
     return section;
 }
 
 // Linear between stations; at a jump that of the side on which `inside` lies.
-class Profile {
+class SectionsAlong {
   public:
-    Profile(const std::vector<Station>& stations, const Rod& rod, const BuildContext& context)
+    SectionsAlong(const std::vector<Station>& stations, const Rod& rod, const BuildContext& context)
         : stations_(stations), rod_(rod), context_(context) {}
 
     Section at(double fraction, double inside) const {
@@ -172,6 +191,7 @@ std::vector<Station> find_stations(const CheckedTable& rod, const SectionFile* f
         stations.push_back(
             {station.fraction, find_section(station.section, station.place, station.path, context)});
     check_damping(rod, stations, context);
+    check_fluid(rod, stations, context);
     if (has_one_law(rod, stations, context)) return {stations.front()};
     return stations;
 }
@@ -194,13 +214,14 @@ void set_sections(const std::vector<Station>& stations,
     rod.section = stations.front().section;
     const bool is_unknown = stations.front().of_file == nullptr && known.empty();
     if (stations.size() == 1 || is_unknown) return;
-    const Profile profile(stations, rod, context);
+    const SectionsAlong profile(stations, rod, context);
     const std::vector<double> force_points = list_force_points(rod.order);
     const std::vector<double> nodes = compute_element_nodes(rod.order);
     const std::vector<QuadraturePoint> mass_points = list_gauss_rule(rod.order + 1);
     Section mean = section_of(stations.front(), context);
     mean.stiffness.setZero();
     mean.mass.setZero();
+    if (mean.fluid) mean.fluid = combine(0.0, mean.fluid, 0.0, mean.fluid);
     for (std::size_t e = 0; e + 1 < element_fractions.size(); ++e) {
         const double first = element_fractions[e];
         const double length = element_fractions[e + 1] - first;
@@ -211,8 +232,11 @@ void set_sections(const std::vector<Station>& stations,
         for (const double point : nodes) rod.varying.at_nodes.push_back(find(point));
         for (const auto& [xi, weight] : mass_points) {
             rod.varying.at_masses.push_back(find(0.5 * (1.0 + xi)));
-            mean.stiffness += 0.5 * weight * length * rod.varying.at_masses.back().stiffness;
-            mean.mass += 0.5 * weight * length * rod.varying.at_masses.back().mass;
+            const Section& here = rod.varying.at_masses.back();
+            const double part = 0.5 * weight * length;
+            mean.stiffness += part * here.stiffness;
+            mean.mass += part * here.mass;
+            mean.fluid = combine(1.0, mean.fluid, part, here.fluid);
         }
     }
     if (stations.front().section != stations.back().section)

@@ -24,7 +24,7 @@ Vec3 tangent_at(const Problem& problem, std::size_t entry) {
 TEST_CASE("A rod has one centreline", "[deck]") {
     CHECK(faults_of(with("")) ==
           "x.toml:4:1: rod.r: missing; expected line = { … } or arc = { … } or helix = { … } or polyline "
-          "or spline or mesh = { … }");
+          "or spline or catenary = { … } or mesh = { … }");
     CHECK(faults_of(with(line + "\nspline = [[0, 0, 0], [1, 0, 0]]")) ==
           "x.toml:7:1: rod.r.spline: line is given too; only one of them can be");
 }

@@ -136,6 +136,27 @@ field = [0, 7, "x*t"]
     CHECK(second.distributed_loads.at(0).field->at(0.5, Vec3(3.0, 0.0, 0.0)) == Vec3(0.0, 7.0, 1.5));
 }
 
+TEST_CASE("A tendon with a winch has no tension of its own, and lets go in stages that do not name it",
+          "[deck]") {
+    const std::string drawn = "[tendon.pull]\non = \"r\"\noffset = [0, 0.1]\n";
+    const Problem problem = read(staged(drawn + "shortening = 4\nstages = \"pull\"\n"));
+    const Tendon& first = problem.model.tendons.at(0);
+    REQUIRE(first.winch);
+    CHECK(first.winch->pulls_only);
+    CHECK(first.winch->stiffness == 0.0);
+    CHECK(first.winch->shortening(0.25) == 1.0);
+    CHECK_FALSE(first.winch->is_released);
+    CHECK(first.tension.is_zero());
+    CHECK(problem.stages.at(1).actions.tendons.at(0).winch->is_released);
+    // A length without t is reached from the one at the start, and stays.
+    const Problem by_length = read(staged(drawn + "length = 9\n"));
+    CHECK((*by_length.model.tendons.at(0).winch->length)(0.25) == 9.0);
+    CHECK(by_length.model.tendons[0].winch->share(0.25) == 0.25);
+    CHECK(by_length.stages.at(1).actions.tendons.at(0).winch->share(0.25) == 1.0);
+    CHECK(read(staged(drawn + "length = \"10 - t\"\n")).model.tendons.at(0).winch->share(0.25) == 1.0);
+    CHECK_FALSE(read_tendon("offset = [0, 1]\n").winch);
+}
+
 TEST_CASE("A field that is the same everywhere needs no place", "[deck]") {
     const Model model =
         read(with("[[magnetic]]\non = \"r\"\nmoment = [1, 0, 0]\nfield = [\"t\", 2, 0]\n")).model;
@@ -168,6 +189,34 @@ TEST_CASE("What is wrong with drives is said where it stands", "[deck]") {
                Contains("tendon.pull.stages") && Contains("no stage \"one\""));
     CHECK_THAT(faults("[tendon.pull]\non = \"r\"\noffset = [0, 1]\ntension = \"1/(t - 0.5)\"\n"),
                Contains("tendon.pull.tension") && Contains("is inf at t = 0.5"));
+    const std::string drawn = "[tendon.pull]\non = \"r\"\noffset = [0, 1]\n";
+    CHECK_THAT(faults(drawn), Contains("expected tension or shortening or length"));
+    CHECK_THAT(faults(tendon + "offset = [0, 1]\nshortening = 0\n"), Contains("tendon.pull"));
+    CHECK_THAT(faults(tendon + "offset = [0, 1]\nstiffness = 1\n"),
+               Contains("tendon.pull.stiffness") && Contains("goes with shortening or length"));
+    CHECK_THAT(faults(drawn + "length = 9\nfactor = 2\n"),
+               Contains("tendon.pull.factor") && Contains("expected shortening"));
+    CHECK_THAT(faults(drawn + "shortening = 1\n"),
+               Contains("tendon.pull.shortening") && Contains("expected 0 there"));
+    CHECK_THAT(faults(drawn + "shortening = \"t < 0.5 ? 0 : 1\"\n"), Contains("jumps from 0 to 1"));
+    CHECK(faults(drawn + "shortening = 1\nstiffness = 5\n") == "");
+    CHECK_THAT(faults(drawn + "shortening = \"1/(t - 0.5)\"\nstiffness = 5\n"),
+               Contains("tendon.pull.shortening") && Contains("is inf at t = 0.5"));
+    const auto explicit_faults = [&](const std::string& lines) {
+        return faults_of(replaced(rod_deck, "steps = 10", "steps = 10\nintegrator = \"runge-kutta-4\"") +
+                         drawn + lines);
+    };
+    CHECK_THAT(explicit_faults("shortening = 0\n"),
+               Contains("tendon.pull") && Contains("expected a stiffness, or slack = false"));
+    CHECK(explicit_faults("shortening = 0\nstiffness = 5\n") == "");
+    CHECK(explicit_faults("shortening = 0\nslack = false\n") == "");
+    const auto history = [&](const std::string& at, const std::string& quantity) {
+        return faults(tendon + "offset = [0, 1]\n[[history]]\nname = \"h\"\nat = \"" + at +
+                      "\"\nquantities = [\"" + quantity + "\"]\n");
+    };
+    CHECK(history("pull", "tendon_length") == "");
+    CHECK_THAT(history("pull", "position"), Contains("a tendon has tendon_length and tendon_tension only"));
+    CHECK_THAT(history("r.end", "tendon_tension"), Contains("only tendons have it"));
     CHECK_THAT(faults("[[actuation]]\non = \"r\"\n"), Contains("actuation[0]: missing; expected stretch or"));
     CHECK_THAT(faults("[[actuation]]\non = \"r\"\ncurvature = [0, 0, \"1/(s - 5)\"]\n"),
                Contains("x.toml:15") && Contains("actuation[0].curvature[2]") && Contains("s = 5"));

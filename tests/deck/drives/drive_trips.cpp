@@ -1,3 +1,4 @@
+#include "deck/decks.hpp"
 #include "deck/round_trips.hpp"
 
 namespace gxrod::test {
@@ -10,8 +11,21 @@ std::string staged(const std::string& lines) {
 
 std::vector<RoundTrip> tendon_trips() {
     const std::string lines = "[tendon.t]\non = \"r\"\noffset = [0.25, \"s\"]\ntension = \"7*t\"\n";
+    const std::string drawn = "[tendon.t]\non = \"r\"\noffset = [0, 1]\n";
     const auto first = [](const Problem& p) { return p.model.tendons.at(0); };
-    return {{"tendon.NAME.on", rod_deck + lines, [=](const Problem& p) { return first(p).rod == 0; }},
+    return {{"tendon.NAME.shortening",
+             rod_deck + drawn + "shortening = \"7*t\"\n",
+             [=](const Problem& p) { return first(p).winch->shortening(3.0) == 21.0; }},
+            {"tendon.NAME.length",
+             rod_deck + drawn + "length = \"10 - t\"\n",
+             [=](const Problem& p) { return (*first(p).winch->length)(3.0) == 7.0; }},
+            {"tendon.NAME.stiffness",
+             rod_deck + drawn + "shortening = 1\nstiffness = 30\n",
+             [=](const Problem& p) { return first(p).winch->stiffness == 30.0; }},
+            {"tendon.NAME.slack",
+             rod_deck + drawn + "shortening = 0\nslack = false\n",
+             [=](const Problem& p) { return !first(p).winch->pulls_only; }},
+            {"tendon.NAME.on", rod_deck + lines, [=](const Problem& p) { return first(p).rod == 0; }},
             {"tendon.NAME.offset",
              rod_deck + lines,
              [=](const Problem& p) { return first(p).path(2.0).at == Vec3(0.0, 0.25, 2.0); }},

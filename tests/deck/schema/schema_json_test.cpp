@@ -13,6 +13,7 @@ const Json& inside(const Json& schema, ValueType type) {
     if (type == ValueType::table_list) return schema.at("items");
     if (type == ValueType::named_tables) return schema.at("patternProperties").begin().value();
     if (type == ValueType::stations) return schema.at("anyOf").at(1);
+    if (type == ValueType::number_or_table) return schema.at("anyOf").at(2);
     return schema;
 }
 

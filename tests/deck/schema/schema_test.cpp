@@ -22,7 +22,7 @@ std::vector<const TableSpec*> all_tables() {
 
 bool is_table_type(ValueType type) {
     return type == ValueType::table || type == ValueType::named_tables || type == ValueType::table_list ||
-           type == ValueType::parameters || type == ValueType::stations;
+           type == ValueType::parameters || type == ValueType::stations || type == ValueType::number_or_table;
 }
 
 }  // namespace

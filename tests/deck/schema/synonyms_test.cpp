@@ -37,6 +37,12 @@ std::pair<std::string, std::string> place_key(const std::string& table, const st
     if (table.empty()) return {key + " = 1\n", key};
     if (is_list(table))
         return {fmt::format("[[{}]]\n{} = 1\n", table, key), fmt::format("{}[0].{}", table, key)};
+    const std::size_t dot = table.find('.');
+    const std::string list = table.substr(0, dot);
+    if (dot != std::string::npos && is_list(list)) {
+        return {fmt::format("[[{}]]\n[{}]\n{} = 1\n", list, table, key),
+                fmt::format("{}[0]{}.{}", list, table.substr(dot), key)};
+    }
     return {fmt::format("[{}]\n{} = 1\n", table, key), fmt::format("{}.{}", table, key)};
 }
 

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "deck/build/build_context.hpp"
+#include "deck/surroundings/surroundings_files.hpp"
+
+namespace gxrod {
+
+// Gives the model what surrounds it in the stage at hand. After build_bodies.
+void build_surroundings(const SurroundingsFiles& files, BuildContext& context);
+
+}  // namespace gxrod
