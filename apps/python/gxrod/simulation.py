@@ -268,7 +268,7 @@ class Simulation(Shown):
     def ledger(self) -> SimpleNamespace:
         """Energies and momenta at the last accepted state: `sim.ledger.kinetic_energy`.
 
-        `kinetic_energy`, `strain_energy`, `external_work`, `work_uncertainty`, `dissipated_energy`, `numerical_dissipation`
+        `kinetic_energy`, `strain_energy`, `external_work`, `fluid_work`, `work_uncertainty`, `dissipated_energy`, `numerical_dissipation`
         and `energy_error`, what none of these explains: numbers. `linear_momentum`, and `angular_momentum` about the
         origin: [3], global components.
         """

@@ -8,7 +8,10 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ..errors import FileError
-from .formats import FORMATS, read_blade
+from .formats import FORMATS, find_format, read_blade
+from .moordyn import read_moordyn
+from .mooring_deck import write_mooring
+from .moorprops import read_moorprops, write_section
 from .text import ImportFault
 from .writing import write_deck
 
@@ -18,31 +21,57 @@ examples:
   gxrod-import IEA-15-240-RWT.yaml -o blade.toml             windIO
   gxrod-import IEA_15MW.htc --body blade1 -o blade.toml      HAWC2
   gxrod-import ElastoDyn_blade.dat --length 117 -o blade.toml
+  gxrod-import lines.txt -o lines.toml                       MoorDyn
+  gxrod-import MoorProps_default.yaml --line chain --diameter 0.1 -o section.toml
 
 exit codes: 0 done, 2 usage or a fault in a file, 4 a file could not be read or written"""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     request = parse(sys.argv[1:] if arguments is None else arguments)
+    request.output = request.output or Path(request.file).stem + ".toml"
     try:
-        blade = read_blade(request.file, request.format, blade_file=request.blade, st_file=request.st, body=request.body,
-                           chosen=tuple(request.set) if request.set else None, length=request.length)
-        written = write_deck(blade, request.output or Path(request.file).stem + ".toml", inline=request.inline)
+        kind = request.format or find_format(request.file)
+        written = {"moordyn": import_lines, "moorpy": import_section}.get(kind, import_blade)(request)
     except FileError as error:
         print(f"gxrod-import: {error}", file=sys.stderr)
         return 2 if isinstance(error, ImportFault) else 4
-    print(f"{len(blade.fractions)} stations, {blade.length:.6g} m, {blade.total_mass:.6g} kg ({blade.source})")
-    for note in blade.notes:
-        print(f"note: {note}")
     for path in written:
         print(path)
     return 0
 
 
+def import_blade(request: argparse.Namespace) -> list[Path]:
+    blade = read_blade(request.file, request.format, blade_file=request.blade, st_file=request.st, body=request.body, chosen=tuple(request.set) if request.set else None, length=request.length)
+    written = write_deck(blade, request.output, inline=request.inline)
+    print(f"{len(blade.fractions)} stations, {blade.length:.6g} m, {blade.total_mass:.6g} kg ({blade.source})")
+    for note in blade.notes:
+        print(f"note: {note}")
+    return written
+
+
+def import_lines(request: argparse.Namespace) -> list[Path]:
+    mooring = read_moordyn(request.file)
+    written = write_mooring(mooring, request.output)
+    print(f"{len(mooring.lines)} lines of {len(mooring.types)} types, {sum(line.length for line in mooring.lines):.6g} m ({mooring.source})")
+    for note in mooring.notes:
+        print(f"note: {note}", file=sys.stderr)
+    return written
+
+
+def import_section(request: argparse.Namespace) -> list[Path]:
+    if request.line is None or request.diameter is None:
+        raise ImportFault(f"{request.file}: MoorPy's library has many materials, of any diameter; give --line NAME --diameter D")
+    kind = read_moorprops(request.file, request.line, request.diameter)
+    written = write_section(kind, request.output, source=f"MoorPy: {Path(request.file).name}, nominal diameter {request.diameter:g} m")
+    print(f"{kind.name}, {kind.mass:.6g} kg/m, EA {kind.EA:.6g} N, volume-equivalent diameter {kind.diameter:.6g} m")
+    return written
+
+
 def parse(arguments: Sequence[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog="gxrod-import", description="Writes a blade of another program as a deck of gxrod.", epilog=EPILOG,
+    parser = argparse.ArgumentParser(prog="gxrod-import", description="Writes a blade, or mooring lines, of another program as a deck of gxrod.", epilog=EPILOG,
                                      allow_abbrev=False, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("file", metavar="FILE", help="BeamDyn primary file, windIO yaml, htc or st file of HAWC2, ElastoDyn blade file")
+    parser.add_argument("file", metavar="FILE", help="BeamDyn primary file, windIO yaml, htc or st file of HAWC2, ElastoDyn blade file, MoorDyn file, MoorPy's MoorProps")
     parser.add_argument("-o", "--output", metavar="DECK", help="deck to write, with a CSV file of its sections beside it (FILE's name with .toml)")
     parser.add_argument("--format", choices=FORMATS, help="by default what the contents of FILE show")
     parser.add_argument("--inline", action="store_true", help="sections in the deck itself, a [section.NAME] for each station")
@@ -51,6 +80,8 @@ def parse(arguments: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--body", metavar="NAME", help="HAWC2: body of the htc file (the first one with a blade's name)")
     parser.add_argument("--set", nargs=2, type=int, metavar=("NUMBER", "SUBSET"), help="HAWC2: table of the st file (that of the htc file, or 1 1)")
     parser.add_argument("--length", type=length, metavar="L", help="ElastoDyn: length of the blade in m, TipRad - HubRad")
+    parser.add_argument("--line", metavar="NAME", help="MoorPy: the material of its library")
+    parser.add_argument("--diameter", type=length, metavar="D", help="MoorPy: nominal diameter of the line in m")
     return parser.parse_args(arguments)
 
 

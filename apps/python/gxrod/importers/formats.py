@@ -9,10 +9,13 @@ from .beamdyn import is_beamdyn, read_beamdyn
 from .blade import Blade
 from .elastodyn import is_elastodyn, read_elastodyn
 from .hawc2 import is_hawc2, read_hawc2
+from .moordyn import is_moordyn
+from .moorprops import is_moorprops
 from .text import ImportFault, read_text
 from .windio import is_windio, read_windio
 
-KNOWN_BY = {"beamdyn": is_beamdyn, "windio": is_windio, "hawc2": is_hawc2, "elastodyn": is_elastodyn}
+BLADES = {"beamdyn": is_beamdyn, "windio": is_windio, "hawc2": is_hawc2, "elastodyn": is_elastodyn}
+KNOWN_BY = {"moordyn": is_moordyn, "moorpy": is_moorprops, **BLADES}
 FORMATS = tuple(KNOWN_BY)
 
 
@@ -22,7 +25,7 @@ def find_format(path: AnyPath) -> str:
     for name, is_this in KNOWN_BY.items():
         if is_this(text):
             return name
-    raise ImportFault(f"{path}: neither a BeamDyn primary file, a windIO yaml, an htc or st file of HAWC2 nor an ElastoDyn blade file; "
+    raise ImportFault(f"{path}: neither a BeamDyn primary file, a windIO yaml, an htc or st file of HAWC2, an ElastoDyn blade file, an input file of MoorDyn nor MoorPy's MoorProps; "
                       f"give one of these, or name its format: --format {' | '.join(FORMATS)}")
 
 
@@ -45,4 +48,6 @@ def read_blade(path: AnyPath, format: str | None = None, *, blade_file: AnyPath 
         return read_hawc2(path, st_file, body, chosen)
     if kind == "elastodyn":
         return read_elastodyn(path, length)
-    raise ImportFault(f'{path}: there is no format "{kind}"; give one of {", ".join(FORMATS)}')
+    if kind in KNOWN_BY:
+        raise ImportFault(f"{path}: has lines, not a blade; read it with read_moordyn or read_moorprops")
+    raise ImportFault(f'{path}: there is no format "{kind}"; give one of {", ".join(BLADES)}')

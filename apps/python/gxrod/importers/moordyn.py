@@ -1,0 +1,214 @@
+"""MoorDyn's input file of version 2: line types, points, lines and options. Columns are known by their order, as in MoorDyn."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..typed import AnyPath
+from .mooring import Line, LineType, Mooring, Place
+from .text import Lines, to_number
+
+SECTIONS = {"types": ("LINE TYPES", "LINE DICTIONARY"), "rod types": ("ROD TYPES", "ROD DICTIONARY"), "bodies": ("BODIES", "BODY LIST", "BODY PROPERTIES"),
+            "rods": ("RODS", "ROD LIST", "ROD PROPERTIES"), "points": ("POINTS", "POINT LIST", "POINT PROPERTIES", "CONNECTION PROPERTIES", "NODE PROPERTIES"),
+            "lines": ("LINES", "LINE LIST", "LINE PROPERTIES"), "options": ("OPTIONS", "SOLVER OPTIONS"), "outputs": ("OUTPUT", "OUTPUTS")}
+KINDS = {"fixed": ("fixed", "fix", "anchor"), "coupled": ("coupled", "cpld", "vessel", "ves", "fairlead"), "free": ("free", "connect", "con", "point")}
+# By names in small letters; the rest of the options are of MoorDyn's own scheme and its way to the start.
+OPTIONS = {"gravity": ("g", "gravity"), "density": ("wtrdnsty", "wtrdens", "rhow", "rho"), "depth": ("wtrdpth",), "ground_stiffness": ("kbot", "kb"),
+           "ground_damping": ("cbot", "cb"), "friction": ("frictioncoefficient",)}
+DEFAULTS = {"gravity": 9.80665, "density": 1025.0, "depth": 0.0, "ground_stiffness": 3.0e6, "ground_damping": 3.0e5, "friction": 0.0}
+FLOWS = {"wavekin": "waves", "currents": "currents"}
+OLD_ORDER = ["can", "cat", "cdn", "cdt"]  # names of version 1, also found over files of version 2
+
+
+@dataclass
+class Row:
+    """Words of a line of a table, and where it stands."""
+
+    words: list[str]
+    line: int
+
+
+def is_moordyn(text: str) -> bool:
+    return bool(re.search(r"^-{3,}\s*LINE (TYPES|DICTIONARY)", text, re.MULTILINE | re.IGNORECASE))
+
+
+def read_moordyn(path: AnyPath) -> Mooring:
+    """The lines of a MoorDyn file (version 2), with water and ground.
+
+    Not read: waves and currents, failures, tables of stiffness. Lines on rods and bodies of MoorDyn are held where these are. `notes` says what was left out.
+
+    Raises FileError, with file, line, what was expected and what to do.
+    """
+    return Reader(Lines(path)).read()
+
+
+class Reader:
+    def __init__(self, lines: Lines) -> None:
+        self.lines = lines
+        self.notes: list[str] = []
+        self.tables = self.find_tables()
+
+    def read(self) -> Mooring:
+        options = self.read_options()
+        types = {row.words[0]: self.read_type(row) for row in self.need("types")}
+        places = self.read_places()
+        found = [self.read_line(row, types, places) for row in self.need("lines")]
+        options["depth"] = max(options["depth"], *(-place.at[2] for line in found for place in line.ends))
+        title = next((text.strip() for text in self.lines.lines if text.strip() and not text.startswith("---")), "Mooring lines")
+        return Mooring(title=title, source=f"MoorDyn: {self.lines.path.name}", lines=found, notes=list(dict.fromkeys(self.notes)), **options)
+
+    # Tables
+
+    def find_tables(self) -> dict[str, list[Row]]:
+        tables: dict[str, list[Row]] = {}
+        rows: list[Row] = []
+        for i, text in enumerate(self.lines.lines, 1):
+            if "---" in text:
+                rows = self.open_table(text.strip("- \t"), tables)
+            elif words := re.split(r"[!#%]", text)[0].split() if not is_units(text) else []:
+                rows.append(Row(words, i))
+        return tables
+
+    def open_table(self, heading: str, tables: dict[str, list[Row]]) -> list[Row]:
+        name = next((name for name, headings in SECTIONS.items() if heading.upper() in headings), "")
+        if not name and heading and "moordyn" not in heading.lower() and "need this line" not in heading.lower():
+            self.notes.append(f"the section {heading} was left out")
+        return tables.setdefault(name, []) if name else []
+
+    def need(self, name: str) -> list[Row]:
+        """The rows of a table without its head."""
+        if not (rows := self.tables.get(name, [])[1:]):
+            raise self.lines.fault(f"there is no section {SECTIONS[name][0]} with rows", "give a whole input file of MoorDyn, version 2", 0)
+        return rows
+
+    def rows(self, name: str) -> list[Row]:
+        return self.tables.get(name, [])[1:]
+
+    def fault(self, row: Row, message: str, todo: str) -> Exception:
+        return self.lines.fault(message, todo, row.line)
+
+    def number(self, row: Row, column: int, what: str) -> float:
+        if len(row.words) <= column:
+            raise self.fault(row, f"expected {column + 1} columns or more ({what}), found {len(row.words)}", "correct this line; files of MoorDyn's version 1 have others")
+        value = to_number(row.words[column])
+        if value is None:
+            raise self.fault(row, f'expected a number for {what}, found "{row.words[column][:40]}"', "give a number in SI units")
+        return value
+
+    def read_options(self) -> dict[str, float]:
+        options = dict(DEFAULTS)
+        for row in self.tables.get("options", []):
+            name = row.words[1].lower() if len(row.words) > 1 else ""
+            key = next((key for key, names in OPTIONS.items() if name in names), "")
+            if key == "depth" and to_number(row.words[0]) is None:
+                self.notes.append(f"the ground by the file {row.words[0]} was left out; the ground is level, at the deepest point")
+            elif key:
+                options[key] = self.number(row, 0, row.words[1])
+            elif name in FLOWS and row.words[0] != "0":
+                self.notes.append(f"{FLOWS[name]} were left out (option {row.words[1]}); add them to [fluid] or as [[wave]]")
+        return options
+
+    # Line types
+
+    def read_type(self, row: Row) -> LineType:
+        head = [word.lower() for word in self.tables["types"][0].words]
+        columns = ("Diam", "Mass/m", "EA", "BA/-zeta", "EI", "Cd", "Ca", "CdAx", "CaAx")
+        EA = self.stiffness(row)
+        damping = self.number(Row([*row.words[:4], row.words[4].split("|")[0], *row.words[5:]], row.line), 4, "BA/-zeta") if len(row.words) > 4 else 0.0
+        diameter, mass, _, _, EI, *coefficients = (EA if i == 3 else damping if i == 4 else self.number(row, i, name) for i, name in enumerate(columns, 1))
+        Cd, Ca, CdAx, CaAx = coefficients
+        if head[-4:] == OLD_ORDER:
+            Ca, CaAx, Cd, CdAx = coefficients
+            self.notes.append("columns of line types were read as the file names them, Can Cat Cdn Cdt; MoorDyn 2 reads Cd Ca CdAx CaAx in that place")
+        if min(diameter, mass, EA) <= 0.0 or EI < 0.0:
+            raise self.fault(row, "diameter, mass and EA must be above 0, EI not below", "correct this line")
+        if damping < 0.0:
+            self.notes.append("damping by a ratio (BA/-zeta below 0) was left out: it damps the segments of MoorDyn's mesh")
+        if len(row.words) > 10 and to_number(row.words[10]):
+            self.notes.append("the lift by vortices (Cl) was left out")
+        return LineType(row.words[0], diameter, mass, EA, EI, max(damping, 0.0), (Cd, CdAx), (Ca, CaAx))
+
+    def stiffness(self, row: Row) -> float:
+        if len(row.words) > 3 and "|" in row.words[3]:
+            self.notes.append(f'of the stiffnesses "{row.words[3]}" of {row.words[0]} the first one was taken, the static one; see `law` for ropes that relax')
+            row = Row([*row.words[:3], row.words[3].split("|")[0]], row.line)
+        return self.number(row, 3, "EA; tables of stiffness are not imported")
+
+    # Points, and what else lines end on
+
+    def read_places(self) -> dict[str, Place]:
+        bodies = {row.words[0]: row for row in self.rows("bodies")}
+        places = {row.words[0]: self.read_point(row, bodies) for row in self.rows("points")}
+        for row in self.rows("rods"):
+            places.update(self.read_rod(row, bodies))
+        return places
+
+    def read_point(self, row: Row, bodies: dict[str, Row]) -> Place:
+        if len(row.words) >= 12 and any(to_number(word) for word in row.words[7:10]):
+            self.notes.append(f"the force on point {row.words[0]} was left out; add a [[load]]")
+        last = 10 if len(row.words) >= 12 else 7
+        at = self.place_of(row, 2)
+        mass, volume, drag_area, added_mass = (self.number(row, i, name) for i, name in ((5, "Mass"), (6, "Volume"), (last, "CdA"), (last + 1, "Ca")))
+        kind, on = self.kind_of(row, row.words[1], bodies)
+        if on:
+            return Place(f"point{row.words[0]}", kind, shifted(at, self.place_of(on, 2)))
+        return Place(f"point{row.words[0]}", kind, at, mass, volume, drag_area, added_mass)
+
+    def read_rod(self, row: Row, bodies: dict[str, Row]) -> dict[str, Place]:
+        """Its ends: a free one without length is a rigid corner of lines, others are held."""
+        number = row.words[0]
+        ends = (self.place_of(row, 3), self.place_of(row, 6))
+        kind, on = self.kind_of(row, row.words[2], bodies)
+        if kind == "free" and ends[0] == ends[1]:
+            end = Place(f"rod{number}", "corner", ends[0])
+            return {f"R{number}A": end, f"R{number}B": end}
+        moves = "" if kind == "fixed" else ", though it moves in MoorDyn"
+        self.notes.append(f"rod {number} of MoorDyn was left out; lines on it are clamped where its ends are, as they leave these at first{moves}")
+        base = self.place_of(on, 2) if on else (0.0, 0.0, 0.0)
+        return {f"R{number}{name}": Place(f"rod{number}{name}", "clamped", shifted(end, base)) for name, end in zip("AB", ends)}
+
+    def kind_of(self, row: Row, word: str, bodies: dict[str, Row]) -> tuple[str, Row | None]:
+        """Of an attachment, and the body that it names."""
+        if match := re.fullmatch(r"body(\d+)(pin(ned)?)?", word.lower()):
+            if match[1] not in bodies:
+                raise self.fault(row, f"there is no body {match[1]}", "add it to the section BODIES")
+            body = bodies[match[1]]
+            if any(self.number(body, i, "an angle of the body") for i in (5, 6, 7)):
+                raise self.fault(body, "a body with lines on it is turned", "give it the angles 0 and its points in these axes")
+            kind, _ = self.kind_of(body, body.words[1], {})
+            self.notes.append(f"body {match[1]} of MoorDyn was left out; lines on it are held where it is{', though it moves in MoorDyn' if kind == 'free' else ''}")
+            return "fixed" if kind == "free" else kind, body
+        kind = next((kind for kind, names in KINDS.items() if re.sub(r"pin(ned)?$", "", word.lower()) in names), "")
+        if not kind and not word.lower().startswith("pin"):
+            raise self.fault(row, f'expected Fixed, Coupled, Free or a body, found "{word[:40]}"', "correct this line")
+        return kind or "fixed", None
+
+    def place_of(self, row: Row, column: int) -> tuple[float, float, float]:
+        x, y, z = (self.number(row, column + i, f"the place {name}") for i, name in enumerate("XYZ"))
+        return x, y, z
+
+    # Lines
+
+    def read_line(self, row: Row, types: dict[str, LineType], places: dict[str, Place]) -> Line:
+        length, segments = self.number(row, 4, "UnstrLen"), self.number(row, 5, "NumSegs")
+        if row.words[1] not in types:
+            raise self.fault(row, f'there is no line type "{row.words[1]}"', f"give one of {', '.join(types)}")
+        if length <= 0.0 or segments < 1 or segments != int(segments):
+            raise self.fault(row, "UnstrLen must be above 0 and NumSegs a whole number from 1", "correct this line; files of MoorDyn's version 1 have other columns")
+        ends = [places.get(re.sub(r"^(CON|C|P|POINT)(?=\d)", "", word.upper())) for word in row.words[2:4]]
+        if None in ends:
+            raise self.fault(row, f'there is no point "{row.words[2 + ends.index(None)]}"', f"give one of {', '.join(places)}")
+        return Line(f"line{row.words[0]}", types[row.words[1]], (ends[0], ends[1]), length, int(segments), row.line)
+
+
+def is_units(text: str) -> bool:
+    """Whether a line has units in brackets alone, as the second one of tables."""
+    return bool(re.fullmatch(r"(\s*\([^)]*\))+\s*", text))
+
+
+def shifted(place: tuple[float, float, float], by: tuple[float, float, float]) -> tuple[float, float, float]:
+    x, y, z = np.add(place, by).tolist()
+    return x, y, z

@@ -1,0 +1,86 @@
+"""Lines in the water, what they are made of and where they end: what the importers of mooring programs fill."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from math import pi
+
+
+@dataclass
+class LineType:
+    """What a line is made of, in SI units.
+
+    `name`. `diameter`: that of a cylinder that displaces as much water. `mass`: per length, in air. `EA`, `EI`: axial and bending stiffness; EI 0 if the file has none.
+    `damping`: axial, force per rate of strain. `drag`: coefficients across the line, and along it on the surface π × diameter. `added_mass`: across and along it, of the mass
+    of the water that it displaces.
+    """
+
+    name: str
+    diameter: float
+    mass: float
+    EA: float
+    EI: float = 0.0
+    damping: float = 0.0
+    drag: tuple[float, float] = (0.0, 0.0)
+    added_mass: tuple[float, float] = (0.0, 0.0)
+
+    def submerged_weight(self, density: float, gravity: float) -> float:
+        """Per length; negative of what floats."""
+        return gravity * (self.mass - density * pi / 4 * self.diameter**2)
+
+
+@dataclass
+class Place:
+    """Where lines end.
+
+    `name`. `kind`: "fixed", "coupled" to a vessel, "clamped" with its rotations, "free" where lines meet in hinges, or "corner" where they meet rigidly. `at`: x, y, z. `mass`, `volume`: of
+    a weight or a buoy there. `drag_area`: its area times the coefficient. `added_mass`: its coefficient, of the mass of its volume in water.
+    """
+
+    name: str
+    kind: str
+    at: tuple[float, float, float]
+    mass: float = 0.0
+    volume: float = 0.0
+    drag_area: float = 0.0
+    added_mass: float = 0.0
+
+
+@dataclass
+class Line:
+    """A line of one type between two places.
+
+    `name`, `type`. `ends`: where it starts and ends. `length`: without tension. `segments`: elements of the rod. `line`: of the file, for errors.
+    """
+
+    name: str
+    type: LineType
+    ends: tuple[Place, Place]
+    length: float
+    segments: int
+    line: int = 0
+
+
+@dataclass
+class Mooring:
+    """Lines with the water and the ground around them, in SI units, z up and still water at z = 0.
+
+    `title`, `source`: of the deck. `lines`. `gravity`, `density`: of the water. `depth`: 0 without ground. `ground_stiffness`, `ground_damping`: per area. `friction`: coefficient.
+    `notes`: what the reader left out or assumed.
+    """
+
+    title: str
+    source: str
+    lines: list[Line]
+    gravity: float
+    density: float
+    depth: float
+    ground_stiffness: float
+    ground_damping: float
+    friction: float
+    notes: list[str] = field(default_factory=list)
+
+    @property
+    def types(self) -> list[LineType]:
+        """Those that lines have, each once."""
+        return list({line.type.name: line.type for line in self.lines}.values())

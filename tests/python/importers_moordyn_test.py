@@ -1,0 +1,288 @@
+"""Mooring lines of MoorDyn: what is read, the deck of them, and what is said of files that are wrong."""
+
+import re
+import tomllib
+from math import dist, pi, sqrt
+
+import numpy as np
+import pytest
+from conftest import gxrod as run_gxrod
+from gxrod import FileError
+from gxrod.importers import FORMATS, find_format, read_blade, read_moordyn, write_mooring
+from gxrod.importers.command import main
+from imported import edit
+
+# A chain and a cable meet at a buoy; a second chain goes to the vessel directly.
+LINES = """--------------------- MoorDyn Input File ------------------------------------
+Two lines and a buoy
+----------------------- LINE TYPES ------------------------------------------
+TypeName   Diam    Mass/m     EA         BA/-zeta    EI         Cd     Ca     CdAx    CaAx
+(name)     (m)     (kg/m)     (N)        (N-s/-)     (N-m^2)    (-)    (-)    (-)     (-)
+chain      0.2     200.0      8.0e8      -1.0        0          1.37   1.0    0.64    0.5
+cable-1/2  0.1     25.0       3.0e8      6.0e5       4.0e4      1.2    0.9    0.01    0.0   ! thin
+---------------------- POINTS ------------------------------------------------
+ID    Attachment  X       Y       Z       Mass   Volume  CdA    Ca
+(#)   (word/ID)   (m)     (m)     (m)     (kg)   (m^3)   (m^2)  (-)
+1     Fixed       300.0   400.0   -100.0  0      0       0      0
+2     Free        60.0    80.0    -50.0   500    4       3.0    0.5
+3     Vessel      0.0     0.0     -10.0   0      0       0      0
+4     Anchor      -500.0  0.0     -100.0  0      0       0      0
+---------------------- LINES --------------------------------------------------
+ID    LineType   AttachA  AttachB  UnstrLen  NumSegs  LineOutputs
+(#)   (name)     (#)      (#)      (m)       (-)      (-)
+1     chain      1        2        450.0     45       p
+2     cable-1/2  2        3        120.0     24       -
+3     chain      4        3        540.0     54       -
+# 4   chain      4        3        541.0     54       -
+---------------------- OPTIONS ------------------------------------------------
+0.001     dtM        time step
+1.0e5     kbot       bottom stiffness (Pa/m)
+2.0e4     cBot       bottom damping (Pa-s/m)
+1030      WtrDnsty   water density (kg/m^3)
+100       WtrDpth    water depth (m)
+9.81      g          gravity
+0.4       FrictionCoefficient
+10.0      TmaxIC     of the start
+------------------------- need this line --------------------------------------
+"""
+
+
+@pytest.fixture
+def lines(tmp_path):
+    path = tmp_path / "lines.txt"
+    path.write_text(LINES)
+    return path
+
+
+def deck_of(path):
+    [written] = write_mooring(read_moordyn(path), path.with_suffix(".toml"))
+    return tomllib.loads(written.read_text())
+
+
+def supports_of(deck, at):
+    return [each for each in deck["support"] if each["at"] == at]
+
+
+def test_types_points_lines_and_options_are_read(lines):
+    mooring = read_moordyn(lines)
+    chain, cable = mooring.types
+    assert (chain.name, chain.diameter, chain.mass, chain.EA, chain.EI, chain.damping) == ("chain", 0.2, 200.0, 8e8, 0.0, 0.0)
+    assert (chain.drag, chain.added_mass) == ((1.37, 0.64), (1.0, 0.5))
+    assert (cable.EI, cable.damping, cable.drag, cable.added_mass) == (4e4, 6e5, (1.2, 0.01), (0.9, 0.0))
+    assert [line.length for line in mooring.lines] == [450.0, 120.0, 540.0]
+    assert [[place.kind for place in line.ends] for line in mooring.lines] == [["fixed", "free"], ["free", "coupled"], ["fixed", "coupled"]]
+    assert mooring.lines[2].ends[0].at == (-500.0, 0.0, -100.0)
+    buoy = mooring.lines[0].ends[1]
+    assert (buoy.mass, buoy.volume, buoy.drag_area, buoy.added_mass) == (500.0, 4.0, 3.0, 0.5)
+    assert (mooring.gravity, mooring.density, mooring.depth, mooring.friction) == (9.81, 1030.0, 100.0, 0.4)
+    assert (mooring.ground_stiffness, mooring.ground_damping) == (1e5, 2e4)
+    assert mooring.title == "Two lines and a buoy"
+    assert mooring.notes == ["damping by a ratio (BA/-zeta below 0) was left out: it damps the segments of MoorDyn's mesh"]
+
+
+def test_without_options_moordyns_defaults_hold(lines):
+    text = lines.read_text()
+    lines.write_text(text[: text.index("---------------------- OPTIONS")])
+    mooring = read_moordyn(lines)
+    assert (mooring.density, mooring.ground_stiffness, mooring.ground_damping, mooring.friction) == (1025.0, 3e6, 3e5, 0.0)
+    assert mooring.depth == 100.0  # that of the deepest point
+    assert "friction" not in deck_of(lines)["seabed"]
+
+
+def test_the_deck_has_water_ground_and_sections(lines):
+    deck = deck_of(lines)
+    assert deck["gravity"] == [0, 0, -9.81]
+    assert deck["fluid"] == {"density": 1030, "surface": 0}
+    assert deck["seabed"] == {"z": -100.1, "stiffness": 1e5, "damping": 2e4, "friction": 0.4}
+    cable = deck["section"]["cable-1_2"]
+    assert cable["fluid"] == {"outer_diameter": 0.1, "drag": {"normal": 1.2, "tangential": 0.01}, "added_mass": {"normal": 0.9, "tangential": 0}}
+    assert (cable["stiffness"]["EA"], cable["stiffness"]["EIy"], cable["stiffness"]["EIz"]) == (3e8, 4e4, 4e4)
+    # A solid rod: EI/GJ = E I/(G 2 I), EA/GA = E/G, with E/G = 2.6.
+    assert cable["stiffness"]["EIy"] / cable["stiffness"]["GJ"] == pytest.approx(1.3, rel=1e-5)
+    assert cable["stiffness"]["EA"] / cable["stiffness"]["GAy"] == pytest.approx(2.6, rel=1e-5)
+    assert cable["inertia"]["rhoA"] == 25.0
+    assert cable["inertia"]["rhoIy"] == pytest.approx(25.0 / (pi * 0.05**2) * pi * 0.05**4 / 4, rel=1e-5)
+    assert cable["damping"]["kelvin_voigt"] == [2e-3, 0, 0, 0, 0, 0]
+    assert "damping" not in deck["section"]["chain"]
+
+
+def test_a_line_without_bending_stiffness_gets_a_small_one(lines):
+    chain = deck_of(lines)["section"]["chain"]["stiffness"]
+    weight = 9.81 * (200.0 - 1030.0 * pi * 0.1**2)
+    assert sqrt(chain["EIy"] / (weight * 540.0 / 2.0)) == pytest.approx(0.1 * 10.0, rel=1e-5)
+    assert chain["EIy"] <= 8e8 * 0.2**2 / 16
+    assert "EI is 0 in the file" in lines.with_suffix(".toml").read_text()
+    edit(lines, "450.0     45", "450.0     1")
+    edit(lines, "540.0     54", "540.0     1")
+    assert deck_of(lines)["section"]["chain"]["stiffness"]["EIy"] == pytest.approx(8e8 * 0.2**2 / 16)
+
+
+def test_lines_hang_between_points_and_meet_in_free_ones(lines):
+    deck = deck_of(lines)
+    assert deck["rod"]["line1"] == {"section": "chain", "catenary": {"from": [300, 400, -100], "to": [60, 80, -50], "length": 450, "bed": True}, "elements": 45}
+    assert deck["joint"] == {"line2_A": {"type": "ball", "between": ["line1.end", "line2.start"]}} and "connect" not in deck
+    assert deck["body"]["point2"] == {"at": "line1.end", "mass": 500, "fluid": {"volume": 4, "drag_area": [3, 3, 3], "added_mass": [2060, 2060, 2060]}}
+    assert [each["fix"] for each in supports_of(deck, "line3.end")] == ["position"]
+    assert not supports_of(deck, "line1.end") and not supports_of(deck, "line2.start")
+    hang, move = deck["stage"]
+    assert (hang["kind"], hang["steps"], move["kind"]) == ("static", 1, "dynamic")
+    assert {each["at"] for each in deck["history"]} == {f"line{i}.{end}" for i in (1, 2, 3) for end in ("start", "end")}
+
+
+def hinges_of(deck):
+    return [each for each in deck["support"] if "rx" in each.get("fix", "")]
+
+
+def test_a_hinge_keeps_each_line_from_spinning(lines):
+    deck = deck_of(lines)
+    assert [(each["at"], each["fix"]) for each in hinges_of(deck)] == [(at, ["position", "rx", "rz"]) for at in ("line1.start", "line2.end", "line3.start")]
+    axes = np.array(hinges_of(deck)[0]["axes"])
+    assert np.allclose(axes, [[-0.6, -0.8, 0], [0.8, -0.6, 0], [0, 0, 1]])
+    assert np.allclose(axes @ axes.T, np.eye(3)) and np.linalg.det(axes) == pytest.approx(1.0)
+
+
+def test_a_line_between_free_points_is_kept_by_a_corner(lines):
+    edit(lines, "3     Vessel ", "3     Free   ")
+    deck = deck_of(lines)  # line 2 is between the points 2 and 3, which are free
+    assert deck["connect"] == [{"points": ["line1.end", "line2.start"]}]
+    assert deck["joint"] == {"line3_B": {"type": "ball", "between": ["line2.end", "line3.end"]}}
+    assert [each["at"] for each in hinges_of(deck)] == ["line1.start", "line3.start"]
+    assert "rigid corners" in lines.with_suffix(".toml").read_text()
+
+
+def test_a_buoy_without_mass_gets_a_little(lines):
+    edit(lines, "500    4 ", "0      4 ")
+    assert deck_of(lines)["body"]["point2"]["mass"] == pytest.approx(1e-3 * 1030 * 4)
+    edit(lines, "0      4       3.0    0.5", "0      0       0      0")
+    assert "body" not in deck_of(lines)
+
+
+def test_a_taut_line_is_pulled_to_its_place(lines):
+    edit(lines, "540.0     54", "500.0     50")
+    deck = deck_of(lines)
+    start, end = (np.array(deck["rod"]["line3"]["line"][key]) for key in ("from", "to"))
+    assert np.array_equal(start, [-500, 0, -100])
+    assert np.linalg.norm(end - start) == pytest.approx(500.0, rel=1e-11)
+    [held] = supports_of(deck, "line3.end")
+    assert "fix" not in held
+    assert np.allclose(end + [held["move"][axis] for axis in "xyz"], [0, 0, -10], atol=1e-8)
+    assert deck["stage"][0]["steps"] == 10
+
+
+def test_a_taut_line_can_be_pulled_by_its_hinge(lines):
+    edit(lines, "1     Fixed       300.0   400.0   -100.0", "1     Free        -700.0  100.0   -100.0")
+    edit(lines, "2     Free        60.0    80.0    -50.0", "2     Coupled     -300.0  400.0   -100.0")
+    edit(lines, "1        2        450.0", "1        2        300.0")
+    deck = deck_of(lines)
+    [held] = supports_of(deck, "line1.end")
+    assert held["fix"] == ["position", "rx", "rz"] and "move" not in held  # the free end is where it is straight
+    assert np.allclose(deck["rod"]["line1"]["line"]["to"], [-300, 400, -100])
+
+
+def test_free_points_start_where_no_line_is_taut(lines):
+    edit(lines, "450.0     45", "395.0     38")
+    mooring = read_moordyn(lines)
+    assert any(line.length < dist(*(place.at for place in line.ends)) for line in mooring.lines)
+    deck = deck_of(lines)
+    for name in ("line1", "line2"):
+        hangs = deck["rod"][name]["catenary"]
+        assert dist(hangs["from"], hangs["to"]) < 0.9991 * hangs["length"]
+    assert deck["rod"]["line1"]["catenary"]["from"] == [300, 400, -100]
+    assert deck["rod"]["line1"]["catenary"]["to"] == deck["rod"]["line2"]["catenary"]["from"]
+    assert "free points start nearer" in lines.with_suffix(".toml").read_text()
+    edit(lines, "395.0     38", "100.0     38")
+    with pytest.raises(FileError, match="too short to reach"):
+        write_mooring(read_moordyn(lines), lines.with_suffix(".toml"))
+
+
+RODS = """---------------------- ROD TYPES ------------------------------------
+TypeName Diam Mass/m Cd Ca CdEnd CaEnd
+(name) (m) (kg/m) (-) (-) (-) (-)
+stub 0.1 25 1 1 1 1
+---------------------- BODIES ------------------------------------
+ID Attachment X0 Y0 Z0 r0 p0 y0 Mass CG* I* Volume CdA* Ca*
+(#) (-) (m) (m) (m) (deg) (deg) (deg) (kg) (m) (kg-m^2) (m^3) (m^2) (-)
+1 Free 10 0 -20 0 0 0 100 0 1 0.1 0 0
+---------------------- RODS ------------------------------------
+ID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs RodOutputs
+(#) (name) (#/key) (m) (m) (m) (m) (m) (m) (-) (-)
+1 stub Body1 1 0 0 -1 0 0 1 -
+2 stub Free 60 80 -50 60 80 -50 0 -
+"""
+
+
+def test_lines_on_rods_and_bodies_of_moordyn_are_held(lines):
+    edit(lines, "---------------------- POINTS", RODS + "---------------------- POINTS")
+    edit(lines, "3     Vessel      0.0     0.0     -10.0", "3     Body1       0.0     2.0     -1.0 ")
+    edit(lines, "1     chain      1        2 ", "1     chain      1        R2A ")
+    edit(lines, "2     cable-1/2  2        3 ", "2     cable-1/2  R2B      R1A ")
+    deck = deck_of(lines)
+    assert deck["rod"]["line2"]["catenary"]["to"] == [11, 0, -20]
+    assert deck["rod"]["line3"]["catenary"]["to"] == [10, 2, -21]
+    assert [each["fix"] for each in supports_of(deck, "line2.end")] == ["all"]
+    assert [each["fix"] for each in supports_of(deck, "line3.end")] == ["position"]
+    assert deck["connect"] == [{"points": ["line1.end", "line2.start"]}]  # by the free rod without length
+    assert [each["at"] for each in hinges_of(deck)] == ["line3.start"]  # the clamped end keeps the two others from spinning
+    text = " ".join(read_moordyn(lines).notes)
+    assert "body 1 of MoorDyn was left out" in text and "rod 1 of MoorDyn was left out" in text and "rod 2" not in text
+    edit(lines, "1 Free 10 0 -20 0 0 0", "1 Free 10 0 -20 0 0 5")
+    with pytest.raises(FileError, match=r"lines.txt:15: a body with lines on it is turned"):
+        read_moordyn(lines)
+
+
+def test_what_is_left_out_is_said(lines):
+    edit(lines, "8.0e8      -1.0", "8.0e8|1e9  -1.0|9")
+    edit(lines, "0.4       Fric", "1 WaveKin\n2 Currents\nbed.txt WtrDpth\n0.4       Fric")
+    edit(lines, "---------------------- OPTIONS", "---------------------- FAILURE\nID Point\n1 2\n---------------------- OPTIONS")
+    text = "\n".join(read_moordyn(lines).notes)
+    for words in ("the static one", "waves were left out", "currents were left out", "ground by the file bed.txt", "the section FAILURE was left out"):
+        assert words in text
+    write_mooring(read_moordyn(lines), lines.with_suffix(".toml"))
+    assert "the section FAILURE was left out" in lines.with_suffix(".toml").read_text()
+    assert read_moordyn(lines).types[0].EA == 8e8
+
+
+def test_columns_by_the_names_of_version_1_are_read_so(lines):
+    edit(lines, "Cd     Ca     CdAx    CaAx", "Can    Cat    Cdn     Cdt")
+    chain = read_moordyn(lines).types[0]
+    assert (chain.drag, chain.added_mass) == ((0.64, 0.5), (1.37, 1.0))
+
+
+FAULTS = [
+    ("LINE TYPES", "TYPES OF LINES", r"lines.txt: there is no section LINE TYPES with rows; give a whole input file of MoorDyn, version 2"),
+    ("8.0e8", "stiff.txt", r'lines.txt:6: expected a number for EA; tables of stiffness are not imported, found "stiff.txt"; give a number'),
+    ("chain      0.2 ", "chain      0.0 ", r"lines.txt:6: diameter, mass and EA must be above 0"),
+    ("1.37   1.0    0.64    0.5", "1.37", r"lines.txt:6: expected 8 columns or more \(Ca\), found 7; correct this line; files of MoorDyn's version 1 have others"),
+    ("1     Fixed ", "1     Glued ", r'lines.txt:11: expected Fixed, Coupled, Free or a body, found "Glued"; correct this line'),
+    ("1     Fixed ", "1     Body2 ", r"lines.txt:11: there is no body 2; add it"),
+    ("300.0   400.0", "300.0   y", r'lines.txt:11: expected a number for the place Y, found "y"'),
+    ("1     chain ", "1     rope ", r'lines.txt:18: there is no line type "rope"; give one of chain, cable-1/2'),
+    ("1        2        450.0", "1        7        450.0", r'lines.txt:18: there is no point "7"; give one of 1, 2, 3, 4'),
+    ("450.0     45", "450.0     4.5", r"lines.txt:18: UnstrLen must be above 0 and NumSegs a whole number"),
+    ("1.0e5     kbot", "soft      kbot", r'lines.txt:24: expected a number for kbot, found "soft"'),
+]
+
+
+@pytest.mark.parametrize("old, new, message", FAULTS)
+def test_faults_of_moordyn_files(old, new, message, lines):
+    edit(lines, old, new)
+    with pytest.raises(FileError) as caught:
+        read_moordyn(lines)
+    assert re.search(message, str(caught.value)), str(caught.value)
+
+
+def test_the_program_writes_the_deck_and_says_what_it_left_out(lines, tmp_path, capsys):
+    assert find_format(lines) == "moordyn" and "moordyn" in FORMATS
+    assert main([str(lines), "-o", str(tmp_path / "out.toml")]) == 0
+    printed = capsys.readouterr()
+    assert printed.out.splitlines() == ["3 lines of 2 types, 1110 m (MoorDyn: lines.txt)", str(tmp_path / "out.toml")]
+    assert printed.err == "note: damping by a ratio (BA/-zeta below 0) was left out: it damps the segments of MoorDyn's mesh\n"
+    assert main([str(lines), "-o", str(tmp_path / "nowhere" / "out.toml")]) == 4
+    with pytest.raises(FileError, match="has lines, not a blade; read it with read_moordyn"):
+        read_blade(lines)
+
+
+def test_gxrod_takes_the_deck(lines):
+    edit(lines, "450.0     45", "440.0     44")  # 450 would lie loosely
+    deck_of(lines)
+    run_gxrod("check", "lines.toml", folder=lines.parent)
