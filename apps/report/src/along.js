@@ -11,7 +11,7 @@ const height = 190;
 const roundOff = 1e-6; // relative to the magnitude: numbers in a page have seven digits
 
 // Where a quantity is known along a rod: { s, row } by arc length, of nodes or of the middles of elements.
-function listPlaces(data, rod, of) {
+export function listPlaces(data, rod, of) {
   const places = [];
   const seen = new Set();
   for (let cell = 0; cell + 1 < data.offsets.length; cell++) {

@@ -232,7 +232,7 @@ export function showCharts(data, clock, { timeName, units, along, parts, onPaths
     (chart, i) => new Chart(chart, data.stepTimes, clock, { timeName, units, leastHeight: heights[i], unstable, parts }),
   );
   const panel = find("charts");
-  if (along) panel.append(along.element);
+  panel.append(...along.filter(Boolean).map(({ element }) => element));
   if (data.stepTimes.length === 0 || isStill) {
     panel.append(make("p", { className: "note" }, "The run has no steps, so there is nothing to draw over time."));
     return charts;

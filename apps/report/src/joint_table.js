@@ -95,7 +95,7 @@ function describeSleeve(sleeve, data) {
   return [sleeve.name, sleeve.type, nameRod(sleeve, place, data), namePoint(end.node, data), `(${place.map(inDigits).join(", ")})`, ""];
 }
 
-// At t = 0; the arm of the ground is its place. Places of nodes have seven digits, what is less is none.
+// At t = 0; the arm of the ground is its place. Places of nodes have seven digits, a smaller arm is round-off.
 function placeOf({ node, arm }, { reference }) {
   const start = node < 0 ? [0, 0, 0] : [...reference.subarray(3 * node, 3 * node + 3)];
   const least = 1e-6 * Math.max(...[...start, ...arm].map(Math.abs));

@@ -17,6 +17,7 @@ import { Picture } from "./picture.js";
 import { bindPlayer } from "./player.js";
 import { showAbout, showFailure, showHeader, showModel } from "./story.js";
 import { bindTabs } from "./tabs.js";
+import { TouchDown } from "./touch_down.js";
 import { bindThemeButton, readTheme } from "./theme.js";
 import { readUnits } from "./units.js";
 
@@ -54,7 +55,8 @@ const foundCharts = addFoundTabs(found, { clock, swinging, units, timeName });
 bindTabs(find("tabs"));
 bindPlayer(clock, timeName, { swinging, describe: (time) => describeTime(found, parts, time) });
 const along = Along.isPossible(data) ? new Along(data, clock, units) : null;
-const charts = [...showCharts(data, clock, { timeName, units, along, parts, onPaths: listPathStretches(found), isStill }), ...(along ? [along] : []), ...foundCharts];
+const touchDown = TouchDown.isPossible(data) ? new TouchDown(data, clock, units) : null;
+const charts = [...showCharts(data, clock, { timeName, units, along: [along, touchDown?.rods.length ? touchDown : null], parts, onPaths: listPathStretches(found), isStill }), ...[along, touchDown].filter(Boolean), ...foundCharts];
 showAbout(data, picture);
 if (picture) {
   bindColouring(data, picture, units);

@@ -9,6 +9,7 @@ import { rangeOf } from "./motion.js";
 import { Springs } from "./springs.js";
 import { FailMarks, Loads, Supports } from "./symbols.js";
 import { Stage } from "./stage.js";
+import { Surroundings } from "./surroundings.js";
 import { Tubes } from "./tubes.js";
 
 // All that the 3D view shows.
@@ -27,6 +28,7 @@ export class Picture {
       supports: new Supports(data, motion, this.size),
       loads: new Loads(data, motion, this.size),
       failure: new FailMarks(data, motion, this.size),
+      surroundings: new Surroundings(data, motion, this.size),
     };
     const { rods, bodies, ...marks } = this.parts;
     this.reference = makeReference(data);
@@ -116,7 +118,7 @@ export class Picture {
     this.parts.bodies.trace();
     replaceIn(this.shapes, makeShapes(this.data, this.motion));
     this.move(0);
-    this.box = this.boxOfAll();
+    this.box = this.parts.surroundings.lay(this.boxOfAll());
     this.stage.setBox(this.box);
     const { lines, step } = makeGrid(this.stage.box);
     this.gridStep = step;
