@@ -76,8 +76,14 @@ class ReadDeck(unittest.TestCase):
         # Section axes of the stem: x along y, y along z, z along x.
         np.testing.assert_allclose(moment[2], [0, 1, 2], atol=1e-12)
 
+    def test_hung_lines(self):
+        for name, rod, end, length in (("mooring", "line", (240, 0, 120.1), 300), ("heaving_cable", "cable", (100, 0, 20), 120)):
+            curve = deck.Deck(SOURCE / "docs" / "examples" / name / f"{name}.toml").rods[rod]
+            np.testing.assert_allclose(curve[-1], end, atol=1e-6)
+            self.assertAlmostEqual(np.linalg.norm(np.diff(curve, axis=0), axis=1).sum() / length, 1.0, 4)
+
     def test_other_curves_are_refused(self):
-        with self.assertRaisesRegex(ValueError, "sketches know rods by line or arc"):
+        with self.assertRaisesRegex(ValueError, "sketches know rods by line, arc or catenary"):
             self.deck._curve({"spline": {}})  # pylint: disable=protected-access
 
 

@@ -58,7 +58,42 @@ class Deck:
             return np.array([self.vector(rod["line"]["from"]), self.vector(rod["line"]["to"])])
         if "arc" in rod:
             return self._arc(rod["arc"])
-        raise ValueError("sketches know rods by line or arc; teach Deck in docs/verification/book/deck.py the others")
+        if "catenary" in rod:
+            return self._catenary(rod["catenary"])
+        raise ValueError("sketches know rods by line, arc or catenary; teach Deck in docs/verification/book/deck.py the others")
+
+    def _catenary(self, line):
+        """Of a line on the bed, from its lower end to the touch-down; else from end to end."""
+        start, end = self.vector(line["from"]), self.vector(line["to"])
+        length, way = self.number(line["length"]), end - start
+        span, rise = np.hypot(way[0], way[1]), way[2]
+        s = np.linspace(0.0, length, ARC_POINTS)
+
+        def hang(a):  # from the touch-down up: horizontal and vertical way after the arc length u
+            on_bed = length - np.sqrt(rise**2 + 2.0 * a * rise)
+            u = np.maximum(s - on_bed, 0.0)
+            return np.minimum(s, on_bed) + a * np.arcsinh(u / a), np.sqrt(a**2 + u**2) - a
+
+        def swing(a):  # freely; u from the lowest point, which can lie beyond an end
+            middle = a * np.arcsinh(rise / (2.0 * a * np.sinh(0.5 * span / a)))
+            first = a * np.sinh((middle - 0.5 * span) / a)
+            u = s + first
+            return a * np.arcsinh(u / a) - (middle - 0.5 * span), np.hypot(a, u) - np.hypot(a, first)
+
+        if line.get("bed"):
+            far = lambda a: hang(a)[0][-1] - span
+        else:
+            far = lambda a: 2.0 * a * np.sinh(0.5 * span / a) - np.sqrt(length**2 - rise**2)
+        low, high = 1e-2 * length, 1e3 * length
+        for _ in range(200):
+            middle = np.sqrt(low * high)
+            if (far(middle) > 0.0) == (far(high) > 0.0):
+                high = middle
+            else:
+                low = middle
+        x, z = (hang if line.get("bed") else swing)(high)
+        along = np.append(way[:2] / span, 0.0)
+        return start + x[:, None] * along + z[:, None] * np.array([0.0, 0.0, 1.0])
 
     def _arc(self, arc):
         centre, axis, start = (self.vector(arc[key]) for key in ("centre", "axis", "from"))
@@ -119,6 +154,8 @@ class Deck:
     def loads(self):
         """(place, "force" or "moment", the largest in global components, whether it changes)."""
         for load in self.tree.get("load", []):
+            if "at" not in load:
+                continue  # along a rod
             place, tangent = self.place(load["at"])
             for kind in ("force", "moment"):
                 if kind in load:
