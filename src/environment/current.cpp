@@ -94,7 +94,7 @@ FlowAt Current::find_field(const Vec3& place, bool gradients) const {
 }
 
 Vec3 Current::evaluate_field(double time, const Vec3& place) const {
-    const Vec3 velocity = flow_->field(time, place);
+    Vec3 velocity = flow_->field(time, place);
     if (velocity.allFinite()) return velocity;
     throw EvaluationError(fmt::format("the velocity of {} is not finite at ({}, {}, {}), t = {}",
                                       fluid_,

@@ -111,7 +111,7 @@ Mat3 differentiate_friction(const BedFriction& friction,
     const auto& [acts, rule, plane, x, w, trial, size, share] = friction;
     const Mat3 by_plane = -(normal.dot(x) * change.normal + normal * x.transpose() * change.normal);
     const Mat3 by_axis = w.dot(x) * change.w + w * (x.transpose() * change.w + w.transpose() * change.place);
-    const Mat3 by_trial =
+    Mat3 by_trial =
         -rule.stiffness * (rule.along * (plane * change.place + by_plane) + rule.by_axis * by_axis);
     if (share == 1.0) return by_trial;
     const Eigen::RowVector3d by_size =
