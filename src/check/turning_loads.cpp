@@ -79,6 +79,18 @@ std::string find_unsteady_load(const Model& model, const TurningFrame& frame) {
         const double length = model.rods[static_cast<std::size_t>(load.rod)].length;
         if (!is_steady(load, length, frame.axis)) return describe(load.key);
     }
+    const Surroundings& around = model.surroundings;
+    const char* unsteady = nullptr;
+    if (around.water && !around.water->current.is_still()) unsteady = "the current of fluid";
+    if (around.water && !around.water->waves.empty()) unsteady = "a wave";
+    if (around.air && !around.air->wind.is_still()) unsteady = "the wind of air";
+    if (around.seabed) unsteady = "seabed";
+    if (unsteady != nullptr) {
+        return fmt::format(
+            "{} does not turn: in a frame that turns it is not steady. Leave it out, or make the motion a "
+            "dynamic analysis",
+            unsteady);
+    }
     const auto describe_tie = [](const std::string& tie, const char* where) {
         return fmt::format(
             "{} is tied to the ground{}, and the ground does not turn: in a frame that turns it is not "

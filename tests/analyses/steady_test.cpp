@@ -91,6 +91,15 @@ TEST_CASE("loads that do not turn with the frame are refused", "[analyses]") {
     CHECK_NOTHROW(make(model));
     model.springs[0].ends[0].arm.x() = 0.1;
     CHECK_THROWS_WITH(make(model), Contains("spring.s is tied to the ground off the axis of rotation"));
+    model.springs.clear();
+    // Water at rest is the same from everywhere.
+    model.surroundings.water = Water{.density = 1.0};
+    CHECK_NOTHROW(make(model));
+    model.surroundings.water->current.field = [](double, const Vec3&) { return Vec3(1.0, 0.0, 0.0); };
+    CHECK_THROWS_WITH(make(model), Contains("the current of fluid does not turn"));
+    model.surroundings.water.reset();
+    model.surroundings.seabed = Seabed{};
+    CHECK_THROWS_WITH(make(model), Contains("seabed does not turn"));
 }
 
 TEST_CASE("a mass on a spring to the axis goes to where the spring holds it", "[analyses][springs]") {
