@@ -41,7 +41,7 @@ struct LaneFunctions {
 
     // To 2e-16, beside what the rounding of a large x brings.
     static SineCosine sine_cosine(const Real& x) {
-        // n = x/π rounded; x − nπ by π in three parts, of which the first two have 33 bits.
+        // n = x/π rounded; x − nπ by π in three parts; the first two have 33 bits.
         const Real rounded = x * Real(0.3183098861837907) + Real(rounder);
         const Real n = rounded - Real(rounder);
         const Real r = x - n * Real(3.1415926534682512) - n * Real(1.2154201012607932e-10) -

@@ -175,7 +175,6 @@ void HistoryPoint::go_on_from(Quantity quantity, std::span<const double> row) {
 PointKind HistoryPoint::kind() const {
     if (spring_) return PointKind::spring;
     if (bushing_) return PointKind::bushing;
-    if (tendon_ >= 0) return PointKind::tendon;
     if (joint_ >= 0) return is_of_gear_ ? PointKind::gear : PointKind::joint;
     return body_ ? PointKind::body : PointKind::rod;
 }

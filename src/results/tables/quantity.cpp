@@ -148,7 +148,6 @@ QuantityForm quantity_form(Quantity quantity, PointKind kind) {
     if (kind == PointKind::bushing) return bushing_form(quantity);
     if (kind == PointKind::joint) return joint_form(quantity);
     if (kind == PointKind::gear) return gear_form(quantity);
-    if (kind == PointKind::tendon) return tendon_form(quantity);
     const std::string component_order = " (axial, shear y, shear z)";
     const std::string couple_order = " (about x, y, z)";
     switch (quantity) {
@@ -195,6 +194,9 @@ QuantityForm quantity_form(Quantity quantity, PointKind kind) {
         case Quantity::elongation:
             return {{"elongation", "length less that at which the spring is free", "none", "length"},
                     scalar_row};
+        case Quantity::tendon_length:
+        case Quantity::tendon_tension:
+            return tendon_form(quantity);
         case Quantity::effective_tension:
         case Quantity::wall_tension:
         case Quantity::water_velocity:
