@@ -262,7 +262,7 @@ std::string explain_missing(Quantity quantity, const Sleeve& sleeve) {
 std::string explain_missing_surroundings(Quantity quantity, const HistoryPlace& point, const Model& model) {
     const bool is_of_body = point.body >= 0;
     if (is_of_body && (quantity == Quantity::effective_tension || quantity == Quantity::wall_tension ||
-                       quantity == Quantity::water_velocity))
+                       quantity == Quantity::water_velocity || quantity == Quantity::bed_force))
         return "only points of rods have it; this one is a body";
     if (quantity == Quantity::effective_tension) return "";
     const Surroundings& around = model.surroundings;

@@ -358,8 +358,8 @@ const TableSpec& history_table() {
                   "exerts on B, moment about the joint, global), force_a and moment_a (in the joint's axes "
                   "on A, along its axis first), drive (moment or force of its motor), friction and gap. A "
                   "gear has drive (moment or force on its second joint) and gap. effective_tension, "
-                  "wall_tension "
-                  "and water_velocity are a rod's; wet_fraction, fluid_force and bed_force are those of what "
+                  "wall_tension, water_velocity and bed_force are a rod's; wet_fraction and fluid_force are "
+                  "those of what "
                   "has a key fluid, forces per length of a rod and whole of a body.",
               .choices = words_of(quantity_choices)}},
         .example =

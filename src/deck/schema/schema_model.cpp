@@ -137,7 +137,8 @@ const TableSpec& body_table() {
                   .sentence = "At t = 0, components in the body axes."},
                  {.name = "fluid",
                   .type = ValueType::table,
-                  .sentence = "What [fluid], [air] and [seabed] see of it. Without it they pass it by.",
+                  .sentence = "What [fluid] and [air] see of it. Without it they pass it by. The ground does "
+                              "not touch bodies.",
                   .table = &body_fluid_table()}},
         .groups = {{GroupRule::at_most_one, {"angular_velocity", "angular_velocity_material"}}},
         .example = body_example};

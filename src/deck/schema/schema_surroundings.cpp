@@ -192,7 +192,7 @@ const TableSpec& friction_table() {
         .sentence = "",
         .keys = {
             required(number_key("axial", "1", not_negative, "Coulomb's coefficient along a rod.")),
-            required(number_key("lateral", "1", not_negative, "Across it, and of bodies.")),
+            required(number_key("lateral", "1", not_negative, "Across it.")),
             described(
                 number_key(
                     "stiffness", bed_dimension, positive, "Force per area and displacement until it slides."),

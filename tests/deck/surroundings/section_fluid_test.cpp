@@ -167,8 +167,8 @@ TEST_CASE("Quantities of water and ground are for what takes part", "[deck]") {
     };
     CHECK(of_body("fluid = { volume = 1 }\n", "fluid_force").empty());
     CHECK_THAT(of_body("", "fluid_force"), Contains("this body has no `fluid`"));
-    CHECK_THAT(of_body("fluid = { volume = 1 }\n", "effective_tension"),
-               Contains("only points of rods have it"));
+    for (const char* quantity : {"effective_tension", "bed_force"})
+        CHECK_THAT(of_body("fluid = { volume = 1 }\n", quantity), Contains("only points of rods have it"));
 }
 
 }  // namespace gxrod::test
