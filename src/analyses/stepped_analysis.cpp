@@ -7,6 +7,7 @@
 #include "assembly/frame_columns.hpp"
 #include "check/direction_words.hpp"
 #include "check/stiffness_contrast.hpp"
+#include "solvers/coupled_step.hpp"
 #include "solvers/worst_nodes.hpp"
 #include "state/energy_jump.hpp"
 #include "state/spring_line.hpp"
@@ -257,8 +258,12 @@ bool SteppedAnalysis::take_step(EquilibriumReport& report) {
 }
 
 void SteppedAnalysis::check_error(EquilibriumReport& report) {
-    const StepError error = integrator_->estimate_error(
-        state_, steps_->time_step(), [&](int node) { return system_.length_scale_at(node); });
+    const auto length_at = [&](int node) { return system_.length_scale_at(node); };
+    const StepError error =
+        workspace_.coupled
+            ? measure_step_error(
+                  workspace_.coupled->placement_errors, workspace_.coupled->rate_errors, length_at)
+            : integrator_->estimate_error(state_, steps_->time_step(), length_at);
     largest_error_ = std::max(largest_error_, error.size);
     if (!steps_->needs_error() || steps_->admits(error.size)) return;
     report.outcome = Outcome::error_too_large;

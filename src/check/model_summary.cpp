@@ -89,6 +89,10 @@ const char* name_of(Scheme scheme) {
             return "generalized-alpha";
         case Scheme::sdirk_4:
             return "sdirk-4";
+        case Scheme::radau_5:
+            return "radau-5";
+        case Scheme::gauss_4:
+            return "gauss-4";
         case Scheme::runge_kutta_4:
             break;
     }

@@ -1,5 +1,6 @@
 #include "integrators/integrator.hpp"
 
+#include "integrators/coupled_stages.hpp"
 #include "integrators/generalized_alpha.hpp"
 #include "integrators/newmark_ibrahimbegovic.hpp"
 #include "integrators/newmark_simplified.hpp"
@@ -17,12 +18,37 @@ std::unique_ptr<Integrator> make_integrator(const DynamicSettings& settings) {
             return std::make_unique<GeneralizedAlpha>(settings.spectral_radius);
         case Scheme::sdirk_4:
             return std::make_unique<Sdirk4>();
+        case Scheme::radau_5:
+            return std::make_unique<CoupledStages>(CoupledStages::make_radau_5());
+        case Scheme::gauss_4:
+            return std::make_unique<CoupledStages>(CoupledStages::make_gauss_4());
         case Scheme::runge_kutta_4:
             return std::make_unique<RungeKutta4>();
         case Scheme::newmark_simplified:
             break;
     }
     return std::make_unique<NewmarkSimplified>(newmark);
+}
+
+StepError measure_step_error(const std::vector<Vec6>& placements,
+                             const std::vector<Vec6>& rates,
+                             const NodeLengths& lengths) {
+    StepError error;
+    for (std::size_t i = 0; i < placements.size(); ++i) {
+        const double length = lengths(static_cast<int>(i));
+        for (int first = 0; first < 6; first += 3) {
+            for (const Vec6* part : {&placements[i], &rates[i]}) {
+                // Lengths, so that steps do not depend on the model's orientation.
+                const Vec3 value = part->segment<3>(first) / (first == 0 ? length : 1.0);
+                const double size = value.norm();
+                if (!(size > error.size)) continue;
+                int component = 0;
+                value.cwiseAbs().maxCoeff(&component);
+                error = {size, static_cast<int>(i), first + component};
+            }
+        }
+    }
+    return error;
 }
 
 void Integrator::begin_stage(State& state, const Stage& stage, const ThreadTeam& team) const {

@@ -31,10 +31,17 @@ struct StepError {
     int component = -1;
 };
 
+// Of each node's estimated errors (δr, δφ) and those of (v, ω) times Δt.
+StepError measure_step_error(const std::vector<Vec6>& placements,
+                             const std::vector<Vec6>& rates,
+                             const NodeLengths& lengths);
+
 // Nodes first … last − 1.
 struct NodeRange {
     std::size_t first, last;
 };
+
+class CoupledStages;
 
 // How time advances. A step is a sequence of stages; for each, begin_stage places the trial motions and the
 // solver then makes them satisfy equilibrium at stage_time: an implicit scheme by moving (r, Λ) and calling
@@ -59,6 +66,8 @@ class Integrator {
     // scheme asks for positions.
     virtual ConstraintLevel constraint_level(int) const { return ConstraintLevel::position; }
     virtual bool is_explicit() const { return false; }
+    // Of a scheme whose stages are found together; nullptr if they follow each other.
+    virtual const CoupledStages* coupled() const { return nullptr; }
     // Whether there are no rates, and rotations of a step of any size.
     virtual bool is_static() const { return false; }
 

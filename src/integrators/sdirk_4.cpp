@@ -98,32 +98,20 @@ void Sdirk4::finish_nodes(State& state, const Stage& stage, NodeRange nodes) con
     }
 }
 
-StepError Sdirk4::estimate_error(const State& state, double time_step, const NodeLengths& length_at) const {
-    StepError error;
+StepError Sdirk4::estimate_error(const State& state, double time_step, const NodeLengths& lengths) const {
+    std::vector<Vec6> placements(state.trial.size(), Vec6::Zero());
+    std::vector<Vec6> rates = placements;
     for (std::size_t i = 0; i < state.trial.size(); ++i) {
-        const double length = length_at(static_cast<int>(i));
-        Vec6 placement = Vec6::Zero();
-        Vec6 rates = Vec6::Zero();
         for (int j = 0; j < stages; ++j) {
             const StageRates& stage = state.stages[j][i];
             const double weight = time_step * (a.back()[j] - embedded_weights[j]);
-            placement.head<3>() += weight / length * stage.v;
-            placement.tail<3>() += weight * stage.theta_dot;
-            rates.head<3>() += weight * time_step / length * stage.a;
-            rates.tail<3>() += weight * time_step * stage.alpha;
-        }
-        for (int first = 0; first < 6; first += 3) {
-            for (const Vec6* part : {&placement, &rates}) {
-                // Lengths, so that steps do not depend on the model's orientation.
-                const double size = part->segment<3>(first).norm();
-                if (!(size > error.size)) continue;
-                int component = 0;
-                part->segment<3>(first).cwiseAbs().maxCoeff(&component);
-                error = {size, static_cast<int>(i), first + component};
-            }
+            placements[i].head<3>() += weight * stage.v;
+            placements[i].tail<3>() += weight * stage.theta_dot;
+            rates[i].head<3>() += weight * time_step * stage.a;
+            rates[i].tail<3>() += weight * time_step * stage.alpha;
         }
     }
-    return error;
+    return measure_step_error(placements, rates, lengths);
 }
 
 std::vector<double> Sdirk4::power_weights() const {

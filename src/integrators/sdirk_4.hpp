@@ -26,7 +26,7 @@ class Sdirk4 : public Integrator {
     int error_order() const override { return 4; }
     StepError estimate_error(const State& state,
                              double time_step,
-                             const NodeLengths& length_at) const override;
+                             const NodeLengths& lengths) const override;
     std::vector<double> power_weights() const override;
 
   protected:

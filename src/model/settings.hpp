@@ -15,7 +15,15 @@
 // What is asked of the model: how to integrate and what to record. The defaults here are the deck's defaults.
 namespace gxrod {
 
-enum class Scheme { newmark_simplified, newmark_ibrahimbegovic, generalized_alpha, sdirk_4, runge_kutta_4 };
+enum class Scheme {
+    newmark_simplified,
+    newmark_ibrahimbegovic,
+    generalized_alpha,
+    sdirk_4,
+    radau_5,
+    gauss_4,
+    runge_kutta_4
+};
 
 enum class TangentKind {
     automatic,   // mixed or consistent, by the model
@@ -44,7 +52,7 @@ struct NewtonSettings {
     double absolute_residual = 0.0;
 };
 
-// Steps chosen by an estimate of their error; sdirk_4 only.
+// Steps chosen by an estimate of their error; sdirk_4 and radau_5 only.
 struct AdaptiveSettings {
     // Of one step: displacements relative to the model's length, rotations in rad.
     double tolerance = 1e-4;

@@ -26,6 +26,10 @@ Sensitivities::Sensitivities(const SteppedAnalysis& analysis,
     : analysis_(&analysis), integrator_(make_step_integrator(settings)) {
     if (!integrator_)
         throw std::invalid_argument("derivatives are there for static, quasi-static and dynamic analyses");
+    if (integrator_->coupled() != nullptr)
+        throw std::invalid_argument(
+            "derivatives are not carried along by schemes that find the stages of a step together: take "
+            "integrator \"sdirk-4\"");
     if (const auto* statics = std::get_if<StaticSettings>(&settings)) linear_solver_ = statics->linear_solver;
     if (const auto* dynamic = std::get_if<DynamicSettings>(&settings)) {
         linear_solver_ = dynamic->linear_solver;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "solvers/coupled_step.hpp"
 #include "solvers/hidden_constraints.hpp"
 #include "solvers/newton_steps.hpp"
 
@@ -11,6 +12,8 @@ namespace gxrod {
 
 SolverWorkspace::SolverWorkspace(const System& system, LinearSolverKind kind)
     : linear_solver(make_linear_solver(kind, system.pattern(), system.team())) {}
+SolverWorkspace::~SolverWorkspace() = default;
+SolverWorkspace::SolverWorkspace(SolverWorkspace&&) noexcept = default;
 
 namespace {
 
@@ -136,6 +139,32 @@ void restore_hidden_constraints(const System& system,
     if (!end.converged()) report.outcome = end.outcome;
 }
 
+// Where the end of the step is not a stage, or joints have to be met by velocities, accelerations are found
+// there anew.
+EquilibriumReport solve_together(const System& system,
+                                 const CoupledStages& scheme,
+                                 const NewtonSettings& settings,
+                                 const Stage& step,
+                                 SolverWorkspace& workspace,
+                                 State& state) {
+    EquilibriumReport report = solve_coupled_step(system, scheme, settings, step, workspace, state);
+    if (!report.converged()) return report;
+    if (!scheme.ends_with_stage()) {
+        const TimeSpan span{step.step_time, step.time_step};
+        system.supports().place(step.end_time, state);
+        system.supports().set_rates(step.end_time, span, state.trial);
+        EquilibriumReport end = solve_accelerations(system, step.end_time, span, workspace, state);
+        if (end.converged() && has_hidden_constraints(system)) {
+            project_positions(system, step.end_time, workspace, state, end);
+            if (end.converged()) restore_hidden_constraints(system, step, workspace, state, end);
+        }
+        if (!end.converged()) report.outcome = end.outcome;
+    } else if (has_hidden_constraints(system)) {
+        restore_hidden_constraints(system, step, workspace, state, report);
+    }
+    return report;
+}
+
 }  // namespace
 
 EquilibriumReport solve_step(const System& system,
@@ -144,6 +173,8 @@ EquilibriumReport solve_step(const System& system,
                              const Stage& first_stage,
                              SolverWorkspace& workspace,
                              State& state) {
+    if (const CoupledStages* coupled = integrator.coupled())
+        return solve_together(system, *coupled, settings, first_stage, workspace, state);
     EquilibriumReport total;
     Stage stage = first_stage;
     const bool weighs_power = !integrator.power_weights().empty();

@@ -13,6 +13,7 @@
 namespace gxrod {
 
 class FrameColumns;
+struct CoupledWorkspace;
 
 enum class Outcome {
     converged,
@@ -68,7 +69,11 @@ struct SolverWorkspace {
     const FrameColumns* frame =
         nullptr;  // what a frame that turns adds to the tangent, if the model is in one
 
+    std::unique_ptr<CoupledWorkspace> coupled;  // of stages that are found together, from the first step on
+
     SolverWorkspace(const System& system, LinearSolverKind kind);
+    ~SolverWorkspace();
+    SolverWorkspace(SolverWorkspace&&) noexcept;
 };
 
 // Newton's method for the equilibrium of one stage of an implicit scheme, from the integrator's prediction.

@@ -45,6 +45,10 @@ struct State {
     std::vector<AlgorithmicAcceleration> algorithmic_previous,
         algorithmic_trial;                        // per node; generalized-α only
     std::vector<std::vector<StageRates>> stages;  // [stage][node]; Runge-Kutta schemes only
+    // [stage][node] and [stage][joint]; schemes whose stages are found together only. In their turn they are
+    // the trial.
+    std::vector<std::vector<NodeMotion>> stage_motions;
+    std::vector<std::vector<JointState>> stage_joints;
 };
 
 // Returns to the last accepted step: between commits nothing changes but the trial values, and the rates of

@@ -21,7 +21,10 @@ const AdaptiveSettings* adaptive_of(const AnalysisSettings& analysis) {
 double order_of(const AnalysisSettings& analysis) {
     const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
     if (dynamic == nullptr) return 1.0;
-    if (dynamic->scheme == Scheme::sdirk_4 || dynamic->scheme == Scheme::runge_kutta_4) return 4.0;
+    if (dynamic->scheme == Scheme::radau_5) return 5.0;
+    const bool is_fourth = dynamic->scheme == Scheme::sdirk_4 || dynamic->scheme == Scheme::gauss_4 ||
+                           dynamic->scheme == Scheme::runge_kutta_4;
+    if (is_fourth) return 4.0;
     // Newmark's schemes of other gamma damp, and are of order 1.
     const bool is_newmark = dynamic->scheme != Scheme::generalized_alpha;
     return is_newmark && dynamic->gamma != 0.5 ? 1.0 : 2.0;

@@ -22,10 +22,10 @@ SchemeSample make_alpha(const std::string& name, double spectral_radius) {
     return {name, settings, 2.0};
 }
 
-SchemeSample make_runge_kutta(const std::string& name, Scheme scheme) {
+SchemeSample make_runge_kutta(const std::string& name, Scheme scheme, double order = 4.0) {
     DynamicSettings settings;
     settings.scheme = scheme;
-    return {name, settings, 4.0};
+    return {name, settings, order};
 }
 
 }  // namespace
@@ -43,6 +43,8 @@ const std::vector<SchemeSample>& all_schemes() {
         make_alpha("generalized-alpha, radius 0.9", 0.9),
         make_alpha("generalized-alpha, radius 1", 1.0),
         make_runge_kutta("sdirk-4", Scheme::sdirk_4),
+        make_runge_kutta("radau-5", Scheme::radau_5, 5.0),
+        make_runge_kutta("gauss-4", Scheme::gauss_4),
         make_runge_kutta("runge-kutta-4", Scheme::runge_kutta_4),
     };
     return schemes;

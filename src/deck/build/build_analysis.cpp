@@ -94,6 +94,21 @@ void check_paper_tangent(const CheckedTable& newton, const std::string& user, co
     }
 }
 
+// Stages that are found together share one matrix, which is none of the others.
+void check_coupled_tangent(const CheckedTable& newton,
+                           const DynamicSettings& settings,
+                           const BuildContext& context) {
+    const TangentKind tangent = settings.newton.tangent;
+    const bool is_coupled = settings.scheme == Scheme::radau_5 || settings.scheme == Scheme::gauss_4;
+    if (!is_coupled || tangent == TangentKind::automatic || tangent == TangentKind::consistent) return;
+    context.add_fault(newton,
+                      "tangent",
+                      fmt::format("\"{}\" finds the stages of a step together and has a tangent of its own; "
+                                  "expected \"{}\"",
+                                  word_of(scheme_choices, settings.scheme),
+                                  word_of(tangent_choices, TangentKind::automatic)));
+}
+
 // Sets what the deck gives.
 void read_newton(const CheckedTable& analysis,
                  const std::string& user,
@@ -140,6 +155,8 @@ DynamicSettings build_dynamic(const CheckedTable& table, const BuildContext& con
     const bool is_papers_scheme = settings.scheme == Scheme::newmark_simplified;
     const std::string user = "\"" + word_of(scheme_choices, settings.scheme) + "\"";
     read_newton(table, is_papers_scheme ? "" : user, context, settings.newton);
+    if (table.gives("newton") && table.tables("newton").front().gives("tangent"))
+        check_coupled_tangent(table.tables("newton").front(), settings, context);
     settings.linear_solver = find_linear_solver(table);
     return settings;
 }

@@ -26,7 +26,9 @@ std::vector<Condition> for_equilibria() {
             for_schemes({Scheme::newmark_simplified,
                          Scheme::newmark_ibrahimbegovic,
                          Scheme::generalized_alpha,
-                         Scheme::sdirk_4})
+                         Scheme::sdirk_4,
+                         Scheme::radau_5,
+                         Scheme::gauss_4})
                 .back()};
 }
 
@@ -137,7 +139,7 @@ std::vector<KeySpec> scheme_keys() {
          .sentence =
              "Steps chosen by an estimate of their error; time_step or steps gives the first one; left "
              "out, equal steps.",
-         .only_for = {timed, for_schemes({Scheme::sdirk_4}).back()},
+         .only_for = {timed, for_schemes({Scheme::sdirk_4, Scheme::radau_5}).back()},
          .table = &adaptive_table()},
         {.name = "newton",
          .type = ValueType::table,

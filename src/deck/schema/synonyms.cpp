@@ -272,6 +272,8 @@ constexpr WordSynonyms choices[] = {
     {"newmark-simplified", "newmark trapezoidal average_acceleration"},
     {"generalized-alpha", "hht alpha generalised-alpha generalized_alpha bathe chung-hulbert"},
     {"sdirk-4", "dirk sdirk"},
+    {"radau-5", "radau radau_iia radau5"},
+    {"gauss-4", "gauss gauss_legendre midpoint collocation"},
     {"runge-kutta-4", "rk4 rk explicit_rk runge-kutta erk4"},
     {"spatial", "global dead fixed_frame space world"},
     {"follower", "following corotational nonconservative"},

@@ -1,0 +1,185 @@
+#include "integrators/coupled_stages.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <cassert>
+#include <cmath>
+
+#include "rotation/tangent_map.hpp"
+#include "state/increment.hpp"
+
+namespace gxrod {
+
+CoupledStages::CoupledStages(const Matrix& a, Vector fractions, bool ends_with_stage)
+    : inverse_(a.inverse()), fractions_(std::move(fractions)), ends_with_stage_(ends_with_stage) {
+    const Eigen::Index count = fractions_.size();
+    const Eigen::EigenSolver<Matrix> solver(inverse_);
+    const Eigen::MatrixXcd V = solver.eigenvectors();
+    const Eigen::MatrixXcd to_equations = V.inverse();
+    to_real_ = from_real_ = Vector::Zero(count);
+    for (Eigen::Index k = 0; k < count; ++k) {
+        const std::complex<double> factor = solver.eigenvalues()[k];
+        if (factor.imag() > 0.0) {
+            complex_factor_ = factor;
+            to_complex_ = to_equations.row(k).transpose();
+            from_complex_ = V.col(k);
+        } else if (factor.imag() == 0.0) {
+            real_factor_ = factor.real();
+            to_real_ = to_equations.row(k).transpose().real();
+            from_real_ = V.col(k).real();
+        }
+    }
+}
+
+CoupledStages CoupledStages::make_radau_5() {
+    const double root = std::sqrt(6.0);
+    Matrix a(3, 3);
+    a << (88.0 - 7.0 * root) / 360.0, (296.0 - 169.0 * root) / 1800.0, (-2.0 + 3.0 * root) / 225.0,
+        (296.0 + 169.0 * root) / 1800.0, (88.0 + 7.0 * root) / 360.0, (-2.0 - 3.0 * root) / 225.0,
+        (16.0 - root) / 36.0, (16.0 + root) / 36.0, 1.0 / 9.0;
+    CoupledStages scheme(a, Vector{{(4.0 - root) / 10.0, (4.0 + root) / 10.0, 1.0}}, true);
+    scheme.weights_ = a.row(2).transpose();
+    scheme.end_ = Vector{{0.0, 0.0, 1.0}};
+    scheme.error_order_ = 4;
+    scheme.error_weights_ =
+        Vector{{-(13.0 + 7.0 * root) / 3.0, (-13.0 + 7.0 * root) / 3.0, -1.0 / 3.0}};
+    return scheme;
+}
+
+CoupledStages CoupledStages::make_gauss_4() {
+    const double root = std::sqrt(3.0);
+    Matrix a(2, 2);
+    a << 0.25, 0.25 - root / 6.0, 0.25 + root / 6.0, 0.25;
+    CoupledStages scheme(a, Vector{{0.5 - root / 6.0, 0.5 + root / 6.0}}, false);
+    scheme.weights_ = Vector{{0.5, 0.5}};
+    scheme.end_ = Vector{{-root, root}};
+    return scheme;
+}
+
+std::vector<double> CoupledStages::power_weights() const {
+    std::vector<double> weights{0.0};
+    weights.insert(weights.end(), weights_.begin(), weights_.end());
+    return weights;
+}
+
+void CoupledStages::predict(State& state, const Stage& step, const ThreadTeam& team) const {
+    const auto count = static_cast<std::size_t>(stage_count());
+    state.stage_motions.resize(count);
+    for (std::vector<NodeMotion>& motions : state.stage_motions) motions.resize(state.previous.size());
+    team.for_each_range(state.previous.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t j = 0; j < count; ++j) {
+            const double t = fractions_[static_cast<Eigen::Index>(j)] * step.time_step;
+            for (std::size_t i = first; i < last; ++i) {
+                const NodeMotion& from = state.previous[i];
+                NodeMotion& to = state.stage_motions[j][i];
+                to = from;
+                place(from,
+                      from.r + t * (from.v + 0.5 * t * from.a),
+                      t * (from.omega + 0.5 * t * from.alpha),
+                      to);
+            }
+        }
+    });
+}
+
+void CoupledStages::update_stages(State& state, const Stage& step, const ThreadTeam& team) const {
+    const Matrix by_time = inverse_ / step.time_step;
+    const Eigen::Index count = fractions_.size();
+    using Vectors = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3>;
+    team.for_each_range(state.previous.size(), [&](std::size_t first, std::size_t last) {
+        Vectors r(3, count), theta(3, count), v(3, count), omega(3, count);
+        for (std::size_t i = first; i < last; ++i) {
+            const NodeMotion& previous = state.previous[i];
+            for (Eigen::Index j = 0; j < count; ++j) {
+                const NodeMotion& motion = state.stage_motions[static_cast<std::size_t>(j)][i];
+                r.col(j) = motion.r - previous.r;
+                theta.col(j) = motion.theta;
+            }
+            v = r * by_time.transpose();
+            omega = theta * by_time.transpose();
+            for (Eigen::Index j = 0; j < count; ++j) {
+                NodeMotion& motion = state.stage_motions[static_cast<std::size_t>(j)][i];
+                motion.v = v.col(j);
+                motion.omega = tangent_map(motion.theta) * omega.col(j);
+                v.col(j) -= previous.v;
+                omega.col(j) = motion.omega - previous.omega;
+            }
+            const Vectors a = v * by_time.transpose();
+            const Vectors alpha = omega * by_time.transpose();
+            for (Eigen::Index j = 0; j < count; ++j) {
+                NodeMotion& motion = state.stage_motions[static_cast<std::size_t>(j)][i];
+                motion.a = a.col(j);
+                motion.alpha = alpha.col(j);
+            }
+        }
+    });
+}
+
+void CoupledStages::end_step(State& state, const Stage& step, const ThreadTeam& team) const {
+    state.trial_time = step.end_time;
+    if (ends_with_stage_) {
+        state.trial = state.stage_motions.back();
+        return;
+    }
+    team.for_each_range(state.previous.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const NodeMotion& previous = state.previous[i];
+            NodeMotion& trial = state.trial[i];
+            Vec3 r = previous.r, theta = Vec3::Zero();
+            trial.v = previous.v;
+            trial.omega = previous.omega;
+            for (Eigen::Index j = 0; j < end_.size(); ++j) {
+                const NodeMotion& motion = state.stage_motions[static_cast<std::size_t>(j)][i];
+                r += end_[j] * (motion.r - previous.r);
+                theta += end_[j] * motion.theta;
+                trial.v += end_[j] * (motion.v - previous.v);
+                trial.omega += end_[j] * (motion.omega - previous.omega);
+            }
+            place(previous, r, theta, trial);
+        }
+    });
+}
+
+CoupledStages::Defect CoupledStages::compute_defect(const State& state,
+                                                    double time_step,
+                                                    std::size_t node) const {
+    const NodeMotion& previous = state.previous[node];
+    Defect defect;
+    defect.rates << previous.v, previous.omega;
+    defect.accelerations << previous.a, previous.alpha;
+    for (Eigen::Index j = 0; j < error_weights_.size(); ++j) {
+        const NodeMotion& motion = state.stage_motions[static_cast<std::size_t>(j)][node];
+        const double weight = error_weights_[j] / time_step;
+        defect.rates.head<3>() += weight * (motion.r - previous.r);
+        defect.rates.tail<3>() += weight * motion.theta;
+        defect.accelerations.head<3>() += weight * (motion.v - previous.v);
+        defect.accelerations.tail<3>() += weight * (motion.omega - previous.omega);
+    }
+    return defect;
+}
+
+void CoupledStages::place_nodes(State& state, const Stage& stage, NodeRange nodes) const {
+    for (std::size_t i = nodes.first; i < nodes.last; ++i) {
+        const NodeMotion& previous = state.previous[i];
+        place(previous,
+              previous.r + stage.time_step * previous.v,
+              stage.time_step * previous.omega,
+              state.trial[i]);
+    }
+}
+
+void CoupledStages::update_nodes(State&, const Stage&, NodeRange) const {
+    assert(false);  // rates of a stage depend on all stages: update_stages
+}
+
+void CoupledStages::linearize_nodes(const State&,
+                                    const Stage& stage,
+                                    NodeRange nodes,
+                                    std::vector<NodeLinearization>& linearizations) const {
+    const double factor = typical_factor() / stage.time_step;
+    const Mat3 d_omega = factor * Mat3::Identity();
+    for (std::size_t i = nodes.first; i < nodes.last; ++i)
+        linearizations[i] = {1.0, factor, factor * factor, d_omega, factor * d_omega};
+}
+
+}  // namespace gxrod

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+
+#include "integrators/integrator.hpp"
+
+namespace gxrod {
+
+// A Runge-Kutta scheme whose stages depend on each other and are found together, in the rotation vectors of
+// the step: with A the matrix of the scheme, c its fractions, of node i at stage j
+//   r_j = r_n + Δt Σ_k a_jk v_k,   v_j = v_n + Δt Σ_k a_jk a_k,
+//   θ_j = Δt Σ_k a_jk T(θ_k)⁻¹ ω_k,   ω_j = ω_n + Δt Σ_k a_jk α_k
+// (docs/theory/newmark.md, (R1)). The stages' placements are the unknowns; rates follow by A⁻¹. They are
+// kept in State::stage_motions. A⁻¹ = V diag(λ) V⁻¹ parts the linear equations of all stages into one for
+// each λ (Hairer & Wanner 1996, IV.8): one real, if the number of stages is odd, and one complex; no scheme
+// here has more than three stages.
+class CoupledStages : public Integrator {
+  public:
+    using Matrix = Eigen::MatrixXd;
+    using Vector = Eigen::VectorXd;
+
+    // Radau IIA with three stages: order 5, of its stages 3, L-stable; the last stage is the end of the step.
+    // Its error is estimated as Hairer & Wanner do (IV.8.20).
+    static CoupledStages make_radau_5();
+    // Gauss with two stages: order 4, of its stages 2, symmetric, without numerical damping. The end of the
+    // step is not a stage.
+    static CoupledStages make_gauss_4();
+
+    const CoupledStages* coupled() const override { return this; }
+    int stage_count() const override { return static_cast<int>(fractions_.size()); }
+    double stage_fraction(int stage) const override { return fractions_[stage]; }
+    bool ends_with_stage() const { return ends_with_stage_; }
+    int error_order() const override { return error_order_; }
+    std::vector<double> power_weights() const override;
+
+    // λ of the real equation, 0 without one, and of the complex one; both over Δt.
+    double real_factor() const { return real_factor_; }
+    std::complex<double> complex_factor() const { return complex_factor_; }
+    // λ for a tangent that needs but one.
+    double typical_factor() const { return real_factor_ > 0.0 ? real_factor_ : std::abs(complex_factor_); }
+    // Rows of V⁻¹: an unknown of the equations from those of the stages.
+    const Vector& to_real() const { return to_real_; }
+    const Eigen::VectorXcd& to_complex() const { return to_complex_; }
+    // Columns of V: of a stage, the real unknown times from_real plus twice the real part of the complex one
+    // times from_complex.
+    const Vector& from_real() const { return from_real_; }
+    const Eigen::VectorXcd& from_complex() const { return from_complex_; }
+
+    // Sets State::stage_motions as far as placements go, by velocities and accelerations at the start.
+    void predict(State& state, const Stage& step, const ThreadTeam& team) const;
+    // Velocities and accelerations of all stages from their placements.
+    void update_stages(State& state, const Stage& step, const ThreadTeam& team) const;
+    // Sets the trial to the end of the step; its accelerations too where that is a stage.
+    void end_step(State& state, const Stage& step, const ThreadTeam& team) const;
+
+    // What the real equation's solution makes an estimate of the error, per unit of Δt: of a node, what
+    // comes to v and a at the start, from the placements and rates of the stages.
+    struct Defect {
+        Vec6 rates = Vec6::Zero();          // v, θ′
+        Vec6 accelerations = Vec6::Zero();  // a, α
+    };
+    Defect compute_defect(const State& state, double time_step, std::size_t node) const;
+
+  protected:
+    // Of the end of a step, by the typical factor: for what looks at a step from outside.
+    void place_nodes(State& state, const Stage& stage, NodeRange nodes) const override;
+    void update_nodes(State& state, const Stage& stage, NodeRange nodes) const override;
+    void linearize_nodes(const State& state,
+                         const Stage& stage,
+                         NodeRange nodes,
+                         std::vector<NodeLinearization>& linearizations) const override;
+
+  private:
+    CoupledStages(const Matrix& a, Vector fractions, bool ends_with_stage);
+
+    Matrix inverse_;  // A⁻¹
+    Vector weights_;  // of the end, b
+    Vector end_;      // A⁻ᵀ b
+    Vector fractions_;
+    bool ends_with_stage_;
+    int error_order_ = 0;
+    Vector error_weights_;
+    double real_factor_ = 0.0;
+    std::complex<double> complex_factor_;
+    Vector to_real_, from_real_;
+    Eigen::VectorXcd to_complex_, from_complex_;
+};
+
+}  // namespace gxrod

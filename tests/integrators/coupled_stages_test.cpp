@@ -1,0 +1,156 @@
+#include "integrators/coupled_stages.hpp"
+
+#include <Eigen/LU>
+
+#include "assembly/system.hpp"
+#include "integrators/scheme_samples.hpp"
+#include "rotation/tangent_map.hpp"
+#include "solvers/coupled_step.hpp"
+#include "state/increment.hpp"
+#include "tools/catch.hpp"
+#include "tools/difference.hpp"
+#include "tools/random_values.hpp"
+#include "tools/run.hpp"
+#include "tools/tops.hpp"
+
+using namespace gxrod;
+using namespace gxrod::tools;
+
+namespace {
+
+struct Tableau {
+    std::string name;
+    CoupledStages scheme;
+    Eigen::MatrixXd A;
+    Eigen::VectorXd b, c;
+    int order, stage_order;
+};
+
+// A by the definition of collocation: a_ij = ∫₀^cᵢ l_j, of the fractions alone.
+Tableau make_tableau(const std::string& name, const CoupledStages& scheme, int order) {
+    const int count = scheme.stage_count();
+    Tableau tableau{name, scheme, {}, {}, Eigen::VectorXd(count), order, count};
+    for (int i = 0; i < count; ++i) tableau.c[i] = scheme.stage_fraction(i);
+    // Powers of c: A c^k = c^(k+1)/(k+1), and b alike with c = 1.
+    Eigen::MatrixXd powers(count, count), integrals(count, count);
+    Eigen::RowVectorXd ends(count);
+    for (int k = 0; k < count; ++k) {
+        powers.col(k) = tableau.c.array().pow(k);
+        integrals.col(k) = tableau.c.array().pow(k + 1) / (k + 1);
+        ends[k] = 1.0 / (k + 1);
+    }
+    const Eigen::MatrixXd inverse = powers.inverse();
+    tableau.A = integrals * inverse;
+    tableau.b = (ends * inverse).transpose();
+    return tableau;
+}
+
+std::vector<Tableau> all_tableaus() {
+    return {make_tableau("radau-5", CoupledStages::make_radau_5(), 5),
+            make_tableau("gauss-4", CoupledStages::make_gauss_4(), 4)};
+}
+
+// Two nodes at random stages of a step from random motions.
+State make_random_stages(const CoupledStages& scheme, unsigned seed) {
+    RandomValues random(seed);
+    State state = make_random_state(scheme, seed);
+    const Stage step = make_stage(0);
+    scheme.predict(state, step, ThreadTeam::alone());
+    for (std::vector<NodeMotion>& motions : state.stage_motions) {
+        for (std::size_t i = 0; i < motions.size(); ++i)
+            place(state.previous[i],
+                  state.previous[i].r + random.vector(0.3),
+                  random.number(0.3, 2.5) * random.direction(),
+                  motions[i]);
+    }
+    scheme.update_stages(state, step, ThreadTeam::alone());
+    return state;
+}
+
+}  // namespace
+
+TEST_CASE("coupled schemes meet the conditions of their orders, and not of the next", "[integrators]") {
+    for (const Tableau& it : all_tableaus()) {
+        INFO(it.name);
+        for (int k = 1; k <= it.order; ++k)
+            CHECK(it.b.dot(Eigen::VectorXd(it.c.array().pow(k - 1))) == Approx(1.0 / k).epsilon(1e-13));
+        const double next = it.b.dot(Eigen::VectorXd(it.c.array().pow(it.order)));
+        CHECK(std::abs(next - 1.0 / (it.order + 1)) > 1e-4);
+        const std::vector<double> weights = it.scheme.power_weights();
+        REQUIRE(weights.size() == static_cast<std::size_t>(it.b.size()) + 1);
+        CHECK(weights[0] == 0.0);
+        for (Eigen::Index j = 0; j < it.b.size(); ++j)
+            CHECK(weights[static_cast<std::size_t>(j) + 1] == Approx(it.b[j]).epsilon(1e-14));
+    }
+}
+
+TEST_CASE("the equations of coupled stages part by the eigenvalues of their matrix", "[integrators]") {
+    for (const Tableau& it : all_tableaus()) {
+        INFO(it.name);
+        const Eigen::MatrixXd inverse = it.A.inverse();
+        const CoupledStages& scheme = it.scheme;
+        const std::complex<double> factor = scheme.complex_factor();
+        const Eigen::MatrixXd parts =
+            scheme.real_factor() * scheme.from_real() * scheme.to_real().transpose() +
+            2.0 * (factor * scheme.from_complex() * scheme.to_complex().transpose()).real();
+        CHECK(relative_difference(parts, inverse) < 1e-13);
+        CHECK(factor.imag() > 0.0);
+        // The square of the largest angle is less than a half turn from K: what elimination relies on.
+        CHECK(std::abs(std::arg(factor * factor)) < 0.75 * 3.14159);
+    }
+    CHECK(CoupledStages::make_radau_5().real_factor() == Approx(3.637834252744496).epsilon(1e-14));
+    CHECK(CoupledStages::make_gauss_4().real_factor() == 0.0);
+}
+
+TEST_CASE("each coupled stage is a sum over the rates of all", "[integrators]") {
+    for (const Tableau& it : all_tableaus()) {
+        INFO(it.name);
+        const State state = make_random_stages(it.scheme, 7);
+        const double time_step = make_stage(0).time_step;
+        const auto check_sums = [&](const NodeMotion& end, const auto& weights) {
+            const NodeMotion& previous = state.previous[0];
+            Vec3 r = previous.r, v = previous.v, theta = Vec3::Zero(), omega = previous.omega;
+            for (Eigen::Index k = 0; k < it.c.size(); ++k) {
+                const NodeMotion& motion = state.stage_motions[static_cast<std::size_t>(k)][0];
+                r += time_step * weights[k] * motion.v;
+                v += time_step * weights[k] * motion.a;
+                theta += time_step * weights[k] * (tangent_map(motion.theta).inverse() * motion.omega);
+                omega += time_step * weights[k] * motion.alpha;
+            }
+            CHECK(relative_difference(end.r, r) < 1e-12);
+            CHECK(relative_difference(end.v, v) < 1e-12);
+            CHECK(relative_difference(end.theta, theta) < 1e-12);
+            CHECK(relative_difference(end.omega, omega) < 1e-12);
+        };
+        for (Eigen::Index j = 0; j < it.c.size(); ++j)
+            check_sums(state.stage_motions[static_cast<std::size_t>(j)][0], it.A.row(j));
+        State ended = state;
+        it.scheme.end_step(ended, make_stage(0), ThreadTeam::alone());
+        check_sums(ended.trial[0], it.b);
+        CHECK(ended.trial_time == 0.5);
+    }
+}
+
+TEST_CASE("the error estimate of radau-5 falls with the fourth power of the step", "[integrators]") {
+    const Model model = heavy_top::make_model();
+    const System system(model);
+    SolverWorkspace workspace(system, LinearSolverKind::klu);
+    const CoupledStages scheme = CoupledStages::make_radau_5();
+    CHECK(scheme.error_order() == 4);
+    NewtonSettings newton;
+    newton.tolerance = 1e-12;
+    std::vector<double> errors;
+    for (const double step : {2e-3, 1e-3, 5e-4}) {
+        State state = system.initial_state();
+        REQUIRE(solve_accelerations(system, 0.0, {0.0, step}, workspace, state).converged());
+        system.commit(state, 0.0);
+        REQUIRE(solve_step(system, scheme, newton, {0, 0.0, step, step}, workspace, state).converged());
+        const StepError error = measure_step_error(workspace.coupled->placement_errors,
+                                                   workspace.coupled->rate_errors,
+                                                   [&](int) { return system.length_scale(); });
+        CHECK(error.node == 0);
+        errors.push_back(error.size);
+    }
+    INFO("errors " << errors[0] << " " << errors[1] << " " << errors[2]);
+    CHECK(compute_orders(errors)[1] == Approx(4.0).margin(0.1));
+}
