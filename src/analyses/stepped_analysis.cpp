@@ -251,7 +251,9 @@ bool SteppedAnalysis::take_step(EquilibriumReport& report) {
         undo();
         throw;
     }
-    if (report.converged() && integrator_->error_order() > 0) check_error(report);
+    // Of schemes of one stage only where steps are chosen by it: there it costs as much as a step's update.
+    const bool is_estimated = steps_->needs_error() || integrator_->stage_count() > 1;
+    if (report.converged() && is_estimated && integrator_->error_order() > 0) check_error(report);
     if (report.converged()) judge_equilibrium(report);
     if (!report.converged()) undo();
     return report.converged();

@@ -21,6 +21,16 @@ class GeneralizedAlpha : public Integrator {
                               int term,
                               std::vector<NodeMotion>& rates) const override;
 
+    int error_order() const override { return 3; }
+    // Algorithmic accelerations are those at a time (α_m − α_f) Δt later.
+    StepError estimate_error(const State& state,
+                             double time_step,
+                             const NodeLengths& lengths) const override {
+        const double later = alpha_m_ - alpha_f_;
+        return estimate_newmark_error(
+            {newmark_.beta + 0.5 * later - 1.0 / 6.0, 1.0 / 12.0, 0.0}, state, time_step, lengths, true);
+    }
+
   protected:
     void place_nodes(State& state, const Stage& stage, NodeRange nodes) const override;
     void update_nodes(State& state, const Stage& stage, NodeRange nodes) const override;

@@ -13,6 +13,32 @@ void update_translation(const Newmark& newmark,
     trial.v = newmark.velocity(previous.v, previous.a, trial.a, time_step);
 }
 
+StepError estimate_newmark_error(const NewmarkError& factors,
+                                 const State& state,
+                                 double time_step,
+                                 const NodeLengths& lengths,
+                                 bool is_algorithmic) {
+    const std::size_t count = state.trial.size();
+    std::vector<Vec6> placements(count), rates(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const NodeMotion& previous = state.previous[i];
+        const NodeMotion& trial = state.trial[i];
+        Vec6 change;
+        change << trial.a - previous.a, trial.alpha - previous.alpha;
+        if (is_algorithmic) {
+            const AlgorithmicAcceleration& A_n = state.algorithmic_previous[i];
+            const AlgorithmicAcceleration& A = state.algorithmic_trial[i];
+            change << A.a - A_n.a, A.alpha - A_n.alpha;
+        }
+        change *= time_step * time_step;
+        const double cubed = time_step * time_step * time_step;
+        placements[i] = factors.placement * change;
+        placements[i].tail<3>() += factors.twist * cubed * previous.omega.cross(previous.alpha);
+        rates[i] = factors.rate * change;
+    }
+    return measure_step_error(placements, rates, lengths);
+}
+
 void predict_constant_acceleration(State& state, double h, NodeRange nodes) {
     for (std::size_t i = nodes.first; i < nodes.last; ++i) {
         const NodeMotion& previous = state.previous[i];

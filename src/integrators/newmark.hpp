@@ -38,6 +38,20 @@ void update_translation(const Newmark& newmark,
                         double time_step,
                         NodeMotion& trial);
 
+// The local error of a step in placements, docs/theory/newmark.md, (E1), of a scheme whose β is the given one
+// and whose accelerations at both ends of the step are these; that of spins has twist ω × α besides, and
+// those of rates are `rate_error` times the change of accelerations, which is none of schemes of order 2.
+struct NewmarkError {
+    double placement;  // β − 1/6, of the change of accelerations
+    double twist;      // of Δt ω × α
+    double rate;       // of the change of accelerations, times Δt
+};
+StepError estimate_newmark_error(const NewmarkError& factors,
+                                 const State& state,
+                                 double time_step,
+                                 const NodeLengths& lengths,
+                                 bool is_algorithmic = false);
+
 // Places nodes where the velocity and acceleration of the last step would take it in the time h:
 // r + h v + ½h² a and θ = h ω + ½h² α.
 void predict_constant_acceleration(State& state, double h, NodeRange nodes);

@@ -10,6 +10,16 @@ namespace gxrod {
 class NewmarkIbrahimbegovic : public Integrator {
   public:
     explicit NewmarkIbrahimbegovic(const Newmark& newmark) : newmark_(newmark) {}
+    int error_order() const override { return 3; }
+    StepError estimate_error(const State& state,
+                             double time_step,
+                             const NodeLengths& lengths) const override {
+        return estimate_newmark_error(
+            {newmark_.beta - 1.0 / 6.0, 1.0 / 12.0 - newmark_.beta, newmark_.gamma - 0.5},
+            state,
+            time_step,
+            lengths);
+    }
 
   protected:
     void place_nodes(State& state, const Stage& stage, NodeRange nodes) const override;

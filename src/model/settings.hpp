@@ -52,7 +52,7 @@ struct NewtonSettings {
     double absolute_residual = 0.0;
 };
 
-// Steps chosen by an estimate of their error; sdirk_4 and radau_5 only.
+// Steps chosen by an estimate of their error; of schemes that have one.
 struct AdaptiveSettings {
     // Of one step: displacements relative to the model's length, rotations in rad.
     double tolerance = 1e-4;

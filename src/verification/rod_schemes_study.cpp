@@ -51,7 +51,7 @@ const std::vector<Case>& cases() {
 
 const std::vector<std::string>& schemes() {
     static const std::vector<std::string> all{
-        "newmark-simplified", "newmark-ibrahimbegovic", "generalized-alpha", "sdirk-4"};
+        "newmark-simplified", "newmark-ibrahimbegovic", "generalized-alpha", "sdirk-4", "radau-5", "gauss-4"};
     return all;
 }
 

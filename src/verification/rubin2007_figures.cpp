@@ -42,7 +42,9 @@ void write_histories(const std::filesystem::path& path) {
     for (const StudyScheme scheme : {StudyScheme::newmark_simplified,
                                      StudyScheme::newmark_ibrahimbegovic,
                                      StudyScheme::matrix_rk4,
-                                     StudyScheme::sdirk_4}) {
+                                     StudyScheme::sdirk_4,
+                                     StudyScheme::radau_5,
+                                     StudyScheme::gauss_4}) {
         for (const Sample& sample : run_scheme(scheme, figure_steps).samples) {
             csv.line(fmt::format("{},{},{:.6f},{:.10g},{:.10g},{:.10g}",
                                  name_of(scheme),

@@ -99,12 +99,13 @@ StudyResult report(const StudyOptions& options) {
         const Comparison comparison = compare(row);
         if (comparison.reference) add_checks(row, *comparison.reference, result.checks);
         result.table += to_line(row, comparison);
-        // The paper's schemes and SDIRK4; that of decks on unit quaternions is in the table only.
+        // The paper's schemes and those of higher order; that of decks on unit quaternions is in the table
+        // only.
         if (row.scheme != StudyScheme::quaternion_rk4) result.json.push_back(to_json(row));
     }
     result.table +=
-        "S, I: Newmark schemes (4.7), (4.3). RK4: on the nine entries of Λ (6.20). SDIRK4: sdirk-4 of "
-        "decks.\n"
+        "S, I: Newmark schemes (4.7), (4.3). RK4: on the nine entries of Λ (6.20). SDIRK4, RADAU5, "
+        "GAUSS4: sdirk-4, radau-5 and gauss-4 of decks.\n"
         "RK4Q: runge-kutta-4 of decks, on unit quaternions. Newton's method to 1e-12 H0.\n";
     if (!options.figures.empty()) write_figure_data(options.figures, rows);
     return result;

@@ -24,6 +24,12 @@ DynamicSettings make_settings(StudyScheme scheme, long steps) {
         case StudyScheme::sdirk_4:
             settings.scheme = Scheme::sdirk_4;
             break;
+        case StudyScheme::radau_5:
+            settings.scheme = Scheme::radau_5;
+            break;
+        case StudyScheme::gauss_4:
+            settings.scheme = Scheme::gauss_4;
+            break;
         case StudyScheme::quaternion_rk4:
             settings.scheme = Scheme::runge_kutta_4;
             break;
@@ -117,6 +123,10 @@ std::string name_of(StudyScheme scheme) {
             return "RK4";
         case StudyScheme::sdirk_4:
             return "SDIRK4";
+        case StudyScheme::radau_5:
+            return "RADAU5";
+        case StudyScheme::gauss_4:
+            return "GAUSS4";
         case StudyScheme::quaternion_rk4:
             break;
     }
@@ -150,6 +160,8 @@ std::vector<Row> run_study(const std::vector<long>& steps) {
                                      StudyScheme::newmark_ibrahimbegovic,
                                      StudyScheme::matrix_rk4,
                                      StudyScheme::sdirk_4,
+                                     StudyScheme::radau_5,
+                                     StudyScheme::gauss_4,
                                      StudyScheme::quaternion_rk4}) {
         for (const long n : steps) rows.push_back(run_scheme(scheme, n).row);
     }

@@ -10,9 +10,18 @@
 namespace gxrod::rubin2007 {
 
 // The Newmark schemes (S) and (I) of Rubin (2007), (4.7) and (4.3); the classical Runge-Kutta scheme on the
-// nine entries of Λ, (6.20); beyond the paper sdirk-4, and the deck's runge-kutta-4 on unit quaternions.
-enum class StudyScheme { newmark_simplified, newmark_ibrahimbegovic, matrix_rk4, sdirk_4, quaternion_rk4 };
-// "S", "I", "RK4", "SDIRK4", "RK4Q".
+// nine entries of Λ, (6.20); beyond the paper sdirk-4, radau-5, gauss-4, and the deck's runge-kutta-4 on unit
+// quaternions.
+enum class StudyScheme {
+    newmark_simplified,
+    newmark_ibrahimbegovic,
+    matrix_rk4,
+    sdirk_4,
+    radau_5,
+    gauss_4,
+    quaternion_rk4
+};
+// "S", "I", "RK4", "SDIRK4", "RADAU5", "GAUSS4", "RK4Q".
 std::string name_of(StudyScheme scheme);
 
 // One scheme over the whole cycle in a number of steps: maxima over the ends of the steps.

@@ -308,7 +308,7 @@ class Errors(PlotTest):
 
 
 class Figures(PlotTest):
-    SCHEMES = ("S", "I", "RK4", "SDIRK4")
+    SCHEMES = ("S", "I", "RK4", "SDIRK4", "RADAU5", "GAUSS4")
 
     def write_data(self, folder):
         tau = np.linspace(0.0, 1.0, 201)

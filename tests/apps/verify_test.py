@@ -17,7 +17,7 @@ class Verify(ProgramTest):
     def test_rubin2007_as_json(self):
         done = self.gxrod("verify", "rubin2007", "--json")
         rows = json.loads(done.stdout)["rubin2007"]
-        self.assertEqual({row["scheme"] for row in rows}, {"S", "I", "RK4", "SDIRK4"})
+        self.assertEqual({row["scheme"] for row in rows}, {"S", "I", "RK4", "SDIRK4", "RADAU5", "GAUSS4"})
         self.assertEqual([row["steps"] for row in rows if row["scheme"] == "S"], [50, 100, 200, 400, 800, 1600])
         self.assertEqual(set(rows[0]), {"scheme", "steps", "max_theta_deg", "error_orientation", "error_momentum",
                                         "error_energy", "iterations_per_step", "diverged"})

@@ -243,3 +243,61 @@ TEST_CASE("orders measured on the paper's problem", "[integrators][order]") {
         check_order(scheme, rubin2007::period, steps.of(scheme), 0.1, measure_paper_problem);
     }
 }
+
+TEST_CASE("Newmark's schemes estimate the error of a step as it is", "[integrators]") {
+    const Model model = heavy_top::make_model();
+    const System system(model);
+    SolverWorkspace workspace(system, LinearSolverKind::klu);
+    NewtonSettings newton;
+    newton.tolerance = 1e-13;
+    const auto take_step = [&](const Integrator& integrator, double step) {
+        State state = system.initial_state();
+        REQUIRE(solve_accelerations(system, 0.0, {0.0, step}, workspace, state).converged());
+        system.commit(state, 0.0);
+        REQUIRE(solve_step(system, integrator, newton, {0, 0.0, step, step}, workspace, state).converged());
+        return state;
+    };
+    DynamicSettings exact;
+    exact.scheme = Scheme::radau_5;
+    for (const SchemeSample& scheme : all_schemes()) {
+        const bool is_newmark = scheme.settings.scheme == Scheme::newmark_simplified ||
+                                scheme.settings.scheme == Scheme::newmark_ibrahimbegovic;
+        if (!is_newmark || scheme.settings.beta == 1.0 / 6.0) continue;
+        INFO(scheme.name);
+        const auto integrator = make_integrator(scheme.settings);
+        CHECK(integrator->error_order() == 3);
+        const double step = 2e-5;
+        const State state = take_step(*integrator, step);
+        const State right = take_step(*make_integrator(exact), step);
+        const StepError error =
+            integrator->estimate_error(state, step, [&](int) { return system.length_scale(); });
+        const double off = state.trial[0].Lambda.angularDistance(right.trial[0].Lambda);
+        const double rate_off = step * (state.trial[0].omega - right.trial[0].omega).norm();
+        CHECK(error.size == Approx(std::max(off, rate_off)).epsilon(0.02));
+    }
+}
+
+TEST_CASE("estimates of errors fall with the power of the step that a scheme states",
+          "[integrators][order]") {
+    for (const SchemeSample& scheme : all_schemes()) {
+        const auto integrator = make_integrator(scheme.settings);
+        if (integrator->error_order() != 3 || scheme.settings.beta == 1.0 / 6.0) continue;
+        INFO(scheme.name);
+        const Model model = heavy_top::make_model();
+        std::vector<double> errors;
+        for (const long steps : {2000, 4000, 8000}) {
+            DynamicSettings settings = scheme.settings;
+            settings.end_time = 0.1;
+            settings.steps = steps;
+            settings.newton.tolerance = 1e-12;
+            settings.adaptive = AdaptiveSettings{
+                .tolerance = 1.0, .min_step = settings.time_step(), .max_step = settings.time_step()};
+            DynamicAnalysis analysis(model, settings);
+            REQUIRE(analysis.start().converged());
+            while (!analysis.finished()) REQUIRE(analysis.advance().converged());
+            errors.push_back(analysis.largest_error());
+        }
+        INFO("errors " << errors[0] << " " << errors[1] << " " << errors[2]);
+        CHECK(compute_orders(errors)[1] == Approx(3.0).margin(0.1));
+    }
+}

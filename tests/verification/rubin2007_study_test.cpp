@@ -75,6 +75,8 @@ TEST_CASE("orders of the study: 2 for (S) and (I), 4 and more for the Runge-Kutt
     for (const auto& [scheme, steps, order] : {std::tuple(StudyScheme::newmark_simplified, 800L, 2.0),
                                                {StudyScheme::newmark_ibrahimbegovic, 800L, 2.0},
                                                {StudyScheme::sdirk_4, 320L, 4.0},
+                                               {StudyScheme::radau_5, 200L, 5.0},
+                                               {StudyScheme::gauss_4, 320L, 4.0},
                                                {StudyScheme::quaternion_rk4, 800L, 4.0}}) {
         INFO(name_of(scheme));
         const Errors coarse = errors_of(scheme, steps);

@@ -6,11 +6,12 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 
 from .cases import refinements_of
 
-COLOURS = (style.BLUE, style.ORANGE, style.GREEN, style.PURPLE, style.BLACK, style.GREY)
-MARKERS = "os^Dv*"
+COLOURS = (style.BLUE, style.ORANGE, style.GREEN, style.PURPLE, style.BLACK, style.GREY, style.RED,
+           style.BROWN)
+MARKERS = "os^Dv*Ph"
 ROUND_OFF = 1e-12  # errors below it have no order
 SCHEME_NAMES = {"S": "(S) newmark-simplified", "I": "(I) newmark-ibrahimbegovic", "RK4": "Runge–Kutta 4",
-                "SDIRK4": "sdirk-4"}
+                "SDIRK4": "sdirk-4", "RADAU5": "radau-5", "GAUSS4": "gauss-4"}
 
 
 def group(rows, key):

@@ -19,7 +19,14 @@ namespace {
 // A step divides the time if it does so up to this, relative.
 constexpr double divides = 1e-9;
 
+// Of `accuracy`: a step may err by this part of what is asked for at the end.
+constexpr double part_of_a_step = 0.01;
+// Where steps are chosen by `accuracy`, the first one is this part of the whole time; it is repeated with
+// shorter ones while its error is too large.
+constexpr long first_part = 10'000;
+
 long find_steps(const CheckedTable& table, double end_time, const BuildContext& context) {
+    if (table.gives("accuracy")) return first_part;
     if (table.gives("steps")) return table.get<long>("steps");
     const double time_step = table.get<double>("time_step");
     const double ratio = end_time / time_step;
@@ -45,6 +52,8 @@ long find_steps(const CheckedTable& table, double end_time, const BuildContext& 
 }
 
 std::optional<AdaptiveSettings> build_adaptive(const CheckedTable& analysis, const BuildContext& context) {
+    if (analysis.gives("accuracy"))
+        return AdaptiveSettings{.tolerance = part_of_a_step * analysis.get<double>("accuracy")};
     if (!analysis.gives("adaptive")) return std::nullopt;
     const CheckedTable& table = analysis.tables("adaptive").front();
     AdaptiveSettings adaptive;
@@ -141,11 +150,26 @@ DynamicSettings build_quasi_static(const CheckedTable& table, const BuildContext
     return settings;
 }
 
+Scheme find_scheme(const CheckedTable& table, const BuildContext& context) {
+    const Scheme scheme = value_of(scheme_choices, table.get<std::string>("integrator"));
+    if (!table.gives("accuracy") || table.gives("integrator")) return scheme;
+    for (const char* key : {"beta", "gamma"}) {
+        if (!table.gives(key)) continue;
+        context.add_fault(
+            table,
+            key,
+            fmt::format("accuracy without an integrator takes \"{}\", which does not use this key; give the "
+                        "integrator",
+                        word_of(scheme_choices, Scheme::radau_5)));
+    }
+    return Scheme::radau_5;
+}
+
 DynamicSettings build_dynamic(const CheckedTable& table, const BuildContext& context) {
     DynamicSettings settings;
     settings.end_time = table.get<double>("end_time");
     settings.steps = find_steps(table, settings.end_time, context);
-    settings.scheme = value_of(scheme_choices, table.get<std::string>("integrator"));
+    settings.scheme = find_scheme(table, context);
     settings.beta = table.get<double>("beta");
     settings.gamma = table.get<double>("gamma");
     settings.spectral_radius = table.get<double>("spectral_radius");

@@ -32,6 +32,17 @@ std::vector<Condition> for_equilibria() {
                 .back()};
 }
 
+// Schemes that estimate the error of a step.
+std::vector<Condition> for_estimated_steps() {
+    return {timed,
+            for_schemes({Scheme::newmark_simplified,
+                         Scheme::newmark_ibrahimbegovic,
+                         Scheme::generalized_alpha,
+                         Scheme::sdirk_4,
+                         Scheme::radau_5})
+                .back()};
+}
+
 const TableSpec& newton_table() {
     static const TableSpec table{
         .path = "analysis.newton",
@@ -101,7 +112,7 @@ std::vector<KeySpec> scheme_keys() {
         {.name = "integrator",
          .type = ValueType::choice,
          .default_value = word_of(scheme_choices, defaults.scheme),
-         .sentence = "How time advances.",
+         .sentence = "How time advances; with accuracy, radau-5 unless another one is given.",
          .choices = words_of(scheme_choices),
          .only_for = {dynamic_only}},
         {.name = "beta",
@@ -139,7 +150,7 @@ std::vector<KeySpec> scheme_keys() {
          .sentence =
              "Steps chosen by an estimate of their error; time_step or steps gives the first one; left "
              "out, equal steps.",
-         .only_for = {timed, for_schemes({Scheme::sdirk_4, Scheme::radau_5}).back()},
+         .only_for = for_estimated_steps(),
          .table = &adaptive_table()},
         {.name = "newton",
          .type = ValueType::table,
@@ -192,6 +203,15 @@ std::vector<KeySpec> analysis_keys() {
          .presence = Presence::required,
          .sentence = "Where the analysis ends; it starts at t = 0.",
          .only_for = {timed}},
+        {.name = "accuracy",
+         .type = ValueType::number,
+         .dimension = "1",
+         .range = {.lower = 0.0, .at_lower = Bound::open, .upper = 0.1},
+         .sentence =
+             "Instead of a step: about how far places may be off at the end, relative to the model's length, "
+             "and rotations in rad. Steps are chosen by their error, by radau-5 unless integrator says "
+             "otherwise.",
+         .only_for = for_estimated_steps()},
         {.name = "time_step",
          .type = ValueType::number,
          .dimension = "time",
@@ -219,7 +239,10 @@ const TableSpec& analysis_table() {
         .heading = "[analysis]",
         .sentence = "What is asked of the model.",
         .keys = analysis_keys(),
-        .groups = {{.rule = GroupRule::exactly_one, .keys = {"time_step", "steps"}, .only_for = {timed}},
+        .groups = {{.rule = GroupRule::exactly_one,
+                    .keys = {"time_step", "steps", "accuracy"},
+                    .only_for = {timed}},
+                   {.rule = GroupRule::at_most_one, .keys = {"adaptive", "accuracy"}, .only_for = {timed}},
                    {.rule = GroupRule::at_most_one, .keys = {"count", "below"}, .only_for = {modes_only}},
                    {.rule = GroupRule::exactly_one,
                     .keys = {"omega", "frequency"},

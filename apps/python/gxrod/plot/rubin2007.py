@@ -7,13 +7,15 @@ import numpy as np
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from .errors import FileFault
-from .style import AXIS_COLOURS, BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, legend_above, new_figure
+from .style import AXIS_COLOURS, BLACK, BLUE, BROWN, GREEN, GREY, ORANGE, PURPLE, RED, legend_above, new_figure
 
 SCHEMES = {
     "S": ("(S) simplified Newmark", BLUE, "o"),
     "I": ("(I) Ibrahimbegovic", ORANGE, "s"),
     "RK4": ("Runge–Kutta 4", GREEN, "^"),
     "SDIRK4": ("SDIRK 4", PURPLE, "D"),
+    "RADAU5": ("Radau 5", RED, "v"),
+    "GAUSS4": ("Gauss 4", BROWN, "P"),
 }
 ERRORS = {
     "error_orientation": "orientation error $E_Λ$",

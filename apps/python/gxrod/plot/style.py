@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.colors import ListedColormap
 
 BLUE, ORANGE, GREEN, PURPLE, GREY, BLACK = "#0066b3", "#e0641b", "#12946a", "#a0479c", "#8a8f98", "#22262b"
-RED = "#c2272d"
+RED, BROWN = "#c2272d", "#7a5230"
 AXIS_COLOURS = {"x": "#d1373f", "y": GREEN, "z": BLUE}
 # Dark to bright with time, without the pale end, which is invisible on paper.
 TIME_COLOURS = ListedColormap(matplotlib.colormaps["plasma"](np.linspace(0.0, 0.88, 256)), "time")
