@@ -41,8 +41,7 @@ CoupledStages CoupledStages::make_radau_5() {
     scheme.weights_ = a.row(2).transpose();
     scheme.end_ = Vector{{0.0, 0.0, 1.0}};
     scheme.error_order_ = 4;
-    scheme.error_weights_ =
-        Vector{{-(13.0 + 7.0 * root) / 3.0, (-13.0 + 7.0 * root) / 3.0, -1.0 / 3.0}};
+    scheme.error_weights_ = Vector{{-(13.0 + 7.0 * root) / 3.0, (-13.0 + 7.0 * root) / 3.0, -1.0 / 3.0}};
     return scheme;
 }
 
@@ -111,6 +110,43 @@ void CoupledStages::update_stages(State& state, const Stage& step, const ThreadT
                 motion.a = a.col(j);
                 motion.alpha = alpha.col(j);
             }
+        }
+    });
+}
+
+// δω_i = Σ_k ω_ik δφ_k with ω_ik = T(θ_i) b_ik/Δt T(θ_k)⁻¹, and for i = k the change of T(θ_i) too;
+// δα_j = Σ_i b_ji δω_i/Δt.
+void CoupledStages::linearize(const State& state,
+                              double time_step,
+                              int j,
+                              int k,
+                              std::vector<NodeLinearization>& linearizations,
+                              const ThreadTeam& team) const {
+    const Matrix by_time = inverse_ / time_step;
+    const double acceleration = by_time.row(j).dot(by_time.col(k));
+    const auto theta_of = [&](int i, std::size_t node) -> const Vec3& {
+        return state.stage_motions[static_cast<std::size_t>(i)][node].theta;
+    };
+    linearizations.resize(state.previous.size());
+    team.for_each_range(linearizations.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t node = first; node < last; ++node) {
+            const Mat3 inverse = tangent_map_inverse(theta_of(k, node));
+            const auto d_omega = [&](int i) -> Mat3 {
+                Mat3 derivative = by_time(i, k) * tangent_map(theta_of(i, node));
+                if (i == k) {
+                    Vec3 theta_dot = Vec3::Zero();
+                    for (int l = 0; l < stage_count(); ++l) theta_dot += by_time(i, l) * theta_of(l, node);
+                    derivative += tangent_map_derivative(theta_of(i, node), theta_dot);
+                }
+                return derivative * inverse;
+            };
+            NodeLinearization& one = linearizations[node];
+            one.placement = j == k ? 1.0 : 0.0;
+            one.rate = by_time(j, k);
+            one.acceleration = acceleration;
+            one.d_omega = d_omega(j);
+            one.d_alpha.setZero();
+            for (int i = 0; i < stage_count(); ++i) one.d_alpha += by_time(j, i) * d_omega(i);
         }
     });
 }

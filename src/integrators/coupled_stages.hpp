@@ -47,6 +47,15 @@ class CoupledStages : public Integrator {
     const Vector& from_real() const { return from_real_; }
     const Eigen::VectorXcd& from_complex() const { return from_complex_; }
 
+    // How the rates of stage `j` follow the placements of stage `k`, of the state's stages.
+    void linearize(const State& state,
+                   double time_step,
+                   int j,
+                   int k,
+                   std::vector<NodeLinearization>& linearizations,
+                   const ThreadTeam& team) const;
+    using Integrator::linearize;
+
     // Sets State::stage_motions as far as placements go, by velocities and accelerations at the start.
     void predict(State& state, const Stage& step, const ThreadTeam& team) const;
     // Velocities and accelerations of all stages from their placements.

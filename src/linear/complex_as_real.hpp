@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "linear/linear_solver.hpp"
+#include "linear/stacked_pattern.hpp"
 
 namespace gxrod {
 
 // Complex systems (A + i B)(x + i y) = f + i g by solvers of real ones, with twice the unknowns:
 //   [A −B] [x]   [f]
-//   [B  A] [y] = [g],
-// real and imaginary parts of a block of the pattern behind each other, so that blocks stay blocks. The
-// solver for chains does not exchange equations: it needs e^{−iψ} (A + i B) with a positive definite real
+//   [B  A] [y] = [g].
+// The solver for chains does not exchange equations: it needs e^{−iψ} (A + i B) with a positive definite real
 // part for some ψ, by which factors of the equations it is turned.
 class ComplexAsReal {
   public:
@@ -30,19 +30,12 @@ class ComplexAsReal {
     void solve(Eigen::VectorXcd& right_hand_side);
 
   private:
-    // The equations of a block: from `first`, of the doubled system from 2 × first.
-    struct Rows {
-        std::int64_t first, count;
-    };
-    static SparsePattern make_doubled(const SparsePattern& pattern, std::vector<Rows>& blocks);
-
     const SparsePattern* pattern_;
-    std::vector<Rows> blocks_;
-    SparsePattern doubled_;
+    StackedPattern stacked_;
     std::unique_ptr<LinearSolver> solver_;
     Eigen::VectorXcd factors_;
-    std::vector<double> values_;
-    Eigen::VectorXd vector_;
+    std::vector<double> real_, imaginary_, values_;
+    Eigen::VectorXd vector_, part_;
 };
 
 }  // namespace gxrod

@@ -19,6 +19,7 @@ class ConvergenceTest {
     void measure(const Residual& residual, EquilibriumReport& report);
     // The largest |δr| relative to its scale, or |δφ|.
     void add_increment(const std::vector<Vec6>& deltas, const State& state);
+    double last_increment() const { return last_increment_; }
     // Whether the residual last measured is small, or as small as round-off lets it be.
     bool is_met(const Residual& residual, const EquilibriumReport& report) const;
 

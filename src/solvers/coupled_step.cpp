@@ -55,20 +55,123 @@ class CoupledNewton {
     EquilibriumReport solve() {
         predict();
         if (!check_predicted()) return report_;
-        compute_matrices();
-        if (!factorize_all()) return report_;
         compute_residuals();
-        while (!is_done()) {
-            ++report_.iterations;
-            if (!solve_increments() || !apply()) break;
-            update_rates();
-            compute_residuals();
-        }
-        if (report_.converged()) finish();
+        compute_matrices();
+        if (factorize_all()) iterate();
+        if (!report_.converged() && !solve_exactly()) return report_;
+        finish();
         return report_;
     }
 
   private:
+    // With the matrices of the start. Stops too where the increments fall so slowly that iterations will not
+    // suffice.
+    void iterate() {
+        while (!is_done()) {
+            ++report_.iterations;
+            if (!solve_increments() || !apply()) return;
+            update_rates();
+            compute_residuals();
+            if (is_slow()) return;
+        }
+        if (!report_.converged() || report_.iterations == 0) return;
+        // What is left falls by as much again, without a residual.
+        if (solve_increments() && apply()) update_rates();
+    }
+
+    bool is_slow() {
+        constexpr int patience = 3;
+        constexpr double slow = 0.5;
+        const bool is_first = report_.iterations < patience;
+        if (is_first || largest_increment_ < slow * increment_before_ || report_.residual < 1e-6)
+            return false;
+        report_.outcome = Outcome::out_of_iterations;
+        return true;
+    }
+
+    // From the prediction again, with the derivative of all equations by all stages.
+    bool solve_exactly() {
+        const int before = report_.iterations;
+        report_ = EquilibriumReport{};
+        start_over();
+        while (!is_done()) {
+            ++report_.iterations;
+            if (!solve_stacked() || !apply()) break;
+            update_rates();
+            compute_residuals();
+        }
+        if (report_.converged()) report_.iterations += before;
+        return report_.converged();
+    }
+
+    void start_over() {
+        tests_.clear();
+        for (std::size_t j = 0; j < count(); ++j) tests_.emplace_back(system_, settings_);
+        guards_.assign(count(), RotationGuard(system_));
+        stage_reports_.assign(count(), EquilibriumReport{});
+        turns_axes_ = false;
+        predict();
+        compute_residuals();
+    }
+
+    // Sets increments_, in global axes.
+    bool solve_stacked() {
+        if (!own_.stacked) {
+            own_.stacked = std::make_unique<StackedPattern>(system_.pattern(), scheme_.stage_count());
+            own_.stacked_solver = make_general_solver(own_.stacked->pattern());
+        }
+        std::vector<double> values;
+        Eigen::VectorXd right_side;
+        stage_values_.resize(count());
+        for (std::size_t j = 0; j < count(); ++j) {
+            const PhaseTimer timer(workspace_.seconds.assembly);
+            with_stage(j, [&] { assemble_row(j, values); });
+            Eigen::VectorXd residual = gather(own_.residuals[j].nodal, system_.equations(), team_);
+            if (!system_.joints().empty())
+                system_.joints().set_rows(own_.residuals[j].rows, stage_values_[j], residual);
+            own_.stacked->set(static_cast<int>(j), -residual, right_side);
+        }
+        const PhaseTimer timer(workspace_.seconds.solve);
+        if (!own_.stacked_solver->factorize(values).regular) {
+            report_.outcome = Outcome::singular;
+            return false;
+        }
+        own_.stacked_solver->solve(right_side);
+        increments_.resize(count());
+        for (std::size_t j = 0; j < count(); ++j)
+            own_.stacked->get(static_cast<int>(j), right_side, increments_[j]);
+        return check_increments();
+    }
+
+    // The equations of stage j, which is the trial: by its own placements, then by those of the others.
+    void assemble_row(std::size_t j, std::vector<double>& values) {
+        for (std::size_t other = 0; other < count(); ++other) {
+            const std::size_t k = (j + other) % count();
+            std::vector<double>& block = k == j ? stage_values_[j] : own_.real;
+            state_.stage_motions[j].swap(state_.trial);  // the scheme needs all stages
+            scheme_.linearize(state_,
+                              step_.time_step,
+                              static_cast<int>(j),
+                              static_cast<int>(k),
+                              workspace_.linearizations,
+                              team_);
+            state_.stage_motions[j].swap(state_.trial);
+            system_.compute_tangent(state_, time_of(j), workspace_.linearizations, block, request_);
+            own_.stacked->set(static_cast<int>(j), static_cast<int>(k), block, 1.0, values);
+        }
+    }
+
+    // Of the increments that is not finite, reported.
+    bool check_increments() {
+        for (const Eigen::VectorXd& increment : increments_) {
+            if (increment.allFinite()) continue;
+            report_.outcome = Outcome::not_finite;
+            report_.worst_node = report_.worst_component = -1;
+            return false;
+        }
+        return true;
+    }
+
     std::size_t count() const { return static_cast<std::size_t>(scheme_.stage_count()); }
     double time_of(std::size_t j) const {
         Stage stage = step_;
@@ -128,8 +231,7 @@ class CoupledNewton {
         state_.trial_time = step_.step_time;
         const auto compute = [&](const NodeLinearization& one, std::vector<double>& values) {
             workspace_.linearizations.assign(state_.trial.size(), one);
-            system_.compute_tangent(
-                state_, step_.step_time, workspace_.linearizations, values, request_);
+            system_.compute_tangent(state_, step_.step_time, workspace_.linearizations, values, request_);
         };
         const double factor = scheme_.typical_factor() / step_.time_step;
         const Mat3 I = Mat3::Identity();
@@ -250,14 +352,10 @@ class CoupledNewton {
         increments_.resize(count());
         for (std::size_t j = 0; j < count(); ++j) {
             const auto index = static_cast<Eigen::Index>(j);
-            increments_[j] = scheme_.from_real()[index] * real +
-                             2.0 * (scheme_.from_complex()[index] * complex).real();
-            if (increments_[j].allFinite()) continue;
-            report_.outcome = Outcome::not_finite;
-            report_.worst_node = report_.worst_component = -1;
-            return false;
+            increments_[j] =
+                scheme_.from_real()[index] * real + 2.0 * (scheme_.from_complex()[index] * complex).real();
         }
-        return true;
+        return check_increments();
     }
 
     // False, and so reported, if an increment turns too far.
@@ -265,19 +363,22 @@ class CoupledNewton {
         const PhaseTimer timer(workspace_.seconds.update);
         std::vector<Vec6>& deltas = workspace_.increments;
         deltas.resize(state_.trial.size());
+        increment_before_ = largest_increment_;
+        largest_increment_ = 0.0;
         for (std::size_t j = 0; j < count(); ++j) {
             for (std::size_t node = 0; node < deltas.size(); ++node)
                 deltas[node] = system_.equations().increment_of(static_cast<int>(node), increments_[j]);
-            turn_all(j, deltas, [](const Mat3& Q, const Vec3& x) -> Vec3 { return Q * x; });
+            if (turns_axes_) turn_all(j, deltas, [](const Mat3& Q, const Vec3& x) -> Vec3 { return Q * x; });
             bool is_admitted = true;
             with_stage(j, [&] {
                 tests_[j].add_increment(deltas, state_);
+                largest_increment_ = std::max(largest_increment_, tests_[j].last_increment());
                 const auto spin = [&](std::size_t node) -> Vec3 { return deltas[node].tail<3>(); };
                 is_admitted = guards_[j].admits(state_.trial, spin, report_);
                 if (!is_admitted) return;
                 if (!system_.joints().empty())
                     system_.joints().advance_multipliers(
-                        deltas, increments_[j], workspace_.values, state_);
+                        deltas, increments_[j], turns_axes_ ? workspace_.values : stage_values_[j], state_);
                 for (std::size_t node = 0; node < deltas.size(); ++node)
                     apply_spin(state_.previous[node],
                                deltas[node].head<3>(),
@@ -353,7 +454,10 @@ class CoupledNewton {
     std::vector<EquilibriumReport> stage_reports_;
     std::vector<ConvergenceTest> tests_;
     std::vector<RotationGuard> guards_;
-    std::vector<Eigen::VectorXd> increments_;
+    std::vector<Eigen::VectorXd> increments_;        // of each stage
+    std::vector<std::vector<double>> stage_values_;  // of the exact matrix, its blocks on the diagonal
+    bool turns_axes_ = true;                         // with the nodes, from stage to stage
+    double largest_increment_ = 0.0, increment_before_ = 0.0;
 };
 
 }  // namespace

@@ -131,6 +131,42 @@ TEST_CASE("each coupled stage is a sum over the rates of all", "[integrators]") 
     }
 }
 
+TEST_CASE("linearizations of coupled stages are derivatives by the placements of each", "[integrators]") {
+    const Stage step = make_stage(0);
+    for (const Tableau& it : all_tableaus()) {
+        INFO(it.name);
+        const State state = make_random_stages(it.scheme, 11);
+        std::vector<NodeLinearization> linearizations;
+        for (int j = 0; j < it.scheme.stage_count(); ++j) {
+            for (int k = 0; k < it.scheme.stage_count(); ++k) {
+                INFO("stage " << j << " by stage " << k);
+                it.scheme.linearize(state, step.time_step, j, k, linearizations, ThreadTeam::alone());
+                const NodeLinearization& one = linearizations[0];
+                Eigen::Matrix<double, 12, 6> expected = Eigen::Matrix<double, 12, 6>::Zero();
+                expected.block<3, 3>(0, 0) = one.rate * Mat3::Identity();
+                expected.block<3, 3>(3, 0) = one.acceleration * Mat3::Identity();
+                expected.block<3, 3>(6, 3) = one.d_omega;
+                expected.block<3, 3>(9, 3) = one.d_alpha;
+                Eigen::Matrix<double, 12, 6> derivative;
+                for (int unknown = 0; unknown < 6; ++unknown) {
+                    derivative.col(unknown) = differentiate([&](double amount) {
+                        State moved = state;
+                        const Vec6 change = amount * Vec6::Unit(unknown);
+                        apply_spin(state.previous[0],
+                                   change.head<3>(),
+                                   change.tail<3>(),
+                                   moved.stage_motions[static_cast<std::size_t>(k)][0]);
+                        it.scheme.update_stages(moved, step, ThreadTeam::alone());
+                        return stack_rates(moved.stage_motions[static_cast<std::size_t>(j)][0]);
+                    });
+                }
+                CHECK(one.placement == (j == k ? 1.0 : 0.0));
+                CHECK(relative_difference(expected, derivative) < 1e-9);
+            }
+        }
+    }
+}
+
 TEST_CASE("the error estimate of radau-5 falls with the fourth power of the step", "[integrators]") {
     const Model model = heavy_top::make_model();
     const System system(model);
