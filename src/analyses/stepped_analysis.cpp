@@ -7,7 +7,7 @@
 #include "assembly/frame_columns.hpp"
 #include "check/direction_words.hpp"
 #include "check/stiffness_contrast.hpp"
-#include "solvers/coupled_step.hpp"
+#include "solvers/coupled/coupled_step.hpp"
 #include "solvers/worst_nodes.hpp"
 #include "state/energy_jump.hpp"
 #include "state/spring_line.hpp"

@@ -111,7 +111,8 @@ void Supports::place(double time, State& state) const {
 }
 
 void Supports::set_rates(double time, const TimeSpan& step, std::vector<NodeMotion>& motions) const {
-    const StepDifferences differences = compute_step_differences(time, step);
+    StepDifferences differences{};  // of what does not move none are needed
+    if (move()) differences = compute_step_differences(time, step);
     for (const Support& support : model_->supports) {
         const Mat3& Q = axes(support.node);
         NodeMotion& motion = motions[support.node];

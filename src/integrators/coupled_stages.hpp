@@ -34,6 +34,8 @@ class CoupledStages : public Integrator {
     int error_order() const override { return error_order_; }
     std::vector<double> power_weights() const override;
 
+    // A⁻¹.
+    const Matrix& inverse() const { return inverse_; }
     // λ of the real equation, 0 without one, and of the complex one; both over Δt.
     double real_factor() const { return real_factor_; }
     std::complex<double> complex_factor() const { return complex_factor_; }

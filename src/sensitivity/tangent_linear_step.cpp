@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "linear/eigen/pencil.hpp"
 #include "rotation/rotation_map.hpp"
 #include "solvers/hidden_constraints.hpp"
 #include "solvers/newton_steps.hpp"
@@ -18,16 +19,6 @@ namespace {
 
 void check(const EquilibriumReport& report, const char* what) {
     if (!report.converged()) fail(what);
-}
-
-Eigen::VectorXd multiply(const SparsePattern& pattern,
-                         const std::vector<double>& values,
-                         const Eigen::VectorXd& vector) {
-    Eigen::VectorXd product = Eigen::VectorXd::Zero(vector.size());
-    pattern.visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t slot) {
-        product[row] += values[static_cast<std::size_t>(slot)] * vector[column];
-    });
-    return product;
 }
 
 }  // namespace

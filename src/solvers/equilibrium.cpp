@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "solvers/coupled_step.hpp"
+#include "solvers/coupled/coupled_step.hpp"
 #include "solvers/hidden_constraints.hpp"
 #include "solvers/newton_steps.hpp"
 
@@ -139,8 +139,7 @@ void restore_hidden_constraints(const System& system,
     if (!end.converged()) report.outcome = end.outcome;
 }
 
-// Where the end of the step is not a stage, or joints have to be met by velocities, accelerations are found
-// there anew.
+// Where the end of the step is not a stage, or joints have to be met there, accelerations are found anew.
 EquilibriumReport solve_together(const System& system,
                                  const CoupledStages& scheme,
                                  const NewtonSettings& settings,
@@ -148,20 +147,17 @@ EquilibriumReport solve_together(const System& system,
                                  SolverWorkspace& workspace,
                                  State& state) {
     EquilibriumReport report = solve_coupled_step(system, scheme, settings, step, workspace, state);
-    if (!report.converged()) return report;
-    if (!scheme.ends_with_stage()) {
-        const TimeSpan span{step.step_time, step.time_step};
-        system.supports().place(step.end_time, state);
-        system.supports().set_rates(step.end_time, span, state.trial);
-        EquilibriumReport end = solve_accelerations(system, step.end_time, span, workspace, state);
-        if (end.converged() && has_hidden_constraints(system)) {
-            project_positions(system, step.end_time, workspace, state, end);
-            if (end.converged()) restore_hidden_constraints(system, step, workspace, state, end);
-        }
-        if (!end.converged()) report.outcome = end.outcome;
-    } else if (has_hidden_constraints(system)) {
-        restore_hidden_constraints(system, step, workspace, state, report);
+    const bool has_hidden = has_hidden_constraints(system);
+    if (!report.converged() || (scheme.ends_with_stage() && !has_hidden)) return report;
+    const TimeSpan span{step.step_time, step.time_step};
+    system.supports().place(step.end_time, state);
+    system.supports().set_rates(step.end_time, span, state.trial);
+    EquilibriumReport end = solve_accelerations(system, step.end_time, span, workspace, state);
+    if (end.converged() && has_hidden) {
+        project_positions(system, step.end_time, workspace, state, end);
+        if (end.converged()) restore_hidden_constraints(system, step, workspace, state, end);
     }
+    if (!end.converged()) report.outcome = end.outcome;
     return report;
 }
 

@@ -47,8 +47,8 @@ struct Trace {
 // Newton's method to 1e-12 H₀.
 Trace run_scheme(StudyScheme scheme, long steps);
 
-// What an independent program found at N steps. Agreement to 5 significant digits is asked; of momentum and
-// energy to as many as the reference has.
+// What an independent program found at N steps. Agreement to 5 significant digits is asked, or to as many as
+// the reference has or the residual of Newton's method leaves of errors as small as these.
 struct Reference {
     StudyScheme scheme;
     long steps;
@@ -56,9 +56,9 @@ struct Reference {
     std::optional<double> max_theta_deg;
     Errors errors;  // a momentum error of 0 means that neither it nor the energy error was computed
     int momentum_digits = 5;
+    int orientation_digits = 5;
 };
 const std::vector<Reference>& references();
-inline constexpr int orientation_digits = 5;
 
 // Half a unit of the last of so many significant digits.
 double half_unit(double reference, int digits);

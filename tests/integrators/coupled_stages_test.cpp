@@ -5,7 +5,7 @@
 #include "assembly/system.hpp"
 #include "integrators/scheme_samples.hpp"
 #include "rotation/tangent_map.hpp"
-#include "solvers/coupled_step.hpp"
+#include "solvers/coupled/coupled_step.hpp"
 #include "state/increment.hpp"
 #include "tools/catch.hpp"
 #include "tools/difference.hpp"

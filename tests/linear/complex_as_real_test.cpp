@@ -25,8 +25,8 @@ TEST_CASE("complex systems are solved as real ones of twice the size", "[solvers
                 factors[i] = std::polar(1.0, 0.2 * std::sin(static_cast<double>(i)));
             }
             Eigen::VectorXcd solution(size);
-            solution.real() = multiply(pattern, real, x) - multiply(pattern, imaginary, y);
-            solution.imag() = multiply(pattern, real, y) + multiply(pattern, imaginary, x);
+            solution.real() = tools::multiply(pattern, real, x) - tools::multiply(pattern, imaginary, y);
+            solution.imag() = tools::multiply(pattern, real, y) + tools::multiply(pattern, imaginary, x);
             ComplexAsReal solver(kind, pattern);
             REQUIRE(solver.factorize(real, imaginary, factors).regular);
             solver.solve(solution);

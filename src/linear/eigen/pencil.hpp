@@ -13,6 +13,13 @@ void multiply(const SparsePattern& pattern,
               const std::vector<double>& values,
               const Eigen::Ref<const Eigen::VectorXd>& x,
               Eigen::VectorXd& y);
+inline Eigen::VectorXd multiply(const SparsePattern& pattern,
+                                const std::vector<double>& values,
+                                const Eigen::Ref<const Eigen::VectorXd>& x) {
+    Eigen::VectorXd y;
+    multiply(pattern, values, x, y);
+    return y;
+}
 
 // a + factor b, value by value.
 std::vector<double> combine(const std::vector<double>& a, double factor, const std::vector<double>& b);

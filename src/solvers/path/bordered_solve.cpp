@@ -43,14 +43,4 @@ BorderedVector BorderedSolve::compute_rest(const BorderedVector& right_hand_side
             right_hand_side.y - borders_.rows.transpose() * solution.x - borders_.corner * solution.y};
 }
 
-Eigen::VectorXd multiply(const SparsePattern& pattern,
-                         const std::vector<double>& values,
-                         const Eigen::VectorXd& x) {
-    Eigen::VectorXd product = Eigen::VectorXd::Zero(x.size());
-    pattern.visit_entries([&](std::int64_t row, std::int64_t column, std::int64_t slot) {
-        product[row] += values[static_cast<std::size_t>(slot)] * x[column];
-    });
-    return product;
-}
-
 }  // namespace gxrod

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include "linear/eigen/pencil.hpp"
 #include "linear/linear_solver.hpp"
 
 namespace gxrod {
@@ -46,10 +47,5 @@ class BorderedSolve {
     Eigen::MatrixXd solved_;
     Eigen::PartialPivLU<Eigen::MatrixXd> schur_;  // of corner − rowsᵀ K⁻¹ columns
 };
-
-// K x.
-Eigen::VectorXd multiply(const SparsePattern& pattern,
-                         const std::vector<double>& values,
-                         const Eigen::VectorXd& x);
 
 }  // namespace gxrod

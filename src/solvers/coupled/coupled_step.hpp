@@ -1,0 +1,28 @@
+#pragma once
+
+#include "solvers/coupled/common_matrix.hpp"
+#include "solvers/coupled/exact_matrix.hpp"
+
+namespace gxrod {
+
+// What the stages of a step need that are found together, allocated once.
+struct CoupledWorkspace {
+    std::vector<Residual> residuals;  // of each stage
+    CommonMatrix common;
+    std::unique_ptr<ExactMatrix> exact;               // from the first step on that needs it
+    std::vector<Vec6> placement_errors, rate_errors;  // estimates for each node; of rates times Δt
+
+    CoupledWorkspace(const System& system, LinearSolverKind kind) : common(system, kind) {}
+};
+
+// All stages of a step by Newton's method with the common matrix; where that converges slowly or not at all,
+// with the exact one of all stages, which is kept as long as increments fall fast. The trial becomes the end
+// of the step; workspace.stage_powers and the estimates of errors are set.
+EquilibriumReport solve_coupled_step(const System& system,
+                                     const CoupledStages& scheme,
+                                     const NewtonSettings& settings,
+                                     const Stage& step,
+                                     SolverWorkspace& workspace,
+                                     State& state);
+
+}  // namespace gxrod

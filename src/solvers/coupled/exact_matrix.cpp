@@ -1,0 +1,122 @@
+#include "solvers/coupled/exact_matrix.hpp"
+
+namespace gxrod {
+
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+
+void add_scaled(double factor, const std::vector<double>& from, std::vector<double>& to) {
+    for (std::size_t i = 0; i < to.size(); ++i) to[i] += factor * from[i];
+}
+
+std::unique_ptr<LinearSolver> make_solver(const System& system,
+                                          const StackedPattern& stacked,
+                                          LinearSolverKind kind) {
+    if (!system.joints().empty()) return make_general_solver(stacked.pattern());
+    return make_linear_solver(kind, stacked.pattern(), system.team());
+}
+
+}  // namespace
+
+ExactMatrix::ExactMatrix(const System& system, const CoupledStages& scheme, LinearSolverKind kind)
+    : stacked_(system.pattern(), scheme.stage_count()), solver_(make_solver(system, stacked_, kind)) {
+    const int count = scheme.stage_count();
+    to_equations_ = from_unknowns_ = Matrix::Identity(count, count);
+    if (!system.joints().empty()) return;
+    int next = 0;
+    if (scheme.real_factor() > 0.0) {
+        to_equations_.row(0) = scheme.to_real().transpose();
+        from_unknowns_.col(0) = scheme.from_real();
+        next = 1;
+    }
+    const Eigen::VectorXcd turned = std::polar(1.0, -std::arg(scheme.complex_factor())) * scheme.to_complex();
+    to_equations_.row(next) = turned.real().transpose();
+    to_equations_.row(next + 1) = turned.imag().transpose();
+    from_unknowns_.col(next) = 2.0 * scheme.from_complex().real();
+    from_unknowns_.col(next + 1) = -2.0 * scheme.from_complex().imag();
+}
+
+bool ExactMatrix::factorize(const StagesOfStep& stages, SolverWorkspace& workspace) {
+    {
+        const PhaseTimer timer(workspace.seconds.assembly);
+        assemble(stages, workspace);
+    }
+    const PhaseTimer timer(workspace.seconds.solve);
+    return solver_->factorize(values_).regular;
+}
+
+void ExactMatrix::assemble(const StagesOfStep& stages, SolverWorkspace& workspace) {
+    const std::size_t count = stages.count();
+    const auto entries = static_cast<std::size_t>(stages.system.pattern().nonzeros());
+    diagonal_.resize(count);
+    std::vector<std::vector<double>> rows(count * count, std::vector<double>(entries, 0.0));
+    for (std::size_t j = 0; j < count; ++j) {
+        blocks_.assign(count, std::vector<double>(entries, 0.0));
+        for (std::size_t other = 0; other < count; ++other) {
+            // Its own first: the scales of joints.
+            const std::size_t k = (j + other) % count;
+            stages.scheme.linearize(stages.state,
+                                    stages.step.time_step,
+                                    static_cast<int>(j),
+                                    static_cast<int>(k),
+                                    workspace.linearizations,
+                                    stages.system.team());
+            std::vector<double>& block = k == j ? diagonal_[j] : block_;
+            stages.with_stage(j, [&] {
+                stages.system.compute_tangent(stages.state,
+                                              stages.time_of(j),
+                                              workspace.linearizations,
+                                              block,
+                                              stages.tangent_request());
+            });
+            for (std::size_t l = 0; l < count; ++l)
+                add_scaled(from_unknowns_(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(l)),
+                           block,
+                           blocks_[l]);
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t l = 0; l < count; ++l)
+                add_scaled(to_equations_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)),
+                           blocks_[l],
+                           rows[i * count + l]);
+        }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t l = 0; l < count; ++l)
+            stacked_.set(static_cast<int>(i), static_cast<int>(l), rows[i * count + l], 1.0, values_);
+    }
+}
+
+void ExactMatrix::solve(const StagesOfStep& stages,
+                        const std::vector<Residual>& residuals,
+                        SolverWorkspace& workspace,
+                        std::vector<Eigen::VectorXd>& increments) {
+    const PhaseTimer timer(workspace.seconds.solve);
+    const System& system = stages.system;
+    const auto size = static_cast<Eigen::Index>(system.equations().count());
+    const auto count = static_cast<Eigen::Index>(stages.count());
+    const std::vector<std::vector<double>> rows = stages.convert_rows(residuals);
+    Matrix right_sides(size, count);
+    for (Eigen::Index j = 0; j < count; ++j) {
+        const auto index = static_cast<std::size_t>(j);
+        Eigen::VectorXd vector = gather(residuals[index].nodal, system.equations(), system.team());
+        if (!system.joints().empty()) system.joints().set_rows(rows[index], diagonal_[index], vector);
+        right_sides.col(j) = -vector;
+    }
+    const Matrix combined = right_sides * to_equations_.transpose();
+    Eigen::VectorXd vector;
+    for (Eigen::Index i = 0; i < count; ++i) stacked_.set(static_cast<int>(i), combined.col(i), vector);
+    solver_->solve(vector);
+    Matrix unknowns(size, count);
+    Eigen::VectorXd one;
+    for (Eigen::Index l = 0; l < count; ++l) {
+        stacked_.get(static_cast<int>(l), vector, one);
+        unknowns.col(l) = one;
+    }
+    const Matrix found = unknowns * from_unknowns_.transpose();
+    increments.resize(stages.count());
+    for (Eigen::Index j = 0; j < count; ++j) increments[static_cast<std::size_t>(j)] = found.col(j);
+}
+
+}  // namespace gxrod
