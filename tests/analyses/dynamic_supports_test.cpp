@@ -111,7 +111,7 @@ TEST_CASE("the reaction of a carried body is what changes its momenta, its work 
                          << fine.energy);
         CHECK(coarse.motion < 1e-5);
         CHECK(fine.motion < 2e-7);
-        const double order = scheme.order > 2.0 ? 4.0 : 2.0;
+        const double order = scheme.order > 2.0 ? scheme.order : 2.0;
         CHECK(std::log2(coarse.energy / fine.energy) == Approx(order).margin(0.2));
     }
 }
@@ -164,7 +164,8 @@ TEST_CASE("a wave runs from a moving support into a bar", "[analyses][supports]"
         } else {
             CHECK(std::log2(coarse.motion / fine.motion) == Approx(scheme.order).margin(0.3));
         }
-        CHECK(std::log2(coarse.energy / fine.energy) > scheme.order - 0.4);
+        constexpr double round_off = 1e-12;
+        if (fine.energy > round_off) CHECK(std::log2(coarse.energy / fine.energy) > scheme.order - 0.4);
     }
 }
 

@@ -86,8 +86,10 @@ TEST_CASE(
         INFO(scheme.name);
         CHECK(measure_drift(central, scheme.settings, 2.0, 100).linear <
               compute_round_off(scheme, 1.0 * 8.0, 2.0, 100));  // 4e-11 at most
-        const Drift coarse = measure_drift(offset, scheme.settings, 5.0, 250);
-        const Drift fine = measure_drift(offset, scheme.settings, 5.0, 500);
+        // Of order 5, errors of more steps are near round-off.
+        const long steps = scheme.order > 4.0 ? 80 : 250;
+        const Drift coarse = measure_drift(offset, scheme.settings, 5.0, steps);
+        const Drift fine = measure_drift(offset, scheme.settings, 5.0, 2 * steps);
         CHECK(std::log2(coarse.angular / fine.angular) == Approx(scheme.order).margin(0.15));
         // What generalized-alpha dissipates by itself is in the books: of radius 0 what is left falls faster.
         CHECK(std::log2(coarse.energy / fine.energy) > scheme.order - 0.2);

@@ -22,7 +22,7 @@ template <class Visit>
 void for_each_implicit_stage(Visit&& visit) {
     for (const SchemeSample& scheme : all_schemes()) {
         const auto integrator = make_integrator(scheme.settings);
-        if (integrator->is_explicit() || integrator->coupled()) continue;
+        if (integrator->is_explicit() || scheme.is_coupled()) continue;
         for (int index = 0; index < integrator->stage_count(); ++index) {
             INFO(scheme.name << ", stage " << index);
             visit(*integrator, make_stage(index));
@@ -110,7 +110,7 @@ void check_order(const SchemeSample& scheme, double end_time, long steps, double
 TEST_CASE("a stage begins in the same way wherever the trial was", "[integrators]") {
     for (const SchemeSample& scheme : all_schemes()) {
         const auto integrator = make_integrator(scheme.settings);
-        if (integrator->coupled()) continue;
+        if (scheme.is_coupled()) continue;
         State state = make_random_state(*integrator, 1);
         State other = make_random_state(*integrator, 2);
         other.previous = state.previous;
@@ -209,7 +209,9 @@ TEST_CASE("constant acceleration is followed exactly", "[integrators]") {
         const NodeMotion last = run_to_end(model, settings);
         CHECK((last.r - Vec3(2.0 + 6.0, -4.0, 1.0 - 2.0)).norm() < 1e-12);
         CHECK((last.v - Vec3(1.0 + 6.0, -2.0, 0.5 - 2.0)).norm() < 1e-12);
-        CHECK((last.a - Vec3(3.0, 0.0, -1.0)).norm() < 1e-12);
+        // radau-5 divides differences of places by Δt² and multiplies them by up to 60.
+        const double rounding = settings.scheme == Scheme::radau_5 ? 1e-11 : 1e-12;
+        CHECK((last.a - Vec3(3.0, 0.0, -1.0)).norm() < rounding);
     }
 }
 

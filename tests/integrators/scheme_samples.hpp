@@ -13,6 +13,11 @@ struct SchemeSample {
     std::string name;
     DynamicSettings settings;  // the scheme and its parameters
     double order;              // for motions with finite rotations
+
+    // Its stages have no equilibria of their own.
+    bool is_coupled() const {
+        return settings.scheme == Scheme::radau_5 || settings.scheme == Scheme::gauss_4;
+    }
 };
 
 const std::vector<SchemeSample>& all_schemes();

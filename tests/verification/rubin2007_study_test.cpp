@@ -31,7 +31,7 @@ std::size_t count_lines(const std::filesystem::path& path) {
 }  // namespace
 
 TEST_CASE("the study of the paper's problem agrees with every reference", "[verification]") {
-    REQUIRE(references().size() == 25);
+    REQUIRE(references().size() == 33);
     for (const Reference& reference : references()) {
         INFO(name_of(reference.scheme) << " at " << reference.steps);
         const Row row = run_scheme(reference.scheme, reference.steps).row;
@@ -109,8 +109,8 @@ TEST_CASE("the data of the figures are written", "[verification]") {
     std::filesystem::remove_all(folder);
     write_figure_data(folder / "data", run_study({100}));
     CHECK(count_lines(folder / "data" / "fig2.csv") == 2002);
-    CHECK(count_lines(folder / "data" / "fig3.csv") == 1 + 4 * (figure_steps + 1));
-    CHECK(count_lines(folder / "data" / "fig4.csv") == 1 + 4);
+    CHECK(count_lines(folder / "data" / "fig3.csv") == 1 + 6 * (figure_steps + 1));
+    CHECK(count_lines(folder / "data" / "fig4.csv") == 1 + 6);
     // A file is where the folder should be.
     CHECK_THROWS_AS(write_figure_data(folder / "data" / "fig2.csv", {}), FileError);
     std::filesystem::remove_all(folder);

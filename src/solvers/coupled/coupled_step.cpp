@@ -27,7 +27,7 @@ class CoupledNewton {
         if (!check_predicted()) return report_;
         compute_residuals();
         if (own_.common.factorize(stages_, workspace_, report_)) iterate_with_common();
-        if (!report_.converged()) iterate_with_exact();
+        if (!report_.converged() && system_.joints().empty()) iterate_with_exact();
         if (report_.converged()) finish();
         return report_;
     }
@@ -188,8 +188,7 @@ class CoupledNewton {
             is_admitted = guards_[j].admits(state_.trial, spin, report_);
             if (!is_admitted) return;
             if (!system_.joints().empty())
-                system_.joints().advance_multipliers(
-                    deltas, increments_[j], is_common ? workspace_.values : own_.exact->values_of(j), state_);
+                system_.joints().advance_multipliers(deltas, increments_[j], workspace_.values, state_);
             system_.team().for_each_range(deltas.size(), [&](std::size_t first, std::size_t last) {
                 for (std::size_t node = first; node < last; ++node)
                     apply_spin(state_.previous[node],
@@ -224,6 +223,7 @@ class CoupledNewton {
         if (stages_.scheme.error_order() > 0)
             own_.common.estimate_errors(stages_, workspace_, own_.placement_errors, own_.rate_errors);
         stages_.scheme.end_step(state_, stages_.step, system_.team());
+        if (!check_rotations(state_.trial)) return;
         state_.joints_trial = state_.stage_joints.back();
         workspace_.residual = own_.residuals.back();
     }

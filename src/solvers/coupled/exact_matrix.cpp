@@ -10,20 +10,14 @@ void add_scaled(double factor, const std::vector<double>& from, std::vector<doub
     for (std::size_t i = 0; i < to.size(); ++i) to[i] += factor * from[i];
 }
 
-std::unique_ptr<LinearSolver> make_solver(const System& system,
-                                          const StackedPattern& stacked,
-                                          LinearSolverKind kind) {
-    if (!system.joints().empty()) return make_general_solver(stacked.pattern());
-    return make_linear_solver(kind, stacked.pattern(), system.team());
-}
-
 }  // namespace
 
 ExactMatrix::ExactMatrix(const System& system, const CoupledStages& scheme, LinearSolverKind kind)
-    : stacked_(system.pattern(), scheme.stage_count()), solver_(make_solver(system, stacked_, kind)) {
+    : stacked_(system.pattern(), scheme.stage_count()),
+      solver_(make_linear_solver(kind, stacked_.pattern(), system.team())) {
     const int count = scheme.stage_count();
-    to_equations_ = from_unknowns_ = Matrix::Identity(count, count);
-    if (!system.joints().empty()) return;
+    to_equations_.resize(count, count);
+    from_unknowns_.resize(count, count);
     int next = 0;
     if (scheme.real_factor() > 0.0) {
         to_equations_.row(0) = scheme.to_real().transpose();
@@ -49,30 +43,26 @@ bool ExactMatrix::factorize(const StagesOfStep& stages, SolverWorkspace& workspa
 void ExactMatrix::assemble(const StagesOfStep& stages, SolverWorkspace& workspace) {
     const std::size_t count = stages.count();
     const auto entries = static_cast<std::size_t>(stages.system.pattern().nonzeros());
-    diagonal_.resize(count);
     std::vector<std::vector<double>> rows(count * count, std::vector<double>(entries, 0.0));
     for (std::size_t j = 0; j < count; ++j) {
         blocks_.assign(count, std::vector<double>(entries, 0.0));
-        for (std::size_t other = 0; other < count; ++other) {
-            // Its own first: the scales of joints.
-            const std::size_t k = (j + other) % count;
+        for (std::size_t k = 0; k < count; ++k) {
             stages.scheme.linearize(stages.state,
                                     stages.step.time_step,
                                     static_cast<int>(j),
                                     static_cast<int>(k),
                                     workspace.linearizations,
                                     stages.system.team());
-            std::vector<double>& block = k == j ? diagonal_[j] : block_;
             stages.with_stage(j, [&] {
                 stages.system.compute_tangent(stages.state,
                                               stages.time_of(j),
                                               workspace.linearizations,
-                                              block,
+                                              block_,
                                               stages.tangent_request());
             });
             for (std::size_t l = 0; l < count; ++l)
                 add_scaled(from_unknowns_(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(l)),
-                           block,
+                           block_,
                            blocks_[l]);
         }
         for (std::size_t i = 0; i < count; ++i) {
@@ -96,13 +86,10 @@ void ExactMatrix::solve(const StagesOfStep& stages,
     const System& system = stages.system;
     const auto size = static_cast<Eigen::Index>(system.equations().count());
     const auto count = static_cast<Eigen::Index>(stages.count());
-    const std::vector<std::vector<double>> rows = stages.convert_rows(residuals);
     Matrix right_sides(size, count);
     for (Eigen::Index j = 0; j < count; ++j) {
-        const auto index = static_cast<std::size_t>(j);
-        Eigen::VectorXd vector = gather(residuals[index].nodal, system.equations(), system.team());
-        if (!system.joints().empty()) system.joints().set_rows(rows[index], diagonal_[index], vector);
-        right_sides.col(j) = -vector;
+        right_sides.col(j) =
+            -gather(residuals[static_cast<std::size_t>(j)].nodal, system.equations(), system.team());
     }
     const Matrix combined = right_sides * to_equations_.transpose();
     Eigen::VectorXd vector;

@@ -6,10 +6,9 @@
 namespace gxrod {
 
 // The derivative of the equations of all stages by the placements of all, where the common matrix is not
-// near enough: a system of as many times the model's size as there are stages. Exact but for the equations of
-// joints, which are taken as linear. Without joints it is written
-// in the unknowns that would part the common one (docs/theory/newmark.md, (R4)), so that elimination needs no
-// exchange of equations either.
+// near enough: a system of as many times the model's size as there are stages, of models without joints. It
+// is written in the unknowns that would part the common one (docs/theory/newmark.md, (R4)), so that
+// elimination needs no exchange of equations either.
 class ExactMatrix {
   public:
     ExactMatrix(const System& system, const CoupledStages& scheme, LinearSolverKind kind);
@@ -21,8 +20,6 @@ class ExactMatrix {
                const std::vector<Residual>& residuals,
                SolverWorkspace& workspace,
                std::vector<Eigen::VectorXd>& increments);
-    // Of the blocks on the diagonal: what scales the equations of joints.
-    const std::vector<double>& values_of(std::size_t j) const { return diagonal_[j]; }
 
   private:
     // Sets values_ to the blocks of the stacked system, the first index the equations'.
@@ -30,9 +27,8 @@ class ExactMatrix {
 
     StackedPattern stacked_;
     std::unique_ptr<LinearSolver> solver_;
-    Eigen::MatrixXd to_equations_, from_unknowns_;  // of the stages; identities with joints
-    std::vector<std::vector<double>> diagonal_;
-    std::vector<std::vector<double>> blocks_;  // equations of all, unknowns of one
+    Eigen::MatrixXd to_equations_, from_unknowns_;  // of the stages
+    std::vector<std::vector<double>> blocks_;       // equations of all, unknowns of one
     std::vector<double> block_, values_;
 };
 

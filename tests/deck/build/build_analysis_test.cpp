@@ -90,16 +90,39 @@ TEST_CASE("Every integrator, tangent and solver has its word", "[deck]") {
     CHECK(analysis("linear_solver = \"umfpack\"").linear_solver == LinearSolverKind::umfpack);
 }
 
-TEST_CASE("Steps by their error are for sdirk-4", "[deck]") {
+TEST_CASE("Steps by their error are for schemes that estimate it", "[deck]") {
     CHECK(
-        faults_of(body_deck + "adaptive = {}") ==
-        R"(x.toml:8:1: analysis.adaptive: integrator "newmark-simplified" does not use this key; it is for sdirk-4)");
+        faults_of(body_deck + "integrator = \"gauss-4\"\nadaptive = {}") ==
+        R"(x.toml:9:1: analysis.adaptive: integrator "gauss-4" does not use this key; it is for newmark-simplified, newmark-ibrahimbegovic, generalized-alpha, sdirk-4, radau-5)");
     CHECK_FALSE(dynamic_of(read(body_deck + "integrator = \"sdirk-4\"")).adaptive);
     const auto adaptive = dynamic_of(read(body_deck + "integrator = \"sdirk-4\"\nadaptive = {}")).adaptive;
     REQUIRE(adaptive);
     CHECK(adaptive->tolerance == 1e-4);
     CHECK(adaptive->min_step == 0.0);
     CHECK(std::isinf(adaptive->max_step));
+}
+
+TEST_CASE("An accuracy chooses radau-5 and its steps", "[deck]") {
+    const std::string deck = replaced(body_deck, "steps = 10", "accuracy = 1e-3");
+    const DynamicSettings settings = dynamic_of(read(deck));
+    CHECK(settings.scheme == Scheme::radau_5);
+    REQUIRE(settings.adaptive);
+    CHECK(settings.adaptive->tolerance == Approx(1e-5).epsilon(1e-14));
+    CHECK(settings.time_step() == Approx(1e-4 * settings.end_time).epsilon(1e-14));
+    CHECK(dynamic_of(read(deck + "integrator = \"sdirk-4\"")).scheme == Scheme::sdirk_4);
+    CHECK(
+        faults_of(deck + "beta = 0.3") ==
+        R"(x.toml:8:1: analysis.beta: accuracy without an integrator takes "radau-5", which does not use this key; give the integrator)");
+    CHECK(faults_of(deck + "adaptive = {}") ==
+          "x.toml:8:1: analysis.adaptive: accuracy is given too; only one of them can be");
+    CHECK(faults_of(body_deck + "accuracy = 1e-3") ==
+          "x.toml:8:1: analysis.accuracy: steps is given too; only one of them can be");
+}
+
+TEST_CASE("Schemes whose stages are found together have a tangent of their own", "[deck]") {
+    CHECK(
+        faults_of(body_deck + "integrator = \"radau-5\"\nnewton = { tangent = \"mixed\" }") ==
+        R"(x.toml:9:22: analysis.newton.tangent: "radau-5" finds the stages of a step together and has a tangent of its own; expected "automatic")");
 }
 
 TEST_CASE("A shortest step is not above the longest", "[deck]") {

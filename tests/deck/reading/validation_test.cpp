@@ -58,7 +58,7 @@ TEST_CASE("Errors on missing keys say what is expected", "[deck]") {
     CHECK(faults_of(replaced(body_deck, "end_time = 1.0\n", "")) ==
           "x.toml:4:1: analysis.end_time: missing; expected a number greater than 0 or an expression");
     CHECK(faults_of(replaced(body_deck, "steps = 10\n", "")) ==
-          "x.toml:4:1: analysis: missing; expected time_step or steps");
+          "x.toml:4:1: analysis: missing; expected time_step or steps or accuracy");
     CHECK(faults_of(R"([body.top]
 mass = 1.0
 inertia = [1, 1, 1]
@@ -159,7 +159,7 @@ beta = 0.3)") ==
     CHECK(
         faults_of(body_deck + R"(integrator = "runge-kutta-4"
 newton = { tolerance = 1e-3 })") ==
-        R"(x.toml:9:1: analysis.newton: integrator "runge-kutta-4" does not use this key; it is for newmark-simplified, newmark-ibrahimbegovic, generalized-alpha, sdirk-4)");
+        R"(x.toml:9:1: analysis.newton: integrator "runge-kutta-4" does not use this key; it is for newmark-simplified, newmark-ibrahimbegovic, generalized-alpha, sdirk-4, radau-5, gauss-4)");
     CHECK(
         faults_of(body_deck + R"(integrator = "generalized-alpha"
 gamma = 0.5)") ==

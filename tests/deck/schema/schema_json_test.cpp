@@ -50,7 +50,7 @@ TEST_CASE("The JSON Schema has ranges, words, sizes and exclusions", "[deck]") {
     CHECK(analysis.at("beta").at("anyOf")[0] ==
           Json({{"type", "number"}, {"exclusiveMinimum", 0.0}, {"maximum", 0.5}}));
     CHECK(analysis.at("steps").at("anyOf")[0].at("minimum") == 1);
-    CHECK(analysis.at("integrator").at("enum").size() == 5);
+    CHECK(analysis.at("integrator").at("enum").size() == 7);
     CHECK(analysis.at("integrator").at("default") == "newmark-simplified");
     CHECK(properties.at("gravity").at("minItems") == 3);
     CHECK(properties.at("gravity").at("maxItems") == 3);
@@ -74,7 +74,9 @@ TEST_CASE("The JSON Schema has the conditions of keys and groups", "[deck]") {
     const Json& analysis = properties.at("analysis");
     CHECK(has(analysis, is_timed, requires_key("end_time")));
     CHECK(has(analysis, requires_key("end_time"), is_timed));
-    CHECK(has(analysis, is_timed, {{"oneOf", {requires_key("time_step"), requires_key("steps")}}}));
+    CHECK(has(analysis,
+              is_timed,
+              {{"oneOf", {requires_key("time_step"), requires_key("steps"), requires_key("accuracy")}}}));
     const Json& load = properties.at("load").at("items");
     const Json with_on = {{"allOf", Json::array({requires_key("on")})}};
     CHECK(load.at("oneOf") == Json::array({requires_key("at"), requires_key("on")}));

@@ -88,7 +88,7 @@ TEST_CASE("A condition on a key or group names words of another key of the table
             CHECK((group.only_with.empty() || table->find(group.only_with) != nullptr));
         }
     }
-    CHECK(conditions == 80);
+    CHECK(conditions == 86);
 }
 
 TEST_CASE("Ranges know and describe their bounds", "[deck]") {
