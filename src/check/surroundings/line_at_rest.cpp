@@ -54,11 +54,18 @@ double slope_at(const Rod& rod, std::size_t entry) {
 bool hang(const Model& model, const Rod& rod, LineAtRest& line) {
     if (rod.rest_strains.empty() || !(find_weight(model, rod, 0).z() < 0.0)) return false;
     const std::vector<double>& s = rod.arc_length;
-    std::vector<std::size_t> curved;  // intervals, by their ends
+    // Ends of the intervals of what hangs, and of what may before; the longest is meant, as an end that is a
+    // little above the ground comes down to it.
+    std::vector<std::size_t> curved, run;
     for (std::size_t i = 1; i < s.size(); ++i) {
         const double change = slope_at(rod, i) - slope_at(rod, i - 1);
         if (!std::isfinite(change) || change < -zero_angle) return false;
-        if (change > zero_angle * (s[i] - s[i - 1]) / rod.length) curved.push_back(i);
+        if (change > zero_angle * (s[i] - s[i - 1]) / rod.length) {
+            run.push_back(i);
+        } else if (s[i] > s[i - 1]) {
+            run.clear();
+        }
+        if (run.size() > curved.size()) curved = run;
     }
     if (curved.size() < 3) return false;
     line.first = curved.front() - 1;
@@ -133,7 +140,8 @@ Vec3 find_load_along(const Model& model, const Rod& rod, std::size_t entry) {
 bool pull(const Model& model, const Rod& rod, LineAtRest& line) {
     const std::size_t last = rod.arc_length.size() - 1;
     const bool from_end = !is_held_along(model, rod.nodes.back(), tangent_at(rod, last));
-    if (!from_end && is_held_along(model, rod.nodes.front(), tangent_at(rod, 0))) return false;
+    const bool holds_start = is_held_along(model, rod.nodes.front(), tangent_at(rod, 0));
+    if (from_end != holds_start) return false;
     const double sign = from_end ? 1.0 : -1.0;
     const auto entry = [&](std::size_t i) { return from_end ? last - i : i; };
     Vec3 beyond = Vec3::Zero();

@@ -19,6 +19,8 @@ namespace {
 // Reduced velocities between which vortices lock in to a cylinder's lowest frequency across the flow.
 constexpr double least_locked = 4.0;
 constexpr double most_locked = 8.0;
+// Of flow along a rod.
+constexpr double zero_sine = 1e-9;
 // Times at which a current is asked for.
 constexpr int most_times = 20;
 
@@ -125,7 +127,8 @@ double find_speed_across(const Model& model, const Rod& rod, double end) {
                 const Vec3& place = model.nodes[static_cast<std::size_t>(rod.element_nodes[entry])].position;
                 if (water.surface && place.z() > *water.surface) continue;
                 const Vec3 u = current.at(place, {place.z()}, false).velocity;
-                largest = std::max(largest, u.cross(rod.triads[entry] * Vec3::UnitX()).norm());
+                const double across = u.cross(rod.triads[entry] * Vec3::UnitX()).norm();
+                if (across > zero_sine * u.norm()) largest = std::max(largest, across);
             }
         } catch (const EvaluationError&) {
             continue;  // between steps, where no function need have a value
@@ -171,9 +174,9 @@ std::string describe_line_at_rest(const Model& model, const Rod& rod) {
     const std::optional<LineAtRest> line = find_line_at_rest(model, rod);
     if (!line) return "";
     std::string text;
-    const bool has_tension = line->source != LineAtRest::Source::unloaded;
+    const auto [least, most] = std::ranges::minmax(line->tension);
+    const bool has_tension = least != 0.0 || most != 0.0;
     if (has_tension) {
-        const auto [least, most] = std::ranges::minmax(line->tension);
         text += fmt::format(
             "  at rest, {}: tension about {:.4g} to {:.4g}", describe_source(line->source), least, most);
         const std::optional<Layer> layer = find_thinnest_layer(model, rod, *line);

@@ -77,6 +77,20 @@ TEST_CASE("What lies on the ground has the level tension", "[check]") {
     CHECK(line.from + a * std::asinh(hung / a) == Approx(640.0).epsilon(1e-6));
 }
 
+TEST_CASE("An end that is hardly above the ground does not hide what hangs", "[check]") {
+    const auto find_line = [](const char* z) {
+        const Model model = read(pipe_deck(fmt::format("catenary = {{ from = [0, 0, {}], to = [640, 0, 100], "
+                                                       "length = 680, bed = true }}\n",
+                                                       z),
+                                           held_ends) +
+                                 "[seabed]\nz = 0\nstiffness = 1e5\n")
+                                .model;
+        return line_of(model);
+    };
+    CHECK(find_line("1e-9").from == Approx(find_line("0").from).epsilon(1e-6));
+    CHECK(find_line("1e-9").tension.front() == Approx(find_line("0").tension.front()).epsilon(1e-6));
+}
+
 TEST_CASE("What is beyond a place pulls there", "[check]") {
     const std::string top = "[[load]]\nat = \"r.end\"\nforce = [7, 0, 1000]\n";
     const Model model =
