@@ -17,18 +17,14 @@ Json describe_section(double s, const SectionInFluid& fluid) {
     return {s, fluid.area, fluid.contents_area, fluid.contents_density, fluid.contents_pressure};
 }
 
-// [arc length, areas and contents] at the ends of elements, or once; empty of a rod that is not in fluids.
+// [arc length, areas and contents] at the nodes of elements, or once; empty of a rod that is not in fluids.
 Json describe_sections(const Model& model, const Rod& rod) {
     Json rows = Json::array();
     const auto& mean = model.sections[static_cast<std::size_t>(rod.section)].fluid;
     if (!mean) return rows;
     if (!rod.has_varying_sections()) return Json::array({describe_section(0.0, *mean)});
-    const auto order = static_cast<std::size_t>(rod.order);
-    for (std::size_t i = 0; i < rod.arc_length.size(); ++i) {
-        const std::size_t within = i % (order + 1);
-        if (within != 0 && within != order) continue;
+    for (std::size_t i = 0; i < rod.arc_length.size(); ++i)
         rows.push_back(describe_section(rod.arc_length[i], *rod.varying.at_nodes[i].fluid));
-    }
     return rows;
 }
 
