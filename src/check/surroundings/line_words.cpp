@@ -21,11 +21,14 @@ constexpr double least_locked = 4.0;
 constexpr double most_locked = 8.0;
 // Of flow along a rod.
 constexpr double zero_sine = 1e-9;
+// Of larger models nothing is said: each rod is compared with all others.
+constexpr std::size_t most_rods = 50;
 // Times at which a current is asked for.
 constexpr int most_times = 20;
 
-bool is_in_water(const Model& model, const Rod& rod) {
-    return model.surroundings.water && model.sections[static_cast<std::size_t>(rod.section)].fluid;
+bool is_estimated(const Model& model, const Rod& rod) {
+    return model.rods.size() <= most_rods && model.surroundings.water &&
+           model.sections[static_cast<std::size_t>(rod.section)].fluid;
 }
 
 // √(EI/T) in terms of the length of the elements there, where it is smallest.
@@ -170,7 +173,7 @@ const char* describe_source(LineAtRest::Source source) {
 }  // namespace
 
 std::string describe_line_at_rest(const Model& model, const Rod& rod) {
-    if (!is_in_water(model, rod)) return "";
+    if (!is_estimated(model, rod)) return "";
     const std::optional<LineAtRest> line = find_line_at_rest(model, rod);
     if (!line) return "";
     std::string text;
@@ -201,7 +204,7 @@ std::string describe_line_at_rest(const Model& model, const Rod& rod) {
 }
 
 std::string find_coarse_layer(const Model& model, const Rod& rod) {
-    if (!is_in_water(model, rod)) return "";
+    if (!is_estimated(model, rod)) return "";
     const std::optional<LineAtRest> line = find_line_at_rest(model, rod);
     const std::optional<Layer> layer = line ? find_thinnest_layer(model, rod, *line) : std::nullopt;
     if (!layer || layer->elements >= 1.0 || layer->length < find_diameter(model, rod)) return "";
@@ -216,7 +219,7 @@ std::string find_coarse_layer(const Model& model, const Rod& rod) {
 }
 
 std::string find_vortices(const Model& model, const Rod& rod, const AnalysisSettings& analysis) {
-    if (!is_in_water(model, rod)) return "";
+    if (!is_estimated(model, rod)) return "";
     const std::optional<LineAtRest> line = find_line_at_rest(model, rod);
     const std::optional<double> frequency = line ? find_lowest_frequency(model, rod, *line) : std::nullopt;
     if (!frequency) return "";

@@ -5,7 +5,8 @@
 #include "model/model.hpp"
 #include "model/settings.hpp"
 
-// Lines for a reader on rods in water at rest: tension, boundary layers, frequency and vortices.
+// Lines for a reader on rods in water at rest: tension, boundary layers, frequency and vortices. Empty of
+// models of more than 50 rods.
 namespace gxrod {
 
 // What is estimated of a rod in water; "" of one that is not, or of which nothing can be said.
