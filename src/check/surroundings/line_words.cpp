@@ -103,18 +103,19 @@ class SmallNear {
 // A spacing with which as many elements are half as long as the layer where a rod is held or leaves the
 // ground.
 std::string suggest_spacing(const Rod& rod, const LineAtRest& line, double layer) {
-    constexpr double flat = 0.01;  // about the ground: in hundredths, as the spacing is written
+    constexpr double flat = 0.03;  // about where it leaves the ground, which stretch and currents move
+    constexpr double smallest = 0.05;
     const auto round = [&](double s) { return std::round(100.0 * s / rod.length) / 100.0; };
     std::vector<SmallNear::Place> places;
     const bool leaves = line.first > 0, lands = line.last + 1 < line.arc_length.size();
     places.push_back(leaves ? SmallNear::Place{round(line.from), flat} : SmallNear::Place{0.0, 0.0});
     places.push_back(lands ? SmallNear::Place{round(line.to), flat} : SmallNear::Place{1.0, 0.0});
-    for (const double size : {0.5, 0.3, 0.2, 0.1, 0.05, 0.03, 0.02}) {
+    for (const double size : {0.5, 0.3, 0.2, 0.1}) {
         const SmallNear spacing(places, size);
         if (size * spacing.measure() * rod.length / rod.element_count() <= 0.5 * layer)
             return spacing.write();
     }
-    return SmallNear(places, 0.01).write();
+    return SmallNear(places, smallest).write();
 }
 
 // The largest velocity of the current across a rod where it starts, at times up to an end.

@@ -135,6 +135,21 @@ TEST_CASE("The lowest frequency in water is that of a beam under tension", "[che
           Approx(k * std::sqrt((3000.0 + 2e4 * k * k) / mass) / (2.0 * M_PI)).epsilon(1e-6));
 }
 
+TEST_CASE("A spacing is written where elements are longer than boundary layers", "[check]") {
+    const auto words = [](const std::string& elements) {
+        const std::string deck =
+            pipe_deck("catenary = { from = [0, 0, 0], to = [100, 0, 20], length = 120 }\n", held_ends);
+        const Model model = read(replaced(deck, "elements = 10", "elements = " + elements)).model;
+        return find_coarse_layer(model, model.rods.at(0));
+    };
+    // The tension 3405 at the upper end makes √(2e4/3405) = 2.42, of elements of 12. Of 30 elements those at
+    // the ends are 0.2 (0.74 + 0.26 ln 5/0.8) 120/30 = 1.01 long with a size of 0.2, and 1.42 with one of
+    // 0.3.
+    CHECK_THAT(words("10"), Contains("is 2.42 at s = 120, 0.2 of an element"));
+    CHECK_THAT(words("30"), Contains("spacing = [[0, 0.2], [0.13, 1], [0.87, 1], [1, 0.2]]"));
+    CHECK(words("60").empty());
+}
+
 TEST_CASE("Reduced velocities of currents are said", "[check]") {
     const auto words = [](double speed) {
         const Model model =
