@@ -8,12 +8,15 @@
 #include "check/rod_lines.hpp"
 #include "check/section_summary.hpp"
 #include "check/surroundings/fluid_summary.hpp"
+#include "model/element_lengths.hpp"
 
 namespace gxrod {
 namespace {
 
 // Relative to its neighbours.
 constexpr double round_off = 1e-12;
+// By which lengths of elements differ that are worth a line.
+constexpr double graded = 0.1;
 // Less is the error of compute_twist on a coarse mesh.
 constexpr double least_twist = 0.01;
 
@@ -178,6 +181,9 @@ std::string describe_rod(const Model& model, const Rod& rod) {
                     rod.order,
                     section.name);
     text += describe_extent(model, rod);
+    const ElementLengths lengths = find_element_lengths(rod);
+    if (lengths.most > (1.0 + graded) * lengths.least)
+        text += fmt::format("  elements {:.4g} to {:.4g} long\n", lengths.least, lengths.most);
     if (rod.has_varying_sections()) {
         text += "  section at the start: " + describe_diagonals(rod.varying.at_nodes.front()) + "\n";
         text += "  section at the end: " + describe_diagonals(rod.varying.at_nodes.back()) + "\n";

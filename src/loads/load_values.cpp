@@ -1,18 +1,20 @@
 #include "loads/load_values.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "loads/distributed_load.hpp"
 #include "loads/nodal_load.hpp"
 #include "model/breaks.hpp"
+#include "model/element_lengths.hpp"
 
 namespace gxrod {
 
 namespace {
 
 // What a whole rod is cut into at least; each part is looked at in five places or more.
-constexpr std::size_t fewest_pieces_of_rod = 16;
+constexpr double fewest_pieces_of_rod = 16.0;
 // Places in which the switches of a load are looked at along a rod.
 constexpr int break_samples = 64;
 
@@ -69,8 +71,9 @@ void LoadValues::describe(std::size_t load) {
     along.first_element = load == 0 ? 0 : distributed_[load - 1].last_element;
     along.last_element = along.first_element + static_cast<std::size_t>(rod.element_count());
     along.form = find_form(given);
-    const auto count = static_cast<std::size_t>(std::max(rod.element_count(), 1));
-    along.pieces = static_cast<int>((fewest_pieces_of_rod + count - 1) / count);
+    // Of the longest element.
+    const double share = find_element_lengths(rod).most / rod.length;
+    along.pieces = std::max(1, static_cast<int>(std::ceil(share * fewest_pieces_of_rod - 1e-9)));
     Switches fixed;
     for_each_component(given, [&](const LineFunction& component) {
         if (component.switches() == nullptr || component.form().is_even) return;

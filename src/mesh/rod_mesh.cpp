@@ -33,7 +33,7 @@ std::vector<double> find_breaks(RodBreaks breaks) {
     return found;
 }
 
-// Elements of each piece.
+// Elements of each piece, from the measures at their ends.
 std::vector<long> distribute(const std::vector<double>& breaks, long elements) {
     const std::size_t pieces = breaks.size() - 1;
     std::vector<double> share(pieces);
@@ -77,18 +77,23 @@ std::vector<double> compute_element_fractions(RodBreaks given, long elements) {
     const auto count = static_cast<double>(elements);
     for (double& point : given.points) {
         const double nearest = std::round(point * count) / count;
-        if (std::abs(point - nearest) <= same_fraction) point = nearest;
+        if (given.grading.is_even() && std::abs(point - nearest) <= same_fraction) point = nearest;
     }
+    const Grading grading = std::move(given.grading);
     const std::vector<double> breaks = find_breaks(std::move(given));
     if (static_cast<long>(breaks.size()) - 1 > elements) return {};
-    const std::vector<long> counts = distribute(breaks, elements);
+    std::vector<double> measures;
+    measures.reserve(breaks.size());
+    for (const double fraction : breaks) measures.push_back(grading.measure(fraction));
+    const std::vector<long> counts = distribute(measures, elements);
     std::vector<double> fractions;
     fractions.reserve(static_cast<std::size_t>(elements) + 1);
     for (std::size_t piece = 0; piece < counts.size(); ++piece) {
-        const double length = breaks[piece + 1] - breaks[piece];
-        for (long i = 0; i < counts[piece]; ++i) {
-            fractions.push_back(breaks[piece] +
-                                length * (static_cast<double>(i) / static_cast<double>(counts[piece])));
+        fractions.push_back(breaks[piece]);
+        const double span = measures[piece + 1] - measures[piece];
+        for (long i = 1; i < counts[piece]; ++i) {
+            const double part = static_cast<double>(i) / static_cast<double>(counts[piece]);
+            fractions.push_back(grading.fraction_at(measures[piece] + span * part));
         }
     }
     fractions.push_back(1.0);

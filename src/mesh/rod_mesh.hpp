@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "mesh/grading.hpp"
+
 // Where the nodes of a rod go.
 namespace gxrod {
 
@@ -13,12 +15,13 @@ inline constexpr double same_fraction = 1e-9;
 struct RodBreaks {
     std::vector<double> points;   // that the deck names: any order, repeated or not, 0 to 1
     std::vector<double> corners;  // of the centreline: increasing, more than same_fraction apart and inside
+    Grading grading = {};
 };
 
 // The fractions of a rod's length at which its elements meet, 0 first and 1 last: at each break, and between
-// neighbouring breaks elements of equal length, `elements` of them distributed over the pieces in proportion
-// to their lengths (largest remainder, one a piece at least). Without breaks that call for anything else, all
-// elements are equal. Empty if there are more pieces than elements.
+// neighbouring breaks at equal steps of the grading's measure, `elements` of them distributed over the pieces
+// in proportion to their measures (largest remainder, one a piece at least). Without a grading, and without
+// breaks that call for anything else, all elements are equal. Empty if there are more pieces than elements.
 std::vector<double> compute_element_fractions(RodBreaks breaks, long elements);
 
 // How many pieces the breaks make of a rod.

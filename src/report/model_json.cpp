@@ -6,6 +6,7 @@
 
 #include "model/joint_name.hpp"
 #include "numerics/symmetric_eigen.hpp"
+#include "report/wet_rods_json.hpp"
 
 namespace gxrod {
 
@@ -117,6 +118,7 @@ Json describe_surroundings(const Problem& problem) {
     const Surroundings& around = problem.model.surroundings;
     Json json = Json::object();
     if (around.water && around.water->surface) json["water"] = describe_water(find_sea(problem));
+    if (around.water || around.air) json["wet"] = describe_wet_rods(problem);
     if (!around.seabed) return json;
     json["ground"] = describe_ground(*around.seabed);
     Json radii = Json::array();

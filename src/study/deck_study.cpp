@@ -49,9 +49,9 @@ class DeckExaminer {
         study_.end_time = study_.times.back();
         series_ = list_series(problem.output);
         rotation_ = restrict_rotation(make_random_rotation(options.seed), problem.model);
-        const bool only_about_z = !problem.model.surroundings.is_empty();
-        rotation_more_ =
-            rotation_ * exp_quaternion(angle_more * (only_about_z ? Vec3::UnitZ() : Vec3::UnitX()));
+        const std::optional<Vec3> axis = find_small_turn(problem.model);
+        turns_by_little_ = axis.has_value();
+        rotation_more_ = rotation_ * exp_quaternion(angle_more * axis.value_or(Vec3::Zero()));
         study_.rotation = log(rotation_);
     }
 
@@ -172,6 +172,10 @@ class DeckExaminer {
 
     // Of runs that both fail, up to there.
     void take_round_off(VariantRun& run, const MotionTrace& trace) {
+        if (!turns_by_little_) {
+            run.untried = "a plane model in water, air or on the ground can only be turned by half a turn";
+            return;
+        }
         if (run.is_whole() && !turned_.is_whole()) run.untried = "the turned run failed";
         if (run.is_whole() != turned_.is_whole()) return;
         run.is_cut_alike = is_cut_alike(turned_, trace);
@@ -280,6 +284,7 @@ class DeckExaminer {
     std::vector<Series> series_;
     Quat rotation_;
     Quat rotation_more_;
+    bool turns_by_little_ = true;
     DeckStudy study_;
     MotionTrace base_;
     MotionTrace turned_;

@@ -121,8 +121,24 @@ TimeVector turn(const Quat& rotation, const TimeVector& vector) {
 }  // namespace
 
 Quat restrict_rotation(const Quat& rotation, const Model& model) {
-    if (model.surroundings.is_empty()) return rotation;
-    return Quat(rotation.w(), 0.0, 0.0, rotation.z()).normalized();
+    const bool is_anyhow = model.surroundings.is_empty();
+    const Vec3 up = Vec3::UnitZ();
+    const auto about = [&](const Vec3& axis) {
+        const Vec3 part = rotation.vec().dot(axis) * axis;
+        return Quat(rotation.w(), part.x(), part.y(), part.z()).normalized();
+    };
+    if (!model.plane) return is_anyhow ? rotation : about(up);
+    const Vec3 normal = Vec3::Unit(model.plane->normal);
+    if (is_anyhow || normal == up) return about(normal);
+    return Quat(0.0, 0.0, 0.0, 1.0);  // half a turn, which puts an upright plane on itself
+}
+
+std::optional<Vec3> find_small_turn(const Model& model) {
+    const bool is_anyhow = model.surroundings.is_empty();
+    if (!model.plane) return is_anyhow ? Vec3::UnitX() : Vec3::UnitZ();
+    const Vec3 normal = Vec3::Unit(model.plane->normal);
+    if (is_anyhow || normal == Vec3::UnitZ()) return normal;
+    return std::nullopt;
 }
 
 void turn_model(const Quat& rotation, Model& model) {

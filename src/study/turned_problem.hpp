@@ -1,14 +1,21 @@
 #pragma once
 
+#include <optional>
+
 #include "deck/problem.hpp"
 #include "results/tables/history_point.hpp"
 
 // The same problem, seen from axes that are turned: all of it, with its loads, gravity and supports, rotated
-// about the origin: about z, if it has surroundings. Its motion is the turned motion, exactly.
+// about the origin: about z, if it has surroundings, in its plane, if it has one. Its motion is the turned
+// motion, exactly.
 namespace gxrod {
 
-// The rotation, or of it what is about z where water, air or ground know up from down.
+// The rotation, or of it what is about z where water, air or ground know up from down, and about the normal
+// of a plane model; half a turn about z of a plane model in water, air or on the ground, whose plane is
+// upright.
 Quat restrict_rotation(const Quat& rotation, const Model& model);
+// An axis of small turns that the model allows; nullopt of such a plane model.
+std::optional<Vec3> find_small_turn(const Model& model);
 
 void turn_model(const Quat& rotation, Model& model);
 // The model and what histories are relative to.

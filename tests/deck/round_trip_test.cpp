@@ -478,6 +478,15 @@ std::vector<RoundTrip> rod_trips() {
             {"rod.NAME.elements",
              replaced(rod_deck, "elements = 10", "elements = \"3 + 4\""),
              [](const Problem& p) { return p.model.rods[0].element_count() == 7; }},
+            {"rod.NAME.spacing",
+             with_rod_key("spacing = [[0, 1], [1, 3]]"),
+             [](const Problem& p) {
+                 const Rod& rod = p.model.rods[0];
+                 // The last of n elements is 3^(1 - 1/n) as long as the first.
+                 const double ratio =
+                     (rod.length - rod.arc_length[rod.arc_length.size() - 2]) / rod.arc_length[1];
+                 return std::abs(ratio - std::pow(3.0, 1.0 - 1.0 / rod.element_count())) < 1e-12;
+             }},
             {"rod.NAME.order",
              with_rod_key("order = 3"),
              [](const Problem& p) { return p.model.rods[0].order == 3; }},

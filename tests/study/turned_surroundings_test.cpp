@@ -45,6 +45,21 @@ TEST_CASE("water, waves, wind and ground turn about z with their model", "[study
           Approx(find_ground(*one.seabed, place).gap).epsilon(1e-13));
 }
 
+TEST_CASE("a plane model turns in its plane, and by half a turn where up is known", "[study]") {
+    const Quat rotation = Quat(0.3, 0.7, -0.2, 0.6).normalized();
+    Model model = read("plane = \"xz\"\n" + tube_deck("")).model;
+    const Quat about_y = restrict_rotation(rotation, model);
+    CHECK((about_y * Vec3::UnitY() - Vec3::UnitY()).norm() < 1e-15);
+    CHECK(std::abs(about_y.y()) > 0.1);
+    CHECK(*find_small_turn(model) == Vec3::UnitY());
+    model = read("plane = \"xz\"\n" + tube_deck() + water).model;
+    CHECK((restrict_rotation(rotation, model) * Vec3(1, 2, 3) - Vec3(-1, -2, 3)).norm() < 1e-15);
+    CHECK_FALSE(find_small_turn(model));
+    model.plane->normal = 2;
+    CHECK((restrict_rotation(rotation, model) * Vec3::UnitZ() - Vec3::UnitZ()).norm() < 1e-15);
+    CHECK(*find_small_turn(model) == Vec3::UnitZ());
+}
+
 TEST_CASE("a model without surroundings turns in any way, a grid of the ground about z", "[study]") {
     const Quat rotation = Quat(0.3, 0.7, -0.2, 0.6).normalized();
     CHECK(restrict_rotation(rotation, read(tube_deck("")).model).isApprox(rotation, 0.0));

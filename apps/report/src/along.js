@@ -26,20 +26,29 @@ export function listPlaces(data, rod, of) {
   return places.sort((a, b) => a.s - b.s);
 }
 
-// A chart along a rod: a quantity at the clock's time, within its range over all frames.
+// Of stages with time, all but those of static ones before them, which end at t = 0.
+function listTimedFrames({ times, info }) {
+  const all = [...times.keys()];
+  const timed = all.filter((frame) => times[frame] >= 0);
+  return info.is_static || timed.length < 2 ? all : timed;
+}
+
+// A chart along a rod: a quantity at the clock's time, within its range over all frames. Options: a title, the quantities, some
+// of which are a number a place, in place of the data's; that which is shown first; which rods; whether there is a line for the mean, and the range is that of frames with time alone.
 export class Along {
-  constructor(data, clock, units) {
-    Object.assign(this, { data, clock, units });
-    this.rods = data.info.rods.map((name, rod) => ({ name, rod })).filter(({ rod }) => data.cellRods.includes(rod));
+  constructor(data, clock, units, { title = "Along a rod", quantities = data.quantities, first = "moment", hasRod = () => true, hasMean = false } = {}) {
+    Object.assign(this, { data, clock, units, quantities, hasMean });
+    this.rods = data.info.rods.map((name, rod) => ({ name, rod })).filter(({ rod }) => data.cellRods.includes(rod) && hasRod(rod));
+    this.frames = hasMean ? listTimedFrames(data) : [...data.times.keys()];
     this.rod = make("select", { "aria-label": "Rod" }, ...this.rods.map(({ name, rod }) => make("option", { value: String(rod) }, name)));
-    this.quantity = make("select", { "aria-label": "Quantity" }, ...Object.keys(data.quantities).map((name) => make("option", { value: name }, inWords(name))));
+    this.quantity = make("select", { "aria-label": "Quantity" }, ...Object.keys(quantities).map((name) => make("option", { value: name }, inWords(name))));
     this.component = make("select", { "aria-label": "Component" });
     this.unit = make("small", {});
     this.now = make("span", { className: "value" });
     this.body = make("div", { className: "chart-body" });
-    this.body.plotted = () => this.plot.data; // for tests: arc length, range, present
-    this.element = make("section", { className: "chart along" }, make("h2", {}, "Along a rod"), this.makeChoices(), this.makeKeys(), this.body);
-    if (data.quantities.moment) this.quantity.value = "moment";
+    this.body.plotted = () => this.plot.data; // for tests: arc length, range, present, mean
+    this.element = make("section", { className: "chart along" }, make("h2", {}, title), this.makeChoices(), this.makeKeys(), this.body);
+    if (quantities[first]) this.quantity.value = first;
     this.rod.hidden = this.rods.length < 2;
     this.rod.addEventListener("change", () => this.choose());
     this.quantity.addEventListener("change", () => this.chooseQuantity());
@@ -65,34 +74,39 @@ export class Along {
 
   makeKeys() {
     const present = make("span", { className: "key" }, make("i"), this.now);
-    const range = make("span", { className: "key range" }, make("i"), "range over all frames");
+    const all = this.frames[0] === 0 ? "all frames" : `frames from ${timeSymbol(this.data.info.time_name)} = 0`;
+    const range = make("span", { className: "key range" }, make("i"), `range over ${all}`);
+    const mean = this.hasMean ? make("span", { className: "key" }, make("i"), "mean") : null;
     for (const key of [present, range]) key.style.setProperty("--series", "var(--series-1)");
-    return make("div", { className: "keys" }, present, range);
+    mean?.style.setProperty("--series", "var(--series-2)");
+    return make("div", { className: "keys" }, present, range, mean);
   }
 
   chooseQuantity() {
     const names = componentsOf(this.quantity.value);
+    this.component.hidden = this.quantities[this.quantity.value].isScalar ?? false;
     this.component.replaceChildren(
       ...names.map((name, i) => make("option", { value: String(i) }, name)),
       make("option", { value: "3" }, "magnitude"),
     );
-    this.component.value = String(this.largestComponent());
+    this.component.value = this.component.hidden ? "0" : String(this.largestComponent());
     this.choose();
   }
 
   // That with the largest values; of those that are alike, the first.
   largestComponent() {
-    const { values } = this.data.quantities[this.quantity.value];
+    const { values } = this.quantities[this.quantity.value];
     const largest = [0, 0, 0];
     for (let i = 0; i < values.length; i++) largest[i % 3] = Math.max(largest[i % 3], Math.abs(values[i]));
     return largest.indexOf(Math.max(...largest));
   }
 
   choose() {
-    const quantity = this.data.quantities[this.quantity.value];
+    const quantity = this.quantities[this.quantity.value];
     this.of = quantity.of;
     this.values = quantity.values;
-    this.rows = this.values.length / 3 / this.data.times.length;
+    this.stride = quantity.isScalar ? 1 : 3;
+    this.rows = this.values.length / this.stride / this.data.times.length;
     this.places = listPlaces(this.data, Number(this.rod.value), quantity.of);
     const unit = unitOf(dimensionOf(this.quantity.value), this.units);
     const length = unitOf("length", this.units);
@@ -105,17 +119,19 @@ export class Along {
   }
 
   valueAt(frame, row, component = Number(this.component.value)) {
+    if (this.stride === 1) return component === 3 ? Math.abs(this.values[this.rows * frame + row]) : this.values[this.rows * frame + row];
     return componentOf(this.values, 3 * (this.rows * frame + row), component);
   }
 
   findRange() {
-    const count = this.data.times.length;
     this.least = this.places.map(() => Infinity);
     this.largest = this.places.map(() => -Infinity);
+    this.mean = this.places.map(() => 0);
     let magnitude = 0;
-    for (let frame = 0; frame < count; frame++) {
+    for (const frame of this.frames) {
       this.places.forEach(({ row }, i) => {
         const value = this.valueAt(frame, row);
+        this.mean[i] += value / this.frames.length;
         if (value < this.least[i]) this.least[i] = value;
         if (value > this.largest[i]) this.largest[i] = value;
         magnitude = Math.max(magnitude, this.valueAt(frame, row, 3));
@@ -135,8 +151,12 @@ export class Along {
   draw() {
     if (this.plot || this.body.clientWidth === 0) return;
     const s = this.places.map((place) => place.s);
-    this.plot = new uPlot(this.options(), [s, this.largest, this.least, this.present()], this.body);
+    this.plot = new uPlot(this.options(), this.columns(s), this.body);
     this.follow();
+  }
+
+  columns(s) {
+    return [s, this.largest, this.least, this.present(), ...(this.hasMean ? [this.mean] : [])];
   }
 
   options() {
@@ -160,6 +180,7 @@ export class Along {
         { stroke: series, width: 0.6, points: { show: false } },
         { stroke: series, width: 0.6, points: { show: false } },
         { stroke: series, width: 2, points },
+        ...(this.hasMean ? [{ stroke: () => readTheme().series[1], width: 1.5, dash: [6, 4], points: { show: false } }] : []),
       ],
     };
   }
@@ -167,7 +188,7 @@ export class Along {
   follow() {
     const symbol = timeSymbol(this.data.info.time_name);
     this.now.textContent = `${symbol} = ${formatNumber(this.clock.time, 4)}`;
-    if (this.isSeen) this.plot?.setData([this.plot.data[0], this.largest, this.least, this.present()]);
+    if (this.isSeen) this.plot?.setData(this.columns(this.plot.data[0]));
   }
 
   resize() {

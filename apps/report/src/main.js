@@ -17,6 +17,7 @@ import { Picture } from "./picture.js";
 import { bindPlayer } from "./player.js";
 import { showAbout, showFailure, showHeader, showModel } from "./story.js";
 import { bindTabs } from "./tabs.js";
+import { isWet, listTensions } from "./tensions.js";
 import { TouchDown } from "./touch_down.js";
 import { bindThemeButton, readTheme } from "./theme.js";
 import { readUnits } from "./units.js";
@@ -54,9 +55,11 @@ const swinging = picture && [...found.modes, ...found.paths].some(({ shapes }) =
 const foundCharts = addFoundTabs(found, { clock, swinging, units, timeName });
 bindTabs(find("tabs"));
 bindPlayer(clock, timeName, { swinging, describe: (time) => describeTime(found, parts, time) });
+const tensions = Along.isPossible(data) ? listTensions(data) : null;
+const ranges = tensions && new Along(data, clock, units, { title: "Ranges of tension and bending", quantities: tensions, first: "effective_tension", hasRod: (rod) => isWet(data, rod), hasMean: !info.is_static });
 const along = Along.isPossible(data) ? new Along(data, clock, units) : null;
 const touchDown = TouchDown.isPossible(data) ? new TouchDown(data, clock, units) : null;
-const charts = [...showCharts(data, clock, { timeName, units, along: [along, touchDown?.rods.length ? touchDown : null], parts, onPaths: listPathStretches(found), isStill }), ...[along, touchDown].filter(Boolean), ...foundCharts];
+const charts = [...showCharts(data, clock, { timeName, units, along: [ranges, along, touchDown?.rods.length ? touchDown : null], parts, onPaths: listPathStretches(found), isStill }), ...[ranges, along, touchDown].filter(Boolean), ...foundCharts];
 showAbout(data, picture);
 if (picture) {
   bindColouring(data, picture, units);

@@ -18,6 +18,10 @@ const dimensions = {
   moment: "force·length",
   strain: "",
   curvature: "angle/length",
+  effective_tension: "force",
+  wall_tension: "force",
+  bending_moment: "force·length",
+  bending_curvature: "angle/length",
 };
 
 export const componentsOf = (quantity) => componentNames[quantity] ?? ["x", "y", "z"];

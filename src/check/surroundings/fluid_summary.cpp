@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "check/surroundings/line_words.hpp"
 #include "environment/sea.hpp"
 
 namespace gxrod {
@@ -185,7 +186,8 @@ std::string describe_fluid(const Section& section) {
 std::string describe_fluid(const Model& model, const Rod& rod) {
     const std::vector<const Section*> sections = list_sections(model, rod);
     if (!sections.front()->fluid) return "";
-    return describe_in_water(model, rod, sections) + describe_on_ground(model, sections);
+    return describe_in_water(model, rod, sections) + describe_on_ground(model, sections) +
+           describe_line_at_rest(model, rod);
 }
 
 std::string describe_fluid(const Model& model, const Body& body) {

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "check/surroundings/fluid_summary.hpp"
+#include "check/surroundings/line_words.hpp"
 #include "environment/sea.hpp"
+#include "model/element_lengths.hpp"
 
 namespace gxrod {
 namespace {
@@ -60,11 +62,20 @@ class Examination {
             note_depth();
         }
         examine_ground();
+        note_idle_ground();
+        for (const Rod& rod : model_.rods) {
+            note(find_coarse_layer(model_, rod));
+            note(find_vortices(model_, rod, analysis_));
+        }
         return std::move(findings_);
     }
 
   private:
     void add(Severity severity, std::string message) { findings_.push_back({severity, std::move(message)}); }
+
+    void note(std::string message) {
+        if (!message.empty()) add(Severity::note, std::move(message));
+    }
 
     void examine_height(const TypicalWave& wave) {
         const double steepness = wave.height / wave.length;
@@ -100,7 +111,7 @@ class Examination {
     void examine_elements(const TypicalWave& wave) {
         for (const Rod& rod : model_.rods) {
             if (!model_.sections[static_cast<std::size_t>(rod.section)].fluid) continue;
-            const double length = rod.length / rod.element_count();
+            const double length = find_element_lengths(rod).most;
             if (length * least_elements <= wave.length || rod.length < wave.length) continue;
             add(Severity::warning,
                 fmt::format("{} has the length {:.4g}, {:.3g} elements of rod {}; expected {} elements or "
@@ -109,7 +120,7 @@ class Examination {
                             wave.length,
                             wave.length / length,
                             rod.name,
-                            std::ceil(least_elements * rod.length / wave.length)));
+                            std::ceil(least_elements * length / wave.length * rod.element_count())));
         }
     }
 
@@ -123,6 +134,18 @@ class Examination {
             fmt::format("waves feel the depth {:.6g}, and the ground is {:.6g} below the surface",
                         *water->depth,
                         depth));
+    }
+
+    // A ground of which only its depth counts.
+    void note_idle_ground() {
+        const bool touches = std::ranges::any_of(model_.rods, [&](const Rod& rod) {
+            return model_.sections[static_cast<std::size_t>(rod.section)].fluid.has_value();
+        });
+        if (!model_.surroundings.seabed || touches) return;
+        add(Severity::warning,
+            "[seabed] says how deep waves are and holds nothing up: it acts on rods whose section has "
+            "`fluid`; "
+            "bodies do not touch it");
     }
 
     void examine_ground() {

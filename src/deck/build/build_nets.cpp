@@ -109,7 +109,7 @@ bool has_reversal(const CheckedTable& table, const RodNet& net, const BuildConte
 }  // namespace
 
 void check_meshed_rod(const CheckedTable& table, const BuildContext& context) {
-    for (const char* key : {"elements", "order"}) {
+    for (const char* key : {"elements", "spacing", "order"}) {
         if (table.gives(key)) context.add_fault(table, key, "comes from the mesh; leave it out");
     }
     if (table.gives("rest"))

@@ -29,6 +29,21 @@ std::optional<long> find_element_count(const CheckedTable& rod, const BuildConte
     return std::nullopt;
 }
 
+// Elements shorter than points that are one are a fault.
+bool are_apart(const std::vector<double>& fractions, const CheckedTable& rod, const BuildContext& context) {
+    double least = 1.0;
+    for (std::size_t i = 1; i < fractions.size(); ++i)
+        least = std::min(least, fractions[i] - fractions[i - 1]);
+    if (least > same_fraction) return true;
+    context.add_fault(rod,
+                      "spacing",
+                      fmt::format("the shortest of {} elements has {:.2g} of the length of the rod; expected "
+                                  "sizes nearer to each other",
+                                  fractions.size() - 1,
+                                  least));
+    return false;
+}
+
 std::vector<double> find_fractions(const CheckedTable& rod,
                                    const RodBreaks& breaks,
                                    const BuildContext& context) {
@@ -44,6 +59,8 @@ std::vector<double> find_fractions(const CheckedTable& rod,
                                       count_pieces(breaks),
                                       between,
                                       *elements));
+    } else if (!breaks.grading.is_even() && !are_apart(fractions, rod, context)) {
+        return {};
     }
     return fractions;
 }
@@ -52,6 +69,10 @@ std::string name_node(const std::string& rod, double fraction, std::size_t posit
     if (position == 0) return rod + ".start";
     if (fraction == 1.0) return rod + ".end";
     return is_named ? fmt::format("{}@{:.9g}", rod, fraction) : fmt::format("{} node {}", rod, position);
+}
+
+Grading find_grading(const CheckedTable& rod) {
+    return rod.gives("spacing") ? Grading(rod.get<CheckedProfile>("spacing").rows) : Grading();
 }
 
 bool is_near_any(double fraction, const std::vector<double>& points) {
@@ -192,7 +213,7 @@ void build_line(const CheckedTable& table,
     const std::vector<double> jumps = find_jumps(along.stations);
     points.insert(points.end(), jumps.begin(), jumps.end());
     const std::optional<Centreline> line = find_centreline(table, context);
-    const RodBreaks breaks{points, line ? line->corners() : std::vector<double>{}};
+    const RodBreaks breaks{points, line ? line->corners() : std::vector<double>{}, find_grading(table)};
     const std::vector<double> fractions = find_fractions(table, breaks, context);
     if (!line) return;
     const std::optional<Quat> axes = find_start_axes(table, line->start_tangent(), context);

@@ -19,6 +19,12 @@ class ValueReader {
     ValueReader(const KeySpec& key, const ReadingContext& context) : key_(key), context_(context) {}
 
     std::optional<double> number(const DeckNode& node, const std::string& path) const {
+        const std::optional<double> value = finite_number(node, path);
+        return value ? in_range(node, path, *value) : std::nullopt;
+    }
+
+    // In the range of the key or not.
+    std::optional<double> finite_number(const DeckNode& node, const std::string& path) const {
         std::optional<double> value;
         if (const auto* integer = std::get_if<std::int64_t>(&node.value)) {
             value = static_cast<double>(*integer);
@@ -38,7 +44,7 @@ class ValueReader {
             add(node, path, "expected a finite number, found " + describe_found(node));
             return std::nullopt;
         }
-        return in_range(node, path, *value);
+        return value;
     }
 
     std::optional<long> integer(const DeckNode& node, const std::string& path) const {
@@ -270,7 +276,7 @@ class ValueReader {
                 complete = false;
                 continue;
             }
-            const std::optional<double> fraction = number((*row.array())[0], row_path + "[0]");
+            const std::optional<double> fraction = finite_number((*row.array())[0], row_path + "[0]");
             complete = fraction && read((*row.array())[1], row_path + "[1]", *fraction) && complete;
             if (!fraction) continue;
             const bool is_end = i == 0 || i + 1 == count;
@@ -570,6 +576,8 @@ decltype(CheckedValue::value) read_value(const DeckNode& node,
             return wrap(reader.pairs(node, path));
         case ValueType::profile:
             if (node.array() == nullptr) return wrap(reader.number(node, path));
+            return wrap(reader.profile(node, path));
+        case ValueType::fraction_rows:
             return wrap(reader.profile(node, path));
         case ValueType::stations:
             return wrap(reader.stations(node, path));

@@ -222,6 +222,8 @@ std::string describe_expected(const KeySpec& key) {
             return "a number" + ranged + " or an expression, or an array of rows of 2";
         case ValueType::profile:
             return "a number or an expression, or an array of rows [fraction, number], from 0 to 1";
+        case ValueType::fraction_rows:
+            return "an array of rows [fraction, number" + ranged + "], two at least, from 0 to 1";
         case ValueType::stations:
             return "an array of rows [fraction, \"section\"], two at least, from 0 to 1, or a table { file = "
                    "\"…\" }";

@@ -36,6 +36,7 @@ enum class ValueType {
     pairs,                 // rows of 2 numbers
     number_or_pairs,       // a number, or rows of 2
     profile,               // a number, or rows of 2: a fraction from 0 to 1, and a number
+    fraction_rows,         // rows of 2: a fraction from 0 to 1, and a number
     stations,              // rows of 2: a fraction, and the name of a section
     number_or_six,         // a number, or 6 of them: one for each strain of a section
     bounds,                // a number, or 2 of them: the lower and the upper one

@@ -100,6 +100,8 @@ std::string describe_type(const KeySpec& key) {
             return "number or rows of 2";
         case ValueType::profile:
             return "number or rows [fraction, number]";
+        case ValueType::fraction_rows:
+            return "rows [fraction, number]";
         case ValueType::stations:
             return "rows [fraction, section], or table";
         case ValueType::bounds:

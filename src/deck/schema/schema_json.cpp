@@ -110,6 +110,8 @@ Json make_type(const KeySpec& key) {
                            array_of_at_least(array_of(reference("number"), 2), 1)});
         case ValueType::profile:
             return any_of({reference("number"), array_of_at_least(array_of(reference("number"), 2), 2)});
+        case ValueType::fraction_rows:
+            return array_of_at_least(array_of(reference("number"), 2), 2);
         case ValueType::stations:
             return any_of(
                 {array_of_at_least(array_of(any_of({reference("number"), {{"type", "string"}}}), 2), 2),

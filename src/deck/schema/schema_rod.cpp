@@ -206,8 +206,19 @@ std::vector<KeySpec> rod_keys() {
          .range = {.lower = 1, .upper = static_cast<double>(largest_element_count)},
          .default_text = "needed, but for a mesh",
          .sentence =
-             "How many, of equal length; between corners and points NAME@FRACTION in proportion to length.",
+             "How many, of equal length if `spacing` does not say otherwise; between corners and points "
+             "NAME@FRACTION in proportion to length.",
          .above_range = describe_memory_of_largest_rod()});
+    keys.push_back({.name = "spacing",
+                    .type = ValueType::fraction_rows,
+                    .dimension = "1",
+                    .range = positive,
+                    .default_text = "even",
+                    .sentence =
+                        "How long the elements are at fractions of the rod's length, compared with each "
+                        "other; linear between the rows, with a jump where a fraction stands twice. "
+                        "[[0, 1], [0.2, 10], [1, 10]] makes them a tenth as long at the start. For boundary "
+                        "layers and where a line touches the ground."});
     keys.push_back({.name = "order",
                     .type = ValueType::integer,
                     .range = {.lower = 1, .upper = 4},
@@ -264,6 +275,7 @@ const TableSpec& rod_table() {
             "section  = \"tube\"\n"
             "line     = { from = [6, 0, 0], to = [0, 8, 0] }\n"
             "elements = 10\n"
+            "spacing  = [[0, 1], [0.5, 4], [1, 4]]\n"
             "y_axis   = [0, 0, 1]\n"
             "\n"
             "[rod.spring]\n"

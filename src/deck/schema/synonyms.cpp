@@ -75,6 +75,7 @@ constexpr KeySynonyms keys[] = {
     {"section.NAME.damping", "mass_proportional", "alpha rayleigh_alpha mass"},
     {"rod.NAME", "section", "cross_section profile material"},
     {"rod.NAME", "elements", "n n_elements num_elements number_of_elements nelem divisions segments"},
+    {"rod.NAME", "spacing", "grading bias sizes element_sizes spacings mesh_grading"},
     {"rod.NAME", "order", "degree p polynomial_degree"},
     {"rod.NAME", "element", "type element_type formulation"},
     {"rod.NAME", "line", "from to start end points geometry path"},

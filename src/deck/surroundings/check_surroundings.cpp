@@ -34,6 +34,30 @@ void check_parts(const BuildContext& context) {
     }
 }
 
+bool any_gives_fluid(const std::vector<CheckedTable>& tables) {
+    return std::ranges::any_of(tables, [](const CheckedTable& table) { return table.gives("fluid"); });
+}
+
+// Whether waves take their depth from the ground.
+bool gives_depth(const CheckedTable& deck) {
+    const std::vector<CheckedTable>& fluids = deck.tables("fluid");
+    return !deck.tables("wave").empty() && !fluids.empty() && !fluids.front().gives("depth");
+}
+
+// A ground that only bodies could touch, which they do not.
+void check_ground(const BuildContext& context) {
+    const CheckedTable& deck = context.deck;
+    if (any_gives_fluid(deck.tables("section")) || !any_gives_fluid(deck.tables("body")) || gives_depth(deck))
+        return;
+    for (const CheckedTable& ground : deck.tables("seabed")) {
+        context.faults.add(
+            ground.place,
+            ground.path,
+            "holds nothing up: it acts on rods whose section has `fluid`, and no section has; "
+            "bodies do not touch it. Expected `fluid = {}` in a [section.NAME], or no [seabed]");
+    }
+}
+
 bool acts_down(const CheckedTable& deck) {
     if (!deck.gives("gravity")) return false;
     const auto& gravity = deck.get<CheckedTimeVector>("gravity");
@@ -68,6 +92,7 @@ void check_no_stretching(const CheckedTable& fluid, const BuildContext& context)
 
 void check_surroundings(const BuildContext& context) {
     check_parts(context);
+    check_ground(context);
     for (const CheckedTable& fluid : context.deck.tables("fluid")) {
         check_up(fluid, context);
         check_without_surface(fluid, context);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "deck/decks.hpp"
@@ -39,6 +40,44 @@ TEST_CASE("A rod needs an element for each piece between its points", "[deck]") 
                     {R"(load=[{at = "r@0.5", force = [1, 0, 0]}, {at = "r@0.75", force = [1, 0, 0]}])"}) ==
           "x.toml:7:12: rod.r.elements: expected at least 3, one for each piece between the points that the "
           "deck names, found 2");
+}
+
+TEST_CASE("Elements follow the spacing of their rod", "[deck]") {
+    const auto rod_of = [](const std::string& lines, const std::vector<std::string>& overrides = {}) {
+        return read(replaced(rod_deck, "elements = 10", "elements = 10\n" + lines), overrides).model.rods[0];
+    };
+    // h = 1 + 3x: the element ends at (4^(k/10) − 1)/3 of the length 10, here with inner nodes.
+    const Rod rod = rod_of("spacing = [[0, 1], [1, 4]]\norder = 2");
+    REQUIRE(rod.element_count() == 10);
+    for (int k = 0; k < 10; ++k) {
+        const auto at = [](int i) { return 10.0 * (std::pow(4.0, i / 10.0) - 1.0) / 3.0; };
+        CHECK(rod.arc_length[3 * k] == Approx(at(k)).epsilon(0).margin(1e-14));
+        CHECK(rod.arc_length[3 * k + 1] == Approx(0.5 * (at(k) + at(k + 1))).epsilon(0).margin(1e-14));
+    }
+    // A point has a node, which is where it was asked for.
+    const Rod loaded = rod_of("spacing = [[0, 1], [1, 4]]", {"load=[{at = \"r@0.3\", force = [1, 0, 0]}]"});
+    CHECK(std::ranges::find(loaded.arc_length, 3.0) != loaded.arc_length.end());
+    // Sizes can jump.
+    CHECK(rod_of("spacing = [[0, \"1 + 1\"], [0.5, 2], [0.5, 1], [1, 1]]").arc_length[1] > 1.4);
+}
+
+TEST_CASE("What is wrong with a spacing is said where it stands", "[deck]") {
+    const auto faults = [](const std::string& spacing) {
+        return faults_of(replaced(rod_deck, "elements = 10", "elements = 10\nspacing = " + spacing));
+    };
+    CHECK(faults("2") ==
+          "x.toml:8:11: rod.r.spacing: expected an array of rows [fraction, number greater than 0], two at "
+          "least, from 0 to 1, found 2");
+    CHECK_THAT(faults("[[0, 1]]"), Catch::Contains("two at least"));
+    CHECK(faults("[[0, 1], [1, 0]]") ==
+          "x.toml:8:24: rod.r.spacing[1][1]: expected a number greater than 0, found 0");
+    CHECK_THAT(faults("[[0, 1], [0.9, 2]]"),
+               Catch::Contains("rod.r.spacing[1]: expected the fraction 1 here"));
+    CHECK_THAT(faults("[[0, 1], [0.9, 2], [0.8, 2], [1, 1]]"), Catch::Contains("must not fall"));
+    CHECK_THAT(faults("[[0, 1e-12], [1, 1]]"),
+               Catch::Contains("rod.r.spacing: the shortest of 10 elements has"));
+    CHECK_THAT(faults_of(replaced(rod_deck, "elements = 10", "elements = 10\nspacings = [[0, 1], [1, 2]]")),
+               Catch::Contains("spacing"));
 }
 
 TEST_CASE("A rod needs elements that are bent and twisted by less than half a turn from their middle",

@@ -106,6 +106,14 @@ TEST_CASE("What is wrong with water, wind and ground is said where it stands", "
                Contains("x.toml:14") && Contains("fluid: passes everything by") && Contains("fluid = {}"));
     CHECK_THAT(faults_of(tube_deck("") + "[seabed]\nz = 0\nstiffness = 1\n"),
                Contains("seabed: passes everything by"));
+    const std::string ball =
+        down + replaced(body_deck, "[analysis]", "fluid = { volume = 0.002 }\n[analysis]") + water;
+    const std::string ground = "[seabed]\nz = -5\nstiffness = 1\n";
+    CHECK(faults_of(ball).empty());
+    CHECK_THAT(faults_of(ball + ground), Contains("seabed: holds nothing up: it acts on rods"));
+    CHECK(faults_of(ball + ground + "[[wave]]\nairy = { height = 1, period = 8 }\n").empty());
+    CHECK_THAT(faults_of(ball + "depth = 9\n" + ground + "[[wave]]\nairy = { height = 1, period = 8 }\n"),
+               Contains("seabed: holds nothing up"));
     CHECK_THAT(faults("[fluid]\nsurface = 0\n"), Contains("fluid.density: missing"));
     CHECK_THAT(faults("[fluid]\ndensity = 1\ndepth = 5\n"),
                Contains("x.toml:16") && Contains("fluid.depth: goes with surface"));
