@@ -189,7 +189,7 @@ def test_free_points_start_where_no_line_is_taut(lines):
         assert dist(hangs["from"], hangs["to"]) < 0.9991 * hangs["length"]
     assert deck["rod"]["line1"]["catenary"]["from"] == [300, 400, -100]
     assert deck["rod"]["line1"]["catenary"]["to"] == deck["rod"]["line2"]["catenary"]["from"]
-    assert "free points start nearer" in lines.with_suffix(".toml").read_text()
+    assert "free points and bodies start where no line is taut" in lines.with_suffix(".toml").read_text()
     edit(lines, "395.0     38", "100.0     38")
     with pytest.raises(FileError, match="too short to reach"):
         write_mooring(read_moordyn(lines), lines.with_suffix(".toml"))
@@ -211,11 +211,16 @@ ID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs RodOutputs
 """
 
 
-def test_lines_on_rods_and_bodies_of_moordyn_are_held(lines):
-    edit(lines, "---------------------- POINTS", RODS + "---------------------- POINTS")
+def put_bodies(lines, body="Free"):
+    """Line 1 ends on the free rod without length, with line 2, which ends on the body's rod; line 3 on a point of the body."""
+    edit(lines, "---------------------- POINTS", RODS.replace("1 Free 10", f"1 {body} 10") + "---------------------- POINTS")
     edit(lines, "3     Vessel      0.0     0.0     -10.0", "3     Body1       0.0     2.0     -1.0 ")
     edit(lines, "1     chain      1        2 ", "1     chain      1        R2A ")
     edit(lines, "2     cable-1/2  2        3 ", "2     cable-1/2  R2B      R1A ")
+
+
+def test_lines_on_coupled_bodies_of_moordyn_are_held(lines):
+    put_bodies(lines, "Coupled")
     deck = deck_of(lines)
     assert deck["rod"]["line2"]["catenary"]["to"] == [11, 0, -20]
     assert deck["rod"]["line3"]["catenary"]["to"] == [10, 2, -21]
@@ -223,11 +228,118 @@ def test_lines_on_rods_and_bodies_of_moordyn_are_held(lines):
     assert [each["fix"] for each in supports_of(deck, "line3.end")] == ["position"]
     assert deck["connect"] == [{"points": ["line1.end", "line2.start"]}]  # by the free rod without length
     assert [each["at"] for each in hinges_of(deck)] == ["line3.start"]  # the clamped end keeps the two others from spinning
+    assert "body" not in deck and [each["name"] for each in deck["stage"]] == ["hang", "move"]
     text = " ".join(read_moordyn(lines).notes)
     assert "body 1 of MoorDyn was left out" in text and "rod 1 of MoorDyn was left out" in text and "rod 2" not in text
-    edit(lines, "1 Free 10 0 -20 0 0 0", "1 Free 10 0 -20 0 0 5")
+    edit(lines, "1 Coupled 10 0 -20 0 0 0", "1 Coupled 10 0 -20 0 0 5")
     with pytest.raises(FileError, match=r"lines.txt:15: a body with lines on it is turned"):
         read_moordyn(lines)
+
+
+def test_a_free_body_has_what_is_fixed_to_it(lines):
+    put_bodies(lines)
+    edit(lines, "100 0 1 0.1 0 0", "100 0.5 1|2|3 0.1 0.4|7 0.5")
+    edit(lines, "2.0     -1.0   0      0       0      0", "2.0     -1.0   50     0.02    0.3    1")
+    [body] = read_moordyn(lines).bodies
+    rod, weight = 25.0 * 2.0, 50.0
+    assert body.mass == 100.0 + rod + weight
+    centre = np.array([0.0, 2.0 * weight, 0.5 * 100.0 - 1.0 * weight]) / body.mass
+    assert np.allclose(body.centre_of_mass, centre)
+    inertia = np.zeros(3)  # about the body's point, then about the centre
+    for mass, (x, y, z), own in ((100.0, (0, 0, 0.5), (1, 2, 3)), (weight, (0, 2, -1), (0, 0, 0)),
+                                 (rod, (0, 0, 0), (rod * 0.1**2 / 8, *[rod * (2.0**2 / 12 + 0.1**2 / 16)] * 2))):
+        inertia += np.array(own) + mass * np.array([y * y + z * z, x * x + z * z, x * x + y * y])
+    x, y, z = centre
+    assert np.allclose(body.inertia, inertia - body.mass * np.array([y * y + z * z, x * x + z * z, x * x + y * y]))
+    volume = pi / 4 * 0.1**2 * 2.0
+    assert body.volume == pytest.approx(0.1 + 0.02 + volume)
+    assert np.allclose(body.drag_area, [0.4 + 0.3 + pi / 4 * 0.1**2, 0.4 + 0.3 + 0.2, 0.4 + 0.3 + 0.2])
+    caps = 1030.0 * 4 / 3 * pi * 0.05**3
+    assert np.allclose(body.added_mass, np.array([caps, 1030 * volume, 1030 * volume]) + 0.5 * 1030 * 0.1 + 1030 * 0.02)
+    assert "drag that resists turns was left out, of body 1 (the numbers of CdA for rotations)" in read_moordyn(lines).notes
+
+
+def test_lines_are_fixed_to_free_bodies_or_turn_on_them(lines):
+    put_bodies(lines)
+    deck = deck_of(lines)
+    assert deck["joint"]["line2_B"] == {"type": "weld", "between": ["body1", "line2.end"], "at": deck["rod"]["line2"]["catenary"]["to"]}
+    assert deck["joint"]["line3_B"] == {"type": "ball", "between": ["body1", "line3.end"], "at": deck["rod"]["line3"]["catenary"]["to"]}
+    at = np.array(deck["body"]["body1"]["at"])
+    assert np.allclose(np.array(deck["joint"]["line2_B"]["at"]) - at, [1, 0, 0]) and np.allclose(np.array(deck["joint"]["line3_B"]["at"]) - at, [0, 2, -1])
+    assert [each["at"] for each in hinges_of(deck)] == ["line1.start", "line3.start"]
+    assert [(each["at"], each["fix"]) for each in deck["support"] if each.get("stages") == "hang"] == [("line1.end", "position"), ("body1", "position")]
+    assert [each["name"] for each in deck["stage"]] == ["hang", "free", "move"]
+    assert "left out" not in " ".join(read_moordyn(lines).notes).replace("damping by a ratio (BA/-zeta below 0) was left out", "")
+
+
+def test_a_free_rod_is_a_body_along_it(lines):
+    put_bodies(lines)
+    edit(lines, "2 stub Free 60 80 -50 60 80 -50 0 -", "2 stub Free 60 80 -50 60 80 -53 3 -")
+    rod = next(body for body in read_moordyn(lines).bodies if body.name == "rod2")
+    assert (rod.at, rod.mass) == ((60, 80, -51.5), 75.0)
+    assert np.allclose(rod.rotation_vector, [0, pi / 2, 0])  # x comes to point down
+    assert np.allclose(rod.inertia, [75 * 0.1**2 / 8, *[75 * (9 / 12 + 0.1**2 / 16)] * 2])
+    assert np.allclose(rod.drag_area, [pi / 4 * 0.1**2, 0.3, 0.3])
+    edit(lines, "2 stub Free", "2 pole Free")
+    with pytest.raises(FileError, match=r'lines.txt:\d+: there is no rod type "pole"; give one of stub'):
+        read_moordyn(lines)
+
+
+def test_a_body_that_hangs_on_one_point_does_not_turn(lines):
+    put_bodies(lines)
+    edit(lines, "R2B      R1A ", "R2B      3   ")
+    assert [each["fix"] for each in supports_of(deck_of(lines), "body1")] == ["position", ["rx", "ry", "rz"]]
+
+
+# A buoy that two lines hold down, and a floating line between it and the vessel.
+BUOY = """---------------------- LINE TYPES ------------------------------------------
+TypeName   Diam    Mass/m     EA         BA/-zeta    EI         Cd     Ca     CdAx    CaAx
+wire       0.1     20.0       1.0e8      0           1.0e4      1.2    1.0    0.0     0.0
+hose       0.3     30.0       1.0e8      0           1.0e4      1.2    1.0    0.0     0.0
+---------------------- ROD TYPES ------------------------------------
+TypeName Diam Mass/m Cd Ca CdEnd CaEnd
+can      1.0  100    1  1  1     1
+---------------------- RODS ------------------------------------
+ID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs RodOutputs
+1  can     Free       0  0  -40 0 0 -36 4 -
+---------------------- POINTS ------------------------------------------------
+ID    Attachment  X       Y       Z       Mass   Volume  CdA    Ca
+1     Fixed       -60.0   0.0     -100.0  0      0       0      0
+2     Fixed       60.0    0.0     -100.0  0      0       0      0
+3     Vessel      90.0    0.0     -10.0   0      0       0      0
+4     Free        40.0    0.0     -30.0   0      0       0      0
+---------------------- LINES --------------------------------------------------
+ID    LineType   AttachA  AttachB  UnstrLen  NumSegs  LineOutputs
+1     wire       1        R1A      85.0      17       -
+2     wire       2        R1A      85.0      17       -
+3     hose       R1B      4        45.0      9        -
+4     wire       4        3        60.0      12       -
+---------------------- OPTIONS ------------------------------------------------
+9.81      g
+1000      WtrDnsty
+110       WtrDpth
+------------------------- need this line --------------------------------------
+"""
+
+
+def test_what_floats_comes_to_rest(lines):
+    lines.write_text(BUOY)
+    deck = deck_of(lines)
+    ends = [np.array(deck["rod"]["line3"]["line"][key]) for key in ("from", "to")]
+    assert np.linalg.norm(ends[1] - ends[0]) == pytest.approx(45.0, rel=1e-8)
+    lines.with_suffix(".toml").write_text(lines.with_suffix(".toml").read_text().replace("end_time   = 60", "end_time   = 1"))
+    run_gxrod("run", "lines.toml", folder=lines.parent)
+    import h5py
+
+    with h5py.File(lines.with_suffix(".vtkhdf")) as file:
+        places = file["histories/rod1/position"][:]
+        first = np.array(deck["body"]["rod1"]["at"])
+        at_rest = places[np.searchsorted(file["histories/time"][:], 0.0)]
+        assert np.linalg.norm(at_rest - first) < 1.0  # the guess
+        assert np.allclose(places[-1], at_rest, atol=1e-3)
+        # What holds the can down: its weight less that of its water, and the lines.
+        tensions = [file[f"histories/line{i}_B/effective_tension"][-1] for i in (1, 2)]
+        assert min(tensions) > 0.0
 
 
 def test_what_is_left_out_is_said(lines):
