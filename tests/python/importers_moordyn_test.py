@@ -10,6 +10,7 @@ from conftest import gxrod as run_gxrod
 from gxrod import FileError
 from gxrod.importers import FORMATS, find_format, read_blade, read_moordyn, write_mooring
 from gxrod.importers.command import main
+from gxrod.importers.mooring_rest import find_rest
 from imported import edit
 
 # A chain and a cable meet at a buoy; a second chain goes to the vessel directly.
@@ -239,7 +240,7 @@ def test_lines_on_coupled_bodies_of_moordyn_are_held(lines):
 def test_a_free_body_has_what_is_fixed_to_it(lines):
     put_bodies(lines)
     edit(lines, "100 0 1 0.1 0 0", "100 0.5 1|2|3 0.1 0.4|7 0.5")
-    edit(lines, "2.0     -1.0   0      0       0      0", "2.0     -1.0   50     0.02    0.3    1")
+    edit(lines, "2.0     -1.0    0      0       0      0", "2.0     -1.0    50     0.02    0.3    1")
     [body] = read_moordyn(lines).bodies
     rod, weight = 25.0 * 2.0, 50.0
     assert body.mass == 100.0 + rod + weight
@@ -291,55 +292,104 @@ def test_a_body_that_hangs_on_one_point_does_not_turn(lines):
     assert [each["fix"] for each in supports_of(deck_of(lines), "body1")] == ["position", ["rx", "ry", "rz"]]
 
 
-# A buoy that two lines hold down, and a floating line between it and the vessel.
-BUOY = """---------------------- LINE TYPES ------------------------------------------
+# A weight between two light lines, and a float on a third.
+REST = """---------------------- LINE TYPES ------------------------------------------
 TypeName   Diam    Mass/m     EA         BA/-zeta    EI         Cd     Ca     CdAx    CaAx
-wire       0.1     20.0       1.0e8      0           1.0e4      1.2    1.0    0.0     0.0
-hose       0.3     30.0       1.0e8      0           1.0e4      1.2    1.0    0.0     0.0
----------------------- ROD TYPES ------------------------------------
-TypeName Diam Mass/m Cd Ca CdEnd CaEnd
-can      1.0  100    1  1  1     1
----------------------- RODS ------------------------------------
-ID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs RodOutputs
-1  can     Free       0  0  -40 0 0 -36 4 -
+(name)     (m)     (kg/m)     (N)        (N-s/-)     (N-m^2)    (-)    (-)    (-)     (-)
+cord       0.01    0.0786     1.0e8      0           1.0        1.2    1.0    0.0     0.0
+---------------------- BODIES ------------------------------------
+ID Attachment X0 Y0 Z0 r0 p0 y0 Mass CG* I* Volume CdA* Ca*
+1  Free       5  3 -20 0 0 0 500 0 10 0.1 0 0
+2  Free       70 2 -40 0 0 0 100 0 10 0.6 0 0
 ---------------------- POINTS ------------------------------------------------
 ID    Attachment  X       Y       Z       Mass   Volume  CdA    Ca
-1     Fixed       -60.0   0.0     -100.0  0      0       0      0
-2     Fixed       60.0    0.0     -100.0  0      0       0      0
-3     Vessel      90.0    0.0     -10.0   0      0       0      0
-4     Free        40.0    0.0     -30.0   0      0       0      0
+1     Fixed       -40.0   0.0     -10.0   0      0       0      0
+2     Fixed       40.0    0.0     -10.0   0      0       0      0
+3     Body1       0.0     0.0     0.0     0      0       0      0
+4     Fixed       75.0    0.0     -100.0  0      0       0      0
+5     Body2       0.0     0.0     0.0     0      0       0      0
 ---------------------- LINES --------------------------------------------------
 ID    LineType   AttachA  AttachB  UnstrLen  NumSegs  LineOutputs
-1     wire       1        R1A      85.0      17       -
-2     wire       2        R1A      85.0      17       -
-3     hose       R1B      4        45.0      9        -
-4     wire       4        3        60.0      12       -
+1     cord       1        3        50.0      10       -
+2     cord       3        2        50.0      10       -
+3     cord       4        5        60.0      12       -
 ---------------------- OPTIONS ------------------------------------------------
-9.81      g
 1000      WtrDnsty
 110       WtrDpth
 ------------------------- need this line --------------------------------------
 """
 
 
-def test_what_floats_comes_to_rest(lines):
-    lines.write_text(BUOY)
+def test_free_bodies_start_where_they_rest(lines):
+    lines.write_text(REST)
+    places = find_rest(read_moordyn(lines), {"body1", "body2"})
+    assert np.allclose(places["body1"], [0, 0, -10 - sqrt(50**2 - 40**2)], atol=0.1)  # the lines stretch by some thousandths
+    assert np.allclose(places["body2"], [75, 0, -40], atol=0.1)
     deck = deck_of(lines)
-    ends = [np.array(deck["rod"]["line3"]["line"][key]) for key in ("from", "to")]
-    assert np.linalg.norm(ends[1] - ends[0]) == pytest.approx(45.0, rel=1e-8)
-    lines.with_suffix(".toml").write_text(lines.with_suffix(".toml").read_text().replace("end_time   = 60", "end_time   = 1"))
-    run_gxrod("run", "lines.toml", folder=lines.parent)
-    import h5py
+    assert np.allclose(deck["body"]["body2"]["at"], [75, 0, -40], atol=0.1)
+    assert "line" in deck["rod"]["line3"]  # upright, so straight
 
-    with h5py.File(lines.with_suffix(".vtkhdf")) as file:
-        places = file["histories/rod1/position"][:]
-        first = np.array(deck["body"]["rod1"]["at"])
-        at_rest = places[np.searchsorted(file["histories/time"][:], 0.0)]
-        assert np.linalg.norm(at_rest - first) < 1.0  # the guess
-        assert np.allclose(places[-1], at_rest, atol=1e-3)
-        # What holds the can down: its weight less that of its water, and the lines.
-        tensions = [file[f"histories/line{i}_B/effective_tension"][-1] for i in (1, 2)]
-        assert min(tensions) > 0.0
+
+# riser.txt of MoorDyn's tests; BSD 3-Clause License, Copyright (c) 2022, Matt Hall.
+RISER = """riser
+------------------------- LINE TYPES --------------------------------------------------
+LineType  Diam    MassDenInAir    EA       BA/-zeta    EI    Can   Cat  Cdn   Cdt
+(-)       (m)       (kg/m)        (N)      (Pa-s/-)  (n-m^2) (-)   (-)  (-)   (-)
+cable     0.116      25         362e6      -1.0      38e3    1.0   0.0  1.1   0.008
+bouyancy  0.361      59         362e6      -1.0      38e3    1.0  0.469 2.617 0.345
+nylon     0.116      25         362e6      -1.0      38e3    1.0   0.0  1.1   0.008
+---------------------- ROD TYPES ------------------------------------
+TypeName      Diam     Mass/m    Cd     Ca      CdEnd    CaEnd
+(name)        (m)      (kg/m)    (-)    (-)     (-)      (-)
+conn          0.116    25        1.1    1.0     1.1      1.0
+conn_stiff    0.116    25        1.1    1.0     1.1      1.0
+clamp         0.116    25        1.2    1.0     1.2      1.0
+---------------------------- BODIES -----------------------------------------------------
+ID   Attachment  X0     Y0    Z0      r0      p0     y0     Mass  CG*   I*        Volume  CdA*     Ca
+(#)     (-)      (m)    (m)   (m)     (deg)   (deg)  (deg)  (kg)  (m)   (kg-m^2)  (m^3)   (m^2)    (-)
+1      Free      452.0   0    -313.0  0       0      0      29.5   0    0.098     0.014   0.5|0.5  1.0
+---------------------- RODS ----------------------------------------
+ID   RodType  Attachment  Xa    Ya    Za     Xb     Yb    Zb      NumSegs  RodOutputs
+(#)  (name)    (#/key)    (m)   (m)   (m)    (m)    (m)   (m)     (-)       (-)
+1    clamp       Body1    0.1   0     0.0    -0.1   0     0.0     1         -
+2    conn        Free     375.0 0     -250.0 375.0  0     -250.0  0         -
+3    conn        Free     290.0 0     -215.0 290.0  0     -215.0  0         -
+----------------------- POINTS ----------------------------------------------
+Node      Type      X        Y         Z        M        V         CdA   CA
+(-)       (-)      (m)      (m)       (m)      (kg)     (m^3)     (m^2)  (-)
+1         Fixed    600.0     0      -320.0       0        0          0     0
+2         Fixed    452.0     0      -320.0       0        0          0     0
+3         Body1    0.0       0         0.0       0        0          0     0
+4         Coupled  0.0       0       -63.6       0        0          0     0
+-------------------------- LINES -------------------------------------------------
+Line     LineType NodeA     NodeB  UnstrLen   NumSegs     Flags/Outputs
+(-)      (-)       (-)       (-)    (m)         (-)          (-)
+1        nylon       2         3      7.0        1           -
+2        cable       1       R1A    150.0       15           -
+3        cable     R1B       R2A    110.0       11           -
+4      bouyancy    R2B       R3A     80.0        8           -
+5        cable     R3B         4    340.0       34           -
+--------------------------- SOLVER OPTIONS ------------------------------------
+3.0e6      kb           - bottom stiffness
+3.0e5      cb           - bottom damping
+320        WtrDpth      - water depth
+--------------------------- need this line ------------------------------------
+"""
+
+
+def test_a_lazy_wave_riser_runs_at_once(lines):
+    h5py = pytest.importorskip("h5py")
+    lines.write_text(RISER)
+    deck = deck_of(lines)
+    ends = [np.array(deck["rod"]["line4"]["line"][key]) for key in ("from", "to")]
+    assert np.linalg.norm(ends[1] - ends[0]) == pytest.approx(80.0, rel=1e-8)  # it floats
+    lines.with_suffix(".toml").write_text(lines.with_suffix(".toml").read_text().replace("end_time   = 60", "end_time   = 1"))
+    run_gxrod("run", "lines.toml", "--quiet", folder=lines.parent)
+    with h5py.File(lines.parent / "lines.vtkhdf") as file:
+        at_rest = file["histories/line5_B/effective_tension"][-1]
+        assert at_rest == pytest.approx(60060.0, rel=5e-3)  # that of MoorDyn with ever finer segments
+        body = file["histories/body1/position"][-1]
+        assert np.allclose(body, [450.43, 0.0, -313.18], atol=0.05) and np.linalg.norm(body - deck["body"]["body1"]["at"]) < 0.2
 
 
 def test_what_is_left_out_is_said(lines):

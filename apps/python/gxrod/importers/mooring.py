@@ -89,8 +89,8 @@ class Line:
 class Mooring:
     """Lines with the water and the ground around them, in SI units, z up and still water at z = 0.
 
-    `title`, `source`: of the deck. `lines`. `bodies`: free ones. `gravity`, `density`: of the water. `depth`: 0 without ground. `ground_stiffness`, `ground_damping`: per area. `friction`: coefficient.
-    `notes`: what the reader left out or assumed.
+    `title`, `source`: of the deck. `lines`. `gravity`, `density`: of the water. `depth`: 0 without ground. `ground_stiffness`, `ground_damping`: per area. `friction`: coefficient.
+    `bodies`: free ones. `notes`: what the reader left out or assumed.
     """
 
     title: str
