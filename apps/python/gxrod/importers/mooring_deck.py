@@ -26,7 +26,6 @@ SHARE = 0.1  # of an element's length, within which a line without EI bends
 SLACK = 0.999  # of a line's length: the distance of its ends at most
 SWEEPS = 10000
 TIME_STEP, END_TIME = 0.05, 60.0
-FREE_STEPS = 40
 
 
 def write_mooring(mooring: Mooring, path: AnyPath) -> list[Path]:
@@ -54,7 +53,7 @@ def mooring_text(mooring: Mooring) -> str:
 def stages(mooring: Mooring) -> list[str]:
     """From hanging lines one step leads to equilibrium, from straight ones several, and so from where free places are held at first."""
     steps = 10 if any(map(is_taut, mooring.lines)) else 1
-    free = [f'[[stage]]\nname  = "free"\nkind  = "static"\nsteps = {FREE_STEPS}'] if is_held_first(mooring) else []
+    free = [f'[[stage]]\nname  = "free"\nkind  = "static"\nsteps = 1'] if is_held_first(mooring) else []
     return [f'[[stage]]\nname  = "hang"\nkind  = "static"\nsteps = {steps}', *free,
             f'[[stage]]\nname       = "move"\nkind       = "dynamic"\nintegrator = "generalized-alpha"\ntime_step  = {TIME_STEP:g}\nend_time   = {END_TIME:g}']
 
