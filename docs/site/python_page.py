@@ -31,7 +31,7 @@ GROUPS = [
                      "results/frames": ["Frames", "Frame", "Fields", "Rod"], "results/tables": ["Table"],
                      "results/stages": ["Stage", "ShapesStage", "Sweep", "Response", "Answers", "PathStage", "Shapes"], "plot": ["draw"], "page": ["Page"]}),
     ("Blades and sections of other programs", "", {"importers/formats": ["read_blade"], "importers/writing": ["write_deck"], "importers/blade": ["Blade"], "importers/sections": ["from_sectionproperties"]}),
-    ("Mooring lines of other programs", "", {"importers/moordyn": ["read_moordyn"], "importers/mooring_deck": ["write_mooring"], "importers/mooring": ["Mooring", "Line", "LineType", "Place"],
+    ("Mooring lines of other programs", "", {"importers/moordyn": ["read_moordyn"], "importers/mooring_deck": ["write_mooring"], "importers/mooring": ["Mooring", "Line", "LineType", "Place", "Body"],
                                              "importers/moorprops": ["read_moorprops", "write_section"]}),
     ("Environments to learn in", "Needs gymnasium.", {"gym": ["RodEnv"]}),
     ("Errors", "", {"errors": ["Error", "DeckError", "Fault", "ConvergenceError", "EvaluationError", "FileError", "UnknownNameError"]}),

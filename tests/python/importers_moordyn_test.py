@@ -10,6 +10,7 @@ from conftest import gxrod as run_gxrod
 from gxrod import FileError
 from gxrod.importers import FORMATS, find_format, read_blade, read_moordyn, write_mooring
 from gxrod.importers.command import main
+from gxrod.importers.mooring_rest import find_rest
 from imported import edit
 
 # A chain and a cable meet at a buoy; a second chain goes to the vessel directly.
@@ -189,7 +190,7 @@ def test_free_points_start_where_no_line_is_taut(lines):
         assert dist(hangs["from"], hangs["to"]) < 0.9991 * hangs["length"]
     assert deck["rod"]["line1"]["catenary"]["from"] == [300, 400, -100]
     assert deck["rod"]["line1"]["catenary"]["to"] == deck["rod"]["line2"]["catenary"]["from"]
-    assert "free points start nearer" in lines.with_suffix(".toml").read_text()
+    assert "free points and bodies start where no line is taut" in lines.with_suffix(".toml").read_text()
     edit(lines, "395.0     38", "100.0     38")
     with pytest.raises(FileError, match="too short to reach"):
         write_mooring(read_moordyn(lines), lines.with_suffix(".toml"))
@@ -211,11 +212,16 @@ ID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs RodOutputs
 """
 
 
-def test_lines_on_rods_and_bodies_of_moordyn_are_held(lines):
-    edit(lines, "---------------------- POINTS", RODS + "---------------------- POINTS")
+def put_bodies(lines, body="Free"):
+    """Line 1 ends on the free rod without length, with line 2, which ends on the body's rod; line 3 on a point of the body."""
+    edit(lines, "---------------------- POINTS", RODS.replace("1 Free 10", f"1 {body} 10") + "---------------------- POINTS")
     edit(lines, "3     Vessel      0.0     0.0     -10.0", "3     Body1       0.0     2.0     -1.0 ")
     edit(lines, "1     chain      1        2 ", "1     chain      1        R2A ")
     edit(lines, "2     cable-1/2  2        3 ", "2     cable-1/2  R2B      R1A ")
+
+
+def test_lines_on_coupled_bodies_of_moordyn_are_held(lines):
+    put_bodies(lines, "Coupled")
     deck = deck_of(lines)
     assert deck["rod"]["line2"]["catenary"]["to"] == [11, 0, -20]
     assert deck["rod"]["line3"]["catenary"]["to"] == [10, 2, -21]
@@ -223,11 +229,167 @@ def test_lines_on_rods_and_bodies_of_moordyn_are_held(lines):
     assert [each["fix"] for each in supports_of(deck, "line3.end")] == ["position"]
     assert deck["connect"] == [{"points": ["line1.end", "line2.start"]}]  # by the free rod without length
     assert [each["at"] for each in hinges_of(deck)] == ["line3.start"]  # the clamped end keeps the two others from spinning
+    assert "body" not in deck and [each["name"] for each in deck["stage"]] == ["hang", "move"]
     text = " ".join(read_moordyn(lines).notes)
     assert "body 1 of MoorDyn was left out" in text and "rod 1 of MoorDyn was left out" in text and "rod 2" not in text
-    edit(lines, "1 Free 10 0 -20 0 0 0", "1 Free 10 0 -20 0 0 5")
+    edit(lines, "1 Coupled 10 0 -20 0 0 0", "1 Coupled 10 0 -20 0 0 5")
     with pytest.raises(FileError, match=r"lines.txt:15: a body with lines on it is turned"):
         read_moordyn(lines)
+
+
+def test_a_free_body_has_what_is_fixed_to_it(lines):
+    put_bodies(lines)
+    edit(lines, "100 0 1 0.1 0 0", "100 0.5 1|2|3 0.1 0.4|7 0.5")
+    edit(lines, "2.0     -1.0    0      0       0      0", "2.0     -1.0    50     0.02    0.3    1")
+    [body] = read_moordyn(lines).bodies
+    rod, weight = 25.0 * 2.0, 50.0
+    assert body.mass == 100.0 + rod + weight
+    centre = np.array([0.0, 2.0 * weight, 0.5 * 100.0 - 1.0 * weight]) / body.mass
+    assert np.allclose(body.centre_of_mass, centre)
+    inertia = np.zeros(3)  # about the body's point, then about the centre
+    for mass, (x, y, z), own in ((100.0, (0, 0, 0.5), (1, 2, 3)), (weight, (0, 2, -1), (0, 0, 0)),
+                                 (rod, (0, 0, 0), (rod * 0.1**2 / 8, *[rod * (2.0**2 / 12 + 0.1**2 / 16)] * 2))):
+        inertia += np.array(own) + mass * np.array([y * y + z * z, x * x + z * z, x * x + y * y])
+    x, y, z = centre
+    assert np.allclose(body.inertia, inertia - body.mass * np.array([y * y + z * z, x * x + z * z, x * x + y * y]))
+    volume = pi / 4 * 0.1**2 * 2.0
+    assert body.volume == pytest.approx(0.1 + 0.02 + volume)
+    assert np.allclose(body.drag_area, [0.4 + 0.3 + pi / 4 * 0.1**2, 0.4 + 0.3 + 0.2, 0.4 + 0.3 + 0.2])
+    caps = 1030.0 * 4 / 3 * pi * 0.05**3
+    assert np.allclose(body.added_mass, np.array([caps, 1030 * volume, 1030 * volume]) + 0.5 * 1030 * 0.1 + 1030 * 0.02)
+    assert "drag that resists turns was left out, of body 1 (the numbers of CdA for rotations)" in read_moordyn(lines).notes
+
+
+def test_lines_are_fixed_to_free_bodies_or_turn_on_them(lines):
+    put_bodies(lines)
+    deck = deck_of(lines)
+    assert deck["joint"]["line2_B"] == {"type": "weld", "between": ["body1", "line2.end"], "at": deck["rod"]["line2"]["catenary"]["to"]}
+    assert deck["joint"]["line3_B"] == {"type": "ball", "between": ["body1", "line3.end"], "at": deck["rod"]["line3"]["catenary"]["to"]}
+    at = np.array(deck["body"]["body1"]["at"])
+    assert np.allclose(np.array(deck["joint"]["line2_B"]["at"]) - at, [1, 0, 0]) and np.allclose(np.array(deck["joint"]["line3_B"]["at"]) - at, [0, 2, -1])
+    assert [each["at"] for each in hinges_of(deck)] == ["line1.start", "line3.start"]
+    assert [(each["at"], each["fix"]) for each in deck["support"] if each.get("stages") == "hang"] == [("line1.end", "position"), ("body1", "position")]
+    assert [each["name"] for each in deck["stage"]] == ["hang", "free", "move"]
+    assert "left out" not in " ".join(read_moordyn(lines).notes).replace("damping by a ratio (BA/-zeta below 0) was left out", "")
+
+
+def test_a_free_rod_is_a_body_along_it(lines):
+    put_bodies(lines)
+    edit(lines, "2 stub Free 60 80 -50 60 80 -50 0 -", "2 stub Free 60 80 -50 60 80 -53 3 -")
+    rod = next(body for body in read_moordyn(lines).bodies if body.name == "rod2")
+    assert (rod.at, rod.mass) == ((60, 80, -51.5), 75.0)
+    assert np.allclose(rod.rotation_vector, [0, pi / 2, 0])  # x comes to point down
+    assert np.allclose(rod.inertia, [75 * 0.1**2 / 8, *[75 * (9 / 12 + 0.1**2 / 16)] * 2])
+    assert np.allclose(rod.drag_area, [pi / 4 * 0.1**2, 0.3, 0.3])
+    edit(lines, "2 stub Free", "2 pole Free")
+    with pytest.raises(FileError, match=r'lines.txt:\d+: there is no rod type "pole"; give one of stub'):
+        read_moordyn(lines)
+
+
+def test_a_body_that_hangs_on_one_point_does_not_turn(lines):
+    put_bodies(lines)
+    edit(lines, "R2B      R1A ", "R2B      3   ")
+    assert [each["fix"] for each in supports_of(deck_of(lines), "body1")] == ["position", ["rx", "ry", "rz"]]
+
+
+# A weight between two light lines, and a float on a third.
+REST = """---------------------- LINE TYPES ------------------------------------------
+TypeName   Diam    Mass/m     EA         BA/-zeta    EI         Cd     Ca     CdAx    CaAx
+(name)     (m)     (kg/m)     (N)        (N-s/-)     (N-m^2)    (-)    (-)    (-)     (-)
+cord       0.01    0.0786     1.0e8      0           1.0        1.2    1.0    0.0     0.0
+---------------------- BODIES ------------------------------------
+ID Attachment X0 Y0 Z0 r0 p0 y0 Mass CG* I* Volume CdA* Ca*
+1  Free       5  3 -20 0 0 0 500 0 10 0.1 0 0
+2  Free       70 2 -40 0 0 0 100 0 10 0.6 0 0
+---------------------- POINTS ------------------------------------------------
+ID    Attachment  X       Y       Z       Mass   Volume  CdA    Ca
+1     Fixed       -40.0   0.0     -10.0   0      0       0      0
+2     Fixed       40.0    0.0     -10.0   0      0       0      0
+3     Body1       0.0     0.0     0.0     0      0       0      0
+4     Fixed       75.0    0.0     -100.0  0      0       0      0
+5     Body2       0.0     0.0     0.0     0      0       0      0
+---------------------- LINES --------------------------------------------------
+ID    LineType   AttachA  AttachB  UnstrLen  NumSegs  LineOutputs
+1     cord       1        3        50.0      10       -
+2     cord       3        2        50.0      10       -
+3     cord       4        5        60.0      12       -
+---------------------- OPTIONS ------------------------------------------------
+1000      WtrDnsty
+110       WtrDpth
+------------------------- need this line --------------------------------------
+"""
+
+
+def test_free_bodies_start_where_they_rest(lines):
+    lines.write_text(REST)
+    places = find_rest(read_moordyn(lines), {"body1", "body2"})
+    assert np.allclose(places["body1"], [0, 0, -10 - sqrt(50**2 - 40**2)], atol=0.1)  # the lines stretch by some thousandths
+    assert np.allclose(places["body2"], [75, 0, -40], atol=0.1)
+    deck = deck_of(lines)
+    assert np.allclose(deck["body"]["body2"]["at"], [75, 0, -40], atol=0.1)
+    assert "line" in deck["rod"]["line3"]  # upright, so straight
+
+
+# riser.txt of MoorDyn's tests; BSD 3-Clause License, Copyright (c) 2022, Matt Hall.
+RISER = """riser
+------------------------- LINE TYPES --------------------------------------------------
+LineType  Diam    MassDenInAir    EA       BA/-zeta    EI    Can   Cat  Cdn   Cdt
+(-)       (m)       (kg/m)        (N)      (Pa-s/-)  (n-m^2) (-)   (-)  (-)   (-)
+cable     0.116      25         362e6      -1.0      38e3    1.0   0.0  1.1   0.008
+bouyancy  0.361      59         362e6      -1.0      38e3    1.0  0.469 2.617 0.345
+nylon     0.116      25         362e6      -1.0      38e3    1.0   0.0  1.1   0.008
+---------------------- ROD TYPES ------------------------------------
+TypeName      Diam     Mass/m    Cd     Ca      CdEnd    CaEnd
+(name)        (m)      (kg/m)    (-)    (-)     (-)      (-)
+conn          0.116    25        1.1    1.0     1.1      1.0
+conn_stiff    0.116    25        1.1    1.0     1.1      1.0
+clamp         0.116    25        1.2    1.0     1.2      1.0
+---------------------------- BODIES -----------------------------------------------------
+ID   Attachment  X0     Y0    Z0      r0      p0     y0     Mass  CG*   I*        Volume  CdA*     Ca
+(#)     (-)      (m)    (m)   (m)     (deg)   (deg)  (deg)  (kg)  (m)   (kg-m^2)  (m^3)   (m^2)    (-)
+1      Free      452.0   0    -313.0  0       0      0      29.5   0    0.098     0.014   0.5|0.5  1.0
+---------------------- RODS ----------------------------------------
+ID   RodType  Attachment  Xa    Ya    Za     Xb     Yb    Zb      NumSegs  RodOutputs
+(#)  (name)    (#/key)    (m)   (m)   (m)    (m)    (m)   (m)     (-)       (-)
+1    clamp       Body1    0.1   0     0.0    -0.1   0     0.0     1         -
+2    conn        Free     375.0 0     -250.0 375.0  0     -250.0  0         -
+3    conn        Free     290.0 0     -215.0 290.0  0     -215.0  0         -
+----------------------- POINTS ----------------------------------------------
+Node      Type      X        Y         Z        M        V         CdA   CA
+(-)       (-)      (m)      (m)       (m)      (kg)     (m^3)     (m^2)  (-)
+1         Fixed    600.0     0      -320.0       0        0          0     0
+2         Fixed    452.0     0      -320.0       0        0          0     0
+3         Body1    0.0       0         0.0       0        0          0     0
+4         Coupled  0.0       0       -63.6       0        0          0     0
+-------------------------- LINES -------------------------------------------------
+Line     LineType NodeA     NodeB  UnstrLen   NumSegs     Flags/Outputs
+(-)      (-)       (-)       (-)    (m)         (-)          (-)
+1        nylon       2         3      7.0        1           -
+2        cable       1       R1A    150.0       15           -
+3        cable     R1B       R2A    110.0       11           -
+4      bouyancy    R2B       R3A     80.0        8           -
+5        cable     R3B         4    340.0       34           -
+--------------------------- SOLVER OPTIONS ------------------------------------
+3.0e6      kb           - bottom stiffness
+3.0e5      cb           - bottom damping
+320        WtrDpth      - water depth
+--------------------------- need this line ------------------------------------
+"""
+
+
+def test_a_lazy_wave_riser_runs_at_once(lines):
+    h5py = pytest.importorskip("h5py")
+    lines.write_text(RISER)
+    deck = deck_of(lines)
+    ends = [np.array(deck["rod"]["line4"]["line"][key]) for key in ("from", "to")]
+    assert np.linalg.norm(ends[1] - ends[0]) == pytest.approx(80.0, rel=1e-8)  # it floats
+    lines.with_suffix(".toml").write_text(lines.with_suffix(".toml").read_text().replace("end_time   = 60", "end_time   = 1"))
+    run_gxrod("run", "lines.toml", "--quiet", folder=lines.parent)
+    with h5py.File(lines.parent / "lines.vtkhdf") as file:
+        at_rest = file["histories/line5_B/effective_tension"][-1]
+        assert at_rest == pytest.approx(60060.0, rel=5e-3)  # that of MoorDyn with ever finer segments
+        body = file["histories/body1/position"][-1]
+        assert np.allclose(body, [450.43, 0.0, -313.18], atol=0.05) and np.linalg.norm(body - deck["body"]["body1"]["at"]) < 0.2
 
 
 def test_what_is_left_out_is_said(lines):

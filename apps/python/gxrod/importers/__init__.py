@@ -9,12 +9,12 @@
 from .blade import Blade
 from .formats import FORMATS, find_format, read_blade
 from .moordyn import read_moordyn
-from .mooring import Line, LineType, Mooring, Place
+from .mooring import Body, Line, LineType, Mooring, Place
 from .mooring_deck import write_mooring
 from .moorprops import read_moorprops, write_section
 from .sections import from_sectionproperties
 from .text import ImportFault
 from .writing import write_deck
 
-__all__ = ["FORMATS", "Blade", "ImportFault", "Line", "LineType", "Mooring", "Place", "find_format", "from_sectionproperties", "read_blade", "read_moordyn",
+__all__ = ["FORMATS", "Blade", "Body", "ImportFault", "Line", "LineType", "Mooring", "Place", "find_format", "from_sectionproperties", "read_blade", "read_moordyn",
            "read_moorprops", "write_deck", "write_mooring", "write_section"]

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..typed import AnyPath
-from .mooring import Line, LineType, Mooring, Place
+from .mooring import Body, Line, LineType, Mooring, Place, Vector
+from .moordyn_bodies import completed, cylinder, joined, point_mass
 from .text import Lines, to_number
 
 SECTIONS = {"types": ("LINE TYPES", "LINE DICTIONARY"), "rod types": ("ROD TYPES", "ROD DICTIONARY"), "bodies": ("BODIES", "BODY LIST", "BODY PROPERTIES"),
@@ -38,7 +39,8 @@ def is_moordyn(text: str) -> bool:
 def read_moordyn(path: AnyPath) -> Mooring:
     """The lines of a MoorDyn file (version 2), with water and ground.
 
-    Not read: waves and currents, failures, tables of stiffness. Lines on rods and bodies of MoorDyn are held where these are. `notes` says what was left out.
+    Bodies and rods that are free are rigid bodies. Not read: waves and currents, failures, tables of stiffness. Lines on other bodies and rods are held where these are. `notes` says what was
+    left out.
 
     Raises FileError, with file, line, what was expected and what to do.
     """
@@ -49,16 +51,18 @@ class Reader:
     def __init__(self, lines: Lines) -> None:
         self.lines = lines
         self.notes: list[str] = []
+        self.bodies: dict[str, Body] = {}  # free ones, by their numbers, and free rods
         self.tables = self.find_tables()
 
     def read(self) -> Mooring:
         options = self.read_options()
         types = {row.words[0]: self.read_type(row) for row in self.need("types")}
-        places = self.read_places()
+        places = self.read_places(options["density"])
         found = [self.read_line(row, types, places) for row in self.need("lines")]
         options["depth"] = max(options["depth"], *(-place.at[2] for line in found for place in line.ends))
         title = next((text.strip() for text in self.lines.lines if text.strip() and not text.startswith("---")), "Mooring lines")
-        return Mooring(title=title, source=f"MoorDyn: {self.lines.path.name}", lines=found, notes=list(dict.fromkeys(self.notes)), **options)
+        bodies = [self.complete(body, options["density"]) for body in self.bodies.values() if any(place.body == body.name for line in found for place in line.ends)]
+        return Mooring(title=title, source=f"MoorDyn: {self.lines.path.name}", lines=found, notes=list(dict.fromkeys(self.notes)), bodies=bodies, **options)
 
     # Tables
 
@@ -139,36 +143,86 @@ class Reader:
 
     # Points, and what else lines end on
 
-    def read_places(self) -> dict[str, Place]:
-        bodies = {row.words[0]: row for row in self.rows("bodies")}
-        places = {row.words[0]: self.read_point(row, bodies) for row in self.rows("points")}
+    def read_places(self, density: float) -> dict[str, Place]:
+        rows = {row.words[0]: row for row in self.rows("bodies")}
+        self.bodies = {number: self.read_body(row, density) for number, row in rows.items() if self.word_kind(row, row.words[1]) == "free"}
+        places = {row.words[0]: self.read_point(row, rows, density) for row in self.rows("points")}
         for row in self.rows("rods"):
-            places.update(self.read_rod(row, bodies))
+            places.update(self.read_rod(row, rows, density))
         return places
 
-    def read_point(self, row: Row, bodies: dict[str, Row]) -> Place:
+    def read_body(self, row: Row, density: float) -> Body:
+        """A free one; of the coefficients those of translation."""
+        centre, inertia, area, added = (self.several(row, column, what) for column, what in ((9, "CG"), (10, "I"), (12, "CdA"), (13, "Ca")))
+        if len(area) in (2, 6) and any(area[len(area) // 2:]) or len(area) in (1, 3) and any(area):
+            self.notes.append(f"drag that resists turns was left out, of body {row.words[0]} (the numbers of CdA for rotations)")
+        volume = self.number(row, 11, "Volume")
+        along = three(area[:1] if len(area) == 2 else area)
+        water = three(added[:1] if len(added) == 2 else added)
+        return Body(f"body{row.words[0]}", self.place_of(row, 2), self.number(row, 8, "Mass"), three(inertia), (0.0, 0.0, centre[0]) if len(centre) == 1 else three(centre), volume, along,
+                    scaled(water, density * volume), line=row.line)
+
+    def several(self, row: Row, column: int, what: str) -> list[float]:
+        """One number, or several of the form a|b|c."""
+        words = row.words[column].split("|") if len(row.words) > column else [""]
+        return [self.number(Row([*row.words[:column], word], row.line), column, what) for word in words]
+
+    def complete(self, body: Body, density: float) -> Body:
+        body, note = completed(body, density)
+        self.notes += [note] if note else []
+        return body
+
+    def read_point(self, row: Row, bodies: dict[str, Row], density: float) -> Place:
         if len(row.words) >= 12 and any(to_number(word) for word in row.words[7:10]):
             self.notes.append(f"the force on point {row.words[0]} was left out; add a [[load]]")
         last = 10 if len(row.words) >= 12 else 7
         at = self.place_of(row, 2)
         mass, volume, drag_area, added_mass = (self.number(row, i, name) for i, name in ((5, "Mass"), (6, "Volume"), (last, "CdA"), (last + 1, "Ca")))
         kind, on = self.kind_of(row, row.words[1], bodies)
+        if on and (body := self.bodies.get(on.words[0])):
+            at = shifted(at, body.at)
+            self.bodies[on.words[0]] = joined(body, point_mass(at, mass, volume, drag_area, added_mass, density))
+            return Place(f"point{row.words[0]}", "free", at, body=body.name)
         if on:
             return Place(f"point{row.words[0]}", kind, shifted(at, self.place_of(on, 2)))
         return Place(f"point{row.words[0]}", kind, at, mass, volume, drag_area, added_mass)
 
-    def read_rod(self, row: Row, bodies: dict[str, Row]) -> dict[str, Place]:
-        """Its ends: a free one without length is a rigid corner of lines, others are held."""
+    def read_rod(self, row: Row, bodies: dict[str, Row], density: float) -> dict[str, Place]:
+        """Its ends: a free one without length is a rigid corner of lines, others that are free are bodies, the rest are held."""
         number = row.words[0]
         ends = (self.place_of(row, 3), self.place_of(row, 6))
         kind, on = self.kind_of(row, row.words[2], bodies)
-        if kind == "free" and ends[0] == ends[1]:
+        if kind == "free" and not on and ends[0] == ends[1]:
             end = Place(f"rod{number}", "corner", ends[0])
             return {f"R{number}A": end, f"R{number}B": end}
+        base = self.place_of(on, 2) if on else (0.0, 0.0, 0.0)
+        ends = (shifted(ends[0], base), shifted(ends[1], base))
+        carrier = on.words[0] if on and on.words[0] in self.bodies else f"rod {number}" if kind == "free" else ""
+        if carrier:
+            self.carry(row, carrier, ends, density)
+            return {f"R{number}{name}": Place(f"rod{number}{name}", "corner", end, body=self.bodies[carrier].name) for name, end in zip("AB", ends)}
         moves = "" if kind == "fixed" else ", though it moves in MoorDyn"
         self.notes.append(f"rod {number} of MoorDyn was left out; lines on it are clamped where its ends are, as they leave these at first{moves}")
-        base = self.place_of(on, 2) if on else (0.0, 0.0, 0.0)
-        return {f"R{number}{name}": Place(f"rod{number}{name}", "clamped", shifted(end, base)) for name, end in zip("AB", ends)}
+        return {f"R{number}{name}": Place(f"rod{number}{name}", "clamped", end) for name, end in zip("AB", ends)}
+
+    def carry(self, row: Row, carrier: str, ends: tuple[Vector, Vector], density: float) -> None:
+        """A rod as a part of a free body, or as a body of its own."""
+        if "pin" in row.words[2].lower():
+            self.notes.append(f"rod {row.words[0]} is fixed to its body, though it turns on it in MoorDyn")
+        type_row = next((each for each in self.rows("rod types") if each.words[0] == row.words[1]), None)
+        if type_row is None:
+            raise self.fault(row, f'there is no rod type "{row.words[1]}"', f"give one of {', '.join(each.words[0] for each in self.rows('rod types'))}")
+        diameter, mass, Cd, Ca, CdEnd, CaEnd = (self.number(type_row, i, name) for i, name in enumerate(("Diam", "Mass/m", "Cd", "Ca", "CdEnd", "CaEnd"), 1))
+        if ends[0] == ends[1]:
+            return
+        part = cylinder(f"rod{row.words[0]}", ends, diameter, mass, (Cd, CdEnd), (Ca, CaEnd), density)
+        self.bodies[carrier] = joined(self.bodies[carrier], part) if carrier in self.bodies else part
+
+    def word_kind(self, row: Row, word: str) -> str:
+        kind = next((kind for kind, names in KINDS.items() if re.sub(r"pin(ned)?$", "", word.lower()) in names), "")
+        if not kind and not word.lower().startswith("pin"):
+            raise self.fault(row, f'expected Fixed, Coupled, Free or a body, found "{word[:40]}"', "correct this line")
+        return kind or "fixed"
 
     def kind_of(self, row: Row, word: str, bodies: dict[str, Row]) -> tuple[str, Row | None]:
         """Of an attachment, and the body that it names."""
@@ -178,13 +232,10 @@ class Reader:
             body = bodies[match[1]]
             if any(self.number(body, i, "an angle of the body") for i in (5, 6, 7)):
                 raise self.fault(body, "a body with lines on it is turned", "give it the angles 0 and its points in these axes")
-            kind, _ = self.kind_of(body, body.words[1], {})
-            self.notes.append(f"body {match[1]} of MoorDyn was left out; lines on it are held where it is{', though it moves in MoorDyn' if kind == 'free' else ''}")
-            return "fixed" if kind == "free" else kind, body
-        kind = next((kind for kind, names in KINDS.items() if re.sub(r"pin(ned)?$", "", word.lower()) in names), "")
-        if not kind and not word.lower().startswith("pin"):
-            raise self.fault(row, f'expected Fixed, Coupled, Free or a body, found "{word[:40]}"', "correct this line")
-        return kind or "fixed", None
+            if match[1] not in self.bodies:
+                self.notes.append(f"body {match[1]} of MoorDyn was left out; lines on it are held where it is")
+            return self.word_kind(body, body.words[1]), body
+        return self.word_kind(row, word), None
 
     def place_of(self, row: Row, column: int) -> tuple[float, float, float]:
         x, y, z = (self.number(row, column + i, f"the place {name}") for i, name in enumerate("XYZ"))
@@ -212,3 +263,14 @@ def is_units(text: str) -> bool:
 def shifted(place: tuple[float, float, float], by: tuple[float, float, float]) -> tuple[float, float, float]:
     x, y, z = np.add(place, by).tolist()
     return x, y, z
+
+
+def three(values: list[float]) -> Vector:
+    """Along x, y and z: one number is that of all."""
+    x, y, z = (values * 3)[:3] if len(values) < 3 else values[:3]
+    return x, y, z
+
+
+def scaled(values: Vector, factor: float) -> Vector:
+    x, y, z = values
+    return x * factor, y * factor, z * factor

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from math import pi
+from typing import TypeAlias
+
+Vector: TypeAlias = tuple[float, float, float]
 
 
 @dataclass
@@ -39,11 +42,32 @@ class Place:
 
     name: str
     kind: str
-    at: tuple[float, float, float]
+    at: Vector
     mass: float = 0.0
     volume: float = 0.0
     drag_area: float = 0.0
     added_mass: float = 0.0
+    body: str = ""
+
+
+@dataclass
+class Body:
+    """A rigid body that is free to move and carries places.
+
+    `name`. `at`: its point of reference. `mass`, `inertia`: about the centre of mass, along body axes. `centre_of_mass`: from `at`. `volume`: of the water that it displaces, at `at`.
+    `drag_area`: areas times coefficients along body axes. `added_mass`: along them. `rotation_vector`: of body axes against global ones. `line`: of the file, for errors.
+    """
+
+    name: str
+    at: Vector
+    mass: float = 0.0
+    inertia: Vector = (0.0, 0.0, 0.0)
+    centre_of_mass: Vector = (0.0, 0.0, 0.0)
+    volume: float = 0.0
+    drag_area: Vector = (0.0, 0.0, 0.0)
+    added_mass: Vector = (0.0, 0.0, 0.0)
+    rotation_vector: Vector = (0.0, 0.0, 0.0)
+    line: int = 0
 
 
 @dataclass
@@ -66,7 +90,7 @@ class Mooring:
     """Lines with the water and the ground around them, in SI units, z up and still water at z = 0.
 
     `title`, `source`: of the deck. `lines`. `gravity`, `density`: of the water. `depth`: 0 without ground. `ground_stiffness`, `ground_damping`: per area. `friction`: coefficient.
-    `notes`: what the reader left out or assumed.
+    `bodies`: free ones. `notes`: what the reader left out or assumed.
     """
 
     title: str
@@ -79,6 +103,7 @@ class Mooring:
     ground_damping: float
     friction: float
     notes: list[str] = field(default_factory=list)
+    bodies: list[Body] = field(default_factory=list)
 
     @property
     def types(self) -> list[LineType]:

@@ -13,7 +13,8 @@ import numpy as np
 
 from ..errors import FileError
 from ..typed import AnyPath, Array
-from .mooring import Line, LineType, Mooring, Place
+from .mooring import Body, Line, LineType, Mooring, Place, Vector
+from .mooring_rest import find_rest
 from .text import ImportFault
 from .writing import number, quoted, row
 
@@ -28,7 +29,7 @@ TIME_STEP, END_TIME = 0.05, 60.0
 
 
 def write_mooring(mooring: Mooring, path: AnyPath) -> list[Path]:
-    """Writes the deck and returns its path: a static stage in which the lines hang, and a dynamic one.
+    """Writes the deck and returns its path: static stages in which the lines hang, and a dynamic one.
 
     Raises FileError if it cannot be written, or if lines between free points cannot but be taut.
     """
@@ -44,14 +45,16 @@ def write_mooring(mooring: Mooring, path: AnyPath) -> list[Path]:
 def mooring_text(mooring: Mooring) -> str:
     junctions = join(mooring)
     parts = [header(mooring, junctions), fluid(mooring), *ground(mooring), *(section(kind, name_of(kind), bending(mooring, kind)) for kind in mooring.types),
-             *(rod(line, ends_at(mooring)) for line in mooring.lines), *joins(mooring, junctions), *supports(mooring, junctions), *stages(mooring), *histories(mooring)]
+             *(rod(line, ends_at(mooring)) for line in mooring.lines), *joins(mooring, junctions), *supports(mooring, junctions), *holds(mooring), *stages(mooring),
+             *histories(mooring)]
     return "\n\n".join(parts) + "\n"
 
 
 def stages(mooring: Mooring) -> list[str]:
-    """From hanging lines one step leads to equilibrium, from straight ones several."""
+    """From hanging lines one step leads to equilibrium, from straight ones several, and so from where free places are held at first."""
     steps = 10 if any(map(is_taut, mooring.lines)) else 1
-    return [f'[[stage]]\nname  = "hang"\nkind  = "static"\nsteps = {steps}',
+    free = [f'[[stage]]\nname  = "free"\nkind  = "static"\nsteps = 1'] if is_held_first(mooring) else []
+    return [f'[[stage]]\nname  = "hang"\nkind  = "static"\nsteps = {steps}', *free,
             f'[[stage]]\nname       = "move"\nkind       = "dynamic"\nintegrator = "generalized-alpha"\ntime_step  = {TIME_STEP:g}\nend_time   = {END_TIME:g}']
 
 
@@ -123,12 +126,28 @@ def is_free(place: Place) -> bool:
 
 
 def is_taut(line: Line) -> bool:
-    return line.length <= dist(line.ends[0].at, line.ends[1].at)
+    return line.length <= dist(line.ends[0].at, line.ends[1].at) and not is_straight(line)
+
+
+def is_straight(line: Line) -> bool:
+    """As slacken() leaves floating lines and upright ones."""
+    return abs(dist(line.ends[0].at, line.ends[1].at) - line.length) < 1e-6 * line.length and any(is_free(place) for place in line.ends)
+
+
+def floats(line: Line, mooring: Mooring) -> bool:
+    return line.type.submerged_weight(mooring.density, mooring.gravity) < 0.0
+
+
+def is_held_first(mooring: Mooring) -> bool:
+    """Whether free places are far from equilibrium at first: with bodies, and at lines that float."""
+    return bool(mooring.bodies) or any(floats(line, mooring) and any(map(is_free, line.ends)) for line in mooring.lines)
 
 
 def rod(line: Line, ends: Ends) -> str:
     start, end = (np.array(place.at) for place in line.ends)
-    if is_taut(line):
+    if is_straight(line):
+        shape = f"line     = {{ from = {row(start)}, to = {row(end)} }}"
+    elif is_taut(line):
         at_end = pulled_end(line, ends) == 1
         along = (end - start) * line.length / dist(start, end)
         start, end = (start, start + along) if at_end else (end - along, end)
@@ -145,45 +164,60 @@ def pulled_end(line: Line, ends: Ends) -> int:
     return next(iter(free + [i for i in (1, 0) if line.ends[i].kind in ("fixed", "coupled")]), 1)
 
 
+def carrier(place: Place) -> str:
+    """What moves with a place: its body, or itself alone."""
+    return place.body or place.name
+
+
 def slacken(mooring: Mooring) -> Mooring:
-    """With free points at which several lines meet moved, by no more than need be, so that none of their lines is taut."""
+    """With free places moved, to where they about come to rest or by no more than need be, so that none of their lines is taut. Straight are those that float between two of them, and upright ones: catenaries hang down."""
     ends = ends_at(mooring)
-    places = {place.name: np.array(place.at) for line in mooring.lines for place in line.ends}
-    loose = {name for name, meeting in ends.items() if len(meeting) > 1 and is_free(meeting[0][0].ends[meeting[0][1]])}
-    lines = [(line, first.name, second.name) for line in mooring.lines for first, second in [line.ends] if {first.name, second.name} & loose]
+    at = {carrier(place): np.array(place.at) for line in mooring.lines for place in line.ends} | {body.name: np.array(body.at) for body in mooring.bodies}
+    arms = {place.name: np.array(place.at) - at[carrier(place)] for line in mooring.lines for place in line.ends}
+    places = {place.name: place for line in mooring.lines for place in line.ends}
+    loose = {name for name, meeting in ends.items() if len(meeting) > 1 and is_free(places[name]) and not places[name].body} | {body.name for body in mooring.bodies}
+    at |= find_rest(mooring, loose) if is_held_first(mooring) else {}
+    lines = [(line, *line.ends, floats(line, mooring)) for line in mooring.lines if {carrier(place) for place in line.ends} & loose]
     for _ in range(SWEEPS):
         moved = False
-        for line, first, second in lines:
-            apart = places[second] - places[first]
-            excess = float(np.linalg.norm(apart)) - SLACK * line.length
-            free = [name for name in (first, second) if name in loose]
-            if excess > 1e-9 * line.length:
+        for line, first, second, buoyant in lines:
+            apart = at[carrier(second)] + arms[second.name] - at[carrier(first)] - arms[first.name]
+            free = [name for name in {carrier(first), carrier(second)} if name in loose]
+            straight = buoyant and len(free) == 2
+            is_upright = hypot(apart[0], apart[1]) < 1e-6 * line.length
+            excess = float(np.linalg.norm(apart)) - (1.0 if straight or is_upright else SLACK) * line.length
+            if excess > 1e-9 * line.length or straight and excess < -1e-9 * line.length:
                 moved = True
                 step = apart * excess / (float(np.linalg.norm(apart)) * len(free))
                 for name in free:
-                    places[name] = places[name] + (step if name == first else -step)
+                    at[name] = at[name] + (step if name == carrier(first) else -step)
         if not moved:
             break
     else:
         raise ImportFault(f"{mooring.source}: the lines that meet in free points are too short to reach all of their other ends without tension; give these points other places, or longer lines")
-    return moved_to(mooring, {name: places[name] for name in loose})
+    return moved_to(mooring, {name: at[name] for name in loose}, arms)
 
 
-def moved_to(mooring: Mooring, places: dict[str, Array]) -> Mooring:
+def moved_to(mooring: Mooring, places: dict[str, Array], arms: dict[str, Array]) -> Mooring:
     changed = []
     away = []
 
+    def moved(name: str, at: Vector, new: Array) -> Vector:
+        if dist(at, new) == 0.0:
+            return at
+        away.append(name)
+        x, y, z = new.tolist()
+        return x, y, z
+
     def move(place: Place) -> Place:
-        if place.name not in places or dist(place.at, places[place.name]) == 0.0:
-            return place
-        away.append(place.name)
-        x, y, z = places[place.name].tolist()
-        return replace(place, at=(x, y, z))
+        name = carrier(place)
+        return replace(place, at=moved(name, place.at, places[name] + arms[place.name])) if name in places else place
 
     for line in mooring.lines:
         changed.append(replace(line, ends=(move(line.ends[0]), move(line.ends[1]))))
-    notes = [f"free points start nearer to their lines' other ends, so that no line is taut before it hangs: {', '.join(dict.fromkeys(away))}"] if away else []
-    return replace(mooring, lines=changed, notes=[*mooring.notes, *notes])
+    bodies = [replace(body, at=moved(body.name, body.at, places[body.name])) for body in mooring.bodies]
+    notes = [f"free points and bodies start where no line is taut before it hangs: {', '.join(dict.fromkeys(away))}"] if away else []
+    return replace(mooring, lines=changed, bodies=bodies, notes=[*mooring.notes, *notes])
 
 
 def ends_at(mooring: Mooring) -> Ends:
@@ -201,28 +235,48 @@ def point(line: Line, i: int) -> str:
 
 @dataclass
 class Junctions:
-    """How lines are joined in free places: pairs of ends that are rigid corners or hinges, and an end of each set of lines in corners that would spin about itself."""
+    """How lines are joined in free places: pairs of ends that are rigid corners or hinges, ends that are fixed to bodies or turn on them, and an end of each set of lines in corners that would spin
+    about itself."""
 
     corners: list[tuple[End, End]]
     hinges: list[tuple[End, End]]
+    welds: list[End]
+    balls: list[End]
     spinning: list[tuple[str, int]]
 
 
 def join(mooring: Mooring) -> Junctions:
     """Hinges between lines that are held elsewhere, as in MoorDyn; corners where a line could spin about itself otherwise, and where the file has them."""
-    sets = {line.name: {line.name} for line in mooring.lines}
+    sets = {line.name: {line.name} for line in mooring.lines} | {f"body {body.name}": {f"body {body.name}"} for body in mooring.bodies}
     held = {line.name for line in mooring.lines if any(not is_free(place) for place in line.ends)}
-    found = Junctions([], [], [])
+    found = Junctions([], [], [], [], [])
+
+    def unite(first: str, second: str) -> None:
+        together = sets[first] | sets[second]
+        sets.update(dict.fromkeys(together, together))
+
+    at_bodies = [(line, i) for line in mooring.lines for i in (0, 1) if line.ends[i].body]
+    for line, i in at_bodies:
+        if line.ends[i].kind == "corner":
+            found.welds.append((line, i))
+            unite(line.name, f"body {line.ends[i].body}")
     for ends in ends_at(mooring).values():
         (first, i), *others = ends
-        for line, j in others if is_free(first.ends[i]) else []:
+        for line, j in others if is_free(first.ends[i]) and not first.ends[i].body else []:
             apart = sets[line.name] is not sets[first.name] and sets[line.name] & held and sets[first.name] & held
             if apart and first.ends[i].kind != "corner":
                 found.hinges.append(((first, i), (line, j)))
                 continue
             found.corners.append(((first, i), (line, j)))
-            together = sets[first.name] | sets[line.name]
-            sets.update(dict.fromkeys(together, together))
+            unite(first.name, line.name)
+    for line, i in at_bodies:
+        if line.ends[i].kind == "corner":
+            continue
+        if sets[line.name] & held:
+            found.balls.append((line, i))
+        else:
+            found.welds.append((line, i))
+            unite(line.name, f"body {line.ends[i].body}")
     for names in {min(names): names for names in sets.values()}.values():
         ends = [(line, i) for line in mooring.lines if line.name in names for i in (0, 1) if not is_free(line.ends[i])]
         if ends and all(line.ends[i].kind != "clamped" for line, i in ends):
@@ -234,11 +288,12 @@ def joins(mooring: Mooring, junctions: Junctions) -> list[str]:
     """[[connect]] and [joint.NAME] in free places, and the bodies there."""
     connects = [f"[[connect]]\npoints = [{point(*first)}, {point(*second)}]" for first, second in junctions.corners]
     joints = [f'[joint.{line.name}_{"AB"[i]}]\ntype    = "ball"\nbetween = [{point(*first)}, {point(line, i)}]' for first, (line, i) in junctions.hinges]
-    bodies = []
+    joints += [on_body(line, i, kind) for kind, ends in (("weld", junctions.welds), ("ball", junctions.balls)) for line, i in ends]
+    bodies = [free_body(each) for each in mooring.bodies]
     for ends in ends_at(mooring).values():
         line, i = ends[0]
         place = line.ends[i]
-        if is_free(place) and (place.mass or place.volume or place.drag_area):
+        if is_free(place) and not place.body and (place.mass or place.volume or place.drag_area):
             bodies.append(body(place, point(line, i), mooring.density))
     return [*connects, *joints, *bodies]
 
@@ -251,7 +306,35 @@ def body(place: Place, at: str, density: float) -> str:
                       f"fluid = {{ volume = {number(place.volume)}, drag_area = [{area}, {area}, {area}], added_mass = [{added}, {added}, {added}] }}"])
 
 
+def on_body(line: Line, i: int, kind: str) -> str:
+    place = line.ends[i]
+    return f'[joint.{line.name}_{"AB"[i]}]\ntype    = "{kind}"\nbetween = [{quoted(place.body)}, {point(line, i)}]\nat      = {row(place.at)}'
+
+
+def free_body(each: Body) -> str:
+    def vector(values: Vector) -> str:
+        return "[" + ", ".join(map(short, values)) + "]"
+
+    lines = [f"[body.{each.name}]", f"at      = {row(each.at)}", f"mass    = {short(each.mass)}", f"inertia = {vector(each.inertia)}"]
+    lines += [f"centre_of_mass = {vector(each.centre_of_mass)}"] if any(each.centre_of_mass) else []
+    lines += [f"rotation_vector = {row(each.rotation_vector)}"] if any(each.rotation_vector) else []
+    return "\n".join([*lines, f"fluid   = {{ volume = {short(each.volume)}, drag_area = {vector(each.drag_area)}, added_mass = {vector(each.added_mass)} }}"])
+
+
 # Supports
+
+
+def holds(mooring: Mooring) -> list[str]:
+    """Of free places, while lines take their shapes; and of the turns of bodies that hang on one point, which nothing else resists."""
+    if not is_held_first(mooring):
+        return []
+    junctions = join(mooring)
+    turning = [body.name for body in mooring.bodies if not any(line.ends[i].body == body.name for line, i in junctions.welds)
+               and len({line.ends[i].name for line, i in junctions.balls if line.ends[i].body == body.name}) < 2]
+    first = [point(line, i) for (line, i), *_ in ends_at(mooring).values() if is_free(line.ends[i]) and not line.ends[i].body]
+    held = [f'[[support]]\nat     = {at}\nfix    = "position"\nstages = "hang"' for at in [*first, *(quoted(body.name) for body in mooring.bodies)]]
+    comment = "# Free places are held while lines take their shapes, and let go in the next stage.\n"
+    return [comment + held[0], *held[1:], *(f'# Nothing resists its turns.\n[[support]]\nat  = {quoted(name)}\nfix = ["rx", "ry", "rz"]' for name in turning)]
 
 
 def supports(mooring: Mooring, junctions: Junctions) -> list[str]:
@@ -284,4 +367,5 @@ def hinge_axes(line: Line) -> Array:
 
 
 def histories(mooring: Mooring) -> list[str]:
-    return [f'[[history]]\nname = "{line.name}_{name}"\nat   = {point(line, i)}\nquantities = ["position", "effective_tension"]' for line in mooring.lines for i, name in enumerate("AB")]
+    return [*(f'[[history]]\nname = "{line.name}_{name}"\nat   = {point(line, i)}\nquantities = ["position", "effective_tension"]' for line in mooring.lines for i, name in enumerate("AB")),
+            *(f'[[history]]\nname = "{body.name}"\nat   = {quoted(body.name)}\nquantities = ["position", "rotation_vector"]' for body in mooring.bodies)]
