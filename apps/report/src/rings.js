@@ -1,14 +1,25 @@
 import { shapeFunctions } from "./lagrange.js";
 
-// Thin rods stay visible and thick ones slender; `factor` is what the first is multiplied by, 0 if it has none.
-export function limitRadii(radii, size) {
+// Thin rods stay visible and thick ones slender, each enlarged as a whole, so that tapers stay; `factor` is what the first is
+// multiplied by, 0 if it has none. Radii are two for each entry of connectivity.
+export function limitRadii({ radii, offsets, cellRods }, size) {
+  const largest = new Map();
+  const rodOf = (cell) => (cellRods[cell] < 0 ? `cell ${cell}` : cellRods[cell]);
+  const visit = (apply) => {
+    for (let cell = 0; cell + 1 < offsets.length; cell++) {
+      for (let i = 2 * offsets[cell]; i < 2 * offsets[cell + 1]; i++) apply(i, rodOf(cell));
+    }
+  };
+  visit((i, rod) => largest.set(rod, Math.max(radii[i], largest.get(rod) ?? 0)));
   const drawn = new Float32Array(radii.length);
-  for (let i = 0; i < radii.length; i += 2) {
-    const larger = Math.max(radii[i], radii[i + 1]);
-    const wanted = Math.max(0.0035 * size, Math.min(0.022 * size, larger));
-    for (const k of [i, i + 1]) drawn[k] = larger > 0 ? Math.max(wanted * (radii[k] / larger), 0.15 * wanted) : wanted;
-  }
-  drawn.factor = radii.length > 0 && radii[0] > 0 ? Math.max(drawn[0], drawn[1]) / Math.max(radii[0], radii[1]) : 0;
+  const wantedFor = (thickest) => Math.max(0.0035 * size, Math.min(0.022 * size, thickest));
+  visit((i, rod) => {
+    const thickest = largest.get(rod);
+    const wanted = wantedFor(thickest);
+    drawn[i] = thickest > 0 ? Math.max(wanted * (radii[i] / thickest), 0.15 * wanted) : wanted;
+  });
+  const first = offsets.length > 1 ? largest.get(rodOf(0)) : 0;
+  drawn.factor = first > 0 ? wantedFor(first) / first : 0;
   return drawn;
 }
 
