@@ -1,25 +1,24 @@
 import { shapeFunctions } from "./lagrange.js";
 
-// Thin rods stay visible and thick ones slender, each enlarged as a whole, so that tapers stay; `factor` is what the first is
-// multiplied by, 0 if it has none. Radii are two for each entry of connectivity.
+// Thin rods stay visible and thick ones slender, each enlarged as a whole, so that tapers stay; flat sections get a least
+// thickness. `factor` is what the first rod is multiplied by, 0 if it has no radii. They are two for each entry of connectivity.
 export function limitRadii({ radii, offsets, cellRods }, size) {
   const largest = new Map();
-  const rodOf = (cell) => (cellRods[cell] < 0 ? `cell ${cell}` : cellRods[cell]);
   const visit = (apply) => {
     for (let cell = 0; cell + 1 < offsets.length; cell++) {
-      for (let i = 2 * offsets[cell]; i < 2 * offsets[cell + 1]; i++) apply(i, rodOf(cell));
+      const rod = cellRods[cell] < 0 ? `cell ${cell}` : cellRods[cell];
+      for (let i = offsets[cell]; i < offsets[cell + 1]; i++) apply(2 * i, Math.max(radii[2 * i], radii[2 * i + 1]), rod);
     }
   };
-  visit((i, rod) => largest.set(rod, Math.max(radii[i], largest.get(rod) ?? 0)));
+  visit((i, larger, rod) => largest.set(rod, Math.max(larger, largest.get(rod) ?? 0)));
   const drawn = new Float32Array(radii.length);
-  const wantedFor = (thickest) => Math.max(0.0035 * size, Math.min(0.022 * size, thickest));
-  visit((i, rod) => {
+  visit((i, larger, rod) => {
     const thickest = largest.get(rod);
-    const wanted = wantedFor(thickest);
-    drawn[i] = thickest > 0 ? Math.max(wanted * (radii[i] / thickest), 0.15 * wanted) : wanted;
+    const wanted = Math.max(0.0035 * size, Math.min(0.022 * size, thickest));
+    for (const k of [i, i + 1]) drawn[k] = thickest > 0 ? wanted * Math.max(radii[k] / thickest, 0.15 * (larger / thickest), 0.02) : wanted;
+    drawn.factor = drawn.factor ?? (thickest > 0 ? wanted / thickest : 0);
   });
-  const first = offsets.length > 1 ? largest.get(rodOf(0)) : 0;
-  drawn.factor = first > 0 ? wantedFor(first) / first : 0;
+  drawn.factor = drawn.factor ?? 0;
   return drawn;
 }
 
