@@ -170,15 +170,16 @@ TEST_CASE("a rest has the corners of the start", "[deck][sections]") {
     const auto bent = [](const std::string& start, const std::string& rest) {
         return replaced(resting(rest), "line = { from = [0, 0, 0], to = [10, 0, 0] }\n", start + "\n");
     };
-    const std::string corner = "polyline = [[0, 0, 0], [4, 0, 0], [4, 6, 0]]";
+    const std::string corner = "polyline = [[0, 0, 0], [4, 0, 0], [4, 6, 0]]\ny_axis = [0, 0, 1]";
     // Another length, another place: the same corner seen from the section.
-    const Rod rod = read(bent(corner, "polyline = [[0, 0, 1], [0, 0, 9], [12, 0, 9]]")).model.rods[0];
+    const Rod rod =
+        read(bent(corner, "polyline = [[0, 0, 1], [0, 0, 9], [12, 0, 9]], y_axis = [0, 1, 0]")).model.rods[0];
     CHECK(rod.length == Approx(20.0));
     CHECK(rod.start_stretch == Approx(0.5));
     CHECK(rod.arc_length.back() == Approx(20.0));
     CHECK_THROWS_WITH(
         read(bent(corner, "line = { from = [0, 0, 0], to = [9, 0, 0] }")),
-        Contains("x.toml:7:8: rod.r.rest: corners are rigid, but at 0.4 of the length the rest turns by 0° "
+        Contains("x.toml:9:8: rod.r.rest: corners are rigid, but at 0.4 of the length the rest turns by 0° "
                  "and the start by 90°"));
     CHECK_THROWS_WITH(read(bent(corner, "polyline = [[0, 0, 0], [4, 0, 0], [4, -6, 0]]")),
                       Contains("turns by 90° and the start by 90° another way"));
