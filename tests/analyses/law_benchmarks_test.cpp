@@ -150,7 +150,7 @@ std::complex<double> measure_decay(const std::string& prony, int steps) {
 
 }  // namespace
 
-TEST_CASE("F11f: beams collapse at the loads of limit analysis", "[analyses][laws]") {
+TEST_CASE("F11f: beams collapse at the loads of limit analysis", "[analyses]") {
     CHECK(find_collapse_load(0.5 * L, held, weight) == Approx(8.0 * Mp / L).epsilon(5e-7));
     CHECK(find_collapse_load(0.5 * L, held, spread()) == Approx(16.0 * Mp / (L * L)).epsilon(5e-7));
     CHECK(find_collapse_load(0.5 * L, pinned, weight) == Approx(6.0 * Mp / L).epsilon(5e-7));
@@ -159,7 +159,7 @@ TEST_CASE("F11f: beams collapse at the loads of limit analysis", "[analyses][law
           Approx(11.6568542494924 * Mp / (L * L)).epsilon(5e-7));
 }
 
-TEST_CASE("F13c: a rod that relaxes swings and dies out as its branches say", "[analyses][laws]") {
+TEST_CASE("F13c: a rod that relaxes swings and dies out as its branches say", "[analyses]") {
     const double omega = 2.0 * std::numbers::pi * 41.6927962022;
     const std::vector<std::pair<double, double>> one{{0.2, 0.004}}, two{{0.2, 0.004}, {0.5, 0.05}};
     const std::complex<double> of_one(-12.940345998828, 276.37307325978),

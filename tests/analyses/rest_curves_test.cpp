@@ -61,7 +61,7 @@ const std::vector<std::string> all_kinds{"order = 1",
 
 }  // namespace
 
-TEST_CASE("a rest that is the start itself changes nothing", "[analyses][rest]") {
+TEST_CASE("a rest that is the start itself changes nothing", "[analyses]") {
     const std::string load =
         "[[load]]\nat = \"r.end\"\nforce = [0.3, -0.5, 0.4]\n"
         "[[load]]\non = \"r\"\nforce_per_length = [0, 0, 0.2]\n";
@@ -82,7 +82,7 @@ TEST_CASE("a rest that is the start itself changes nothing", "[analyses][rest]")
     }
 }
 
-TEST_CASE("a straight strip that is closed to a ring carries EI/R everywhere", "[analyses][rest]") {
+TEST_CASE("a straight strip that is closed to a ring carries EI/R everywhere", "[analyses]") {
     // Energy ½ EI/R² 2πR of a strip whose axis of bending, section y, is normal to the ring's plane.
     const double R = 1.5;
     const double expected = std::numbers::pi * 6.0 / R;
@@ -103,7 +103,7 @@ TEST_CASE("a straight strip that is closed to a ring carries EI/R everywhere", "
     }
 }
 
-TEST_CASE("a straight rod relaxes to the circle of its rest", "[analyses][rest]") {
+TEST_CASE("a straight rod relaxes to the circle of its rest", "[analyses]") {
     const double R = 6.0;
     const std::string keys =
         "line = { from = [0, 0, 0], to = [\"2*pi\", 0, 0] }\ny_axis = [0, 0, 1]\n"
@@ -121,7 +121,7 @@ TEST_CASE("a straight rod relaxes to the circle of its rest", "[analyses][rest]"
     }
 }
 
-TEST_CASE("a straight rod relaxes to the helix of its rest, wherever that is drawn", "[analyses][rest]") {
+TEST_CASE("a straight rod relaxes to the helix of its rest, wherever that is drawn", "[analyses]") {
     // Radius 1, pitch 2π c with c = 0.5: axes that are carried turn against the normal by c/(1 + c²) per
     // length.
     const double length = 0.5 * 2.0 * std::numbers::pi * std::sqrt(1.25);
@@ -151,7 +151,7 @@ TEST_CASE("a straight rod relaxes to the helix of its rest, wherever that is dra
     }
 }
 
-TEST_CASE("a rod that is shorter than its rest is pressed between its ends", "[analyses][rest]") {
+TEST_CASE("a rod that is shorter than its rest is pressed between its ends", "[analyses]") {
     for (const std::string& kind : all_kinds) {
         CAPTURE(kind);
         const Outcome outcome = run(rod("line = { from = [0, 0, 0], to = [2, 0, 0] }\nelements = 3\n" + kind +
@@ -165,7 +165,7 @@ TEST_CASE("a rod that is shorter than its rest is pressed between its ends", "[a
     }
 }
 
-TEST_CASE("twist of the rest alone is a torque between held ends", "[analyses][rest]") {
+TEST_CASE("twist of the rest alone is a torque between held ends", "[analyses]") {
     const std::string line = "line = { from = [0, 0, 0], to = [2, 0, 0] }";
     for (const std::string& kind : all_kinds) {
         CAPTURE(kind);
@@ -183,7 +183,7 @@ TEST_CASE("twist of the rest alone is a torque between held ends", "[analyses][r
     }
 }
 
-TEST_CASE("weights and loads per length go by the length of the rest", "[analyses][rest]") {
+TEST_CASE("weights and loads per length go by the length of the rest", "[analyses]") {
     for (const std::string& kind : all_kinds) {
         CAPTURE(kind);
         const Outcome outcome = run("gravity = [0, 0, -9]\n" +
@@ -196,7 +196,7 @@ TEST_CASE("weights and loads per length go by the length of the rest", "[analyse
     }
 }
 
-TEST_CASE("a free rod that starts bent swings about its rest without losing energy", "[analyses][rest]") {
+TEST_CASE("a free rod that starts bent swings about its rest without losing energy", "[analyses]") {
     // From an arc as long as its straight rest; the energy of the start is ½ EI κ² L.
     const auto swing = [](const std::string& steps) {
         const Problem problem =
