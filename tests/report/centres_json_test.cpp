@@ -63,7 +63,7 @@ TEST_CASE("Centres of sections are described where they are off the line", "[rep
     CHECK(station["turn"].get<double>() == Approx(0.2));
 
     const Json table = describe_centre_table(model);
-    REQUIRE(table["rows"].size() == 1);
+    REQUIRE(table["rows"].size() == 2);  // and tip, which no rod has
     CHECK(table["rows"][0][0] == "moved");
     CHECK(table["rows"][0][1] == "(0.7, -0.3)");
     CHECK(table["rows"][0][4].get<double>() == Approx(0.2 * 180.0 / M_PI));
