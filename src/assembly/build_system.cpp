@@ -66,12 +66,13 @@ template <int Nodes>
 LoadedElement make_loaded_element(const Model& model, const DistributedLoad& load, int element) {
     const Rod& rod = model.rods[load.rod];
     const RodElementGeometry<Nodes> geometry = find_geometry<Nodes>(model, rod, element);
+    const std::array<Vec3, Nodes> positions = geometry.reference().positions;
     const auto first = rod.arc_length.begin() + element * Nodes;
     return {.load = &load,
             .nodes = {geometry.nodes.begin(), geometry.nodes.end()},
             .triads = {geometry.triads.begin(), geometry.triads.end()},
             .arc_lengths = {first, first + Nodes},
-            .positions = {geometry.positions.begin(), geometry.positions.end()},
+            .positions = {positions.begin(), positions.end()},
             .shapes = find_shape_functions(rod.order)};
 }
 

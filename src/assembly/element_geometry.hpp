@@ -38,6 +38,12 @@ RodElementGeometry<Nodes> find_geometry(const Model& model, const Rod& rod, int 
         const auto first = rod.rest_strains.begin() + element * (Nodes - 1);
         std::copy(first, first + (Nodes - 1), geometry.strains.begin());
     }
+    if (!rod.rest_positions.empty()) {
+        geometry.rest.emplace();
+        const std::ptrdiff_t first = std::ptrdiff_t{element} * Nodes;
+        std::copy_n(rod.rest_positions.begin() + first, Nodes, geometry.rest->positions.begin());
+        std::copy_n(rod.rest_triads.begin() + first, Nodes, geometry.rest->triads.begin());
+    }
     return geometry;
 }
 

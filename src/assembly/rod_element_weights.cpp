@@ -15,7 +15,8 @@ RodElementWeights compute_element_weights(const Model& model, const Rod& rod, in
         Vec3 tangent = Vec3::Zero();
         for (std::size_t i = 0; i < nodes; ++i) {
             const auto node = static_cast<std::size_t>(rod.element_nodes[first + i]);
-            tangent += shapes.slope[i] * model.nodes[node].position;
+            tangent += shapes.slope[i] * (rod.rest_positions.empty() ? model.nodes[node].position
+                                                                     : rod.rest_positions[first + i]);
         }
         const double length = point.weight * tangent.norm();
         for (std::size_t i = 0; i < nodes; ++i) {

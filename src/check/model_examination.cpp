@@ -200,7 +200,7 @@ bool any_load(const Model& model) {
     const auto strains = [&](const Spring& spring) { return is_strained(model, spring); };
     const auto pushes = [](const auto& load) { return !is_zero(load.force) || !is_zero(load.moment); };
     const auto acts = [](const NodalLoad& load) { return load.has_force() || !is_zero(load.moment); };
-    const auto is_bent = [](const Rod& rod) { return !rod.rest_strains.empty(); };
+    const auto is_bent = [](const Rod& rod) { return !rod.starts_free_of_stress(); };
     const auto moves = [](const Support& support) { return support.moved != std::array<bool, 6>{}; };
     return model.rotation || !model.gravity.is_zero() || is_pushed_by_fluids(model.surroundings) ||
            !model.actuations.empty() || !model.tendons.empty() ||

@@ -63,15 +63,30 @@ bool pushes_out(const Tendon& tendon, const Rod& rod, int across) {
     });
 }
 
+// Whether the curve of a rod's rest, if it has one, leaves the plane across this section axis.
+bool curves_outside(const Rod& rod, int across) {
+    if (rod.rest_positions.empty()) return false;
+    const Vec3 normal = rod.rest_triads.front() * Vec3(Vec3::Unit(across));
+    const Vec3& first = rod.rest_positions.front();
+    const bool is_flat = std::ranges::all_of(rod.rest_positions, [&](const Vec3& position) {
+        return std::abs(normal.dot(position - first)) <= in_plane * rod.length;
+    });
+    const auto is_along = [&](const Quat& triad) {
+        return (triad * Vec3(Vec3::Unit(across)) - normal).norm() <= in_plane;
+    };
+    return !is_flat || !std::ranges::all_of(rod.rest_triads, is_along);
+}
+
 // Whether a rod's rest, seen from its start, bends or twists it out of the plane.
 bool rests_outside(const Rod& rod, int across) {
     const Plane plane{across};
-    return std::ranges::any_of(rod.rest_strains, [&](const Vec6& strain) {
+    const bool is_bent_out = std::ranges::any_of(rod.rest_strains, [&](const Vec6& strain) {
         for (int i = 3; i < 6; ++i) {
             if (plane.holds(i) && std::abs(strain[i]) * rod.length > in_plane) return true;
         }
         return false;
     });
+    return is_bent_out || curves_outside(rod, across);
 }
 
 // Of what acts within rods.
@@ -86,7 +101,7 @@ std::string find_inner_push(const Model& model, int normal) {
         if (across < 0 || pushes_out(tendon, rod, across)) return "tendon." + tendon.name;
     }
     for (const Rod& rod : model.rods) {
-        if (rod.rest_strains.empty()) continue;
+        if (rod.starts_free_of_stress()) continue;
         const int across = find_normal(rod, normal);
         if (across < 0 || rests_outside(rod, across)) return "rod." + rod.name + ".rest";
     }

@@ -110,6 +110,36 @@ Vec3 reflect_twice(const Vec3& y, const Vec3& tangent, const Vec3& step, const V
     return normal.isZero(1e-14) ? once : reflect(once, normal);
 }
 
+// Of section axes by Rod::element_nodes.
+double compute_largest_turn(const std::vector<Quat>& triads, int order) {
+    const auto per_element = static_cast<std::size_t>(order) + 1;
+    double largest = 0.0;
+    for (std::size_t first = 0; first < triads.size(); first += per_element) {
+        double turn = 0.0;
+        for (std::size_t i = first; i + 1 < first + per_element; ++i) {
+            turn += angle_between(triads[i] * Vec3::UnitX(), triads[i + 1] * Vec3::UnitX());
+        }
+        largest = std::max(largest, turn);
+    }
+    return largest;
+}
+
+// What a rod that does not start free of stress starts with.
+std::string describe_rest(const Rod& rod) {
+    if (rod.starts_free_of_stress()) return "";
+    if (rod.rest_positions.empty()) return "  rest: as long as the start, bent or twisted another way\n";
+    const Quat& first = rod.rest_triads.front();
+    const Vec3 chord = first.conjugate() * (rod.rest_positions.back() - rod.rest_positions.front());
+    const double change = rod.start_stretch - 1.0;
+    return fmt::format(
+        "  rest: length {:.6g}, end at {} in section axes of the start; starts {}\n",
+        rod.length,
+        describe(chord, rod.length),
+        std::abs(change) < round_off
+            ? "as long"
+            : fmt::format("{:.6g}, a stretch of {:.3g} %", rod.length * rod.start_stretch, 100.0 * change));
+}
+
 // The diagonals of a section that varies.
 std::string describe_diagonals(const Section& section) {
     const auto c = section.stiffness.diagonal();
@@ -126,16 +156,8 @@ std::string describe_diagonals(const Section& section) {
 }  // namespace
 
 double compute_largest_turn(const Rod& rod) {
-    const auto per_element = static_cast<std::size_t>(rod.order) + 1;
-    double largest = 0.0;
-    for (std::size_t first = 0; first < rod.triads.size(); first += per_element) {
-        double turn = 0.0;
-        for (std::size_t i = first; i + 1 < first + per_element; ++i) {
-            turn += angle_between(rod.triads[i] * Vec3::UnitX(), rod.triads[i + 1] * Vec3::UnitX());
-        }
-        largest = std::max(largest, turn);
-    }
-    return largest;
+    return std::max(compute_largest_turn(rod.triads, rod.order),
+                    compute_largest_turn(rod.rest_triads, rod.order));
 }
 
 double compute_twist(const Model& model, const Rod& rod) {
@@ -180,7 +202,7 @@ std::string describe_rod(const Model& model, const Rod& rod) {
                     rod.kind == ElementKind::simo ? "simo" : "objective",
                     rod.order,
                     section.name);
-    text += describe_extent(model, rod);
+    text += describe_extent(model, rod) + describe_rest(rod);
     const ElementLengths lengths = find_element_lengths(rod);
     if (lengths.most > (1.0 + graded) * lengths.least)
         text += fmt::format("  elements {:.4g} to {:.4g} long\n", lengths.least, lengths.most);

@@ -14,7 +14,7 @@
 namespace gxrod {
 namespace {
 
-// Of offsets compared with the size of the section, of stiffnesses with each other.
+// Of stiffnesses compared with each other.
 constexpr double round_off = 1e-9;
 constexpr double degrees = 180.0 / M_PI;
 
@@ -29,13 +29,6 @@ std::vector<Centre> list_centres(const SectionCentres& centres) {
                              {"tension centre", centres.tension_centre()}};
     if (centres.centre_of_mass()) list.push_back({"centre of mass", *centres.centre_of_mass()});
     return list;
-}
-
-// Round-off would read as a finding.
-double clean(double offset, double size) { return std::abs(offset) <= round_off * size ? 0.0 : offset; }
-
-bool is_apart(const SectionPoint& point, double size) {
-    return clean(point.x(), size) != 0.0 || clean(point.y(), size) != 0.0;
 }
 
 bool differ(double a, double b) { return std::abs(a - b) > round_off * std::max(std::abs(a), std::abs(b)); }
@@ -57,12 +50,10 @@ bool has_centres(const Section& section) { return section.stiffness.diagonal().m
 std::vector<std::string> list_findings(const Section& section) {
     if (!has_centres(section)) return {};
     const SectionCentres centres(section.stiffness, section.mass);
-    const double size = centres.size();
     std::vector<std::string> findings;
     for (const auto& [name, point] : list_centres(centres)) {
-        if (!is_apart(point, size)) continue;
-        findings.push_back(
-            fmt::format("{} at ({:.6g}, {:.6g})", name, clean(point.x(), size), clean(point.y(), size)));
+        const SectionPoint at = centres.clean(point);
+        if (!at.isZero(0.0)) findings.push_back(fmt::format("{} at ({:.6g}, {:.6g})", name, at.x(), at.y()));
     }
     if (is_worth(centres.bending(), section.stiffness))
         findings.push_back("bending stiffness " + describe_axes(centres.bending()));
@@ -108,8 +99,8 @@ std::vector<NamedRange> find_ranges(const Rod& rod) {
             if (!has_centres(section)) continue;
             const SectionCentres centres(section.stiffness, section.mass);
             for (const auto& [name, point] : list_centres(centres)) {
-                add(fmt::format("{} y", name), clean(point.x(), centres.size()), ranges);
-                add(fmt::format("{} z", name), clean(point.y(), centres.size()), ranges);
+                add(fmt::format("{} y", name), centres.clean(point).x(), ranges);
+                add(fmt::format("{} z", name), centres.clean(point).y(), ranges);
             }
             add("turn in degrees of the axes of bending", centres.bending().turn * degrees, ranges);
             if (centres.inertia())

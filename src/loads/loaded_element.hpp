@@ -22,7 +22,7 @@ struct LoadedElement {
     std::vector<int> nodes;           // of the model
     std::vector<Quat> triads;         // section axes at t = 0
     std::vector<double> arc_lengths;  // from the start of the rod
-    std::vector<Vec3> positions;      // at t = 0
+    std::vector<Vec3> positions;      // where the rod is free of stress
     ShapeFunctions shapes = nullptr;
 };
 

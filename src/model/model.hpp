@@ -64,20 +64,26 @@ struct Rod {
     int section = 0;          // of sections that vary the mean over the length, which Model::sections has too
     VaryingSections varying;  // empty for a constant section
     ElementKind kind = ElementKind::objective;
-    int order = 1;           // nodes per element − 1
-    std::vector<int> nodes;  // each once; of a line, from start to end
-    double length = 0.0;     // of the centreline
+    int order = 1;               // nodes per element − 1
+    std::vector<int> nodes;      // each once; of a line, from start to end
+    double length = 0.0;         // of the centreline, where it is free of stress
+    double start_stretch = 1.0;  // its length at t = 0 over that
 
     // Element by element, order + 1 entries each, from the element's start to its end, at the Gauss-Lobatto
     // points of its length. Elements that meet in a corner give their common node different triads.
     std::vector<int> element_nodes;
-    std::vector<double> arc_length;  // from the start of the rod
+    std::vector<double> arc_length;  // from the start of the rod, where it is free of stress
     std::vector<Quat> triads;        // section axes at t = 0: columns are x, y, z
 
     // Strains (Γ, K), material, that the start has against the rest, in which the rod is free of stress:
     // element by element, at the Gauss points of its forces, order of them. Empty where they are zero.
     std::vector<Vec6> rest_strains;
+    // Or the nodes and section axes of the rest, by element_nodes, anywhere in space. Empty where it is the
+    // start.
+    std::vector<Vec3> rest_positions;
+    std::vector<Quat> rest_triads;
 
+    bool starts_free_of_stress() const { return rest_strains.empty() && rest_positions.empty(); }
     bool has_varying_sections() const { return !varying.at_nodes.empty(); }
     int element_count() const { return static_cast<int>(element_nodes.size()) / (order + 1); }
     // The section axes at nodes[position], at t = 0; in a corner, those of the first element there.

@@ -12,6 +12,8 @@ using Mat2 = Eigen::Matrix2d;
 
 // Axes closer than this to y and z, or a matrix that is as near to a multiple of 1, is round-off.
 constexpr double round_off = 1e-12;
+// Of offsets, compared with the size of the section.
+constexpr double least_offset = 1e-9;
 
 // Of a symmetric matrix of the components y, z.
 PrincipalAxes find_axes(const Mat2& matrix) {
@@ -48,6 +50,16 @@ SectionCentres::SectionCentres(const Mat6& stiffness, const Mat6& mass) {
     // J less m(d² 1 − d dᵀ).
     const Mat2 about_node = mass.bottomRightCorner<2, 2>();
     inertia_ = find_axes(about_node - m * (d.squaredNorm() * Mat2::Identity() - d * d.transpose()));
+}
+
+SectionPoint SectionCentres::clean(const SectionPoint& point) const {
+    return point.unaryExpr([&](double x) { return std::abs(x) <= least_offset * size_ ? 0.0 : x; });
+}
+
+bool SectionCentres::are_apart() const {
+    const auto is_apart = [&](const SectionPoint& point) { return !clean(point).isZero(0.0); };
+    return bending_.turn != 0.0 || is_apart(tension_centre_) || is_apart(shear_centre_) ||
+           (centre_of_mass_ && is_apart(*centre_of_mass_));
 }
 
 }  // namespace gxrod

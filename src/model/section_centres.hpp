@@ -34,6 +34,10 @@ class SectionCentres {
     const std::optional<PrincipalAxes>& inertia() const { return inertia_; }
     // A length of the section, which its offsets can be compared with: the larger radius √(EI/EA).
     double size() const { return size_; }
+    // A point whose components are zero where they are round-off compared with the size.
+    SectionPoint clean(const SectionPoint& point) const;
+    // Whether one of them is away from the node, or the axes of bending are turned.
+    bool are_apart() const;
 
   private:
     SectionPoint tension_centre_, shear_centre_;

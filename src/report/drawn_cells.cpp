@@ -30,10 +30,22 @@ double semi_axis(double bending, double axial, double otherwise) {
     return std::isfinite(radius) ? radius : otherwise;
 }
 
+// By the section there; bending about z strains along y, and the reverse.
+std::array<double, 2> find_radii(const Section& section, const std::array<double, 2>& otherwise) {
+    const Mat6& C = section.stiffness;
+    return {semi_axis(C(5, 5), C(0, 0), otherwise[0]), semi_axis(C(4, 4), C(0, 0), otherwise[1])};
+}
+
+// Sections are computed from both sides of a node.
+bool are_alike(const std::array<double, 2>& a, const std::array<double, 2>& b) {
+    const auto is_alike = [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::abs(x); };
+    return is_alike(a[0], b[0]) && is_alike(a[1], b[1]);
+}
+
 // Whether the line continues from one cell to the next as if they were one.
 bool continues(const DrawnCell& cell, const DrawnCell& next) {
-    return cell.nodes[1] == next.nodes[0] && cell.rod == next.rod && cell.radius_y == next.radius_y &&
-           cell.radius_z == next.radius_z && cell.axes[1].angularDistance(next.axes[0]) < 1e-3;
+    return cell.nodes[1] == next.nodes[0] && cell.rod == next.rod &&
+           are_alike(cell.radii[1], next.radii[0]) && cell.axes[1].angularDistance(next.axes[0]) < 1e-3;
 }
 
 // Whether the frames have as many nodes and bodies as the model, and elements of its orders.
@@ -78,7 +90,7 @@ FrameTopology read_topology(const Hdf5Reader& file) {
                     : drawn.nodes.size() < 2 || drawn.nodes.size() > most_cell_nodes) {
             throw std::runtime_error("a cell is neither a rod's element nor a body");
         }
-        drawn.radius_y = drawn.radius_z = radius.at(cell);
+        drawn.radii.assign(drawn.nodes.size(), {radius.at(cell), radius.at(cell)});
         drawn.source = static_cast<int>(cell);
         if (is_body) {
             topology.body_nodes.push_back(drawn.nodes.at(0));
@@ -94,20 +106,24 @@ bool refine_cells(const Model& model, FrameTopology& topology) {
     auto cell = topology.rod_cells.begin();
     int number = 0;
     for (const Rod& rod : model.rods) {
-        const Mat6& C = model.sections[rod.section].stiffness;
+        const auto section_at = [&](std::size_t entry) -> const Section& {
+            return rod.has_varying_sections() ? rod.varying.at_nodes[entry] : model.sections[rod.section];
+        };
         const auto order = static_cast<std::size_t>(rod.order);
         for (std::size_t first = 0; first < rod.triads.size(); first += order + 1, ++cell) {
-            cell->axes = {rod.triads[first], rod.triads[first + order]};
-            cell->arc_length = {rod.arc_length[first], rod.arc_length[first + order]};
-            for (std::size_t i = 1; i < order; ++i) {
-                cell->axes.push_back(rod.triads[first + i]);
-                cell->arc_length.push_back(rod.arc_length[first + i]);
+            const std::array<double, 2> of_file = cell->radii.front();
+            cell->axes.clear();
+            cell->arc_length.clear();
+            cell->radii.clear();
+            for (std::size_t i = 0; i <= order; ++i) {
+                // The ends first.
+                const std::size_t entry = first + (i == 0 ? 0 : i == 1 ? order : i - 1);
+                cell->axes.push_back(rod.triads[entry]);
+                cell->arc_length.push_back(rod.arc_length[entry]);
+                cell->radii.push_back(find_radii(section_at(entry), of_file));
             }
             cell->rod = number;
             cell->middle = 0.5 * (rod.arc_length[first] + rod.arc_length[first + order]);
-            // Bending about z strains along y, and the reverse.
-            cell->radius_y = semi_axis(C(5, 5), C(0, 0), cell->radius_y);
-            cell->radius_z = semi_axis(C(4, 4), C(0, 0), cell->radius_z);
         }
         ++number;
     }
@@ -134,6 +150,7 @@ std::vector<DrawnCell> join_cells(const std::vector<DrawnCell>& cells,
         if (last > first) {
             cell.nodes = {cells[first].nodes[0], cells[last].nodes[1]};
             cell.axes = {cells[first].axes[0], cells[last].axes[1]};
+            cell.radii = {cells[first].radii[0], cells[last].radii[1]};
             cell.source = cells[(first + last) / 2].source;
             cell.middle = cells[(first + last) / 2].middle;
             if (cell.rod >= 0)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -13,8 +14,8 @@ namespace gxrod {
 struct DrawnCell {
     std::vector<int> nodes;  // of the results file; the two ends, then those between them
     std::vector<Quat> axes;  // section axes at t = 0 at those nodes
-    double radius_y = 0.0;   // semi-axes of the ellipse that is drawn, along section y and z
-    double radius_z = 0.0;
+    // Semi-axes of the ellipses that are drawn at those nodes, along section y and z.
+    std::vector<std::array<double, 2>> radii;
     int source = 0;  // row in CellData of the element at its middle
     int rod = -1;    // in the order of the deck; −1, and no arc lengths, where the model is not known
     std::vector<double> arc_length;  // of `nodes`, from the start of the rod

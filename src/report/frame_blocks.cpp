@@ -48,8 +48,9 @@ void write_topology(const ReportPlan& plan, const ReportContent& content, std::o
         for (const Quat& q : cell.axes) {
             for (const double value : {q.w(), q.x(), q.y(), q.z()}) axes.push_back(static_cast<float>(value));
         }
-        radii.push_back(static_cast<float>(cell.radius_y));
-        radii.push_back(static_cast<float>(cell.radius_z));
+        for (const auto& semi_axes : cell.radii) {
+            for (const double value : semi_axes) radii.push_back(static_cast<float>(value));
+        }
         offsets.push_back(static_cast<std::int32_t>(connectivity.size()));
     }
     write_block(out, "connectivity", connectivity);

@@ -9,6 +9,7 @@
 #include "model/joint_name.hpp"
 #include "model/newton_choice.hpp"
 #include "numerics/symmetric_eigen.hpp"
+#include "report/centres_json.hpp"
 #include "report/model_json.hpp"
 
 namespace gxrod {
@@ -204,6 +205,7 @@ Json describe_tables(const Problem& problem) {
     const Model& model = problem.model;
     Json tables = Json::array({describe_analysis(problem.analysis)});
     if (!model.sections.empty()) tables.push_back(describe_sections(model));
+    if (Json centres = describe_centre_table(model); !centres["rows"].empty()) tables.push_back(centres);
     if (!model.rods.empty()) tables.push_back(describe_rods(model));
     if (!model.bodies.empty()) tables.push_back(describe_body_table(model));
     if (!model.springs.empty()) tables.push_back(describe_spring_table(model));

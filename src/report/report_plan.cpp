@@ -52,7 +52,7 @@ std::size_t still_bytes(const ReportPlan& plan, const ReportContent& content) {
     return (1 + content.shape_vectors) * base64_length(plan.nodes.size() * vector_bytes) +
            base64_length(entries * sizeof(std::int32_t)) +
            base64_length((plan.cells.size() + 1) * sizeof(std::int32_t)) +
-           base64_length(entries * 4 * sizeof(float)) + base64_length(plan.cells.size() * 2 * sizeof(float)) +
+           base64_length(entries * 4 * sizeof(float)) + base64_length(entries * 2 * sizeof(float)) +
            base64_length(plan.cells.size() * sizeof(std::int32_t)) +
            base64_length(plan.cells.size() * sizeof(float)) + base64_length(entries * sizeof(float));
 }

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "model/energy_round_off.hpp"
+#include "report/centres_json.hpp"
 #include "report/step_blocks.hpp"
 #include "results/energy_warning.hpp"
 #include "results/tables/deck_reading.hpp"
@@ -171,7 +172,7 @@ Json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbe
     json["arrows"] = describe_arrows(story, number);
     if (!story.problem) {
         json["bodies"] = bare_bodies(story, number);
-        for (const char* parts : {"supports", "joints", "springs", "bushings", "tables", "rods"}) {
+        for (const char* parts : {"supports", "joints", "springs", "bushings", "tables", "rods", "centres"}) {
             json[parts] = Json::array();
         }
         return json;
@@ -185,6 +186,7 @@ Json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbe
     json["springs"] = describe_springs(model, number, most_springs);
     json["bushings"] = describe_bushings(model, number, most_springs);
     json["tables"] = describe_tables(*story.problem);
+    json["centres"] = describe_centres_along(model);
     json["rods"] = Json::array();
     for (const Rod& rod : model.rods) json["rods"].push_back(rod.name);
     return json;

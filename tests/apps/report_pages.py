@@ -84,13 +84,24 @@ name = "foot"
 at = "leg.start"
 quantities = ["reaction_moment", "reaction_force"]
 """
+# Tapers, with the centres of its sections off the line.
+BLADE = ROD.replace("A swinging rod", "A blade").replace('section = "s"', 'sections = [[0, "root"], [1, "tip"]]').replace(
+    "[rod.arm]", """[section.root]
+shape = { rectangle = { width_y = 0.1, height_z = 0.4 } }
+material = { E = 1e6, nu = 0.3, density = 20 }
+at = [0, 0.1]
+[section.tip]
+shape = { rectangle = { width_y = 0.05, height_z = 0.1 } }
+material = { E = 1e6, nu = 0.3, density = 20 }
+turn = 0.3
+[rod.arm]""")
 # From t = 0.5 the force is a billion times too large.
 FAILING = ROD.replace('"4*sin(2*t)"', '"t < 0.5 ? 1 : 1e10"')
 MARK = "document.documentElement.dataset.evil = 1"
 EVIL_TEXT = f"</script><script>{MARK}</script><img src=x onerror='{MARK}'>"
 EVIL = ROD.replace("A swinging rod", EVIL_TEXT).replace("m kg s", EVIL_TEXT) + f"# {EVIL_TEXT} <!-- <script>\n"
 EVIL_NAME = f"<img src=x onerror={MARK.replace(' ', '')}>"
-DECKS = {"rod": ROD, "static": STATIC, "failing": FAILING, "body": SPINNING_BODY, "frame": FRAME, EVIL_NAME: EVIL}
+DECKS = {"rod": ROD, "static": STATIC, "failing": FAILING, "body": SPINNING_BODY, "frame": FRAME, "blade": BLADE, EVIL_NAME: EVIL}
 
 
 class PageTest(unittest.TestCase):

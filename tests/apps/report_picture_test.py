@@ -77,6 +77,39 @@ class Picture(PageTest):
         self.assertLess((np.abs(reference - self.picture()).max(axis=2) > 40).mean(), 1e-4)
         self.assertIn("0 times", self.text("#scale-note"))
 
+    def test_draws_centres_of_sections_and_tapers(self):
+        self.open("rod")
+        self.assertTrue(self.browser.run("return document.getElementById('show-centres').closest('label').hidden"))
+        self.assertTrue(self.browser.run("return document.getElementById('centres-legend').hidden"))
+        self.open("blade")
+        self.assertEqual(self.text("#centres-legend"), "shear centretension centrecentre of massprincipal axes of bending")
+        self.assertIn("Centres of sections", self.text("#model"))
+        self.slide(0)
+        # Where the tension centres are from the line, compared with the radii that are drawn, as in the section.
+        first, last = self.browser.run("""
+            const { rods, centres } = document.getElementById("canvas").picture().parts;
+            const line = centres.lines.find(({ kind }) => kind === "tension").places.array;
+            const at = [0, centres.places.length - 1].map((i) => {
+                const { index, radii } = centres.places[i];
+                const [x, y, z] = [0, 1, 2].map((k) => line[3 * i + k] - rods.frames[9 * index + k]);
+                return { off: Math.hypot(x, y, z), radii };
+            });
+            return at;""")
+        # Semi-axes 2 √(I/A) about the line, of the root 0.1 off it, of the tip turned by 0.3.
+        turned = np.array([[np.cos(0.3) ** 2, np.sin(0.3) ** 2], [np.sin(0.3) ** 2, np.cos(0.3) ** 2]])
+        tip = 2 * np.sqrt(turned @ (np.array([0.05, 0.1]) ** 2 / 12))
+        root = 2 * np.sqrt(np.array([0.1, 0.4]) ** 2 / 12 + [0, 0.01])
+        self.assertAlmostEqual(first["off"] / first["radii"][1], 0.1 / root[1], places=4)
+        self.assertAlmostEqual(last["off"], 0.0, places=6)
+        np.testing.assert_allclose(np.divide(last["radii"], first["radii"]), tip / root, rtol=1e-4)
+        self.hide_all_but_parts()
+        shown = self.picture()
+        self.browser.run("document.getElementById('show-centres').click()")
+        self.browser.settle()
+        self.assertGreater((np.abs(shown - self.picture()).max(axis=2) > 40).mean(), 1e-4, "no centres are drawn")
+        self.assertTrue(self.browser.run("return document.getElementById('centres-legend').hidden"))
+        self.assertEqual(self.browser.take_errors(), [])
+
     def test_turns(self):
         self.open("rod")
         self.hide_all_but_parts()

@@ -12,7 +12,7 @@ DrawnCell make_cell(int start, int end, int source) {
     DrawnCell cell;
     cell.nodes = {start, end};
     cell.axes = {Quat::Identity(), Quat::Identity()};
-    cell.radius_y = cell.radius_z = 0.1;
+    cell.radii.assign(2, {0.1, 0.1});
     cell.source = source;
     return cell;
 }
@@ -63,8 +63,8 @@ TEST_CASE("Nodes to keep, corners, other radii and branches end a piece", "[repo
     std::vector<bool> kept(12, false);
     std::vector<DrawnCell> cells = make_line(10);
     kept[2] = true;
-    cells[3].axes[1] = Quat(Eigen::AngleAxisd(0.5, Vec3::UnitZ()));  // at node 4
-    cells[6].radius_y = cells[7].radius_y = 0.2;                     // from node 6 to 8
+    cells[3].axes[1] = Quat(Eigen::AngleAxisd(0.5, Vec3::UnitZ()));     // at node 4
+    for (std::size_t i : {6, 7}) cells[i].radii.assign(2, {0.2, 0.1});  // from node 6 to 8
     cells.push_back(make_cell(9, 11, 10));
     CHECK(ends_of(join_cells(cells, 100, kept)) ==
           Ends{{0, 2}, {2, 4}, {4, 6}, {6, 8}, {8, 9}, {9, 10}, {9, 11}});
@@ -89,16 +89,17 @@ TEST_CASE("Cells come from the file and, by its model, get true axes and section
     CHECK(topology.cells == 4);
     CHECK(ends_of(topology.rod_cells) == Ends{{0, 1}, {1, 2}});
     CHECK(topology.body_nodes == std::vector<int>{2, 3});
-    const double round = topology.rod_cells[0].radius_y;
-    CHECK(topology.rod_cells[0].radius_z == round);
+    const std::array<double, 2> round = topology.rod_cells[0].radii[0];
+    CHECK(round[0] == round[1]);
 
     Mat6& stiffness = model.sections[0].stiffness;
     stiffness(0, 0) = 100.0;
     stiffness(4, 4) = 4.0;  // about y: 2 √(4/100) along z
     stiffness(5, 5) = 1.0;
     REQUIRE(refine_cells(model, topology));
-    CHECK(topology.rod_cells[1].radius_y == Approx(0.2));
-    CHECK(topology.rod_cells[1].radius_z == Approx(0.4));
+    REQUIRE(topology.rod_cells[1].radii.size() == 2);
+    CHECK(topology.rod_cells[1].radii[1][0] == Approx(0.2));
+    CHECK(topology.rod_cells[1].radii[1][1] == Approx(0.4));
     CHECK(topology.rod_cells[1].axes[1].angularDistance(model.rods[0].triads.back()) < 1e-12);
 
     model.bodies.pop_back();
@@ -114,6 +115,6 @@ TEST_CASE("Cells of another mesh stay as they are", "[report]") {
     topology.rod_cells[1].nodes = {1, 2, 3};
     topology.body_nodes = {2, 3};
     CHECK_FALSE(refine_cells(model, topology));
-    CHECK(topology.rod_cells[0].radius_y == 0.1);
+    CHECK(topology.rod_cells[0].radii[0][0] == 0.1);
     CHECK(topology.rod_cells[0].axes[0].angularDistance(Quat::Identity()) == 0.0);
 }

@@ -13,7 +13,7 @@ DrawnCell make_cell(int start, int end, int source) {
     DrawnCell cell;
     cell.nodes = {start, end};
     cell.axes = {Quat::Identity(), Quat::Identity()};
-    cell.radius_y = cell.radius_z = 0.1;
+    cell.radii.assign(cell.nodes.size(), {0.1, 0.1});
     cell.source = source;
     return cell;
 }

@@ -31,6 +31,7 @@ function readSteps(charts) {
 
 // { info, times, reference, connectivity, offsets, axes, radii, cellRods, middles, arcLengths, arrows,
 //   quantities: {name: {of, values}}, stepTimes }: vectors are three numbers each, frame after frame; `of` is "node" or "cell".
+// Axes, radii and arcLengths are those of the entries of connectivity.
 export function readData() {
   const info = JSON.parse(document.getElementById("report").textContent);
   const quantities = {};

@@ -12,6 +12,7 @@ export function bindDisplay(data, picture, clock) {
     ["show-joints", [parts.joints.group], parts.joints.marks.length > 0],
     ["show-springs", [parts.springs.group], parts.springs.marks.length > 0],
     ["show-bodies", [parts.bodies.group, parts.bodies.paths], parts.bodies.bodies.length > 0],
+    ["show-centres", [parts.centres.group], parts.centres.places.length > 0],
     ["show-reference", [reference], data.offsets.length > 1],
     ["show-shapes", [picture.shapes], data.offsets.length > 1 && data.times.length > 1],
     ["show-grid", [grid], true],
@@ -24,6 +25,11 @@ export function bindDisplay(data, picture, clock) {
       stage.draw();
     });
   }
+  const legend = find("centres-legend");
+  const showLegend = () => (legend.hidden = parts.centres.places.length === 0 || !find("show-centres").checked);
+  legend.append(...parts.centres.makeLegend());
+  find("show-centres").addEventListener("change", showLegend);
+  showLegend();
   bindScale(picture, clock);
   bindThickness(data, picture);
   const views = { "view-x": [[-1, 0, 0], [0, 0, 1]], "view-y": [[0, 1, 0], [0, 0, 1]], "view-z": [[0, 0, -1], [0, 1, 0]] };
@@ -59,6 +65,7 @@ function bindThickness(data, picture) {
   slider.addEventListener("input", () => {
     rods.thickness = 2 ** Number(slider.value);
     rods.move();
+    picture.parts.centres.move();
     picture.stage.draw();
     notify();
   });

@@ -1,5 +1,6 @@
 import { Group, Vector3 } from "three";
 import { Bodies } from "./bodies.js";
+import { Centres } from "./centres.js";
 import { makeReference, makeShapes, makeState } from "./centrelines.js";
 import { ColourScale } from "./colours.js";
 import { Bounds } from "./ends.js";
@@ -23,6 +24,7 @@ export class Picture {
     const solid = { rods: new Tubes(data, motion, this.size), bodies: new Bodies(data, motion, this.size) };
     this.parts = {
       ...solid,
+      centres: new Centres(data, solid.rods),
       joints: new Joints(data, motion, this.size, solid),
       springs: new Springs(data, motion, this.size),
       supports: new Supports(data, motion, this.size),

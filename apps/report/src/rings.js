@@ -1,14 +1,24 @@
 import { shapeFunctions } from "./lagrange.js";
 
-// Thin rods stay visible and thick ones slender; `factor` is what the first is multiplied by, 0 if it has none.
-export function limitRadii(radii, size) {
+// Thin rods stay visible and thick ones slender, each enlarged as a whole, so that tapers stay; flat sections get a least
+// thickness. `factor` is what the first rod is multiplied by, 0 if it has no radii. They are two for each entry of connectivity.
+export function limitRadii({ radii, offsets, cellRods }, size) {
+  const largest = new Map();
+  const visit = (apply) => {
+    for (let cell = 0; cell + 1 < offsets.length; cell++) {
+      const rod = cellRods[cell] < 0 ? `cell ${cell}` : cellRods[cell];
+      for (let i = offsets[cell]; i < offsets[cell + 1]; i++) apply(2 * i, Math.max(radii[2 * i], radii[2 * i + 1]), rod);
+    }
+  };
+  visit((i, larger, rod) => largest.set(rod, Math.max(larger, largest.get(rod) ?? 0)));
   const drawn = new Float32Array(radii.length);
-  for (let i = 0; i < radii.length; i += 2) {
-    const larger = Math.max(radii[i], radii[i + 1]);
-    const wanted = Math.max(0.0035 * size, Math.min(0.022 * size, larger));
-    for (const k of [i, i + 1]) drawn[k] = larger > 0 ? Math.max(wanted * (radii[k] / larger), 0.15 * wanted) : wanted;
-  }
-  drawn.factor = radii.length > 0 && radii[0] > 0 ? Math.max(drawn[0], drawn[1]) / Math.max(radii[0], radii[1]) : 0;
+  visit((i, larger, rod) => {
+    const thickest = largest.get(rod);
+    const wanted = Math.max(0.0035 * size, Math.min(0.022 * size, thickest));
+    for (const k of [i, i + 1]) drawn[k] = thickest > 0 ? wanted * Math.max(radii[k] / thickest, 0.15 * (larger / thickest), 0.02) : wanted;
+    drawn.factor = drawn.factor ?? (thickest > 0 ? wanted / thickest : 0);
+  });
+  drawn.factor = drawn.factor ?? 0;
   return drawn;
 }
 

@@ -8,6 +8,10 @@ export const symbolColours = {
   force: "#e0722a",
   moment: "#c2407f",
   failure: "#e02d2d",
+  shear: "#d1495b",
+  tension: "#2a78c8",
+  mass: "#2f9e5b",
+  principal: "#8a6fd1",
 };
 
 // The names of the style sheet's colours that canvases need.

@@ -11,8 +11,9 @@ export class Tubes {
     this.motion = motion;
     this.thickness = 1;
     this.cells = data.offsets.length - 1;
-    this.drawnRadii = limitRadii(data.radii, size);
+    this.drawnRadii = limitRadii(data, size);
     this.rings = listRings(data);
+    for (const ring of this.rings) ring.radii = [0, 1].map((axis) => this.radiusOf(ring, this.drawnRadii, axis));
     this.sides = Math.max(4, Math.min(24, Math.floor(mostVertices / this.rings.length) - 3));
     this.mesh = new Mesh(this.makeGeometry(), makeMaterial());
     this.mesh.frustumCulled = false;
@@ -56,6 +57,13 @@ export class Tubes {
     return geometry;
   }
 
+  // A semi-axis of a ring, of radii at the nodes of its cell.
+  radiusOf(ring, radii, axis) {
+    const first = this.data.offsets[ring.cell];
+    const sum = ring.weights.reduce((sum, w, j) => sum + w * radii[2 * (first + j) + axis], 0);
+    return Math.max(sum, 0); // a polynomial can overshoot
+  }
+
   // The largest semi-axis that is drawn of the cells at a node; 0 without any.
   radiusAt(node) {
     this.largestRadii = this.largestRadii ?? this.listLargestRadii();
@@ -66,8 +74,8 @@ export class Tubes {
     const { connectivity, offsets } = this.data;
     const largest = new Map();
     for (let cell = 0; cell < this.cells; cell++) {
-      const radius = Math.max(this.drawnRadii[2 * cell], this.drawnRadii[2 * cell + 1]);
       for (let i = offsets[cell]; i < offsets[cell + 1]; i++) {
+        const radius = Math.max(this.drawnRadii[2 * i], this.drawnRadii[2 * i + 1]);
         largest.set(connectivity[i], Math.max(radius, largest.get(connectivity[i]) ?? 0));
       }
     }
@@ -86,7 +94,7 @@ export class Tubes {
       const [cx, cy, cz, yx, yy, yz, zx, zy, zz] = this.frames.subarray(9 * i, 9 * i + 9);
       // Of the normal along the tangent y × z.
       const [tx, ty, tz] = [yy * zz - yz * zy, yz * zx - yx * zz, yx * zy - yy * zx].map((t) => t * Math.sin(ring.dome));
-      const whole = [0, 1].map((axis) => this.drawnRadii[2 * ring.cell + axis] * this.thickness);
+      const whole = ring.radii.map((radius) => radius * this.thickness);
       const [a, b] = whole.map((radius) => radius * Math.cos(ring.dome));
       for (let k = 0; k <= sides; k++) {
         const angle = (2 * Math.PI * k) / sides;
@@ -139,9 +147,9 @@ export class Tubes {
   }
 
   // Along the tangent, out of the rod's end.
-  moveToDome({ cell, side, dome }, at) {
+  moveToDome({ radii, side, dome }, at) {
     const [, , , yx, yy, yz, zx, zy, zz] = this.frames.subarray(at, at + 9);
-    const reach = side * Math.sin(dome) * this.thickness * Math.max(this.drawnRadii[2 * cell], this.drawnRadii[2 * cell + 1]);
+    const reach = side * Math.sin(dome) * this.thickness * Math.max(...radii);
     this.frames[at] += reach * (yy * zz - yz * zy);
     this.frames[at + 1] += reach * (yz * zx - yx * zz);
     this.frames[at + 2] += reach * (yx * zy - yy * zx);

@@ -171,8 +171,7 @@ std::optional<double> find_bed(const CheckedTable& catenary, const BuildContext&
     return bed;
 }
 
-Piece find_catenary(const CheckedTable& rod, const BuildContext& context) {
-    const CheckedTable& table = rod.tables("catenary").front();
+Piece find_catenary(const CheckedTable& table, const CheckedTable& rod, const BuildContext& context) {
     HungLineEnds ends{
         .from = table.get<Vec3>("from"), .to = table.get<Vec3>("to"), .length = table.get<double>("length")};
     ends.bed = find_bed(table, context);
@@ -206,8 +205,7 @@ std::vector<Piece> find_polyline(const std::vector<CheckedVector>& points, const
     return pieces;
 }
 
-Piece find_spline(const CheckedTable& rod, const BuildContext& context) {
-    const auto& points = rod.get<std::vector<CheckedVector>>("spline");
+Piece find_spline(const std::vector<CheckedVector>& points, const BuildContext& context) {
     if (!are_apart(points, context)) return nullptr;
     std::vector<Vec3> places;
     for (const CheckedVector& point : points) places.push_back(point.value);
@@ -224,20 +222,22 @@ Piece find_spline(const CheckedTable& rod, const BuildContext& context) {
 
 }  // namespace
 
-std::optional<Centreline> find_centreline(const CheckedTable& rod, const BuildContext& context) {
+std::optional<Centreline> find_centreline(const CheckedTable& shape,
+                                          const CheckedTable& rod,
+                                          const BuildContext& context) {
     std::vector<Piece> pieces;
-    if (rod.gives("polyline")) {
-        pieces = find_polyline(rod.get<std::vector<CheckedVector>>("polyline"), context);
-    } else if (rod.gives("line")) {
-        pieces.push_back(find_line(rod.tables("line").front(), context));
-    } else if (rod.gives("arc")) {
-        pieces.push_back(find_arc(rod.tables("arc").front(), context));
-    } else if (rod.gives("helix")) {
-        pieces.push_back(find_helix(rod.tables("helix").front(), context));
-    } else if (rod.gives("catenary")) {
-        pieces.push_back(find_catenary(rod, context));
+    if (shape.gives("polyline")) {
+        pieces = find_polyline(shape.get<std::vector<CheckedVector>>("polyline"), context);
+    } else if (shape.gives("line")) {
+        pieces.push_back(find_line(shape.tables("line").front(), context));
+    } else if (shape.gives("arc")) {
+        pieces.push_back(find_arc(shape.tables("arc").front(), context));
+    } else if (shape.gives("helix")) {
+        pieces.push_back(find_helix(shape.tables("helix").front(), context));
+    } else if (shape.gives("catenary")) {
+        pieces.push_back(find_catenary(shape.tables("catenary").front(), rod, context));
     } else {
-        pieces.push_back(find_spline(rod, context));
+        pieces.push_back(find_spline(shape.get<std::vector<CheckedVector>>("spline"), context));
     }
     if (pieces.empty() || pieces.front() == nullptr) return std::nullopt;
     return Centreline(std::move(pieces));

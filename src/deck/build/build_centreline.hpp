@@ -7,8 +7,10 @@
 
 namespace gxrod {
 
-// The centreline that a rod's line, arc, helix, polyline or spline describes. What is wrong with it goes to
-// the faults, and nullopt comes back.
-std::optional<Centreline> find_centreline(const CheckedTable& rod, const BuildContext& context);
+// The centreline that the line, arc, helix, polyline, spline or catenary of a table describes: of a rod, or
+// of its rest. What is wrong with it goes to the faults, and nullopt comes back.
+std::optional<Centreline> find_centreline(const CheckedTable& shape,
+                                          const CheckedTable& rod,
+                                          const BuildContext& context);
 
 }  // namespace gxrod

@@ -134,7 +134,7 @@ void build_net(const CheckedTable& table, const NamedNet& named, int index, Buil
     if (!std::holds_alternative<double>(table.find("twist")->value)) return;
     NetBuilder builder{rod, table.get<double>("twist")};
     for (std::size_t i = 0; i < net.chains.size(); ++i) builder.add_chain(net.chains[i], axes[i]);
-    check_element_turn(builder.largest_turn, net.order, table, context);
+    check_element_turn(builder.largest_turn, net.order, table, "mesh", context);
     context.rod_fractions[static_cast<std::size_t>(index)] = named.points.fractions;
 }
 

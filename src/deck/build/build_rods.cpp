@@ -14,6 +14,7 @@
 #include "deck/sections/rest_shape.hpp"
 #include "deck/sections/rod_sections.hpp"
 #include "deck/sections/section_axes.hpp"
+#include "deck/sections/section_twist.hpp"
 #include "machine/reserve_more.hpp"
 #include "mesh/rod_mesh.hpp"
 #include "rotation/rotation_map.hpp"
@@ -81,44 +82,12 @@ bool is_near_any(double fraction, const std::vector<double>& points) {
     });
 }
 
-// The turn of the section about the tangent since the start, by the fraction of the length.
-class Twist {
-  public:
-    // Of fractions and angles.
-    explicit Twist(std::vector<std::pair<double, double>> rows) : rows_(std::move(rows)) {}
-
-    double at(double fraction) const {
-        std::size_t i = 1;
-        while (i + 1 < rows_.size() && fraction > rows_[i].first) ++i;
-        const auto& [from, before] = rows_[i - 1];
-        const auto& [to, after] = rows_[i];
-        return to > from ? before + (after - before) * (fraction - from) / (to - from) : after;
-    }
-    double between(double first, double last) const { return at(last) - at(first); }
-
-  private:
-    std::vector<std::pair<double, double>> rows_;
-};
-
-Twist find_twist(const CheckedTable& rod, const SectionFile* file, const BuildContext& context) {
-    if (file != nullptr && !file->twist.empty()) {
-        if (rod.gives("twist")) {
-            context.add_fault(
-                rod, "twist", "the file of its sections has a column twist; only one of them can be");
-        }
-        return Twist(file->twist);
-    }
-    const CheckedValue& value = *rod.find("twist");
-    if (const auto* total = std::get_if<double>(&value.value)) return Twist({{0.0, 0.0}, {1.0, *total}});
-    return Twist(std::get<CheckedProfile>(value.value).rows);
-}
-
 // Adds the nodes and elements of one rod along its centreline.
 class LineBuilder {
   public:
     LineBuilder(const Centreline& line,
                 const Quat& start_axes,
-                const Twist& twist,
+                const SectionTwist& twist,
                 const std::vector<double>& points,
                 int index,
                 BuildContext& context)
@@ -190,7 +159,7 @@ class LineBuilder {
 
     const Centreline& line_;
     const Quat& start_axes_;
-    const Twist& twist_;
+    const SectionTwist& twist_;
     const std::vector<double>& points_;
     Rod& rod_;
     std::vector<Node>& nodes_;
@@ -202,7 +171,7 @@ class LineBuilder {
 // What varies along a rod.
 struct Variation {
     std::vector<Station> stations;
-    Twist twist;
+    SectionTwist twist;
 };
 
 void build_line(const CheckedTable& table,
@@ -212,8 +181,10 @@ void build_line(const CheckedTable& table,
                 BuildContext& context) {
     const std::vector<double> jumps = find_jumps(along.stations);
     points.insert(points.end(), jumps.begin(), jumps.end());
-    const std::optional<Centreline> line = find_centreline(table, context);
-    const RodBreaks breaks{points, line ? line->corners() : std::vector<double>{}, find_grading(table)};
+    const std::optional<Centreline> line = find_centreline(table, table, context);
+    const std::optional<RestCurve> rest = find_rest_curve(table, along.twist, context);
+    RodBreaks breaks{points, line ? line->corners() : std::vector<double>{}, find_grading(table)};
+    if (rest) add_corners(rest->line.corners(), breaks);
     const std::vector<double> fractions = find_fractions(table, breaks, context);
     if (!line) return;
     const std::optional<Quat> axes = find_start_axes(table, line->start_tangent(), context);
@@ -223,9 +194,13 @@ void build_line(const CheckedTable& table,
     rod.order = order;
     LineBuilder builder(*line, *axes, along.twist, points, index, context);
     builder.add(fractions);
+    if (rest) {
+        set_rest(table, *rest, fractions, rod, context);
+    } else {
+        set_rest(table, {*line, builder.axes()}, fractions, rod, context);
+    }
     set_sections(along.stations, fractions, rod, context);
-    set_rest(table, {*line, builder.axes()}, fractions, rod, context);
-    check_element_turn(builder.largest_turn(), order, table, context);
+    check_element_turn(builder.largest_turn(), order, table, "elements", context);
 }
 
 }  // namespace

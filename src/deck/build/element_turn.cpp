@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
 namespace gxrod {
 namespace {
@@ -20,14 +21,15 @@ std::string advise(const CheckedTable& rod) {
 
 double compute_element_turn(double bend, double twist) { return std::hypot(bend, twist); }
 
-void check_element_turn(double turn, int order, const CheckedTable& rod, const BuildContext& context) {
+void check_element_turn(
+    double turn, int order, const CheckedTable& rod, const char* key, const BuildContext& context) {
     const double limit = limit_in_degrees(order) * std::numbers::pi / 180.0;
     if (turn < limit * (1.0 - round_off)) return;
-    const char* key = rod.gives("mesh") ? "mesh" : "elements";
     context.add_fault(rod,
                       key,
-                      fmt::format("the rod is bent and twisted by {:.4g}° within one element of order {}; "
+                      fmt::format("the {} is bent and twisted by {:.4g}° within one element of order {}; "
                                   "expected less than {}°: {}",
+                                  key == std::string_view("rest") ? "rest" : "rod",
                                   turn * 180.0 / std::numbers::pi,
                                   order,
                                   limit_in_degrees(order),

@@ -150,44 +150,67 @@ const TableSpec& mesh_table() {
     return table;
 }
 
+// Curves that a rod or its rest can have.
+std::vector<KeySpec> curve_keys() {
+    return {
+        table_key("line", line_table(), "The centreline: straight."),
+        table_key(
+            "arc", arc_table(), "A circular arc: from, through and to; or centre, axis, from and angle."),
+        table_key("helix", helix_table(), "A circular helix."),
+        {.name = "polyline",
+         .type = ValueType::vectors,
+         .dimension = "length",
+         .sentence = "Straight pieces between points, meeting in rigid corners with a node each."},
+        {.name = "spline",
+         .type = ValueType::vectors,
+         .dimension = "length",
+         .sentence = "The natural cubic spline through points, its parameter the length of the chords."},
+        table_key("catenary",
+                  catenary_table(),
+                  "As a line hangs between two points, z up. A rod that starts so is straight and without "
+                  "twist where it is free of stress, if `rest` does not say otherwise.")};
+}
+
+KeySpec y_axis_key(const char* default_text, const char* sentence) {
+    return {.name = "y_axis",
+            .type = ValueType::vector,
+            .dimension = "1",
+            .default_text = default_text,
+            .sentence = sentence};
+}
+
 const TableSpec& rest_table() {
-    static const TableSpec table{
-        .path = "rod.NAME.rest",
-        .heading = "rest = { … }",
-        .sentence = "",
-        .keys = {{.name = "curvature",
-                  .type = ValueType::place_vector,
-                  .dimension = "angle/length",
-                  .presence = Presence::required,
-                  .sentence =
-                      "Of the rest, in section axes: the twist per length, and the curvatures about y and z, "
-                      "as functions of s, the arc length, or of the place at t = 0. [0, 0, 0] is straight "
-                      "and without twist."}}};
+    static const TableSpec table = [] {
+        std::vector<KeySpec> keys = curve_keys();
+        keys.insert(
+            keys.begin(),
+            {.name = "curvature",
+             .type = ValueType::place_vector,
+             .dimension = "angle/length",
+             .sentence = "Of a rest as long as the start, in section axes: the twist per length, and the "
+                         "curvatures about y and z, as functions of s, the arc length, or of the place at "
+                         "t = 0. [0, 0, 0] is straight and without twist."});
+        keys.push_back(y_axis_key("that of the rod",
+                                  "Section y at the start of a rest that is a curve, as in the rod itself."));
+        keys.push_back({.name = "twist",
+                        .type = ValueType::profile,
+                        .dimension = "angle",
+                        .default_text = "that of the rod",
+                        .sentence = "Of a rest that is a curve, as in the rod itself."});
+        return TableSpec{
+            .path = "rod.NAME.rest",
+            .heading = "rest = { … }",
+            .sentence = "",
+            .keys = std::move(keys),
+            .groups = {{GroupRule::exactly_one,
+                        {"curvature", "line", "arc", "helix", "polyline", "spline", "catenary"}}}};
+    }();
     return table;
 }
 
-std::vector<KeySpec> geometry_keys() {
-    return {table_key("line", line_table(), "The centreline at t = 0: straight."),
-            table_key(
-                "arc", arc_table(), "A circular arc: from, through and to; or centre, axis, from and angle."),
-            table_key("helix", helix_table(), "A circular helix."),
-            {.name = "polyline",
-             .type = ValueType::vectors,
-             .dimension = "length",
-             .sentence = "Straight pieces between points, meeting in rigid corners with a node each."},
-            {.name = "spline",
-             .type = ValueType::vectors,
-             .dimension = "length",
-             .sentence = "The natural cubic spline through points, its parameter the length of the chords."},
-            table_key("catenary",
-                      catenary_table(),
-                      "As a line hangs between two points, z up; straight and without twist where it is free "
-                      "of stress, if `rest` does not say otherwise."),
-            table_key("mesh", mesh_table(), "The line elements of a mesh.")};
-}
-
 std::vector<KeySpec> rod_keys() {
-    std::vector<KeySpec> keys = geometry_keys();
+    std::vector<KeySpec> keys = curve_keys();
+    keys.push_back(table_key("mesh", mesh_table(), "The line elements of a mesh."));
     keys.insert(
         keys.begin(),
         {{.name = "section",
@@ -232,13 +255,9 @@ std::vector<KeySpec> rod_keys() {
                         "Jelenić 1999). simo: incremental rotation vectors interpolated (Simo and Vu-Quoc "
                         "1986).",
                     .choices = words_of(element_kind_choices)});
-    keys.push_back({.name = "y_axis",
-                    .type = ValueType::vector,
-                    .dimension = "1",
-                    .default_text = "the global axis least aligned with the rod",
-                    .sentence =
-                        "Section y at the start, projected perpendicular to the rod and carried along it "
-                        "without twisting."});
+    keys.push_back(y_axis_key("the global axis least aligned with the rod",
+                              "Section y at the start, projected perpendicular to the rod and carried along "
+                              "it without twisting."));
     keys.push_back({.name = "twist",
                     .type = ValueType::profile,
                     .dimension = "angle",
@@ -250,8 +269,10 @@ std::vector<KeySpec> rod_keys() {
         table_key("rest",
                   rest_table(),
                   "The shape in which the rod is free of stress, where that is not the one in "
-                  "which it starts; of the same length. Left out, the rod starts free of stress, but for a "
-                  "catenary, which is straight then."));
+                  "which it starts: its curvature, or a curve. Only the curve's shape counts, not where it "
+                  "is; fractions of its length are those of the rod, and the rod's arc length, mass and "
+                  "stiffness are by it. Left out, the rod starts free of stress, but for a catenary, which "
+                  "is straight then."));
     return keys;
 }
 

@@ -1,6 +1,13 @@
 #include "deck/sections/rest_shape.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "deck/build/build_centreline.hpp"
+#include "deck/build/element_turn.hpp"
 #include "deck/sections/rod_sections.hpp"
+#include "deck/sections/section_axes.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
@@ -36,7 +43,111 @@ std::optional<Vec3> find_rest_curvature(const CheckedPlaceVector* components,
     return curvature;
 }
 
+// From y_axis of the rest, or that of the rod.
+std::optional<Quat> find_rest_axes(const CheckedTable& rest,
+                                   const CheckedTable& rod,
+                                   const Vec3& tangent,
+                                   BuildContext& context) {
+    if (rest.gives("y_axis") || !rod.gives("y_axis")) return find_start_axes(rest, tangent, context);
+    const Vec3& of_rod = rod.get<Vec3>("y_axis");
+    if (of_rod.isZero(0.0)) return std::nullopt;  // a fault of the rod
+    std::optional<Quat> axes = project_axes(tangent, of_rod);
+    if (!axes)
+        context.add_fault(rest, "y_axis", "missing; that of the rod is parallel to the start of the rest");
+    return axes;
+}
+
+// The turn of the section axes from the end of an element to the start of the next: nothing, or a corner's.
+Quat turn_before(const std::vector<Quat>& triads, std::size_t first) {
+    return triads[first - 1].conjugate() * triads[first];
+}
+
+// A corner is rigid, so start and rest have the same ones.
+void check_corners(const CheckedTable& table,
+                   const std::vector<double>& element_fractions,
+                   const Rod& rod,
+                   const BuildContext& context) {
+    constexpr double same_turn = 1e-9;
+    const auto degrees = [](const Quat& turn) { return log(turn).norm() * 180.0 / M_PI; };
+    for (std::size_t e = 1; e + 1 < element_fractions.size(); ++e) {
+        const std::size_t first = e * (static_cast<std::size_t>(rod.order) + 1);
+        const Quat start = turn_before(rod.triads, first);
+        const Quat rest = turn_before(rod.rest_triads, first);
+        if (start.angularDistance(rest) <= same_turn) continue;
+        context.add_fault(
+            table,
+            "rest",
+            fmt::format("corners are rigid, but at {:.6g} of the length the rest turns by {:.4g}° "
+                        "and the start by {:.4g}°{}; expected the same corners, seen from the "
+                        "section, or a rod for each piece",
+                        element_fractions[e],
+                        degrees(rest),
+                        degrees(start),
+                        std::abs(degrees(rest) - degrees(start)) < 1e-3 ? " another way" : ""));
+        return;
+    }
+}
+
 }  // namespace
+
+std::optional<RestCurve> find_rest_curve(const CheckedTable& table,
+                                         const SectionTwist& twist,
+                                         BuildContext& context) {
+    if (!table.gives("rest")) return std::nullopt;
+    const CheckedTable& rest = table.tables("rest").front();
+    if (rest.gives("curvature")) {
+        for (const char* key : {"y_axis", "twist"}) {
+            if (rest.gives(key))
+                context.add_fault(
+                    rest, key, "curvature is in section axes, twist first; expected a curve with it");
+        }
+        return std::nullopt;
+    }
+    std::optional<Centreline> line = find_centreline(rest, table, context);
+    if (!line) return std::nullopt;
+    const std::optional<Quat> axes = find_rest_axes(rest, table, line->start_tangent(), context);
+    if (!axes) return std::nullopt;
+    return RestCurve{
+        std::move(*line), *axes, rest.gives("twist") ? SectionTwist(*rest.find("twist")) : twist};
+}
+
+void add_corners(const std::vector<double>& corners, RodBreaks& breaks) {
+    for (const double corner : corners) {
+        const auto is_same = [&](double other) { return std::abs(other - corner) <= same_fraction; };
+        if (std::ranges::none_of(breaks.corners, is_same)) breaks.corners.push_back(corner);
+    }
+    std::ranges::sort(breaks.corners);
+}
+
+void set_rest(const CheckedTable& table,
+              const RestCurve& rest,
+              const std::vector<double>& element_fractions,
+              Rod& rod,
+              const BuildContext& context) {
+    const std::vector<double> within = compute_element_nodes(rod.order);
+    rod.rest_positions.reserve(rod.element_nodes.size());
+    rod.rest_triads.reserve(rod.element_nodes.size());
+    double largest_turn = 0.0;
+    for (std::size_t e = 0; e + 1 < element_fractions.size(); ++e) {
+        const double first = element_fractions[e];
+        const double last = element_fractions[e + 1];
+        const std::size_t piece = rest.line.piece_at(0.5 * (first + last));
+        largest_turn = std::max(
+            largest_turn,
+            compute_element_turn(rest.line.turn(piece, first, last), rest.twist.between(first, last)));
+        for (std::size_t i = 0; i < within.size(); ++i) {
+            const double fraction = i + 1 == within.size() ? last : first + (last - first) * within[i];
+            rod.rest_positions.push_back(rest.line.position(piece, fraction));
+            rod.rest_triads.push_back(
+                twisted(rest.line.transport(piece, fraction) * rest.start_axes, rest.twist.at(fraction)));
+        }
+    }
+    rod.start_stretch = rod.length / rest.line.length();
+    rod.length = rest.line.length();
+    for (double& s : rod.arc_length) s /= rod.start_stretch;
+    check_corners(table, element_fractions, rod, context);
+    check_element_turn(largest_turn, rod.order, table, "rest", context);
+}
 
 void set_rest(const CheckedTable& table,
               const DrawnRod& drawn,
@@ -46,6 +157,7 @@ void set_rest(const CheckedTable& table,
     // A hung line is straight and without twist where it is free of stress.
     if (!table.gives("rest") && !table.gives("catenary")) return;
     const CheckedPlaceVector* components = nullptr;
+    if (table.gives("rest") && !table.tables("rest").front().gives("curvature")) return;  // with a fault
     if (table.gives("rest")) components = &table.tables("rest").front().get<CheckedPlaceVector>("curvature");
     const std::vector<double> points = list_force_points(rod.order);
     std::vector<Vec6> strains;

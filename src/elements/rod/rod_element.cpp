@@ -88,7 +88,7 @@ std::array<NodeMotion, Nodes> RodElement<Nodes, Map>::make_reference(
     return nodal;
 }
 
-// Section axes and curvature of the force points of the reference shape. Its triads are interpolated as the
+// Section axes and curvature of the force points of the shape at t = 0. Its triads are interpolated as the
 // objective element does it, for both kinds.
 template <int Nodes, class Map>
 auto RodElement<Nodes, Map>::compute_start(const RodElementGeometry<Nodes>& geometry) -> PointHistories {
@@ -108,9 +108,10 @@ auto RodElement<Nodes, Map>::compute_start(const RodElementGeometry<Nodes>& geom
 template <int Nodes, class Map>
 auto RodElement<Nodes, Map>::make_rod(const RodElementGeometry<Nodes>& geometry,
                                       const ElementSections<Nodes>& sections) -> Rod {
-    const std::array<NodeMotion, Nodes> nodal = make_reference(geometry);
-    const Map map(point_at(nodal), geometry.triads);
-    return Rod(map.local(), compute_start(geometry), sections.at_forces, geometry.strains);
+    const RodElementGeometry<Nodes> reference = geometry.reference();
+    const std::array<NodeMotion, Nodes> nodal = make_reference(reference);
+    const Map map(point_at(nodal), reference.triads);
+    return Rod(map.local(), compute_start(reference), sections.at_forces, geometry.strains);
 }
 
 template <int Nodes, class Map>

@@ -1,19 +1,35 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "rotation/types.hpp"
 
 namespace gxrod {
 
 // What a piece of rod is made from: its nodes, at the Gauss-Lobatto points, with position and section axes at
-// t = 0; and the strains (Γ, K) that it has there at its force points, zero of one that is free of stress.
+// t = 0; and either the strains (Γ, K) that it has there at its force points, zero of one that is free of
+// stress, or the shape in which it has none.
 template <int Nodes>
 struct RodElementGeometry {
     std::array<int, Nodes> nodes;
     std::array<Vec3, Nodes> positions;
     std::array<Quat, Nodes> triads;
     std::array<Vec6, Nodes - 1> strains = make_zeros();
+    struct Shape {
+        std::array<Vec3, Nodes> positions;
+        std::array<Quat, Nodes> triads;
+    };
+    std::optional<Shape> rest = {};
+
+    // By which lengths are measured: the rest, or the shape at t = 0.
+    RodElementGeometry reference() const {
+        RodElementGeometry made = *this;
+        if (!rest) return made;
+        made.positions = rest->positions;
+        made.triads = rest->triads;
+        return made;
+    }
 
     static std::array<Vec6, Nodes - 1> make_zeros() {
         std::array<Vec6, Nodes - 1> zeros;

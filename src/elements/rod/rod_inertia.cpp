@@ -14,13 +14,14 @@ RodInertia<Nodes>::RodInertia(const RodElementGeometry<Nodes>& geometry,
       has_offset_(std::ranges::any_of(sections_, [](const auto& section) { return section->has_offset(); })) {
     mass_.setZero();
     lengths_.setZero();
+    const std::array<Vec3, Nodes> positions = geometry.reference().positions;
     const auto rule = compute_gauss_rule<Nodes>();
     for (std::size_t p = 0; p < rule.size(); ++p) {
         const auto [xi, weight] = rule[p];
         const NodeValues<Nodes> shape = compute_shape_functions<Nodes>(xi);
         const NodeValues<Nodes> slope = compute_shape_slopes<Nodes>(xi);
         Vec3 tangent = Vec3::Zero();
-        for (int i = 0; i < Nodes; ++i) tangent += slope[i] * geometry.positions[i];
+        for (int i = 0; i < Nodes; ++i) tangent += slope[i] * positions[i];
         const double ds = weight * tangent.norm();
         mass_ += ds * sections.at_masses[p]->mass * shape * shape.transpose();
         lengths_ += ds * shape;

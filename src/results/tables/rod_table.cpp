@@ -19,7 +19,7 @@ void write_places(const Hdf5Handle& data,
                   {"element", "number of the element in its rod, from 0" + where + none, "none", "1"},
                   places.element);
     write_dataset(data,
-                  {"arc_length", "from the start of the rod at t = 0" + where, "none", "length"},
+                  {"arc_length", "from the start of the rod, where it is free of stress" + where, "none", "length"},
                   places.arc_length);
     for (const char* name : {"rod", "element", "arc_length"}) link_dataset(no_offsets, offsets, name);
 }
@@ -43,7 +43,7 @@ void write_table(const Hdf5Handle& root, const Model& model) {
     write_texts({"section", "name of its section", "none", ""},
                 [&](const Rod& rod) { return model.sections[static_cast<std::size_t>(rod.section)].name; });
     write_dataset(group,
-                  {"length", "length of its centreline at t = 0", "none", "length"},
+                  {"length", "length of its centreline where it is free of stress", "none", "length"},
                   list_of_rods<double>(model, [](const Rod& rod) { return rod.length; }));
     write_counts({"order", "order of its elements", "none", "1"}, [](const Rod& rod) { return rod.order; });
     write_counts({"elements", "how many it has", "none", "1"},

@@ -33,12 +33,92 @@ Vec6 bent(const Vec3& curvature) {
 
 }  // namespace
 
+namespace {
+
+// The rod along x, ten long, with this rest.
+std::string resting(const std::string& rest) {
+    return replaced(rod_deck, "element = ", "rest = { " + rest + " }\nelement = ");
+}
+
+bool is_drawn(const Problem& p) { return p.model.rods[0].rest_positions.size() == 20; }
+
+// Whether the rest goes from one place to another.
+auto goes(const Vec3& from, const Vec3& to) {
+    return [from, to](const Problem& p) {
+        const std::vector<Vec3>& places = p.model.rods[0].rest_positions;
+        return is_drawn(p) && (places.front() - from).norm() < 1e-12 && (places.back() - to).norm() < 1e-12;
+    };
+}
+
+std::vector<RoundTrip> curve_trips() {
+    const std::string path = "rod.NAME.rest.";
+    const std::string line = "line = { from = [1, 2, 3], to = [1, 2, 9] }";
+    const std::string through = "arc = { from = [3, 0, 0], through = [0, 3, 0], to = [-3, 0, 0] }";
+    const std::string about =
+        "arc = { centre = [1, 0, 0], axis = [0, 0, 2], from = [3, 0, 0], angle = \"pi\" }";
+    const std::string helix =
+        "helix = { centre = [1, 0, 0], axis = [0, 0, 2], from = [3, 0, 0], turns = 1.5, pitch = 2 }";
+    const std::string spline = "spline = [[0, 0, 0], [1, 1, 0], [3, 0, 1]]";
+    const std::string polyline = "polyline = [[0, 0, 0], [1, 1, 1], [3, 3, 3]]";
+    const std::string hung = "catenary = { from = [0, 0, 9], to = [8, 0, 9], length = 10 }";
+    std::vector<RoundTrip> trips{
+        {path + "line.from", resting(line), goes({1, 2, 3}, {1, 2, 9})},
+        {path + "line.to", resting(line), goes({1, 2, 3}, {1, 2, 9})},
+        {path + "arc.from", resting(through), goes({3, 0, 0}, {-3, 0, 0})},
+        {path + "arc.through",
+         resting(through),
+         [](const Problem& p) { return std::abs(p.model.rods[0].length - 3.0 * M_PI) < 1e-12; }},
+        {path + "arc.to", resting(through), goes({3, 0, 0}, {-3, 0, 0})},
+        {path + "arc.centre", resting(about), goes({3, 0, 0}, {-1, 0, 0})},
+        {path + "arc.axis",
+         resting(about),
+         [](const Problem& p) { return is_drawn(p) && p.model.rods[0].rest_positions[9].y() > 1.0; }},
+        {path + "arc.angle", resting(about), goes({3, 0, 0}, {-1, 0, 0})},
+        {path + "polyline", resting(polyline), goes({0, 0, 0}, {3, 3, 3})},
+        {path + "spline", resting(spline), goes({0, 0, 0}, {3, 0, 1})},
+        {path + "y_axis",
+         resting(line + ", y_axis = [1, 1, 0]"),
+         [](const Problem& p) {
+             return is_drawn(p) &&
+                    (p.model.rods[0].rest_triads[0] * Vec3::UnitY() - Vec3(1, 1, 0).normalized()).norm() <
+                        1e-14;
+         }},
+        {path + "twist", resting(line + ", twist = 0.5"), [](const Problem& p) {
+             const std::vector<Quat>& triads = p.model.rods[0].rest_triads;
+             return is_drawn(p) && std::abs(triads.front().angularDistance(triads.back()) - 0.5) < 1e-12;
+         }}};
+    for (const char* key : {"centre", "axis", "from", "turns", "pitch"})
+        trips.push_back({path + "helix." + key, resting(helix), goes({3, 0, 0}, {-1, 0, 3})});
+    for (const char* key : {"from", "to", "length"}) {
+        trips.push_back({path + "catenary." + key, resting(hung), [](const Problem& p) {
+                             const Rod& rod = p.model.rods[0];
+                             return is_drawn(p) &&
+                                    (rod.rest_positions.back() - Vec3(8, 0, 9)).norm() < 1e-9 &&
+                                    std::abs(rod.length - 10.0) < 1e-12;
+                         }});
+    }
+    trips.push_back({path + "catenary.bed",
+                     replaced(replaced(resting(hung), "length = 10", "length = 13, bed = true"),
+                              "[rod.r]",
+                              "fluid = { outer_diameter = 0.2 }\n[rod.r]") +
+                         "[seabed]\nz = 5\nstiffness = 1e3\n",
+                     // Half the diameter above the bed.
+                     [](const Problem& p) {
+                         return is_drawn(p) && std::abs(p.model.rods[0].rest_positions[10].z() - 5.1) < 1e-9;
+                     }});
+    return trips;
+}
+
+}  // namespace
+
 std::vector<RoundTrip> rest_trips() {
-    return {{"rod.NAME.rest.curvature", with(rod_deck, "[0.5, 0, \"s\"]"), [](const Problem& p) {
-                 const std::vector<Vec6>& strains = p.model.rods[0].rest_strains;
-                 return strains.size() == 10 && std::abs(strains[2][3] + 0.5) < 1e-14 &&
-                        std::abs(strains[2][5] + 2.5) < 1e-14;
-             }}};
+    std::vector<RoundTrip> trips = curve_trips();
+    trips.push_back({"rod.NAME.rest.curvature", with(rod_deck, "[0.5, 0, \"s\"]"), [](const Problem& p) {
+                         const std::vector<Vec6>& strains = p.model.rods[0].rest_strains;
+                         return strains.size() == 10 && std::abs(strains[2][3] + 0.5) < 1e-14 &&
+                                std::abs(strains[2][5] + 2.5) < 1e-14;
+                     }});
+    return trips;
 }
 
 TEST_CASE("a strip that is closed to a ring is bent by its curvature", "[deck][sections]") {
@@ -80,8 +160,55 @@ TEST_CASE("the rest of a line follows the arc length", "[deck][sections]") {
 TEST_CASE("what is wrong with a rest is said", "[deck][sections]") {
     CHECK_THROWS_WITH(read(with(ring(), "[0, 0, \"1/(s - s)\"]")), Contains("rod.r.rest.curvature[2]"));
     CHECK_THROWS_WITH(read(with(ring(), "[0, 0]")), Contains("rod.r.rest.curvature: expected an array of 3"));
-    CHECK_THROWS_WITH(read(replaced(ring(), "element = ", "rest = { }\nelement = ")),
-                      Contains("rod.r.rest.curvature: missing"));
+    const auto said = [](const std::string& keys) { return Catch::Contains(keys); };
+    CHECK_THROWS_WITH(read(resting("")), said("rod.r.rest: ") && said("curvature"));
+    const std::string line = "line = { from = [0, 0, 0], to = [9, 0, 0] }";
+    CHECK_THROWS_WITH(read(resting("curvature = [0, 0, 0], " + line)),
+                      said("rod.r.rest") && said("curvature"));
+    CHECK_THROWS_WITH(read(resting("curvature = [0, 0, 0], twist = 1")),
+                      said("rod.r.rest.twist: curvature is"));
+    CHECK_THROWS_WITH(read(resting("line = { from = [0, 0, 0], to = [0, 0, 0] }")),
+                      said("rod.r.rest.line.to: the rod has no length"));
+    CHECK_THROWS_WITH(read(resting("mesh = { file = \"a.msh\", group = 1 }")),
+                      said("rod.r.rest.mesh: unknown key"));
+}
+
+TEST_CASE("a rest has the corners of the start", "[deck][sections]") {
+    const auto bent = [](const std::string& start, const std::string& rest) {
+        return replaced(resting(rest), "line = { from = [0, 0, 0], to = [10, 0, 0] }\n", start + "\n");
+    };
+    const std::string corner = "polyline = [[0, 0, 0], [4, 0, 0], [4, 6, 0]]\ny_axis = [0, 0, 1]";
+    // Another length, another place: the same corner seen from the section.
+    const Rod rod =
+        read(bent(corner, "polyline = [[0, 0, 1], [0, 0, 9], [12, 0, 9]], y_axis = [0, 1, 0]")).model.rods[0];
+    CHECK(rod.length == Approx(20.0));
+    CHECK(rod.start_stretch == Approx(0.5));
+    CHECK(rod.arc_length.back() == Approx(20.0));
+    CHECK_THROWS_WITH(
+        read(bent(corner, "line = { from = [0, 0, 0], to = [9, 0, 0] }")),
+        Contains("x.toml:9:8: rod.r.rest: corners are rigid, but at 0.4 of the length the rest turns by 0° "
+                 "and the start by 90°"));
+    CHECK_THROWS_WITH(read(bent(corner, "polyline = [[0, 0, 0], [4, 0, 0], [4, -6, 0]]")),
+                      Contains("turns by 90° and the start by 90° another way"));
+    CHECK_THROWS_WITH(read(bent(corner, "polyline = [[0, 0, 0], [5, 0, 0], [5, 5, 0]]")),
+                      Contains("corners are rigid"));
+    CHECK_THROWS_WITH(
+        read(replaced(bent("line = { from = [0, 0, 0], to = [10, 0, 0] }",
+                           "arc = { centre = [0, 0, 0], axis = [0, 0, 1], from = [1, 0, 0], angle = 6 }"),
+                      "elements = 10",
+                      "elements = 1")),
+        Contains("rod.r.rest: the rest is bent and twisted by 343.8° within one element of order 1"));
+}
+
+TEST_CASE("a rest has the rod's own y_axis where it names none", "[deck][sections]") {
+    const std::string start = replaced(resting("line = { from = [0, 0, 0], to = [0, 9, 0] }"),
+                                       "elements = 10",
+                                       "elements = 10\ny_axis = [0, 0, 1]");
+    const Model model = read(start).model;
+    CHECK((model.rods[0].rest_triads[0] * Vec3::UnitY() - Vec3::UnitZ()).norm() < 1e-14);
+    CHECK_THROWS_WITH(
+        read(replaced(start, "[0, 0, 1]", "[0, 1, 0]")),
+        Contains("rod.r.rest.y_axis: missing; that of the rod is parallel to the start of the rest"));
 }
 
 }  // namespace gxrod::test
