@@ -2,13 +2,15 @@
 
 #include "assembly/capstan_tension.hpp"
 
-#include <numbers>
+#include <algorithm>
+#include <cmath>
 
 #include "assembly/capstan_rows.hpp"
 #include "assembly/scatter.hpp"
 #include "assembly/system.hpp"
 #include "deck/decks.hpp"
 #include "state/increment.hpp"
+#include "tools/catch.hpp"
 #include "tools/dense_algebra.hpp"
 #include "tools/difference.hpp"
 #include "tools/random_values.hpp"
@@ -136,10 +138,10 @@ TEST_CASE("The direction of a tendon follows the nodes as its derivative says", 
 
 TEST_CASE("The tangent of a model whose tendon rubs is the derivative of its residual",
           "[assembly][tendon]") {
-    for (const std::string friction : {by_friction,
-                                       by_friction + "pulled_at = \"to\"\n",
-                                       by_friction + "stiffness = 40\n",
-                                       by_friction + "stiffness = 40\npulled_at = \"to\"\n"}) {
+    for (const std::string& friction : {by_friction,
+                                        by_friction + "pulled_at = \"to\"\n",
+                                        by_friction + "stiffness = 40\n",
+                                        by_friction + "stiffness = 40\npulled_at = \"to\"\n"}) {
         for_each_rubbing(friction, [](const RubbingSample& sample) {
             const System& system = sample.system;
             std::vector<double> values;
@@ -149,19 +151,17 @@ TEST_CASE("The tangent of a model whose tendon rubs is the derivative of its res
             Eigen::MatrixXd expected(size, size);
             for (std::int64_t j = 0; j < size; ++j) {
                 const int node = system.equations().unknown(j).node;
-                const Vec6 direction =
-                    system.equations().increment_of(node, Eigen::VectorXd::Unit(size, j));
+                const Vec6 direction = system.equations().increment_of(node, Eigen::VectorXd::Unit(size, j));
                 expected.col(j) = differentiate(
                     [&](double amount) {
                         State moved = sample.state;
                         const Vec6 by = amount * direction;
-                        apply_spin(
-                            moved.previous[node], by.head<3>(), by.tail<3>(), moved.trial[node]);
+                        apply_spin(moved.previous[node], by.head<3>(), by.tail<3>(), moved.trial[node]);
                         Residual residual;
                         system.compute_residual(moved, rubbing_time, residual);
                         return gather(residual.nodal, system.equations());
                     },
-                    1e-3);
+                    1e-4);  // of directions that turn by little
             }
             const Eigen::MatrixXd tangent = make_dense(system.pattern(), values);
             // Of what elements do not know alone: the rod's own stiffness is a thousand times as large.
@@ -175,6 +175,18 @@ TEST_CASE("The tangent of a model whose tendon rubs is the derivative of its res
     }
 }
 
+TEST_CASE("About an accepted state a tendon sticks and keeps its tensions", "[assembly][tendon]") {
+    for_each_rubbing(by_friction, [](RubbingSample& sample) {
+        const std::vector<double> expected =
+            sample.tension.compute(sample.state.trial, sample.state, rubbing_time);
+        sample.system.commit(sample.state, rubbing_time);
+        const std::span<const double> kept = sample.tension.memory(sample.state);
+        CHECK(std::ranges::equal(kept, expected));
+        CHECK(sample.tension.compute(sample.state.trial, sample.state, rubbing_time) == expected);
+        CHECK(sample.tension.compute_coupling(sample.state.trial, sample.state, rubbing_time).isZero(0.0));
+    });
+}
+
 TEST_CASE("Without a coefficient the tension is the same all along", "[assembly][tendon]") {
     for_each_rubbing(by_friction, [](RubbingSample& sample) {
         sample.problem.model.tendons.front().friction->coefficient = 0.0;
@@ -185,9 +197,9 @@ TEST_CASE("Without a coefficient the tension is the same all along", "[assembly]
         smooth.tendons.front().friction.reset();
         const System other(smooth);
         State state = sample.state;
-        state.law_memory.erase(state.law_memory.begin(),
-                               state.law_memory.begin() +
-                                   static_cast<std::ptrdiff_t>(sample.tension.count()));
+        state.law_memory.erase(
+            state.law_memory.begin(),
+            state.law_memory.begin() + static_cast<std::ptrdiff_t>(sample.tension.count()));
         Residual rubbed, unrubbed;
         sample.system.compute_residual(sample.state, rubbing_time, rubbed);
         other.compute_residual(state, rubbing_time, unrubbed);
@@ -231,10 +243,10 @@ TEST_CASE("A straight tendon loses no tension, and one with a kink its share the
 // between force points are chords of that, so that the turning is short by the order 2.
 TEST_CASE("The turning of a helix is found to the second order", "[assembly][tendon]") {
     const auto find_loss = [](int elements) {
-        const std::string deck = replaced(
-            replaced(rubbing_rods("objective", 2, by_friction), "from = 0.25", "from = 0"),
-            "elements = 3\norder = 2\nelement = \"objective\"",
-            "elements = " + std::to_string(elements) + "\norder = 2\nelement = \"objective\"");
+        const std::string deck =
+            replaced(replaced(rubbing_rods("objective", 2, by_friction), "from = 0.25", "from = 0"),
+                     "elements = 3\norder = 2\nelement = \"objective\"",
+                     "elements = " + std::to_string(elements) + "\norder = 2\nelement = \"objective\"");
         const Problem problem = read(deck);
         const System system(problem.model);
         const State state = system.initial_state();

@@ -74,9 +74,8 @@ TEST_CASE("what depends on how it was reached has no derivatives by multipliers"
 }
 
 TEST_CASE("tendons that rub have no derivatives by multipliers", "[sensitivity]") {
-    const Problem base =
-        read(replaced(static_rod_deck, "simo", "objective") +
-             "[tendon.t]\non = \"r\"\noffset = [0, 1]\ntension = 1\nfriction = 0.1\n");
+    const Problem base = read(replaced(static_rod_deck, "simo", "objective") +
+                              "[tendon.t]\non = \"r\"\noffset = [0, 1]\ntension = 1\nfriction = 0.1\n");
     const System system(base.model);
     const auto make = [&] {
         return EquilibriumAdjoint(system,

@@ -215,7 +215,8 @@ TEST_CASE("What is wrong with drives is said where it stands", "[deck]") {
                       "\"\nquantities = [\"" + quantity + "\"]\n");
     };
     CHECK(history("pull", "tendon_length") == "");
-    CHECK_THAT(history("pull", "position"), Contains("a tendon has tendon_length, tendon_tension and tendon_end_tension only"));
+    CHECK_THAT(history("pull", "position"),
+               Contains("a tendon has tendon_length, tendon_tension and tendon_end_tension only"));
     CHECK(history("pull", "tendon_end_tension") == "");
     CHECK_THAT(history("r.end", "tendon_tension"), Contains("only tendons have it"));
     CHECK_THAT(faults("[[actuation]]\non = \"r\"\n"), Contains("actuation[0]: missing; expected stretch or"));
@@ -247,8 +248,9 @@ TEST_CASE("Keys of friction that a tendon cannot have are faults", "[deck]") {
     CHECK_THAT(faults("[tendon.pull]\non = \"r\"\nshortening = 0\nfriction = 0.1\n"),
                Contains("tendon.pull.friction") && Contains("goes with a tension"));
     const std::string pushed = "[tendon.pull]\non = \"r\"\nfriction = 0.1\ntension = ";
-    CHECK_THAT(faults(pushed + "-3\n"),
-               Contains("tendon.pull.tension") && Contains("is -3 at t = 0; ") && Contains("expected at least 0"));
+    CHECK_THAT(
+        faults(pushed + "-3\n"),
+        Contains("tendon.pull.tension") && Contains("is -3 at t = 0; ") && Contains("expected at least 0"));
     CHECK_THAT(faults(pushed + "\"1 - 2*t\"\n"), Contains("is -1 at t = 1; "));
     CHECK_THAT(faults(pushed + "3\nfactor = -1\n"), Contains("is -3 at t = 0; "));
     CHECK(faults(pushed + "\"sin(pi*t)\"\n") == "");  // but for round-off at its end
