@@ -108,6 +108,7 @@ System::System(const Model& model, const Kernels& kernels, const ThreadTeam& tea
       drive_values_(model),
       tendon_lines_(model) {
     build_blocks();
+    memory_count_ += tendon_lines_.capstans().memory_count();
     build_pattern();
     build_batches();
     measure();

@@ -109,6 +109,7 @@ Instant System::instant(const State& state, double time, const std::vector<NodeM
     if (is_driven()) {
         drive_values_.move_to(time);
         if (drive_values_.have_pressures()) drive_values_.press(motions, model_->gravity(time).norm());
+        tendon_lines_.capstans().set_tensions(motions, state, time, drive_values_);
         instant.drives = &drive_values_;
     }
     return instant;
@@ -340,6 +341,7 @@ void System::commit(State& state, double time) const {
     joints_.commit(state);
     if (surroundings_) surroundings_->commit(state);
     const Instant now = instant(state, time);
+    tendon_lines_.capstans().commit(state, time);
     for_each_block(blocks_, [&](const auto& block) {
         if (std::remove_cvref_t<decltype(block)>::history_count == 0 && block.first_memory.empty()) return;
         team_->for_each_range(block.elements.size(), [&](std::size_t first, std::size_t last) {

@@ -5,14 +5,23 @@
 #include <span>
 
 #include "assembly/element_geometry.hpp"
-#include "elements/rod/rod_element.hpp"
+#include "elements/rod/tendon_slopes.hpp"
 
 namespace gxrod {
 
 class TendonLine::Piece {
   public:
+    struct WeightedStretch {
+        double weight, stretch;
+    };
+    struct TangentRequest {
+        bool at_start, at_end;
+        Eigen::Index columns;  // of gradients; 0: without
+    };
+
     virtual ~Piece() = default;
-    virtual double compute_start_length(const std::vector<Node>& nodes) const = 0;
+    // Appends the tendon's stretches at the element's force points at t = 0, and their weights.
+    virtual void add_start(const std::vector<Node>& nodes, std::vector<WeightedStretch>& stretches) const = 0;
     virtual double compute_length(const std::vector<NodeMotion>& motions, const State& state) const = 0;
     virtual void add_gradient(const std::vector<NodeMotion>& motions,
                               const State& state,
@@ -20,6 +29,11 @@ class TendonLine::Piece {
     virtual void add_hessian(const std::vector<NodeMotion>& motions,
                              const State& state,
                              Eigen::MatrixXd& hessian) const = 0;
+    // Of the element's force points, and of its start or its end where the tendon's is there.
+    virtual void add_tangents(const std::vector<NodeMotion>& motions,
+                              const State& state,
+                              TangentRequest request,
+                              std::vector<TendonTangent>& tangents) const = 0;
 };
 
 namespace {
@@ -39,7 +53,7 @@ class PieceOf final : public TendonLine::Piece {
         for (int i = 0; i < count; ++i) rows_[i] = 6 * Eigen::Index{places[i]};
     }
 
-    double compute_start_length(const std::vector<Node>& nodes) const override {
+    void add_start(const std::vector<Node>& nodes, std::vector<WeightedStretch>& stretches) const override {
         std::array<NodeMotion, count> start;
         Motions<count> pointers;
         for (int i = 0; i < count; ++i) {
@@ -49,11 +63,15 @@ class PieceOf final : public TendonLine::Piece {
         std::array<SectionHistory, E::history_count + 1> axes;  // one more: none has a size of zero
         const std::span<SectionHistory> own(axes.data(), E::history_count);
         element_.start(own);
-        return measure(pointers, {.axes = own, .drives = drives_});
+        for (const DrivenPoint& point : list_points(pointers, {.axes = own, .drives = drives_}))
+            stretches.push_back({point.weight, point.pulls.front().stretch});
     }
 
     double compute_length(const std::vector<NodeMotion>& motions, const State& state) const override {
-        return measure(motions_of(motions), histories(state));
+        double length = 0.0;
+        for (const DrivenPoint& point : list_points(motions_of(motions), histories(state)))
+            length += point.weight * point.pulls.front().stretch;
+        return length;
     }
 
     void add_gradient(const std::vector<NodeMotion>& motions,
@@ -78,13 +96,29 @@ class PieceOf final : public TendonLine::Piece {
         }
     }
 
+    void add_tangents(const std::vector<NodeMotion>& motions,
+                      const State& state,
+                      TangentRequest request,
+                      std::vector<TendonTangent>& tangents) const override {
+        const bool with_gradients = request.columns > 0;
+        const TendonSlopes<count> slopes =
+            compute_tendon_slopes(element_, motions_of(motions), histories(state), with_gradients);
+        const std::size_t first = request.at_start ? 0 : 1;
+        const std::size_t end = slopes.size() - (request.at_end ? 0 : 1);
+        for (std::size_t i = first; i < end; ++i) {
+            TendonTangent& tangent = tangents.emplace_back(slopes[i].weight, slopes[i].slope);
+            if (!with_gradients) continue;
+            tangent.gradient = Eigen::Matrix3Xd::Zero(3, request.columns);
+            for (int k = 0; k < count; ++k)
+                tangent.gradient.middleCols<6>(rows_[k]) += slopes[i].gradient.template middleCols<6>(6 * k);
+        }
+    }
+
   private:
-    double measure(const Motions<count>& motions, Histories histories) const {
+    std::vector<DrivenPoint> list_points(const Motions<count>& motions, Histories histories) const {
         std::vector<DrivenPoint> points;
         element_.add_driven_points(motions, histories, points);
-        double length = 0.0;
-        for (const DrivenPoint& point : points) length += point.weight * point.pulls.front().stretch;
-        return length;
+        return points;
     }
     Motions<count> motions_of(const std::vector<NodeMotion>& nodes) const {
         Motions<count> motions;
@@ -162,7 +196,12 @@ TendonLine::TendonLine(const Model& model, const Tendon& tendon) {
             }
         });
     }
-    for (const auto& piece : pieces_) start_length_ += piece->compute_start_length(model.nodes);
+    std::vector<Piece::WeightedStretch> start;
+    for (const auto& piece : pieces_) piece->add_start(model.nodes, start);
+    for (const auto& [weight, stretch] : start) {
+        start_length_ += weight * stretch;
+        start_stretches_.push_back(stretch);
+    }
 }
 
 double TendonLine::compute_length(const std::vector<NodeMotion>& motions, const State& state) const {
@@ -183,6 +222,18 @@ Eigen::MatrixXd TendonLine::compute_hessian(const std::vector<NodeMotion>& motio
     Eigen::MatrixXd hessian = Eigen::MatrixXd::Zero(size(), size());
     for (const auto& piece : pieces_) piece->add_hessian(motions, state, hessian);
     return hessian;
+}
+
+std::vector<TendonTangent> TendonLine::list_tangents(const std::vector<NodeMotion>& motions,
+                                                     const State& state,
+                                                     bool with_gradients) const {
+    std::vector<TendonTangent> tangents;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+        const Piece::TangentRequest request{
+            i == 0, i + 1 == pieces_.size(), with_gradients ? size() : Eigen::Index{0}};
+        pieces_[i]->add_tangents(motions, state, request, tangents);
+    }
+    return tangents;
 }
 
 }  // namespace gxrod

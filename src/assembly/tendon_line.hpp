@@ -9,6 +9,13 @@
 
 namespace gxrod {
 
+// Where a tendon goes at one of its force points, or at an end, and the derivative of that by its nodes.
+struct TendonTangent {
+    double weight = 0.0;        // of the force point, in the rod's arc length; 0 at an end
+    Vec3 slope = Vec3::Zero();  // of the tendon by that arc length, spatial
+    Eigen::Matrix3Xd gradient;  // empty where it is not asked for
+};
+
 // The part of a tendon within its rod, as the elements there see it: how long it is, and how that follows the
 // nodes (docs/theory/drives.md). Derivatives are by the displacements and spatial spins (δr, δφ) of these
 // nodes, six of each, in the order of `nodes`.
@@ -20,6 +27,8 @@ class TendonLine {
     const std::vector<int>& nodes() const { return nodes_; }
     // At t = 0.
     double start_length() const { return start_length_; }
+    // By the rod's arc length at each force point, likewise.
+    const std::vector<double>& start_stretches() const { return start_stretches_; }
 
     // Of these motions of all nodes of the model; the state has the histories of sections.
     double compute_length(const std::vector<NodeMotion>& motions, const State& state) const;
@@ -27,6 +36,10 @@ class TendonLine {
     Eigen::VectorXd compute_gradient(const std::vector<NodeMotion>& motions, const State& state) const;
     // The derivative of that; off equilibrium not symmetric.
     Eigen::MatrixXd compute_hessian(const std::vector<NodeMotion>& motions, const State& state) const;
+    // At the tendon's start, at its force points and at its end.
+    std::vector<TendonTangent> list_tangents(const std::vector<NodeMotion>& motions,
+                                             const State& state,
+                                             bool with_gradients) const;
 
     class Piece;  // within one element
 
@@ -36,6 +49,7 @@ class TendonLine {
     std::vector<int> nodes_;
     std::vector<std::shared_ptr<const Piece>> pieces_;
     double start_length_ = 0.0;
+    std::vector<double> start_stretches_;
 };
 
 }  // namespace gxrod

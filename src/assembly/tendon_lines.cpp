@@ -12,6 +12,7 @@ bool has_winch(const Tendon& tendon) { return tendon.winch.has_value(); }
 TendonLines::TendonLines(const Model& model)
     : model_(&model),
       have_winches_(std::ranges::any_of(model.tendons, has_winch)),
+      capstans_(model),
       drives_(model, have_winches_ ? TendonsIn::all : TendonsIn::none) {
     for (const Tendon& tendon : model.tendons) lines_.emplace_back(model, tendon);
 }
@@ -34,7 +35,9 @@ std::vector<TendonValues> TendonLines::compute_values(const State& state,
     const std::vector<double> tensions = find_tensions(of_joints, time);
     std::vector<TendonValues> values;
     for (std::size_t i = 0; i < lines_.size(); ++i)
-        values.push_back({lines_[i].compute_length(state.trial, state), tensions[i]});
+        values.push_back({lines_[i].compute_length(state.trial, state),
+                          tensions[i],
+                          capstans_.find_end_tension(i, state, time).value_or(tensions[i])});
     return values;
 }
 
@@ -45,6 +48,7 @@ const DriveValues& TendonLines::drives_at(const State& state,
     drives_.move_to(time);
     if (drives_.have_pressures()) drives_.press(state.trial, model_->gravity(time).norm());
     drives_.set_tensions(find_tensions(joints.compute_joint_values(state, time), time));
+    capstans_.set_tensions(state.trial, state, time, drives_);
     return drives_;
 }
 

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "assembly/capstan_tension.hpp"
 #include "assembly/joint_assembly.hpp"
 #include "assembly/tendon_line.hpp"
 #include "loads/drive_values.hpp"
@@ -23,6 +24,8 @@ class TendonLines {
                                              double time) const;
     // Whether winches pull any.
     bool have_winches() const { return have_winches_; }
+    // Of those with friction.
+    const CapstanTensions& capstans() const { return capstans_; }
     // What acts within sections, tendons that winches pull included.
     const DriveValues& drives_at(const State& state, const JointAssembly& joints, double time) const;
 
@@ -32,6 +35,7 @@ class TendonLines {
     const Model* model_;
     bool have_winches_;
     std::vector<TendonLine> lines_;
+    CapstanTensions capstans_;
     mutable DriveValues drives_;
 };
 

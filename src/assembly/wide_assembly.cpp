@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assembly/capstan_rows.hpp"
 #include "assembly/scatter.hpp"
 #include "assembly/tendon_rows.hpp"
 #include "constraints/joints/list_wide_rows.hpp"
@@ -35,6 +36,7 @@ void visit_parts(const std::vector<int>& nodes, const Eigen::VectorXd& vector, V
 }  // namespace
 
 WideAssembly::WideAssembly(const Model& model) : rows_(list_wide_rows(model)), first_(model.joints.size()) {
+    for (auto& tendon : list_capstan_rows(model)) rows_.push_back(std::move(tendon));
     for (auto& tendon : list_tendon_rows(model)) rows_.push_back(std::move(tendon));
 }
 

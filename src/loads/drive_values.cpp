@@ -144,6 +144,12 @@ void DriveValues::set_tensions(std::span<const double> tensions) {
     }
 }
 
+void DriveValues::set_tensions(std::size_t tendon, std::span<const double> at_points) {
+    const Strand& strand = strands_[tendon];
+    for (std::size_t i = 0; i < strand.size(); ++i)
+        drives_[strand[i].point].pulls[strand[i].pull].tension = at_points[i];
+}
+
 std::span<const PointDrive> DriveValues::of(int rod, int element) const {
     if (!is_driven(rod)) return {};
     const auto order = static_cast<std::size_t>(model_->rods[static_cast<std::size_t>(rod)].order);

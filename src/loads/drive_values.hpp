@@ -27,6 +27,8 @@ class DriveValues {
     void move_to(double time);
     // Of all tendons of the model, whatever their functions say, until the time changes.
     void set_tensions(std::span<const double> tensions);
+    // Of one tendon at each of its force points, from the rod's start to its end.
+    void set_tensions(std::size_t tendon, std::span<const double> at_points);
     // Where the rods are: of strains by the pressure of water and of contents, which depend on the depth. Of
     // gravity the size. Before what acts is asked for, and after move_to.
     void press(const std::vector<NodeMotion>& motions, double gravity);

@@ -40,16 +40,24 @@ struct TendonWinch {
     bool is_released = false;  // in the stage at hand
 };
 
-// A tendon that slides without friction along a path in a rod, fixed to it at both ends. The rod is one line,
-// and has nodes where the tendon starts and ends, and where its path has a kink.
+// What rubs a tendon in its path: along it |dT| ≤ coefficient T |dφ|, φ the turning of its direction.
+struct CapstanFriction {
+    double coefficient = 0.0;        // not negative
+    double stiffness = 0.0;          // EA, by which the tension follows its stretch where it sticks
+    bool is_pulled_at_start = true;  // where its tension is given; it is anchored at its other end
+};
+
+// A tendon that slides along a path in a rod, fixed to it at both ends. The rod is one line, and has nodes
+// where the tendon starts and ends, and where its path has a kink.
 struct Tendon {
     std::string name;
     int rod = 0;
     double from = 0.0;       // arc length
     double to = 0.0;         // greater
     TimeFunction tension{};  // a chamber under the pressure p, of the area A across, has −p A
-    std::function<TendonPlace(double s)> path{};  // of arc lengths between from and to, not at kinks
-    std::optional<TendonWinch> winch = {};        // of one whose tension is not prescribed but follows
+    std::function<TendonPlace(double s)> path{};   // of arc lengths between from and to, not at kinks
+    std::optional<TendonWinch> winch = {};         // of one whose tension is not prescribed but follows
+    std::optional<CapstanFriction> friction = {};  // of one whose tension is prescribed where it is pulled
 };
 
 }  // namespace gxrod

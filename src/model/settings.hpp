@@ -188,7 +188,8 @@ enum class Quantity {
     fluid_force,
     bed_force,
     tendon_length,
-    tendon_tension
+    tendon_tension,
+    tendon_end_tension
 };
 
 // Names a point and what to record there at every accepted step.

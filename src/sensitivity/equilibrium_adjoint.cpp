@@ -29,9 +29,10 @@ void check_memory(const Model& model) {
         return joint.turn.friction.acts() || joint.slide.friction.acts();
     };
     const auto rubs_along = [](const Sleeve& sleeve) { return sleeve.slide.friction.acts(); };
+    const auto rubs_in_path = [](const Tendon& tendon) { return tendon.friction.has_value(); };
     const std::optional<Seabed>& seabed = model.surroundings.seabed;
     if ((seabed && seabed->has_friction()) || std::ranges::any_of(model.joints, rubs) ||
-        std::ranges::any_of(model.sleeves, rubs_along))
+        std::ranges::any_of(model.sleeves, rubs_along) || std::ranges::any_of(model.tendons, rubs_in_path))
         throw std::invalid_argument(
             "an equilibrium with friction depends on how it was reached: carry derivatives along instead");
 }

@@ -15,6 +15,7 @@ bool have_equal_forms(const Model& a, const Model& b) {
     };
     const auto equal_tendons = [](const Tendon& one, const Tendon& other) {
         return one.winch.has_value() == other.winch.has_value() &&
+               one.friction.has_value() == other.friction.has_value() &&
                (!one.winch || (one.winch->stiffness > 0.0) == (other.winch->stiffness > 0.0));
     };
     return a.nodes.size() == b.nodes.size() && a.bodies.size() == b.bodies.size() &&

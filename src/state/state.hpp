@@ -32,12 +32,13 @@ struct AlgorithmicAcceleration {
 // What evolves. Copying it is all that is needed to come back to it; a step that is not to be committed needs
 // less, see undo_trial.
 struct State {
-    double time = 0.0;                                      // of `previous`
-    double trial_time = 0.0;                                // of `trial`
-    std::vector<NodeMotion> previous;                       // per node, at the last accepted step
-    std::vector<NodeMotion> trial;                          // per node, where equilibrium is asked
-    std::vector<SectionHistory> sections;                   // per force point, in element order
-    std::vector<double> law_memory;                         // per force point with a law, of `previous`
+    double time = 0.0;                     // of `previous`
+    double trial_time = 0.0;               // of `trial`
+    std::vector<NodeMotion> previous;      // per node, at the last accepted step
+    std::vector<NodeMotion> trial;         // per node, where equilibrium is asked
+    std::vector<SectionHistory> sections;  // per force point, in element order
+    // Per force point with a law, then the tensions of tendons with friction; of `previous`.
+    std::vector<double> law_memory;
     std::vector<BedContact> bed_contacts;                   // per piece that can touch, of `previous`
     std::vector<JointState> joints_previous, joints_trial;  // per joint
     // Resultants (N, M) per force point, material, that the mixed tangent is made of; empty with any other.

@@ -219,6 +219,7 @@ Turning turning_of(Quantity quantity, const HistoryRequest& request) {
         case Quantity::wet_fraction:
         case Quantity::tendon_length:
         case Quantity::tendon_tension:
+        case Quantity::tendon_end_tension:
             return Turning::none;
         case Quantity::orientation:
             return Turning::attitude;

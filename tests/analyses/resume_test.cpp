@@ -112,7 +112,7 @@ std::string with_winch(const std::string& deck, const std::string& lines) {
                     "[body.b]",
                     "[tendon.t]\non = \"r\"\noffset = [0.05, \"0.02*s\"]\n" + lines +
                         "[[history]]\nname = \"tendon\"\nat = \"t\"\nquantities = [\"tendon_length\", "
-                        "\"tendon_tension\"]\n[body.b]");
+                        "\"tendon_tension\", \"tendon_end_tension\"]\n[body.b]");
 }
 
 std::string with_law(const std::string& deck, const std::string& law) {
@@ -144,6 +144,9 @@ TEST_CASE("A resumed run equals one in one piece to the last bit", "[analyses][r
                    "shortening = \"0.01*sin(9*t)^2\"\nslack = false\n"),
         with_winch(swinging, "shortening = \"0.01*t\"\nstiffness = 100\n"),
         with_winch(swinging, "tension = \"3*t\"\n"),
+        with_winch(swinging, "tension = \"9*sin(9*t)^2\"\nfriction = 0.5\nstiffness = 50\n"),
+        with_winch(with_integrator("sdirk-4"), "tension = \"9*sin(9*t)^2\"\nfriction = 0.5\n"),
+        with_winch(loaded(), "tension = 3\nfriction = 0.5\n"),
         with_winch(loaded(), "shortening = 0.01\n"),
         loaded(),
         replaced(loaded(), "elements = 4", "elements = 2\norder = 3\nelement = \"simo\""));

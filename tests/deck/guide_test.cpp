@@ -55,8 +55,9 @@ TEST_CASE("The materials of the guide are sections with laws", "[deck]") {
 
 TEST_CASE("The tendons and muscles of the guide are a deck", "[deck]") {
     const Model model = read(toml_of("tendons.md")).model;
-    REQUIRE(model.tendons.size() == 4);
-    CHECK(model.tendons[3].winch->shortening(0.5) == 1e-3);
+    REQUIRE(model.tendons.size() == 5);
+    CHECK(model.tendons[3].friction->coefficient == 0.2);
+    CHECK(model.tendons[4].winch->shortening(0.5) == 1e-3);
     CHECK(model.tendons[1].to == Approx(0.375));
     CHECK(model.actuations.size() == 2);
     CHECK(model.distributed_loads.at(0).field);

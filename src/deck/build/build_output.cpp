@@ -81,7 +81,8 @@ bool is_of_springs(Quantity quantity) {
 }
 
 bool is_of_tendons(Quantity quantity) {
-    return quantity == Quantity::tendon_length || quantity == Quantity::tendon_tension;
+    return quantity == Quantity::tendon_length || quantity == Quantity::tendon_tension ||
+           quantity == Quantity::tendon_end_tension;
 }
 
 bool is_of_bushings(Quantity quantity) {
@@ -282,7 +283,9 @@ std::string explain_missing_surroundings(Quantity quantity, const HistoryPlace& 
 // Why the point has no such quantity, or "".
 std::string explain_missing(Quantity quantity, const HistoryPlace& point, const Model& model) {
     if (point.tendon >= 0)
-        return is_of_tendons(quantity) ? "" : "a tendon has tendon_length and tendon_tension only";
+        return is_of_tendons(quantity)
+                   ? ""
+                   : "a tendon has tendon_length, tendon_tension and tendon_end_tension only";
     if (is_of_tendons(quantity)) return "only tendons have it";
     if (point.gear >= 0) {
         const bool has_it = quantity == Quantity::drive || quantity == Quantity::gap;

@@ -1,5 +1,10 @@
 #include "deck/checks/check_functions.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "deck/build/acting.hpp"
 #include "deck/build/part.hpp"
 #include "deck/build/sample_times.hpp"
@@ -87,6 +92,32 @@ void check_by_time(const CheckedTable& table,
         check({component.expression.by_time, component.place, component.path}, times, context);
 }
 
+// With friction a tendon only pulls.
+void check_pull(const CheckedTable& tendon, const std::vector<double>& times, const BuildContext& context) {
+    constexpr double round_off = 1e-12;
+    if (!tendon.gives("tension") || tendon.get<double>("friction") == 0.0) return;
+    const auto& tension = tendon.get<CheckedTimeFunction>("tension");
+    const TimeFunction pull = find_acting(tendon, context).apply(tension.function);
+    double largest = 0.0, least = 0.0, when = 0.0;
+    try {
+        for (const double time : times) {
+            const double value = pull(time);
+            largest = std::max(largest, std::abs(value));
+            if (value < least) when = time;
+            least = std::min(least, value);
+        }
+    } catch (const EvaluationError&) {
+        return;  // said already
+    }
+    if (least >= -round_off * largest) return;
+    context.faults.add(tension.place,
+                       tension.path,
+                       fmt::format("is {} at t = {}; a tendon with friction only pulls: expected at least 0, "
+                                   "such as max(…, 0)",
+                                   least,
+                                   when));
+}
+
 void check_drives(const std::vector<double>& times, const BuildContext& context) {
     for (const char* kind : {"tendon", "actuation", "magnetic"}) {
         for (const CheckedTable& table : context.deck.tables(kind)) {
@@ -95,6 +126,7 @@ void check_drives(const std::vector<double>& times, const BuildContext& context)
             for (const char* key : {"tension", "shortening", "length"}) {
                 if (table.gives(key)) check(table.get<CheckedTimeFunction>(key), times, context);
             }
+            if (std::string_view(kind) == "tendon") check_pull(table, times, context);
             check_by_time(table, "field", times, context);
             check_along(table, context);
         }

@@ -9,6 +9,7 @@
 #include "deck/checks/check_moves.hpp"
 #include "deck/drives/place_field.hpp"
 #include "deck/drives/tendon_path.hpp"
+#include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 
 namespace gxrod {
@@ -45,12 +46,11 @@ bool is_explicit(const AnalysisSettings& analysis) {
 
 // Keys that need a winch, or do not go with one.
 void check_winch_keys(const CheckedTable& table, const BuildContext& context) {
-    if (table.gives("tension")) {
-        for (const char* key : {"stiffness", "slack"}) {
-            if (table.gives(key))
-                context.add_fault(table, key, "goes with shortening or length, not with a tension");
-        }
-    }
+    if (table.gives("tension") && table.gives("slack"))
+        context.add_fault(table, "slack", "goes with shortening or length, not with a tension");
+    if (table.gives("tension") && table.gives("stiffness") && table.get<double>("friction") == 0.0)
+        context.add_fault(
+            table, "stiffness", "goes with shortening or length, or with a tension and friction");
     if (table.gives("length") && table.gives("factor"))
         context.add_fault(table, "factor", "of a length has no meaning; expected shortening in its place");
 }
@@ -85,6 +85,27 @@ std::optional<TendonWinch> make_winch(const CheckedTable& table,
     return winch;
 }
 
+// A winch's length would depend on the tension all along.
+std::optional<CapstanFriction> make_friction(const CheckedTable& table, const BuildContext& context) {
+    const double coefficient = table.get<double>("friction");
+    if (coefficient == 0.0) {
+        if (table.gives("pulled_at"))
+            context.add_fault(table, "pulled_at", "goes with friction; without it both ends are alike");
+        return std::nullopt;
+    }
+    if (!table.gives("tension")) {
+        context.add_fault(table,
+                          "friction",
+                          "goes with a tension, not with shortening or length; expected tension, which an "
+                          "input can control");
+        return std::nullopt;
+    }
+    return CapstanFriction{
+        .coefficient = coefficient,
+        .stiffness = table.gives("stiffness") ? table.get<double>("stiffness") : 0.0,
+        .is_pulled_at_start = value_of(tendon_end_choices, table.get<std::string>("pulled_at"))};
+}
+
 void add_tendon(const CheckedTable& table, BuildContext& context) {
     const std::optional<int> rod = find_rod(table, tendon_table(), context);
     const std::optional<TendonRange> range = find_tendon_range(table, context);
@@ -99,7 +120,8 @@ void add_tendon(const CheckedTable& table, BuildContext& context) {
                   .from = range->from * length,
                   .to = range->to * length,
                   .path = make_tendon_path(table.get<CheckedTendonPath>("offset"), *range, length),
-                  .winch = make_winch(table, length, acting, context)};
+                  .winch = make_winch(table, length, acting, context),
+                  .friction = make_friction(table, context)};
     if (!tendon.winch) tendon.tension = acting.apply(table.get<CheckedTimeFunction>("tension").function);
     if (context.stage == 0) check_path(table, tendon, context);
     context.model.tendons.push_back(std::move(tendon));

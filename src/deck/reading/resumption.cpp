@@ -97,7 +97,8 @@ bool have_same_mesh(const Model& before, const Model& now) {
         return a.name == b.name && a.rod == b.rod && same_end(a.point, b.point);
     };
     const auto same_tendon = [&](const Tendon& a, const Tendon& b) {
-        return a.name == b.name && a.winch.has_value() == b.winch.has_value();
+        return a.name == b.name && a.winch.has_value() == b.winch.has_value() &&
+               a.friction.has_value() == b.friction.has_value();
     };
     return std::ranges::equal(before.nodes, now.nodes, same_node) &&
            std::ranges::equal(before.rods, now.rods, same_rod) &&

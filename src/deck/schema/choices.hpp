@@ -39,6 +39,9 @@ inline constexpr std::array<Choice<JointKind>, 11> joint_kind_choices{{{"ball", 
 inline constexpr std::array<Choice<InputHold>, 2> input_hold_choices{
     {{"step", InputHold::step}, {"linear", InputHold::linear}}};
 
+// Whether a tendon with friction is pulled at its start.
+inline constexpr std::array<Choice<bool>, 2> tendon_end_choices{{{"from", true}, {"to", false}}};
+
 inline constexpr std::array<Choice<Frame>, 3> frame_choices{
     {{"spatial", Frame::spatial}, {"follower", Frame::follower}, {"body", Frame::body}}};
 
@@ -110,7 +113,7 @@ inline constexpr std::array<Choice<int>, 3> direction_choices{{{"x", 0}, {"y", 1
 inline constexpr std::array<Choice<Compression>, 2> compression_choices{
     {{"none", Compression::none}, {"deflate", Compression::deflate}}};
 
-inline constexpr std::array<Choice<Quantity>, 37> quantity_choices{
+inline constexpr std::array<Choice<Quantity>, 38> quantity_choices{
     {{"position", Quantity::position},
      {"displacement", Quantity::displacement},
      {"rotation_vector", Quantity::rotation_vector},
@@ -147,7 +150,8 @@ inline constexpr std::array<Choice<Quantity>, 37> quantity_choices{
      {"fluid_force", Quantity::fluid_force},
      {"bed_force", Quantity::bed_force},
      {"tendon_length", Quantity::tendon_length},
-     {"tendon_tension", Quantity::tendon_tension}}};
+     {"tendon_tension", Quantity::tendon_tension},
+     {"tendon_end_tension", Quantity::tendon_end_tension}}};
 
 template <class Value, std::size_t count>
 std::vector<std::string> words_of(const std::array<Choice<Value>, count>& choices) {

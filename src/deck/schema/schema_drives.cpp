@@ -1,3 +1,4 @@
+#include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 
 // [tendon.NAME], [[actuation]] and [[magnetic]]: what acts from inside.
@@ -34,7 +35,7 @@ const TableSpec& tendon_table() {
         .path = "tendon.NAME",
         .heading = "[tendon.NAME]",
         .sentence =
-            "A tendon that slides without friction along a path within a rod, fixed to it at both ends. "
+            "A tendon that slides along a path within a rod, fixed to it at both ends. "
             "[Tendons and muscles](guide/tendons.md) explains it.",
         .keys = {on_key(),
                  {.name = "offset",
@@ -49,8 +50,8 @@ const TableSpec& tendon_table() {
                   .type = ValueType::time_expression,
                   .dimension = force_dimension,
                   .sentence =
-                      "The same all along. Below 0 it pushes: −p A of a chamber of the area A across, under "
-                      "the pressure p."},
+                      "The same all along; with friction where it is pulled. Below 0 it pushes: −p A of a "
+                      "chamber of the area A across, under the pressure p."},
                  {.name = "shortening",
                   .type = ValueType::time_expression,
                   .dimension = "length",
@@ -67,7 +68,20 @@ const TableSpec& tendon_table() {
                   .dimension = force_dimension,
                   .range = {.lower = 0.0, .at_lower = Bound::open},
                   .default_text = "does not stretch",
-                  .sentence = "EA of a tendon with a winch: a force over the strain that it causes."},
+                  .sentence = "EA of a tendon with a winch, or of one that sticks by friction: a force over "
+                              "the strain that it causes."},
+                 {.name = "friction",
+                  .type = ValueType::number,
+                  .dimension = "1",
+                  .range = {.lower = 0.0},
+                  .default_value = 0.0,
+                  .sentence = "Coefficient μ of a tendon whose tension is given: where the tendon turns by "
+                              "dφ its tension changes by μ T dφ as it slips."},
+                 {.name = "pulled_at",
+                  .type = ValueType::choice,
+                  .default_value = "from",
+                  .sentence = "With friction, the end that has the tension; the other one is anchored.",
+                  .choices = words_of(tendon_end_choices)},
                  {.name = "slack",
                   .type = ValueType::flag,
                   .default_text = "true",

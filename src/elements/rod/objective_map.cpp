@@ -75,6 +75,17 @@ Quat ObjectiveMap<Nodes>::interpolate_axes(const NodeValues<Nodes>& shape) const
     return frame_ * exp_quaternion(local_.theta * shape);
 }
 
+template <int Nodes>
+Eigen::Matrix<double, 3, 6 * Nodes> ObjectiveMap<Nodes>::compute_frame_spin() const {
+    FrameRows spin = FrameRows::Zero();
+    const auto turn_out = [&](const Mat3& share) -> Mat3 {
+        return frame_matrix_ * share * frame_matrix_.transpose();
+    };
+    spin.template middleCols<3>(6 * a + 3) = turn_out(share_of_a_);
+    if constexpr (has_pair) spin.template middleCols<3>(6 * b + 3) = turn_out(share_of_b_);
+    return spin;
+}
+
 // ω = R (T(ψ) ψ̇ + ω_R), ψ = Σ N_I ψ_I.
 template <int Nodes>
 Vec3 ObjectiveMap<Nodes>::interpolate_spin(const Motions<Nodes>& motions,

@@ -21,6 +21,8 @@ class ObjectiveMap {
     const LocalMotion<Nodes>& local() const { return local_; }
     LocalMotion<Nodes> compute_rates(const Motions<Nodes>& motions) const;
     Quat turn_out(const Quat& axes) const { return frame_ * axes; }
+    // How R turns with the nodes: its spin by (δr, δφ), spatial.
+    Eigen::Matrix<double, 3, 6 * Nodes> compute_frame_spin() const;
     // Section axes between the nodes, and their angular velocity; `shape` are the shape functions there.
     Quat interpolate_axes(const NodeValues<Nodes>& shape) const;
     Vec3 interpolate_spin(const Motions<Nodes>& motions, const NodeValues<Nodes>& shape) const;

@@ -19,6 +19,10 @@ class SimoMap {
     LocalMotion<Nodes> compute_rates(const Motions<Nodes>& motions) const;
     // Section axes of a point with what is remembered of it.
     Quat turn_out(const Quat& axes) const { return axes; }
+    // See ObjectiveMap: there is no frame.
+    static Eigen::Matrix<double, 3, 6 * Nodes> compute_frame_spin() {
+        return Eigen::Matrix<double, 3, 6 * Nodes>::Zero();
+    }
     // The largest relative rotation that the interpolation takes for the short way round: none here.
     double largest_relative_rotation() const { return 0.0; }
 

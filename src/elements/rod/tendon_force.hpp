@@ -2,9 +2,9 @@
 
 #include "state/point_drive.hpp"
 
-// What a tendon does to the section it passes through. A tendon slides without friction along its path, d in
-// the section's axes, so that its tension T is the same all along; its potential per length of the rod is
-// T |q|, q = Γ + K × d + d′ (docs/theory/drives.md). Strains are total, (Γ + Γ₀, K + K₀): Γ is Λᵀ r′.
+// What a tendon does to the section it passes through. A tendon slides along its path, d in the section's
+// axes; the potential of its tension T per length of the rod is T |q|, q = Γ + K × d + d′
+// (docs/theory/drives.md). Strains are total, (Γ + Γ₀, K + K₀): Γ is Λᵀ r′.
 namespace gxrod {
 
 // |q|: the length of the tendon per reference length of the rod.

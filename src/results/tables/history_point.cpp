@@ -244,7 +244,8 @@ HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snaps
     if (spring_) return {spring_value(quantity, snapshot)};
     if (tendon_ >= 0) {
         const TendonValues& tendon = snapshot.tendons[static_cast<std::size_t>(tendon_)];
-        return {quantity == Quantity::tendon_length ? tendon.length : tendon.tension};
+        if (quantity == Quantity::tendon_length) return {tendon.length};
+        return {quantity == Quantity::tendon_tension ? tendon.tension : tendon.end_tension};
     }
     if (joint_ >= 0) return joint_value(quantity, snapshot.joints[static_cast<std::size_t>(joint_)]);
     const Seen seen = see_from_reference(snapshot);
@@ -304,6 +305,7 @@ HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snaps
         case Quantity::gap:
         case Quantity::tendon_length:
         case Quantity::tendon_tension:
+        case Quantity::tendon_end_tension:
             break;  // of springs, joints and tendons only
     }
     assert(false);

@@ -99,8 +99,15 @@ QuantityForm tendon_form(Quantity quantity) {
     if (quantity == Quantity::tendon_length)
         return {{"tendon_length", "length of the tendon's part within the rod", "none", "length"},
                 scalar_row};
+    if (quantity == Quantity::tendon_end_tension)
+        return {{"tendon_end_tension", "tension of the tendon where it is anchored", "none", "force"},
+                scalar_row};
     assert(quantity == Quantity::tendon_tension);
-    return {{"tendon_tension", "tension of the tendon, the same all along", "none", "force"}, scalar_row};
+    return {{"tendon_tension",
+             "tension of the tendon where it is pulled; without friction the same all along",
+             "none",
+             "force"},
+            scalar_row};
 }
 
 // Of a gear.
@@ -196,6 +203,7 @@ QuantityForm quantity_form(Quantity quantity, PointKind kind) {
                     scalar_row};
         case Quantity::tendon_length:
         case Quantity::tendon_tension:
+        case Quantity::tendon_end_tension:
             return tendon_form(quantity);
         case Quantity::effective_tension:
         case Quantity::wall_tension:

@@ -153,7 +153,11 @@ inline const DatasetLabel sections_label{
     "none",
     ""};
 inline const DatasetLabel law_memory_label{
-    "law_memory", "of each force point whose section has a law: what that remembers", "none", ""};
+    "law_memory",
+    "of each force point whose section has a law: what that remembers; of each tendon with friction: its "
+    "tensions from where it is pulled to where it is anchored",
+    "none",
+    ""};
 inline const DatasetLabel bed_contacts_label{
     "bed_contacts",
     "of each piece of a rod that rubs on the ground: whether it touches, and to where friction pulls it",

@@ -215,7 +215,9 @@ TEST_CASE("What is wrong with drives is said where it stands", "[deck]") {
                       "\"\nquantities = [\"" + quantity + "\"]\n");
     };
     CHECK(history("pull", "tendon_length") == "");
-    CHECK_THAT(history("pull", "position"), Contains("a tendon has tendon_length and tendon_tension only"));
+    CHECK_THAT(history("pull", "position"),
+               Contains("a tendon has tendon_length, tendon_tension and tendon_end_tension only"));
+    CHECK(history("pull", "tendon_end_tension") == "");
     CHECK_THAT(history("r.end", "tendon_tension"), Contains("only tendons have it"));
     CHECK_THAT(faults("[[actuation]]\non = \"r\"\n"), Contains("actuation[0]: missing; expected stretch or"));
     CHECK_THAT(faults("[[actuation]]\non = \"r\"\ncurvature = [0, 0, \"1/(s - 5)\"]\n"),
@@ -229,6 +231,29 @@ TEST_CASE("What is wrong with drives is said where it stands", "[deck]") {
                Contains("magnetic[0].moment: missing"));
     CHECK_THAT(faults("[[magnetic]]\non = \"r\"\nmoment = [1, 0, 0]\nfield = [0, 0, \"1/(t - 0.5)\"]\n"),
                Contains("magnetic[0].field[2]") && Contains("is inf at t = 0.5"));
+}
+
+TEST_CASE("Keys of friction that a tendon cannot have are faults", "[deck]") {
+    const auto faults = [](const std::string& lines) { return faults_of(with(lines + "offset = [0, 1]\n")); };
+    CHECK(faults(tendon + "friction = 0.2\npulled_at = \"to\"\nstiffness = 7\n") == "");
+    CHECK(faults(tendon + "friction = 0\n") == "");
+    CHECK_THAT(faults(tendon + "friction = -0.1\n"),
+               Contains("x.toml:16") && Contains("tendon.pull.friction") && Contains("at least 0"));
+    CHECK_THAT(faults(tendon + "mu = 0.1\n"), Contains("tendon.pull.mu") && Contains("friction"));
+    CHECK_THAT(faults(tendon + "friction = 0.1\npulled_at = \"start\"\n"),
+               Contains("tendon.pull.pulled_at") && Contains("\"from\"") && Contains("\"to\""));
+    CHECK_THAT(faults(tendon + "pulled_at = \"to\"\n"),
+               Contains("tendon.pull.pulled_at") && Contains("goes with friction"));
+    CHECK_THAT(faults(tendon + "friction = 0.1\nslack = false\n"), Contains("tendon.pull.slack"));
+    CHECK_THAT(faults("[tendon.pull]\non = \"r\"\nshortening = 0\nfriction = 0.1\n"),
+               Contains("tendon.pull.friction") && Contains("goes with a tension"));
+    const std::string pushed = "[tendon.pull]\non = \"r\"\nfriction = 0.1\ntension = ";
+    CHECK_THAT(
+        faults(pushed + "-3\n"),
+        Contains("tendon.pull.tension") && Contains("is -3 at t = 0; ") && Contains("expected at least 0"));
+    CHECK_THAT(faults(pushed + "\"1 - 2*t\"\n"), Contains("is -1 at t = 1; "));
+    CHECK_THAT(faults(pushed + "3\nfactor = -1\n"), Contains("is -3 at t = 0; "));
+    CHECK(faults(pushed + "\"sin(pi*t)\"\n") == "");  // but for round-off at its end
 }
 
 TEST_CASE("A tendon that asks for more nodes than there are elements says so", "[deck]") {

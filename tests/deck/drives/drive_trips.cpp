@@ -25,6 +25,14 @@ std::vector<RoundTrip> tendon_trips() {
             {"tendon.NAME.slack",
              rod_deck + drawn + "shortening = 0\nslack = false\n",
              [=](const Problem& p) { return !first(p).winch->pulls_only; }},
+            {"tendon.NAME.friction",
+             rod_deck + lines + "friction = 0.3\n",
+             [=](const Problem& p) {
+                 return first(p).friction->coefficient == 0.3 && first(p).friction->is_pulled_at_start;
+             }},
+            {"tendon.NAME.pulled_at",
+             rod_deck + lines + "friction = 0.3\npulled_at = \"to\"\n",
+             [=](const Problem& p) { return !first(p).friction->is_pulled_at_start; }},
             {"tendon.NAME.on", rod_deck + lines, [=](const Problem& p) { return first(p).rod == 0; }},
             {"tendon.NAME.offset",
              rod_deck + lines,
