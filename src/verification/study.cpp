@@ -18,7 +18,7 @@ const std::vector<Study>& studies() {
             {"rod_schemes",
              "The integrators on flexible rods: errors of orientation, energy and momentum against cost",
              "order",
-             "asked by Rubin (2007); reference by sdirk-4 with many more steps",
+             "asked by Rubin (2007); reference by radau-5 with many more steps",
              rod_schemes::report},
             {"rubin2007",
              "The rigid body of Rubin (2007), section 6, by every scheme against its exact solution",
