@@ -200,9 +200,9 @@ class Deck:
                 if not any(np.allclose(place, other, atol=1e-9) for other in found[:index])]
 
     def places(self, names):
-        """Where the histories of these names are, without those of a body."""
+        """Where the histories of these names are, without those of a body or a tendon."""
         points = {history["name"]: history["at"] for history in self.tree.get("history", [])}
-        return [self.place(points[name])[0] for name in sorted(names)]
+        return [self.place(points[name])[0] for name in sorted(names) if points[name] not in self.tree.get("tendon", {})]
 
     def gravity(self):
         return self.largest(self.tree.get("gravity", [0, 0, 0]))[0]
