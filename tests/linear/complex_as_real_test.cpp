@@ -8,7 +8,7 @@
 using namespace gxrod;
 using namespace gxrod::tools;
 
-TEST_CASE("complex systems are solved as real ones of twice the size", "[solvers]") {
+TEST_CASE("complex systems are solved as real ones of twice the size", "[linear]") {
     for (const LinearSolverKind kind :
          {LinearSolverKind::chains, LinearSolverKind::klu, LinearSolverKind::umfpack}) {
         for (const int width : {1, 3}) {
@@ -36,7 +36,7 @@ TEST_CASE("complex systems are solved as real ones of twice the size", "[solvers
     }
 }
 
-TEST_CASE("a complex system without a solution is reported", "[solvers]") {
+TEST_CASE("a complex system without a solution is reported", "[linear]") {
     const SparsePattern pattern = make_net_pattern(1, 4);
     const std::vector<double> none(static_cast<std::size_t>(pattern.nonzeros()), 0.0);
     ComplexAsReal solver(LinearSolverKind::chains, pattern);

@@ -101,7 +101,7 @@ constexpr KeySynonyms keys[] = {
     {"tendon.NAME", "shortening", "displacement stroke u move pulled winch"},
     {"tendon.NAME", "stiffness", "ea e k"},
     {"tendon.NAME", "friction", "mu coefficient friction_coefficient capstan"},
-    {"tendon.NAME", "pulled_at", "actuator end pulled actuated_at motor"},
+    {"tendon.NAME", "pulled_at", "actuator end actuated_at motor"},
     {"tendon.NAME", "on", "rod beam along"},
     {"actuation", "on", "rod beam along"},
     {"actuation", "stretch", "strain axial extension elongation"},

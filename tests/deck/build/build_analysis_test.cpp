@@ -112,9 +112,9 @@ TEST_CASE("An accuracy chooses radau-5 and its steps", "[deck]") {
     CHECK(dynamic_of(read(deck + "integrator = \"sdirk-4\"")).scheme == Scheme::sdirk_4);
     CHECK(
         faults_of(deck + "beta = 0.3") ==
-        R"(x.toml:8:1: analysis.beta: accuracy without an integrator takes "radau-5", which does not use this key; give the integrator)");
-    CHECK(faults_of(deck + "adaptive = {}") ==
-          "x.toml:8:1: analysis.adaptive: accuracy is given too; only one of them can be");
+        R"(x.toml:8:8: analysis.beta: accuracy without an integrator takes "radau-5", which does not use this key; give the integrator)");
+    CHECK(faults_of(deck + "adaptive = { tolerance = 1e-4 }") ==
+          "x.toml:7:1: analysis.accuracy: adaptive is given too; only one of them can be");
     CHECK(faults_of(body_deck + "accuracy = 1e-3") ==
           "x.toml:8:1: analysis.accuracy: steps is given too; only one of them can be");
 }
