@@ -135,7 +135,7 @@ TEST_CASE("An arm whose tendon rubs has play: a loop with corners", "[analyses][
     using namespace capstan;
     for (const int steps : {12, 60}) {
         INFO(steps);
-        const std::vector<Moment> moments = run(wire(cycle, slowly(steps), 16));
+        const std::vector<Moment> moments = run(wire(cycle, slowly(steps), 8));
         for (const Moment& moment : moments) {
             INFO(moment.time);
             if (moment.time <= 1.0 && moment.time > 0.0) {
@@ -165,7 +165,7 @@ TEST_CASE("The tip of an arm that is let go is where its tendon's tensions bend 
     for (const auto& [pull, tip] : known) {
         INFO(pull);
         const std::string tension = "\"t < 1 ? 15*t : 15 - (15 - " + std::to_string(pull) + ")*(t - 1)/2\"";
-        const std::vector<Moment> moments = run(wire(tension, slowly(12), 32));
+        const std::vector<Moment> moments = run(wire(tension, slowly(12), 10));
         // Where slip ends within an element the tension has a corner.
         CHECK((moments.back().tip - tip).norm() < (reach_of_release(pull) < length ? 2e-5 : 1e-9));
     }

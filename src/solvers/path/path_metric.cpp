@@ -34,7 +34,7 @@ std::vector<double> compute_shares(const Model& model) {
 PathMetric::PathMetric(const System& system) {
     const std::vector<double> shares = compute_shares(system.model());
     const double length = system.length_scale();
-    weights_.resize(system.equations().count());
+    weights_ = Eigen::VectorXd::Zero(system.equations().count());  // multipliers have none
     for (std::size_t node = 0; node < shares.size(); ++node) {
         const auto numbers = system.equations().of_node(static_cast<int>(node));
         for (int i = 0; i < 6; ++i) {
