@@ -65,16 +65,16 @@ void add_checks(const Row& row, const Reference& reference, std::vector<Check>& 
         return;
     }
     const Errors& known = reference.errors;
-    checks.push_back(
-        make_digits_check("max E_Λ, " + run, row.errors->orientation, known.orientation, reference.orientation_digits));
+    checks.push_back(make_digits_check(
+        "max E_Λ, " + run, row.errors->orientation, known.orientation, reference.orientation_digits));
     if (known.momentum > 0.0) {
         const int digits = reference.momentum_digits;
         checks.push_back(make_digits_check("max E_H, " + run, row.errors->momentum, known.momentum, digits));
         checks.push_back(make_digits_check("max E_T, " + run, row.errors->energy, known.energy, digits));
     }
     if (reference.max_theta_deg) {
-        checks.push_back(make_digits_check(
-            "max |θ| in degrees, " + run, *row.max_theta_deg, *reference.max_theta_deg, 5));
+        checks.push_back(
+            make_digits_check("max |θ| in degrees, " + run, *row.max_theta_deg, *reference.max_theta_deg, 5));
     }
 }
 
