@@ -55,8 +55,11 @@ CapstanTension::CapstanTension(const Model& model, const Tendon& tendon, std::si
 double CapstanTension::find_pull(double time) const {
     const double pull = tendon_->tension(time);
     if (pull < -round_off_)
-        throw EvaluationError(fmt::format(
-            "tendon.{}.tension is {} at t = {}: with friction a tendon only pulls", tendon_->name, pull, time));
+        throw EvaluationError(
+            fmt::format("tendon.{}.tension is {} at t = {}: with friction a tendon only pulls",
+                        tendon_->name,
+                        pull,
+                        time));
     return std::max(pull, 0.0);
 }
 

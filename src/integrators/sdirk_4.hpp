@@ -24,9 +24,7 @@ class Sdirk4 : public Integrator {
     }
     // The difference between the schemes of order 4 and 3, whose leading term is that of order 3.
     int error_order() const override { return 4; }
-    StepError estimate_error(const State& state,
-                             double time_step,
-                             const NodeLengths& lengths) const override;
+    StepError estimate_error(const State& state, double time_step, const NodeLengths& lengths) const override;
     std::vector<double> power_weights() const override;
 
   protected:

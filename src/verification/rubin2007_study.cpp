@@ -141,7 +141,8 @@ Comparison compare(const Row& row) {
     for (const Reference& reference : references()) {
         if (reference.scheme != row.scheme || reference.steps != row.steps) continue;
         if (reference.diverges || row.diverged) return {&reference, reference.diverges == row.diverged};
-        bool matches = agrees(row.errors->orientation, reference.errors.orientation, reference.orientation_digits);
+        bool matches =
+            agrees(row.errors->orientation, reference.errors.orientation, reference.orientation_digits);
         if (reference.errors.momentum > 0.0) {
             const int digits = reference.momentum_digits;
             matches = matches && agrees(row.errors->momentum, reference.errors.momentum, digits) &&

@@ -18,9 +18,10 @@ void write_places(const Hdf5Handle& data,
     write_dataset(data,
                   {"element", "number of the element in its rod, from 0" + where + none, "none", "1"},
                   places.element);
-    write_dataset(data,
-                  {"arc_length", "from the start of the rod, where it is free of stress" + where, "none", "length"},
-                  places.arc_length);
+    write_dataset(
+        data,
+        {"arc_length", "from the start of the rod, where it is free of stress" + where, "none", "length"},
+        places.arc_length);
     for (const char* name : {"rod", "element", "arc_length"}) link_dataset(no_offsets, offsets, name);
 }
 
