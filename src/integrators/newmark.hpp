@@ -38,9 +38,8 @@ void update_translation(const Newmark& newmark,
                         double time_step,
                         NodeMotion& trial);
 
-// The local error of a step in placements, docs/theory/newmark.md, (E1), of a scheme whose β is the given one
-// and whose accelerations at both ends of the step are these; that of spins has twist ω × α besides, and
-// those of rates are `rate_error` times the change of accelerations, which is none of schemes of order 2.
+// The local error of a step, docs/theory/newmark.md, (E1): of placements by the change of accelerations over
+// the step, of spins by ω × α too, of rates by the change of accelerations where the scheme is of order 1.
 struct NewmarkError {
     double placement;  // β − 1/6, of the change of accelerations
     double twist;      // of Δt ω × α

@@ -1,5 +1,4 @@
 #include <cassert>
-#include <numbers>
 
 #include "assembly/frame_columns.hpp"
 #include "solvers/convergence_test.hpp"
@@ -13,8 +12,6 @@
 namespace gxrod {
 
 namespace {
-
-constexpr double half_turn = std::numbers::pi;
 
 // Newton's method on one stage; the members are what its steps share.
 class Newton {
@@ -43,7 +40,7 @@ class Newton {
         predict();
         start_resultants();
         const auto predicted = [&](std::size_t node) { return state_.trial[node].theta; };
-        if (!guard_.admits(state_.previous, predicted, report_) || !check_step_rotations()) return report_;
+        if (!guard_.admits(state_.previous, predicted, report_) || !check_rotations()) return report_;
         compute_residual();
         while (!is_done()) {
             compute_tangent();
@@ -143,7 +140,7 @@ class Newton {
         move_nodes(deltas);
         if (places_supports) system_.supports().place(time_, state_);
         update_trial_rates(system_, integrator_, stage_, state_);
-        return check_step_rotations();
+        return check_rotations();
     }
 
     // False, and so reported, if the increments turn nodes too far; else resultants go with them.
@@ -171,16 +168,8 @@ class Newton {
         });
     }
 
-    // False, and so reported, if a node turned by π or more since the last accepted step.
-    bool check_step_rotations() {
-        const auto angle = [&](std::size_t node) { return state_.trial[node].theta.norm(); };
-        if (!limits_rotation_ || team_.find_largest(state_.trial.size(), angle) < half_turn) return true;
-        std::size_t node = 0;
-        while (angle(node) < half_turn) ++node;
-        report_.outcome = Outcome::rotation_too_large;
-        report_.worst_node = static_cast<int>(node);
-        report_.worst_component = -1;
-        return false;
+    bool check_rotations() {
+        return !limits_rotation_ || check_step_rotations(system_, state_.trial, report_);
     }
 
     const System& system_;

@@ -37,4 +37,18 @@ class RotationGuard {
     double bound_ = std::numbers::pi;
 };
 
+// False, and so reported, if a node turned by π or more since the last accepted step.
+inline bool check_step_rotations(const System& system,
+                                 const std::vector<NodeMotion>& motions,
+                                 EquilibriumReport& report) {
+    const auto angle = [&](std::size_t node) { return motions[node].theta.norm(); };
+    if (system.team().find_largest(motions.size(), angle) < std::numbers::pi) return true;
+    std::size_t node = 0;
+    while (angle(node) < std::numbers::pi) ++node;
+    report.outcome = Outcome::rotation_too_large;
+    report.worst_node = static_cast<int>(node);
+    report.worst_component = -1;
+    return false;
+}
+
 }  // namespace gxrod

@@ -8,7 +8,7 @@
 namespace gxrod {
 namespace {
 
-// Sines of angles that are none, and changes of slope that are round-off.
+// Sines and changes of slope that are round-off.
 constexpr double zero_angle = 1e-6;
 
 Vec3 tangent_at(const Rod& rod, std::size_t entry) { return rod.triads[entry] * Vec3::UnitX(); }

@@ -103,7 +103,7 @@ void check_paper_tangent(const CheckedTable& newton, const std::string& user, co
     }
 }
 
-// Stages that are found together share one matrix, which is none of the others.
+// Stages that are found together share one matrix of their own.
 void check_coupled_tangent(const CheckedTable& newton,
                            const DynamicSettings& settings,
                            const BuildContext& context) {

@@ -1,7 +1,5 @@
 #include "solvers/coupled/coupled_step.hpp"
 
-#include <numbers>
-
 #include "solvers/convergence_test.hpp"
 #include "solvers/rotation_guard.hpp"
 #include "state/increment.hpp"
@@ -108,7 +106,8 @@ class CoupledNewton {
         for (std::size_t j = 0; j < stages_.count(); ++j) {
             const std::vector<NodeMotion>& motions = state_.stage_motions[j];
             const auto predicted = [&](std::size_t node) { return motions[node].theta; };
-            if (!guards_[j].admits(state_.previous, predicted, report_) || !check_rotations(motions))
+            if (!guards_[j].admits(state_.previous, predicted, report_) ||
+                !check_step_rotations(system_, motions, report_))
                 return false;
         }
         return true;
@@ -197,19 +196,7 @@ class CoupledNewton {
                                state_.trial[node]);
             });
         });
-        return is_admitted && check_rotations(state_.stage_motions[j]);
-    }
-
-    // False, and so reported, if a node turned by π or more since the last accepted step.
-    bool check_rotations(const std::vector<NodeMotion>& motions) {
-        const auto angle = [&](std::size_t node) { return motions[node].theta.norm(); };
-        if (system_.team().find_largest(motions.size(), angle) < std::numbers::pi) return true;
-        std::size_t node = 0;
-        while (angle(node) < std::numbers::pi) ++node;
-        report_.outcome = Outcome::rotation_too_large;
-        report_.worst_node = static_cast<int>(node);
-        report_.worst_component = -1;
-        return false;
+        return is_admitted && check_step_rotations(system_, state_.stage_motions[j], report_);
     }
 
     void finish() {
@@ -223,7 +210,7 @@ class CoupledNewton {
         if (stages_.scheme.error_order() > 0)
             own_.common.estimate_errors(stages_, workspace_, own_.placement_errors, own_.rate_errors);
         stages_.scheme.end_step(state_, stages_.step, system_.team());
-        if (!check_rotations(state_.trial)) return;
+        if (!check_step_rotations(system_, state_.trial, report_)) return;
         state_.joints_trial = state_.stage_joints.back();
         workspace_.residual = own_.residuals.back();
     }
