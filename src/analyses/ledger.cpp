@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "assembly/contact_assembly.hpp"
 #include "state/energy_jump.hpp"
 
 namespace gxrod {
@@ -66,6 +67,10 @@ Ledger::Ledger(const System& system,
     initial_potential_ = balance.gravity_potential;
     strain_energy_ = balance.strain_energy;
     fluid_forces_ = system.compute_surrounding_forces(state, state.time);
+    if (const ContactAssembly* contact = system.contact()) {
+        if (integrator.is_static()) contact_forces_ = contact->compute_forces(state, state.time);
+        initial_contact_energy_ = contact->compute_energy(state, state.time);
+    }
     if (before == nullptr) return;
     initial_energy_ = before->initial_energy;
     work_ = before->external_work;
@@ -73,6 +78,8 @@ Ledger::Ledger(const System& system,
     dissipated_ = before->dissipated + before->kinetic_energy - balance.kinetic_energy;
     dissipated_by_scheme_ = before->dissipated_by_scheme;
     fluid_work_ = before->fluid_work;
+    contact_work_ = before->contact_work;
+    initial_contact_energy_ = before->initial_contact_energy;
     largest_energy_ = before->largest_energy;
 }
 
@@ -83,6 +90,8 @@ LedgerTotals Ledger::totals(const State& state) const {
             dissipated_,
             dissipated_by_scheme_,
             fluid_work_,
+            contact_work_,
+            initial_contact_energy_,
             at_end.kinetic_energy,
             std::max({largest_energy_, at_end.strain_energy, std::abs(at_end.external_work)})};
 }
@@ -114,6 +123,7 @@ void Ledger::add_step(const State& state, const Step& step) {
     }
     dissipated_ += law_dissipation_ + system_->joints().compute_slip_dissipation(state);
     add_fluid_work(state, step.time);
+    add_contact_work(state, step.time);
     dissipated_by_scheme_ += compute_scheme_dissipation(state, step.time_step);
 }
 
@@ -123,6 +133,15 @@ void Ledger::add_fluid_work(const State& state, double time) {
     std::vector<Vec6> forces = system_->compute_surrounding_forces(state, time);
     fluid_work_ += compute_mean_work(fluid_forces_, forces, compute_movement(state));
     fluid_forces_ = std::move(forces);
+}
+
+// Of impulses exactly; in statics of the mean of the forces at both ends of the step.
+void Ledger::add_contact_work(const State& state, double time) {
+    if (!system_->contact()) return;
+    std::vector<Vec6> forces = system_->contact()->compute_forces(state, time);
+    contact_work_ += compute_mean_work(
+        integrator_->is_static() ? contact_forces_ : forces, forces, compute_movement(state));
+    if (integrator_->is_static()) contact_forces_ = std::move(forces);
 }
 
 void Ledger::add_load_step(const State& state, const Step& step, const std::vector<Vec6>& forces) {
@@ -191,6 +210,9 @@ LedgerMemory Ledger::memory() const {
     memory.dissipated = dissipated_;
     memory.dissipated_by_scheme = dissipated_by_scheme_;
     memory.fluid_work = fluid_work_;
+    memory.contact_work = contact_work_;
+    memory.initial_contact_energy = initial_contact_energy_;
+    memory.contact_forces = contact_forces_;
     memory.fluid_forces = fluid_forces_;
     memory.driving_power = power_.driving;
     memory.damping_power = power_.damping;
@@ -215,6 +237,9 @@ void Ledger::resume(const LedgerMemory& memory) {
     dissipated_ = memory.dissipated;
     dissipated_by_scheme_ = memory.dissipated_by_scheme;
     fluid_work_ = memory.fluid_work;
+    contact_work_ = memory.contact_work;
+    initial_contact_energy_ = memory.initial_contact_energy;
+    contact_forces_ = memory.contact_forces;
     fluid_forces_ = memory.fluid_forces;
     power_ = {memory.driving_power, memory.damping_power};
     forces_ = memory.forces;
@@ -234,8 +259,12 @@ LedgerRow Ledger::row(const State& state) const {
     row.work_uncertainty = step_work_.uncertainty;
     row.dissipated_energy = dissipated_;
     row.numerical_dissipation = dissipated_by_scheme_;
-    row.energy_error = row.kinetic_energy + row.strain_energy - initial_energy_ - row.external_work +
-                       dissipated_ + dissipated_by_scheme_;
+    if (const ContactAssembly* contact = system_->contact()) {
+        row.contact_energy = contact->compute_energy(state, state.time);
+        row.contact_loss = initial_contact_energy_ - row.contact_energy - contact_work_;
+    }
+    row.energy_error = row.kinetic_energy + row.strain_energy - initial_energy_ - row.external_work -
+                       contact_work_ + dissipated_ + dissipated_by_scheme_;
     if (has_drive_) row.external_work += std::exchange(row.energy_error, 0.0);
     row.linear_momentum = balance.momentum.linear;
     row.angular_momentum = balance.momentum.angular;

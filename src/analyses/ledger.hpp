@@ -18,6 +18,8 @@ struct LedgerTotals {
     double dissipated = 0.0;
     double dissipated_by_scheme = 0.0;
     double fluid_work = 0.0;
+    double contact_work = 0.0;
+    double initial_contact_energy = 0.0;
     double kinetic_energy = 0.0;
     double largest_energy = 0.0;
 };
@@ -84,6 +86,7 @@ class Ledger {
     void add_load_step(const State& state, const Step& step, const std::vector<Vec6>& forces);
     void add_powers(const Step& step);
     void add_fluid_work(const State& state, double time);
+    void add_contact_work(const State& state, double time);
     // In statics, after a step.
     void measure_largest_energy();
     double compute_scheme_dissipation(const State& state, double time_step) const;
@@ -111,7 +114,10 @@ class Ledger {
     double dissipated_ = 0.0;
     double dissipated_by_scheme_ = 0.0;
     double fluid_work_ = 0.0;
-    std::vector<Vec6> fluid_forces_;  // at the last accepted step; empty where nothing is around
+    double contact_work_ = 0.0;  // on rods
+    double initial_contact_energy_ = 0.0;
+    std::vector<Vec6> contact_forces_;  // in statics, at the last accepted step; empty without contact
+    std::vector<Vec6> fluid_forces_;    // at the last accepted step; empty where nothing is around
     bool has_drive_ = false;
 };
 

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "assembly/contact_assembly.hpp"
 #include "assembly/frame_columns.hpp"
 #include "check/direction_words.hpp"
 #include "check/stiffness_contrast.hpp"
@@ -76,6 +77,10 @@ SteppedAnalysis::SteppedAnalysis(const Model& model,
       state_(system_.initial_state()) {}
 
 void SteppedAnalysis::accept_start(double time, bool is_loaded) {
+    if (system_.contact()) {
+        const std::string overlap = system_.contact()->describe_overlap(state_, time);
+        if (!overlap.empty()) throw std::runtime_error("at the start " + overlap);
+    }
     integrator_->start(state_);
     point_values_ = system_.compute_point_values(state_, time, watched_);
     body_values_ = system_.compute_body_surroundings(state_, time);
@@ -108,6 +113,7 @@ EquilibriumReport SteppedAnalysis::start_after(const SteppedAnalysis& before) {
     state_.sections = before.state_.sections;
     state_.law_memory = before.state_.law_memory;
     state_.bed_contacts = before.state_.bed_contacts;
+    state_.contact_tractions = before.state_.contact_tractions;
     state_.joints_trial = state_.joints_previous = before.state_.joints_previous;
     totals_before_ = before.ledger_->totals(before.state_);
     for (int i = 0; i < static_cast<int>(state_.trial.size()); ++i) system_.hold_rates(i, state_.trial[i]);
@@ -126,6 +132,7 @@ EquilibriumReport SteppedAnalysis::settle_after(const SteppedAnalysis& before, d
     state_.sections = before.state_.sections;
     state_.law_memory = before.state_.law_memory;
     state_.bed_contacts = before.state_.bed_contacts;
+    state_.contact_tractions = before.state_.contact_tractions;
     state_.joints_trial = state_.joints_previous = before.state_.joints_previous;
     const EquilibriumReport report =
         solve_step(system_, *integrator_, newton_, {0, time, 0.0, time}, workspace_, state_);
@@ -190,6 +197,7 @@ RestartRecord SteppedAnalysis::restart_record() const {
     record.sections = state_.sections;
     record.law_memory = state_.law_memory;
     record.bed_contacts = state_.bed_contacts;
+    record.contact_tractions = state_.contact_tractions;
     record.joints = state_.joints_previous;
     record.algorithmic = state_.algorithmic_previous;
     record.ledger = ledger_->memory();
@@ -204,15 +212,17 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     const LedgerMemory& books = record.ledger;
     const std::size_t with_joints = nodes + state_.joints_previous.size();
     const std::size_t of_load_step = integrator_->is_static() ? with_joints : 0;
-    const bool has_forces = books.forces.size() == (integrator_->power_weights().empty() ? with_joints : 0) &&
-                            books.force_change.size() == of_load_step &&
-                            books.movement.size() == of_load_step &&
-                            books.fluid_forces.size() == (system_.surroundings() ? nodes : 0);
+    const bool has_forces =
+        books.forces.size() == (integrator_->power_weights().empty() ? with_joints : 0) &&
+        books.force_change.size() == of_load_step && books.movement.size() == of_load_step &&
+        books.fluid_forces.size() == (system_.surroundings() ? nodes : 0) &&
+        books.contact_forces.size() == (system_.contact() && integrator_->is_static() ? nodes : 0);
     const bool has_algorithmic =
         record.algorithmic.size() == (integrator_->has_algorithmic_accelerations() ? nodes : 0);
     if (record.nodes.size() != nodes || record.sections.size() != state_.sections.size() ||
         record.law_memory.size() != state_.law_memory.size() ||
         record.bed_contacts.size() != state_.bed_contacts.size() ||
+        record.contact_tractions.size() != state_.contact_tractions.size() ||
         record.joints.size() != state_.joints_previous.size() || !has_forces || !has_algorithmic) {
         throw std::invalid_argument("the state to resume from belongs to another model");
     }
@@ -221,6 +231,7 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     state_.sections = record.sections;
     state_.law_memory = record.law_memory;
     state_.bed_contacts = record.bed_contacts;
+    state_.contact_tractions = record.contact_tractions;
     state_.joints_previous = state_.joints_trial = record.joints;
     state_.algorithmic_previous = state_.algorithmic_trial = record.algorithmic;
     state_.time = state_.trial_time = steps_->time();
@@ -304,6 +315,12 @@ EquilibriumReport SteppedAnalysis::advance() {
     solver_row_.time_step = steps_->time_step();
     solver_row_.newton_iterations = report.iterations;
     solver_row_.residual = report.residual;
+    if (system_.contact()) {
+        const ContactCount touching = system_.contact()->count(state_, time);
+        solver_row_.contacts = touching.touching;
+        solver_row_.least_gap = std::min(report.least_gap, touching.least_gap);
+        solver_row_.shortened = report.shortened;
+    }
     note_equilibrium();
     solver_row_.negative_pivots = accepted_pivots();
     system_.commit(state_, time);
@@ -419,6 +436,8 @@ Snapshot SteppedAnalysis::snapshot(bool with_elements) {
     snapshot.bodies = body_values_;
     if (!system_.model().tendons.empty()) tendon_values_ = system_.compute_tendon_values(state_, state_.time);
     snapshot.tendons = tendon_values_;
+    if (system_.contact()) obstacle_values_ = system_.contact()->compute_obstacle_values(state_, state_.time);
+    snapshot.obstacles = obstacle_values_;
     return snapshot;
 }
 

@@ -155,6 +155,7 @@ class SteppedAnalysis {
     std::vector<PointSurroundings> body_values_;
     std::vector<JointValues> joint_values_;
     std::vector<TendonValues> tendon_values_;
+    std::vector<ObstacleValues> obstacle_values_;
     std::vector<SectionValues> section_values_;
     std::vector<Vec6> reactions_;
 };

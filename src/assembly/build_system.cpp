@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "assembly/contact_assembly.hpp"
 #include "assembly/element_geometry.hpp"
 #include "assembly/node_groups.hpp"
 #include "assembly/surroundings_assembly.hpp"
@@ -113,6 +114,11 @@ System::System(const Model& model, const Kernels& kernels, const ThreadTeam& tea
     build_batches();
     measure();
     joints_.lay_out(equations_, pattern_, length_scale_);
+    auto contact = std::make_unique<ContactAssembly>(model, team, scale_groups_);
+    if (!contact->empty()) {
+        contact->lay_out(equations_, pattern_);
+        contact_ = std::move(contact);
+    }
     auto surroundings = std::make_unique<SurroundingsAssembly>(model, team);
     if (surroundings->empty()) return;
     surroundings->lay_out(equations_, pattern_, length_scale_);

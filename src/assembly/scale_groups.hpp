@@ -48,6 +48,7 @@ class ScaleGroups {
     int of_spring(int spring) const { return first_spring_ + spring; }
     int of_bushing(int bushing) const { return first_bushing_ + bushing; }
     int of_node(int node) const { return group_of_node_[node]; }
+    int part_of_node(int node) const { return part_of_group_[group_of_node_[node]]; }
     // The length for scaling of the node's part: the largest of its extent and its bodies' own sizes; 1 if
     // both are zero.
     double length_at(int node) const { return lengths_[part_of_group_[group_of_node_[node]]]; }

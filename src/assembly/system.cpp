@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "assembly/contact_assembly.hpp"
 #include "assembly/surroundings_assembly.hpp"
 #include "loads/distributed_load.hpp"
 #include "loads/nodal_load.hpp"
@@ -95,6 +96,7 @@ State System::initial_state() const {
     state.sections.resize(history_count_);
     state.law_memory.assign(memory_count_, 0.0);
     if (surroundings_) state.bed_contacts.resize(surroundings_->rubbing_count());
+    if (contact_) state.contact_tractions.assign(contact_->traction_count(), Vec3::Zero());
     for_each_block(blocks_, [&](const auto& block) {
         for (std::size_t e = 0; e < block.elements.size(); ++e)
             block.elements[e].start(block.writable_histories(state, e).axes);
@@ -205,6 +207,7 @@ void System::compute_residual(const State& state,
                      [&](std::size_t part, std::size_t i) { return batches->groups(part)[i]; });
     }
     add_loads(state, time, residual);
+    if (contact_) contact_->subtract_forces(state, time, request.contact_weight, residual);
     if (!joints_.empty()) {
         joints_.compute_rows(state, time, request, residual.rows);
         joints_.add_forces(state, time, request.level, scale_groups_, residual);
@@ -299,6 +302,7 @@ void System::compute_tangent(const State& state,
         }
     }
     add_load_tangents(state, time, linearizations, values);
+    if (contact_) contact_->add_tangents(state, time, request.contact_weight, linearizations, values);
     joints_.add_tangents(state, time, linearizations, request, values);
 }
 
@@ -340,6 +344,7 @@ void System::set_resultants(const std::vector<NodeMotion>& motions,
 void System::commit(State& state, double time) const {
     joints_.commit(state);
     if (surroundings_) surroundings_->commit(state);
+    if (contact_) contact_->commit(state, time);
     const Instant now = instant(state, time);
     tendon_lines_.capstans().commit(state, time);
     for_each_block(blocks_, [&](const auto& block) {

@@ -24,6 +24,7 @@
 
 namespace gxrod {
 
+class ContactAssembly;
 class SurroundingsAssembly;
 
 // Sums over the model, all of the trial motions.
@@ -64,6 +65,8 @@ class System {
     const ThreadTeam& team() const { return *team_; }
     const Supports& supports() const { return supports_; }
     const JointAssembly& joints() const { return joints_; }
+    // nullptr where nothing can touch.
+    const ContactAssembly* contact() const { return contact_.get(); }
     // nullptr where neither fluid nor ground is.
     const SurroundingsAssembly* surroundings() const { return surroundings_.get(); }
     const EquationNumbers& equations() const { return equations_; }
@@ -225,6 +228,7 @@ class System {
     mutable LoadValues load_values_;
     mutable DriveValues drive_values_;
     std::unique_ptr<const SurroundingsAssembly> surroundings_;  // nullptr where nothing is around
+    std::unique_ptr<const ContactAssembly> contact_;            // nullptr where nothing can touch
     TendonLines tendon_lines_;
     SparsePattern pattern_;
     std::vector<ElementPlaces<1>> load_places_;  // of each load's node

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "assembly/contact_assembly.hpp"
 #include "assembly/surroundings_assembly.hpp"
 #include "assembly/system.hpp"
 
@@ -241,6 +242,7 @@ Resultant System::compute_outer_resultant(const State& state,
     Residual loads;
     loads.nodal.assign(state.trial.size(), Vec6::Zero());
     add_loads(state, time, loads);
+    if (contact_) contact_->subtract_forces(state, time, 1.0, loads);
     // What acts on the nodes in addition to their inertia: the opposite of what acts on them.
     std::vector<Vec6> asked = std::move(loads.nodal);
     const Vec3 gravity = model_->gravity(time);

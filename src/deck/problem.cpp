@@ -26,6 +26,7 @@
 #include "deck/checks/check_memory.hpp"
 #include "deck/checks/check_points.hpp"
 #include "deck/checks/check_velocities.hpp"
+#include "deck/contact/build_contact.hpp"
 #include "deck/drives/build_drives.hpp"
 #include "deck/expressions/function_files.hpp"
 #include "deck/joints/build_gears.hpp"
@@ -48,7 +49,7 @@ namespace {
 // Points, springs, bushings, joints, gears and tendons go by their names.
 void check_names(const CheckedTable& deck, FaultList& faults) {
     std::vector<const CheckedTable*> tables;
-    for (const char* kind : {"rod", "body", "spring", "bushing", "joint", "gear", "tendon"}) {
+    for (const char* kind : {"rod", "body", "spring", "bushing", "joint", "gear", "tendon", "obstacle"}) {
         for (const CheckedTable& table : deck.tables(kind)) tables.push_back(&table);
     }
     std::ranges::sort(tables, {}, &CheckedTable::place);
@@ -78,6 +79,7 @@ void build_actions(const SurroundingsFiles& files, BuildContext& context) {
         build_loads(context);
         build_drives(context);
         build_surroundings(files, context);
+        build_contact(context);
         check_functions(context);
         if (i == 0) continue;
         context.stages[i].actions = take_actions(context.model);

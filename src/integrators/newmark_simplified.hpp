@@ -12,6 +12,10 @@ class NewmarkSimplified : public Integrator {
     explicit NewmarkSimplified(const Newmark& newmark) : newmark_(newmark) {}
 
     bool has_paper_tangent() const override { return true; }
+    double contact_weight() const override { return newmark_.contact_weight(); }
+    void split_impulses(State& state, const Stage& stage, std::vector<Vec6>& shocked) const override {
+        newmark_.split_impulses(stage.time_step, state, shocked);
+    }
     int error_order() const override { return 3; }
     StepError estimate_error(const State& state,
                              double time_step,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/anchor.hpp"
+#include "model/contact.hpp"
 #include "model/drive.hpp"
 #include "model/gear.hpp"
 #include "model/input.hpp"
@@ -45,6 +46,7 @@ struct Section {
     // after a long time; nullptr where they do.
     std::shared_ptr<const SectionLaw> law{};
     std::optional<SectionInFluid> fluid{};  // nullopt: water and air pass it by
+    double radius = 0.0;                    // of contact; 0: not known
 };
 
 enum class ElementKind {
@@ -244,6 +246,7 @@ struct Model {
     std::vector<Actuation> actuations;
     std::vector<Tendon> tendons;
     Surroundings surroundings;
+    Contact contact;
     std::vector<Support> supports;
     // Of expressions above; not const, as whoever drives a run changes them.
     std::vector<std::shared_ptr<Input>> inputs;

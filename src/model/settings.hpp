@@ -189,7 +189,10 @@ enum class Quantity {
     bed_force,
     tendon_length,
     tendon_tension,
-    tendon_end_tension
+    tendon_end_tension,
+    contact_force,
+    contact_friction,
+    least_gap
 };
 
 // Names a point and what to record there at every accepted step.
@@ -211,7 +214,8 @@ struct HistoryRequest {
     int gear = -1;                          // index in Model::gears if it is of a gear, likewise
     // Where moments of reactions are about a point, fixed in space, and not about the support's.
     std::optional<Vec3> about = {};
-    int tendon = -1;  // index in Model::tendons if it is of a tendon, which has no node
+    int tendon = -1;    // index in Model::tendons if it is of a tendon, which has no node
+    int obstacle = -1;  // index in Contact::obstacles if it is of an obstacle, likewise
 };
 
 // Of frames, in the file; lossless.

@@ -20,7 +20,8 @@ Actions take_actions(Model& model) {
             model.sleeves,
             std::exchange(model.actuations, {}),
             std::exchange(model.tendons, {}),
-            std::exchange(model.surroundings, {})};
+            std::exchange(model.surroundings, {}),
+            std::exchange(model.contact, {})};
 }
 
 void set_actions(Actions actions, Model& model) {
@@ -36,6 +37,7 @@ void set_actions(Actions actions, Model& model) {
     model.actuations = std::move(actions.actuations);
     model.tendons = std::move(actions.tendons);
     model.surroundings = std::move(actions.surroundings);
+    model.contact = std::move(actions.contact);
 }
 
 bool follows_limits(std::span<const StagePlan> stages) {

@@ -27,6 +27,7 @@ struct Actions {
     std::vector<Tendon> tendons = {};  // the same in all stages, those that are slack with a tension of zero
     // The same in all stages but for currents, wind and waves.
     Surroundings surroundings = {};
+    Contact contact = {};  // the same in all stages but for the motions of obstacles
 };
 
 struct StagedModel;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "assembly/contact_assembly.hpp"
 #include "solvers/coupled/coupled_step.hpp"
 #include "solvers/hidden_constraints.hpp"
 #include "solvers/newton_steps.hpp"
@@ -46,7 +47,8 @@ EquilibriumReport solve_accelerations(
         motion.alpha.setZero();
     }
     system.supports().set_rates(time, step, state.trial);
-    const ConstraintRequest request{ConstraintLevel::acceleration, step};
+    ConstraintRequest request{ConstraintLevel::acceleration, step};
+    request.contact_weight = 0.0;
     system.compute_residual(state, time, workspace.residual, request);
     measure_residual(system, workspace.residual, report);
     if (report.outcome == Outcome::not_finite) return report;
@@ -126,6 +128,38 @@ EquilibriumReport solve_stage_explicitly(const System& system,
     return solve_accelerations(system, time, step, workspace, state);
 }
 
+// Accelerations without contact, of a step whose equilibrium has impulses of it. The residual is then that of
+// the mean accelerations over the step, in which impulses are forces.
+void split_contact(const System& system,
+                   const Integrator& integrator,
+                   const Stage& stage,
+                   SolverWorkspace& workspace,
+                   State& state,
+                   EquilibriumReport& report) {
+    if (!system.contact()->has_forces(state, stage.end_time)) return;
+    const TimeSpan step{stage.step_time, stage.time_step};
+    std::vector<Vec6> shocked(state.trial.size());
+    for (std::size_t i = 0; i < shocked.size(); ++i) shocked[i] << state.trial[i].a, state.trial[i].alpha;
+    const EquilibriumReport smooth = solve_accelerations(system, stage.end_time, step, workspace, state);
+    if (!smooth.converged()) {
+        report.outcome = smooth.outcome;
+        return;
+    }
+    integrator.split_impulses(state, stage, shocked);
+    const auto exchange = [&] {
+        for (std::size_t i = 0; i < shocked.size(); ++i) {
+            Vec6 before;
+            before << state.trial[i].a, state.trial[i].alpha;
+            state.trial[i].a = shocked[i].head<3>();
+            state.trial[i].alpha = shocked[i].tail<3>();
+            shocked[i] = before;
+        }
+    };
+    exchange();
+    system.compute_residual(state, stage.end_time, workspace.residual, {ConstraintLevel::position, step});
+    exchange();
+}
+
 // Of an implicit step that has converged.
 void restore_hidden_constraints(const System& system,
                                 const Stage& stage,
@@ -193,6 +227,8 @@ EquilibriumReport solve_step(const System& system,
     const bool is_implicit = !integrator.is_explicit() && !integrator.is_static();
     if (total.converged() && is_implicit && has_hidden_constraints(system))
         restore_hidden_constraints(system, stage, workspace, state, total);
+    if (total.converged() && is_implicit && system.contact() && system.model().has_inertia)
+        split_contact(system, integrator, stage, workspace, state, total);
     return total;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,8 +37,10 @@ struct EquilibriumReport {
     double residual = 0.0;  // the larger of force and moment, each relative to its scale
     int worst_node = -1;    // where: of the residual, the pivot, the rotation or the non-finite number
     int worst_component = -1;
-    double step_error = 0.0;            // of error_too_large: the estimate
-    LargestGap joint_gap;               // of the equations of joints
+    double step_error = 0.0;                                     // of error_too_large: the estimate
+    LargestGap joint_gap;                                        // of the equations of joints
+    double least_gap = std::numeric_limits<double>::infinity();  // of contact, of all iterations
+    int shortened = 0;                  // iterations whose increment contact has shortened
     std::int64_t negative_pivots = -1;  // of the last factorization, of the nodes' unknowns; −1: not known
 
     bool converged() const { return outcome == Outcome::converged; }

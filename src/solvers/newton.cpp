@@ -1,5 +1,6 @@
 #include <cassert>
 
+#include "assembly/contact_assembly.hpp"
 #include "assembly/frame_columns.hpp"
 #include "solvers/convergence_test.hpp"
 #include "solvers/difference_tangent.hpp"
@@ -30,6 +31,7 @@ class Newton {
           time_(integrator.stage_time(stage)),
           request_(find_request(system, integrator, stage)),
           moves_supports_(integrator.is_static() && system.supports().move()),
+          contact_(system.contact()),
           limits_rotation_(!integrator.is_static() || system.uses_step_rotations()),
           workspace_(workspace),
           state_(state),
@@ -46,8 +48,13 @@ class Newton {
             compute_tangent();
             if (!factorize(system_, workspace_, report_)) break;
             ++report_.iterations;
+            if (contact_) {
+                const PhaseTimer timer(workspace_.seconds.assembly);
+                contact_->replace_by_tangent_forces(
+                    state_, time_, request_.contact_weight, workspace_.residual);
+            }
             Eigen::VectorXd residual = gather_residual(system_, workspace_.residual, workspace_.values);
-            if (moves_supports_ && report_.iterations == 1) {
+            if (moves_supports_) {
                 const PhaseTimer timer(workspace_.seconds.assembly);
                 constexpr double part = 1e-6;
                 residual += compute_support_motion_force(
@@ -64,13 +71,45 @@ class Newton {
     void predict() {
         const PhaseTimer timer(workspace_.seconds.update);
         integrator_.begin_stage(state_, stage_, team_);
-        if (integrator_.is_static()) return;
+        if (integrator_.is_static()) {
+            if (contact_) limit_prediction();
+            return;
+        }
         system_.supports().place(time_, state_);
+        if (contact_) limit_prediction();
         update_trial_rates(system_, integrator_, stage_, state_);
         if (system_.joints().empty() || request_.level == ConstraintLevel::position) return;
         // Of accelerations, equations are as large as those of positions.
         integrator_.linearize(state_, stage_, workspace_.linearizations, team_);
         request_.factor = 1.0 / workspace_.linearizations.front().acceleration;
+    }
+
+    // Takes the prediction as far as nothing touches.
+    void limit_prediction() {
+        const std::size_t count = state_.trial.size();
+        std::vector<NodeMotion> predicted = state_.trial;
+        std::vector<Vec3> displacements(count);
+        for (std::size_t i = 0; i < count; ++i) displacements[i] = predicted[i].r - state_.previous[i].r;
+        state_.trial = state_.previous;
+        state_.contact.progress = 0.0;
+        const ContactLimits limits = contact_->limit(displacements, state_, time_);
+        state_.trial = std::move(predicted);
+        state_.contact.progress = limits.least;
+        if (limits.shorten()) {
+            ++report_.shortened;
+            for (std::size_t i = 0; i < count; ++i) {
+                const auto part =
+                    static_cast<std::size_t>(system_.scale_groups().part_of_node(static_cast<int>(i)));
+                const double share = limits.of_parts[part];
+                if (share < 1.0)
+                    place(state_.previous[i],
+                          state_.previous[i].r + share * displacements[i],
+                          share * state_.trial[i].theta,
+                          state_.trial[i]);
+            }
+            moves_supports_ = system_.supports().move();
+        }
+        contact_->start(state_, time_);
     }
 
     void start_resultants() {
@@ -90,8 +129,8 @@ class Newton {
     // Whether to stop, be it converged, out of iterations or NaN.
     bool is_done() {
         if (report_.outcome == Outcome::not_finite) return true;
-        const bool supports_wait = moves_supports_ && report_.iterations == 0;
-        if (!supports_wait && convergence_.is_met(workspace_.residual, report_)) return true;
+        const bool must_move = moves_supports_ || state_.contact.progress < 1.0;
+        if (!must_move && convergence_.is_met(workspace_.residual, report_)) return true;
         if (report_.iterations < settings_.max_iterations) return false;
         report_.outcome = Outcome::out_of_iterations;
         return true;
@@ -129,18 +168,43 @@ class Newton {
                 deltas[node] = system_.equations().increment_of(static_cast<int>(node), increment);
         });
         convergence_.add_increment(deltas, state_);
-        const bool places_supports = moves_supports_ && report_.iterations == 1;
+        bool places_supports = moves_supports_;
         if (places_supports) {
             std::vector<Vec6> with_supports = deltas;
             add_support_motion(system_, time_, state_, with_supports);
+            if (contact_ && !limit_increment(with_supports)) {
+                deltas = with_supports;
+                places_supports = false;
+            }
             if (!admit(with_supports)) return false;
-        } else if (!admit(deltas)) {
-            return false;
+        } else {
+            if (contact_) limit_increment(deltas);
+            if (!admit(deltas)) return false;
         }
         move_nodes(deltas);
-        if (places_supports) system_.supports().place(time_, state_);
+        if (places_supports) {
+            system_.supports().place(time_, state_);
+            moves_supports_ = false;
+        }
         update_trial_rates(system_, integrator_, stage_, state_);
         return check_rotations();
+    }
+
+    // Shortens the increments of parts of the model in which a gap would close; false if any.
+    bool limit_increment(std::vector<Vec6>& deltas) {
+        std::vector<Vec3> displacements(deltas.size());
+        for (std::size_t i = 0; i < deltas.size(); ++i) displacements[i] = deltas[i].head<3>();
+        const ContactLimits limits = contact_->limit(displacements, state_, time_);
+        report_.least_gap = std::min(report_.least_gap, limits.least_gap);
+        contact_->advance(deltas, time_, state_);
+        double& progress = state_.contact.progress;
+        progress = limits.shorten() ? progress + limits.least * (1.0 - progress) : 1.0;
+        if (!limits.shorten()) return true;
+        ++report_.shortened;
+        for (std::size_t i = 0; i < deltas.size(); ++i)
+            deltas[i] *= limits.of_parts[static_cast<std::size_t>(
+                system_.scale_groups().part_of_node(static_cast<int>(i)))];
+        return false;
     }
 
     // False, and so reported, if the increments turn nodes too far; else resultants go with them.
@@ -179,7 +243,8 @@ class Newton {
     const Stage& stage_;
     double time_;
     ConstraintRequest request_;
-    bool moves_supports_;  // within the first iteration
+    bool moves_supports_;  // until they are there; within the first iteration, unless contact stops them
+    const ContactAssembly* contact_;  // nullptr where nothing can touch
     bool limits_rotation_;
     SolverWorkspace& workspace_;
     State& state_;

@@ -97,7 +97,9 @@ bool solve_increment(const System& system,
 ConstraintRequest find_request(const System& system, const Integrator& integrator, const Stage& stage) {
     const ConstraintLevel level =
         system.joints().are_linear() ? ConstraintLevel::position : integrator.constraint_level(stage.index);
-    return {level, {stage.step_time, stage.time_step}};
+    ConstraintRequest request{level, {stage.step_time, stage.time_step}};
+    request.contact_weight = integrator.contact_weight();
+    return request;
 }
 
 void add_accelerations(const System& system, SolverWorkspace& workspace, State& state) {

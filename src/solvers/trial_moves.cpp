@@ -34,8 +34,16 @@ Eigen::VectorXd compute_support_motion_force(const System& system,
         apply_spin(from, part * (to.r - from.r), part * (to.theta - from.theta), nudged.trial[support->node]);
     }
     Residual other;
-    system.compute_residual(nudged, time_of_loads, other);
-    return (gather_residual(system, other, values) - gather_residual(system, residual, values)) / part;
+    if (!system.contact()) {
+        system.compute_residual(nudged, time_of_loads, other);
+        return (gather_residual(system, other, values) - gather_residual(system, residual, values)) / part;
+    }
+    ConstraintRequest request;
+    request.contact_weight = 0.0;
+    Residual here;
+    system.compute_residual(state, time_of_loads, here, request);
+    system.compute_residual(nudged, time_of_loads, other, request);
+    return (gather_residual(system, other, values) - gather_residual(system, here, values)) / part;
 }
 
 }  // namespace gxrod

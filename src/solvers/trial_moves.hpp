@@ -10,7 +10,7 @@ void add_support_motion(const System& system, double time, State& state, std::ve
 
 // What moving the supports to `time` does to the residual of the trial motions, whose loads are at
 // `time_of_loads`, to first order: `part` of it, times 1/part. A difference is as good as any for a guess.
-// `values` are the tangent's.
+// Forces of contact are left out. `values` are the tangent's.
 Eigen::VectorXd compute_support_motion_force(const System& system,
                                              double time,
                                              double time_of_loads,

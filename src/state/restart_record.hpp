@@ -18,12 +18,15 @@ struct LedgerMemory {
     double dissipated = 0.0;
     double dissipated_by_scheme = 0.0;
     double fluid_work = 0.0;
+    double contact_work = 0.0;
+    double initial_contact_energy = 0.0;
     // Schemes of several stages: the powers at the end of the last step.
     double driving_power = 0.0;
     double damping_power = 0.0;
     // Schemes of one stage: forces and moments per node that do work, at the end of the last step.
     std::vector<Vec6> forces;
-    std::vector<Vec6> fluid_forces;  // of water, air and ground per node, at the end of the last step
+    std::vector<Vec6> fluid_forces;    // of water, air and ground per node, at the end of the last step
+    std::vector<Vec6> contact_forces;  // that rods touch with per node, likewise
     // In statics after the first step: the last one's changes of these forces, its movements, its length.
     std::vector<Vec6> force_change, movement;
     double load_step = 0.0;
@@ -58,6 +61,7 @@ struct RestartRecord {
     std::vector<SectionHistory> sections;              // State::sections
     std::vector<double> law_memory;                    // State::law_memory
     std::vector<BedContact> bed_contacts;              // State::bed_contacts
+    std::vector<Vec3> contact_tractions;               // State::contact_tractions
     std::vector<JointState> joints;                    // State::joints_previous
     std::vector<AlgorithmicAcceleration> algorithmic;  // State::algorithmic_previous; can be empty
     LedgerMemory ledger;

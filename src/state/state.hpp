@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "state/bed_contact.hpp"
+#include "state/contact_trial.hpp"
 #include "state/joint_state.hpp"
 #include "state/motion.hpp"
 
@@ -39,10 +40,14 @@ struct State {
     std::vector<SectionHistory> sections;  // per force point, in element order
     // Per force point with a law, then the tensions of tendons with friction; of `previous`.
     std::vector<double> law_memory;
-    std::vector<BedContact> bed_contacts;                   // per piece that can touch, of `previous`
+    std::vector<BedContact> bed_contacts;  // per piece that can touch, of `previous`
+    // Friction on obstacles per place and length, spatial, of `previous`: places of the first obstacle, then
+    // of the next one.
+    std::vector<Vec3> contact_tractions;
     std::vector<JointState> joints_previous, joints_trial;  // per joint
     // Resultants (N, M) per force point, material, that the mixed tangent is made of; empty with any other.
     std::vector<Vec6> resultants;
+    ContactTrial contact;
     std::vector<AlgorithmicAcceleration> algorithmic_previous,
         algorithmic_trial;                        // per node; generalized-α only
     std::vector<std::vector<StageRates>> stages;  // [stage][node]; Runge-Kutta schemes only
@@ -60,6 +65,7 @@ inline void undo_trial(State& state) {
     state.joints_trial = state.joints_previous;
     state.algorithmic_trial = state.algorithmic_previous;
     state.resultants.clear();
+    state.contact = {};
 }
 
 }  // namespace gxrod

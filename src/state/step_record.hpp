@@ -4,6 +4,7 @@
 #include <span>
 
 #include "state/joint_values.hpp"
+#include "state/obstacle_values.hpp"
 #include "state/point_values.hpp"
 #include "state/section_values.hpp"
 #include "state/state.hpp"
@@ -17,10 +18,13 @@ struct LedgerRow {
     double strain_energy = 0.0;
     double external_work = 0.0;          // of loads, gravity included, since t = 0
     double fluid_work = 0.0;             // the part of it that water, air and the ground do
+    double contact_energy = 0.0;         // stored between rods and what they touch
+    double contact_loss = 0.0;           // by contact since t = 0: of impacts and of friction
     double work_uncertainty = 0.0;       // of the work of the last load step; 0 in dynamics
     double dissipated_energy = 0.0;      // by material and mass-proportional damping since t = 0
     double numerical_dissipation = 0.0;  // by the scheme itself since t = 0
-    // (kinetic + strain) − its value at t = 0 − external work + dissipated + numerical dissipation
+    // (kinetic + strain + contact) − its value at t = 0 − external work + dissipated + numerical dissipation
+    // + contact loss
     double energy_error = 0.0;
     Vec3 linear_momentum = Vec3::Zero();
     Vec3 angular_momentum = Vec3::Zero();  // about the origin
@@ -31,6 +35,11 @@ struct SolverRow {
     int newton_iterations = 0;  // over all stages of the step
     double residual = 0.0;      // scaled, of the last equilibrium
     int rejected_steps = 0;     // trials cut before this step was accepted
+    // Of models with contact: places that touch; the least gap that any iteration came to; iterations whose
+    // increment contact has shortened.
+    std::int64_t contacts = 0;
+    double least_gap = 0.0;
+    int shortened = 0;
     // Of the tangent at a static equilibrium: unstable shapes, or, where loads have no potential, 1 if its
     // determinant is negative. −1: not counted.
     std::int64_t negative_pivots = -1;
@@ -54,6 +63,7 @@ struct Snapshot {
     // Of Model::bodies; empty where nothing is around.
     std::span<const PointSurroundings> bodies = {};
     std::span<const TendonValues> tendons = {};  // in the order of Model::tendons; empty if no history asks
+    std::span<const ObstacleValues> obstacles = {};  // of Contact::obstacles; empty without contact
 };
 
 }  // namespace gxrod

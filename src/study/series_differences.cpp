@@ -76,6 +76,7 @@ double NaturalScales::of(Quantity quantity) const {
         case Quantity::slide:
         case Quantity::gap:
         case Quantity::tendon_length:
+        case Quantity::least_gap:
             return length;
         case Quantity::velocity:
         case Quantity::water_velocity:
@@ -94,6 +95,8 @@ double NaturalScales::of(Quantity quantity) const {
         case Quantity::force_a:
         case Quantity::effective_tension:
         case Quantity::wall_tension:
+        case Quantity::contact_force:
+        case Quantity::contact_friction:
             return by_length(energy);
         case Quantity::fluid_force:
         case Quantity::bed_force:  // of a body a force, which is larger

@@ -220,6 +220,7 @@ Turning turning_of(Quantity quantity, const HistoryRequest& request) {
         case Quantity::tendon_length:
         case Quantity::tendon_tension:
         case Quantity::tendon_end_tension:
+        case Quantity::least_gap:
             return Turning::none;
         case Quantity::orientation:
             return Turning::attitude;

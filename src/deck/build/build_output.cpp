@@ -85,6 +85,11 @@ bool is_of_tendons(Quantity quantity) {
            quantity == Quantity::tendon_end_tension;
 }
 
+bool is_of_obstacles(Quantity quantity) {
+    return quantity == Quantity::contact_force || quantity == Quantity::contact_friction ||
+           quantity == Quantity::least_gap;
+}
+
 bool is_of_bushings(Quantity quantity) {
     switch (quantity) {
         case Quantity::displacement:
@@ -124,6 +129,7 @@ struct HistoryPlace {
     int gear = -1;
     int sleeve = -1;
     int tendon = -1;
+    int obstacle = -1;
 };
 
 // The index of what has the name, as the model is built; nullopt without it.
@@ -218,6 +224,13 @@ std::optional<HistoryPlace> find_place(const std::string& text, const BuildConte
         place.tendon = *tendon;
         return place;
     }
+    if (find_index(context.deck.tables("obstacle"), text)) {
+        const std::optional<int> obstacle = find_tie(context.model.contact.obstacles, text);
+        if (!obstacle) return std::nullopt;
+        HistoryPlace place{-1, -1, std::nullopt};
+        place.obstacle = *obstacle;
+        return place;
+    }
     const std::optional<PlacedPoint> placed = context.place(text);
     if (!placed) return std::nullopt;
     if (placed->body >= 0) return HistoryPlace{placed->node, placed->body, std::nullopt};
@@ -287,6 +300,11 @@ std::string explain_missing(Quantity quantity, const HistoryPlace& point, const 
                    ? ""
                    : "a tendon has tendon_length, tendon_tension and tendon_end_tension only";
     if (is_of_tendons(quantity)) return "only tendons have it";
+    if (point.obstacle >= 0)
+        return is_of_obstacles(quantity)
+                   ? ""
+                   : "an obstacle has contact_force, contact_friction and least_gap only";
+    if (is_of_obstacles(quantity)) return "only obstacles have it";
     if (point.gear >= 0) {
         const bool has_it = quantity == Quantity::drive || quantity == Quantity::gap;
         return has_it ? "" : "a gear has drive and gap only; its joints have the rest";
@@ -364,7 +382,8 @@ HistoryRequest build_history(const CheckedTable& table,
                            .place = point.place,
                            .joint = point.joint,
                            .gear = point.gear,
-                           .tendon = point.tendon};
+                           .tendon = point.tendon,
+                           .obstacle = point.obstacle};
     // Values of sleeves come behind those of joints and gears.
     if (point.sleeve >= 0) {
         const std::size_t before = context.model.joints.size() + context.model.gears.size();
@@ -380,7 +399,7 @@ HistoryRequest build_history(const CheckedTable& table,
         }
         std::string reason = explain_missing(quantity, point, context.model);
         if (table.gives("relative_to") &&
-            (point.bushing >= 0 || point.tendon >= 0 || !can_be_relative(quantity))) {
+            (point.bushing >= 0 || point.tendon >= 0 || point.obstacle >= 0 || !can_be_relative(quantity))) {
             reason = "cannot be relative to a point; write another history for it";
         }
         if (!reason.empty()) {

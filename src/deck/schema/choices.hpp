@@ -55,6 +55,9 @@ inline constexpr std::array<Choice<Stretching>, 4> stretching_choices{
      {"extrapolate", Stretching::extrapolate},
      {"none", Stretching::none}}};
 
+// Whether rods are within an obstacle.
+inline constexpr std::array<Choice<bool>, 2> obstacle_side_choices{{{"outside", false}, {"inside", true}}};
+
 // By the axis across it.
 inline constexpr std::array<Choice<int>, 3> plane_choices{{{"yz", 0}, {"xz", 1}, {"xy", 2}}};
 
@@ -113,7 +116,7 @@ inline constexpr std::array<Choice<int>, 3> direction_choices{{{"x", 0}, {"y", 1
 inline constexpr std::array<Choice<Compression>, 2> compression_choices{
     {{"none", Compression::none}, {"deflate", Compression::deflate}}};
 
-inline constexpr std::array<Choice<Quantity>, 38> quantity_choices{
+inline constexpr std::array<Choice<Quantity>, 41> quantity_choices{
     {{"position", Quantity::position},
      {"displacement", Quantity::displacement},
      {"rotation_vector", Quantity::rotation_vector},
@@ -151,7 +154,10 @@ inline constexpr std::array<Choice<Quantity>, 38> quantity_choices{
      {"bed_force", Quantity::bed_force},
      {"tendon_length", Quantity::tendon_length},
      {"tendon_tension", Quantity::tendon_tension},
-     {"tendon_end_tension", Quantity::tendon_end_tension}}};
+     {"tendon_end_tension", Quantity::tendon_end_tension},
+     {"contact_force", Quantity::contact_force},
+     {"contact_friction", Quantity::contact_friction},
+     {"least_gap", Quantity::least_gap}}};
 
 template <class Value, std::size_t count>
 std::vector<std::string> words_of(const std::array<Choice<Value>, count>& choices) {

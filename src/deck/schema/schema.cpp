@@ -69,6 +69,8 @@ TableSpec make_root() {
         {.name = "wave", .type = ValueType::table_list, .table = &wave_table()},
         {.name = "air", .type = ValueType::table, .table = &air_table()},
         {.name = "seabed", .type = ValueType::table, .table = &seabed_table()},
+        {.name = "contact", .type = ValueType::table, .table = &contact_table()},
+        {.name = "obstacle", .type = ValueType::named_tables, .table = &obstacle_table()},
         {.name = "support", .type = ValueType::table_list, .table = &support_table()},
         {.name = "initial", .type = ValueType::table_list, .table = &initial_table()},
         {.name = "rotation", .type = ValueType::table, .table = &rotation_table()},

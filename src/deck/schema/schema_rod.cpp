@@ -150,7 +150,8 @@ const TableSpec& mesh_table() {
     return table;
 }
 
-// Curves that a rod or its rest can have.
+}  // namespace
+
 std::vector<KeySpec> curve_keys() {
     return {
         table_key("line", line_table(), "The centreline: straight."),
@@ -170,6 +171,8 @@ std::vector<KeySpec> curve_keys() {
                   "As a line hangs between two points, z up. A rod that starts so is straight and without "
                   "twist where it is free of stress, if `rest` does not say otherwise.")};
 }
+
+namespace {
 
 KeySpec y_axis_key(const char* default_text, const char* sentence) {
     return {.name = "y_axis",

@@ -222,6 +222,13 @@ const TableSpec& section_table() {
                   .dimension = "1/temperature",
                   .default_value = 0.0,
                   .sentence = "Strain by heat, for the temperatures of [[actuation]]."},
+                 {.name = "radius",
+                  .type = ValueType::number,
+                  .dimension = "length",
+                  .range = positive,
+                  .default_text =
+                      "of a circle or a tube its outer radius; else half of fluid's outer_diameter",
+                  .sentence = "Of contact: what touches is round."},
                  table_key("fluid",
                            section_fluid_table(),
                            "What [fluid], [air] and [seabed] see of it; {} takes part with the defaults. "

@@ -27,6 +27,8 @@ const TableSpec& air_table();
 const TableSpec& seabed_table();
 const TableSpec& section_fluid_table();
 const TableSpec& body_fluid_table();
+const TableSpec& contact_table();
+const TableSpec& obstacle_table();
 const TableSpec& support_table();
 const TableSpec& initial_table();
 const TableSpec& analysis_table();
@@ -38,6 +40,9 @@ const TableSpec& history_table();
 // When something acts: the stages, and what it is multiplied by there, which `what` calls it.
 KeySpec stages_key(const char* sentence);
 KeySpec factor_key(const std::string& what);
+
+// Curves that a rod, its rest or a tube can have.
+std::vector<KeySpec> curve_keys();
 
 // Keys of [analysis] and [[stage]] for paths.
 std::vector<KeySpec> path_keys();

@@ -247,6 +247,20 @@ double number_of(const CheckedTable& table,
     return 1.0;
 }
 
+// Of what touches; 0 where nothing says it.
+double find_contact_radius(const CheckedTable& table,
+                           const SectionPlace& at,
+                           const Section& section,
+                           const BuildContext& context) {
+    if (table.gives("radius")) return table.get<double>("radius");
+    if (table.gives("shape")) {
+        const CheckedTable& shape = only(table, "shape");
+        if (shape.gives("circle")) return number_of(only(shape, "circle"), "radius", at, context);
+        if (shape.gives("tube")) return number_of(only(shape, "tube"), "outer_radius", at, context);
+    }
+    return section.fluid ? 0.5 * section.fluid->diameter : 0.0;
+}
+
 Section build_section(const CheckedTable& table, const SectionPlace& at, const BuildContext& context) {
     Section section{.name = table.name};
     if (table.gives("shape")) {
@@ -267,6 +281,7 @@ Section build_section(const CheckedTable& table, const SectionPlace& at, const B
     section.mass = move_from(frame, section.mass);
     set_damping(table, section);
     set_fluid(table, at, section, context);
+    section.radius = find_contact_radius(table, at, section, context);
     return section;
 }
 

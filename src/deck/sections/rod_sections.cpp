@@ -128,6 +128,7 @@ Section mix(const Section& a, const Section& b, double t) {
     section.mass = (1.0 - t) * a.mass + t * b.mass;
     section.expansion = (1.0 - t) * a.expansion + t * b.expansion;
     section.fluid = combine(1.0 - t, a.fluid, t, b.fluid);
+    section.radius = a.radius > 0.0 && b.radius > 0.0 ? (1.0 - t) * a.radius + t * b.radius : 0.0;
     return section;
 }
 

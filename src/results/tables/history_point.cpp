@@ -53,7 +53,8 @@ HistoryPoint::HistoryPoint(const Model& model, const std::vector<HistoryRequest>
       relative_node_(requests[index].relative_node),
       relative_axes_(requests[index].relative_axes),
       about_(requests[index].about),
-      tendon_(requests[index].tendon) {
+      tendon_(requests[index].tendon),
+      obstacle_(requests[index].obstacle) {
     const HistoryRequest& request = requests[index];
     for (std::size_t i = 0; i < index; ++i) point_ += requests[i].place ? 1 : 0;
     if (request.spring >= 0) spring_ = &model.springs[static_cast<std::size_t>(request.spring)];
@@ -247,6 +248,11 @@ HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snaps
         if (quantity == Quantity::tendon_length) return {tendon.length};
         return {quantity == Quantity::tendon_tension ? tendon.tension : tendon.end_tension};
     }
+    if (obstacle_ >= 0) {
+        const ObstacleValues& obstacle = snapshot.obstacles[static_cast<std::size_t>(obstacle_)];
+        if (quantity == Quantity::least_gap) return {obstacle.least_gap};
+        return row(quantity == Quantity::contact_force ? obstacle.force : obstacle.friction);
+    }
     if (joint_ >= 0) return joint_value(quantity, snapshot.joints[static_cast<std::size_t>(joint_)]);
     const Seen seen = see_from_reference(snapshot);
     const NodeMotion& node = seen.motion;
@@ -306,6 +312,9 @@ HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snaps
         case Quantity::tendon_length:
         case Quantity::tendon_tension:
         case Quantity::tendon_end_tension:
+        case Quantity::contact_force:
+        case Quantity::contact_friction:
+        case Quantity::least_gap:
             break;  // of springs, joints and tendons only
     }
     assert(false);

@@ -67,6 +67,7 @@ class HistoryPoint {
     Vec3 relative_start_ = Vec3::Zero();
     std::optional<Vec3> about_;  // of moments of reactions
     int tendon_ = -1;            // or a tendon, by index in Snapshot::tendons
+    int obstacle_ = -1;          // or an obstacle, by index in Snapshot::obstacles
     Quat last_quaternion_ = Quat::Identity();
     Quat last_orientation_ = Quat::Identity();
 };

@@ -110,6 +110,20 @@ QuantityForm tendon_form(Quantity quantity) {
             scalar_row};
 }
 
+QuantityForm obstacle_form(Quantity quantity) {
+    if (quantity == Quantity::least_gap)
+        return {{"least_gap",
+                 "least distance of the surface of a rod from that of the obstacle",
+                 "none",
+                 "length"},
+                scalar_row};
+    if (quantity == Quantity::contact_force)
+        return {{"contact_force", "force that rods exert on the obstacle", "spatial", "force"}, vector_row};
+    assert(quantity == Quantity::contact_friction);
+    return {{"contact_friction", "the part of contact_force along the surface", "spatial", "force"},
+            vector_row};
+}
+
 // Of a gear.
 QuantityForm gear_form(Quantity quantity) {
     if (quantity == Quantity::gap) {
@@ -205,6 +219,10 @@ QuantityForm quantity_form(Quantity quantity, PointKind kind) {
         case Quantity::tendon_tension:
         case Quantity::tendon_end_tension:
             return tendon_form(quantity);
+        case Quantity::contact_force:
+        case Quantity::contact_friction:
+        case Quantity::least_gap:
+            return obstacle_form(quantity);
         case Quantity::effective_tension:
         case Quantity::wall_tension:
         case Quantity::water_velocity:

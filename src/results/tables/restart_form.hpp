@@ -14,7 +14,7 @@
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t form_version = 13;  // of /restart; raise it with every change
+inline constexpr std::int64_t form_version = 14;  // of /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 using Vec1 = Eigen::Matrix<double, 1, 1>;
@@ -49,7 +49,7 @@ void visit_vectors(Row& row, Visitor&& visit) {
     } else if constexpr (std::is_same_v<Kind, double>) {
         visit(Eigen::Map<std::conditional_t<std::is_const_v<Row>, const Vec1, Vec1>>(&row));
     } else {
-        static_assert(std::is_same_v<Kind, Vec6>);
+        static_assert(std::is_same_v<Kind, Vec6> || std::is_same_v<Kind, Vec3>);
         visit(row);
     }
 }
@@ -111,6 +111,8 @@ void visit_numbers(Place& place, Visitor&& visit) {
     visit("dissipated", record.ledger.dissipated);
     visit("dissipated_by_scheme", record.ledger.dissipated_by_scheme);
     visit("fluid_work", record.ledger.fluid_work);
+    visit("contact_work", record.ledger.contact_work);
+    visit("initial_contact_energy", record.ledger.initial_contact_energy);
     visit("driving_power", record.ledger.driving_power);
     visit("damping_power", record.ledger.damping_power);
     visit("negative_pivots", record.negative_pivots);
@@ -163,6 +165,11 @@ inline const DatasetLabel bed_contacts_label{
     "of each piece of a rod that rubs on the ground: whether it touches, and to where friction pulls it",
     "spatial",
     ""};
+inline const DatasetLabel contact_tractions_label{
+    "contact_tractions",
+    "of each place that can touch, obstacle by obstacle: friction per length",
+    "spatial",
+    ""};
 inline const DatasetLabel algorithmic_label{
     "algorithmic", "of each node: algorithmic acceleration and angular acceleration", "spatial", ""};
 inline const DatasetLabel joints_label{
@@ -175,6 +182,8 @@ inline const DatasetLabel forces_label{
     "forces", "force and moment that does work on each node", "spatial", ""};
 inline const DatasetLabel fluid_forces_label{
     "fluid_forces", "force and moment of water, air and the ground on each node", "spatial", ""};
+inline const DatasetLabel contact_forces_label{
+    "contact_forces", "force and moment of contact on each node, in statics", "spatial", ""};
 inline const DatasetLabel force_change_label{
     "force_change", "change of these in the last load step", "spatial", ""};
 inline const DatasetLabel movement_label{
@@ -199,10 +208,12 @@ void visit_lists(Record& record, Visitor&& visit) {
     visit(sections_label, record.sections);
     visit(law_memory_label, record.law_memory);
     visit(bed_contacts_label, record.bed_contacts);
+    visit(contact_tractions_label, record.contact_tractions);
     visit(algorithmic_label, record.algorithmic);
     visit(joints_label, record.joints);
     visit(forces_label, record.ledger.forces);
     visit(fluid_forces_label, record.ledger.fluid_forces);
+    visit(contact_forces_label, record.ledger.contact_forces);
     visit(force_change_label, record.ledger.force_change);
     visit(movement_label, record.ledger.movement);
     visit(path_tangent_label, record.path.tangent);

@@ -25,7 +25,7 @@ struct StepColumn {
 using LedgerColumn = StepColumn<LedgerRow>;
 using SolverColumn = StepColumn<SolverRow>;
 
-inline constexpr std::array<LedgerColumn, 10> ledger_columns{{
+inline constexpr std::array<LedgerColumn, 12> ledger_columns{{
     {"kinetic_energy", "kinetic energy", "force·length", &LedgerRow::kinetic_energy},
     {"strain_energy", "strain energy", "force·length", &LedgerRow::strain_energy},
     {"external_work",
@@ -36,6 +36,14 @@ inline constexpr std::array<LedgerColumn, 10> ledger_columns{{
      "the part of external_work that water, air and the ground do",
      "force·length",
      &LedgerRow::fluid_work},
+    {"contact_energy",
+     "stored between rods and what they touch, and in friction that holds",
+     "force·length",
+     &LedgerRow::contact_energy},
+    {"contact_loss",
+     "energy lost to contact since t = 0, by impacts and friction",
+     "force·length",
+     &LedgerRow::contact_loss},
     {"work_uncertainty",
      "how far the work of the load step that ended here may be off; 0 in dynamics",
      "force·length",
@@ -49,8 +57,8 @@ inline constexpr std::array<LedgerColumn, 10> ledger_columns{{
      "force·length",
      &LedgerRow::numerical_dissipation},
     {"energy_error",
-     "(kinetic + strain energy) - its value at t = 0 - external work + dissipated energy + "
-     "numerical dissipation",
+     "(kinetic + strain + contact energy) - its value at t = 0 - external work + dissipated energy + "
+     "numerical dissipation + contact loss",
      "force·length",
      &LedgerRow::energy_error},
     {"linear_momentum", "linear momentum", "mass·length/time", &LedgerRow::linear_momentum},
@@ -60,7 +68,7 @@ inline constexpr std::array<LedgerColumn, 10> ledger_columns{{
      &LedgerRow::angular_momentum},
 }};
 
-inline constexpr std::array<SolverColumn, 5> solver_columns{{
+inline constexpr std::array<SolverColumn, 8> solver_columns{{
     {"time_step", "length of the step that ended here", "time", &SolverRow::time_step},
     {"residual", "scaled residual of the step's last equilibrium", "1", &SolverRow::residual},
     {"newton_iterations",
@@ -68,6 +76,15 @@ inline constexpr std::array<SolverColumn, 5> solver_columns{{
      "1",
      &SolverRow::newton_iterations},
     {"rejected_steps", "trial steps cut before this one was accepted", "1", &SolverRow::rejected_steps},
+    {"contacts", "places of rods that touch something", "1", &SolverRow::contacts},
+    {"least_gap",
+     "the least gap of all iterations of the step; 0 without contact",
+     "length",
+     &SolverRow::least_gap},
+    {"shortened",
+     "iterations of the step whose increment was shortened so that no gap closes",
+     "1",
+     &SolverRow::shortened},
     {"negative_pivots",
      "negative pivots of the tangent: 0 where the equilibrium is stable; with loads that follow, 1 where the "
      "tangent's determinant is negative; -1 if not counted",

@@ -1,0 +1,442 @@
+#include "assembly/contact_assembly.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "assembly/scatter.hpp"
+#include "contact/impact_law.hpp"
+#include "rotation/tangent_map.hpp"
+
+namespace gxrod {
+
+// Where obstacles are, and where they were at the last accepted step.
+struct ContactAssembly::At {
+    std::vector<ObstaclePlacement> now, before;
+    bool has_impacts = false;
+};
+
+ContactAssembly::ContactAssembly(const Model& model, const ThreadTeam& team, const ScaleGroups& groups)
+    : model_(&model), team_(&team), groups_(&groups), obstacles_(model.contact.obstacles) {
+    if (obstacles_.empty()) return;
+    places_ = find_contact_places(model);
+    for (ContactElement& element : places_.elements) element.part = groups.part_of_node(element.nodes[0]);
+    for (const Obstacle& obstacle : obstacles_) {
+        rubs_ = rubs_ || obstacle.friction > 0.0;
+        moves_ = moves_ || obstacle.motion.has_value();
+    }
+}
+
+void ContactAssembly::lay_out(const EquationNumbers& equations, const SparsePattern& pattern) {
+    equations_ = &equations;
+    for (ContactElement& element : places_.elements) {
+        const std::span<const int> nodes(element.nodes.data(), static_cast<std::size_t>(element.count));
+        element.slots.resize(36 * nodes.size() * nodes.size());
+        find_slots(nodes, equations, pattern, element.slots);
+    }
+}
+
+ContactAssembly::At ContactAssembly::find_obstacles(const State& state, double time, double progress) const {
+    At at;
+    at.has_impacts = model_->has_inertia && model_->has_time;
+    at.now.resize(obstacles_.size());
+    at.before.resize(obstacles_.size());
+    for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+        if (!obstacles_[i].motion) continue;
+        at.before[i] = place_obstacle(obstacles_[i], state.time);
+        at.now[i] = between(at.before[i], place_obstacle(obstacles_[i], time), progress);
+    }
+    return at;
+}
+
+SurfaceTouch ContactAssembly::touch(const At& at,
+                                    std::size_t obstacle,
+                                    std::size_t place,
+                                    const Vec3& position) const {
+    const Obstacle& body = obstacles_[obstacle];
+    const ContactElement& element = places_.elements[static_cast<std::size_t>(places_.places[place].element)];
+    const ObstacleDistance found = find_obstacle_distance(body, at.now[obstacle], position);
+    SurfaceTouch result{found.distance - element.radius, found.normal, found.curvature};
+    if (body.motion) {
+        const Vec3 surface = position - found.distance * found.normal;
+        result.drift = surface - at.before[obstacle].from_start(at.now[obstacle].to_start(surface));
+    }
+    return result;
+}
+
+double ContactAssembly::gap_before(const At& at,
+                                   std::size_t obstacle,
+                                   std::size_t place,
+                                   const State& state) const {
+    const ContactPlace& own = places_.places[place];
+    const Vec3 position = places_.interpolate(own, state.previous, &NodeMotion::r);
+    return find_obstacle_distance(obstacles_[obstacle], at.before[obstacle], position).distance -
+           places_.elements[static_cast<std::size_t>(own.element)].radius;
+}
+
+PlaceFriction ContactAssembly::friction(std::size_t obstacle, std::size_t place, const State& state) const {
+    const double coefficient = obstacles_[obstacle].friction;
+    if (coefficient == 0.0) return {};
+    const ContactElement& element = places_.elements[static_cast<std::size_t>(places_.places[place].element)];
+    return {coefficient,
+            element.law.stiffness / element.law.skin,
+            state.contact_tractions[pair(obstacle, place)]};
+}
+
+NormalForce ContactAssembly::law_force(
+    const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const {
+    if (const std::optional<double>& stiffness = obstacles_[obstacle].stiffness)
+        return gap < 0.0 ? NormalForce{-*stiffness * gap, *stiffness} : NormalForce{};
+    const ContactLaw& law = places_.elements[static_cast<std::size_t>(places_.places[place].element)].law;
+    const double dissipation = at.has_impacts ? model_->contact.dissipation : 1.0;
+    if (dissipation == 1.0) {
+        if (gap >= law.skin) return {};
+        return compute_impact_force({law}, gap);
+    }
+    return compute_impact_force({law, dissipation, gap_before(at, obstacle, place, state)}, gap);
+}
+
+// λ and D of the point of the curve that the state's parameter names, continued to the gap.
+NormalForce ContactAssembly::tangent_force(
+    const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const {
+    const double on_curve = state.contact.parameters[pair(obstacle, place)];
+    NormalForce normal = law_force(at, obstacle, place, on_curve, state);
+    normal.force -= normal.stiffness * (gap - on_curve);
+    return normal;
+}
+
+// find(place, gap): the normal force there of an obstacle.
+template <class Find>
+void ContactAssembly::add_element_force(
+    std::size_t index, const At& at, const State& state, const Find& find, LoadVector& force) const {
+    const ContactElement& element = places_.elements[index];
+    for (std::size_t p = element.first_place; p < element.end_place; ++p) {
+        const ContactPlace& place = places_.places[p];
+        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+            const SurfaceTouch surface = touch(at, obstacle, p, position);
+            const NormalForce normal = find(obstacle, p, surface.gap);
+            if (normal.force == 0.0) continue;
+            const PlaceForce there = compute_place_force(
+                surface, places_.motion_of(place, state), normal, friction(obstacle, p, state));
+            if (force.size() == 0) force = LoadVector::Zero(6 * element.count);
+            for (int i = 0; i < element.count; ++i) {
+                const double share = place.weight * place.shapes[static_cast<std::size_t>(i)];
+                force.segment<3>(6 * i) += share * there.force;
+                force.segment<3>(6 * i + 3) += share * there.moment;
+            }
+        }
+    }
+}
+
+// Empty where nothing touches.
+template <class Find>
+std::vector<LoadVector> ContactAssembly::compute_element_forces(const At& at,
+                                                                const State& state,
+                                                                const Find& find) const {
+    std::vector<LoadVector> forces(places_.elements.size());
+    team_->for_each_range(forces.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t e = first; e < last; ++e) add_element_force(e, at, state, find, forces[e]);
+    });
+    return forces;
+}
+
+void ContactAssembly::subtract_forces(const State& state,
+                                      double time,
+                                      double weight,
+                                      Residual& residual) const {
+    if (weight == 0.0) return;
+    const At at = find_obstacles(state, time, state.contact.progress);
+    const auto find = [&](std::size_t obstacle, std::size_t place, double gap) {
+        return law_force(at, obstacle, place, gap, state);
+    };
+    const std::vector<LoadVector> forces = compute_element_forces(at, state, find);
+    for (std::size_t e = 0; e < forces.size(); ++e) {
+        if (forces[e].size() == 0) continue;
+        const ContactElement& element = places_.elements[e];
+        for (int i = 0; i < element.count; ++i) {
+            const int node = element.nodes[static_cast<std::size_t>(i)];
+            const Vec6 force = weight * forces[e].segment<6>(6 * i);
+            residual.raise_group(groups_->of_node(node), force);
+            residual.nodal[static_cast<std::size_t>(node)] -= force;
+        }
+    }
+}
+
+void ContactAssembly::replace_by_tangent_forces(const State& state,
+                                                double time,
+                                                double weight,
+                                                Residual& residual) const {
+    if (weight == 0.0) return;
+    const At now = find_obstacles(state, time, state.contact.progress);
+    const At there = find_obstacles(state, time, 1.0);
+    const auto true_force = [&](std::size_t obstacle, std::size_t place, double gap) {
+        return law_force(now, obstacle, place, gap, state);
+    };
+    const auto tangent = [&](std::size_t obstacle, std::size_t place, double gap) {
+        return tangent_force(there, obstacle, place, gap, state);
+    };
+    const std::vector<LoadVector> taken = compute_element_forces(now, state, true_force);
+    const std::vector<LoadVector> given = compute_element_forces(there, state, tangent);
+    for (std::size_t e = 0; e < taken.size(); ++e) {
+        const ContactElement& element = places_.elements[e];
+        for (int i = 0; i < element.count; ++i) {
+            Vec6& nodal =
+                residual.nodal[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])];
+            if (taken[e].size() > 0) nodal += weight * taken[e].segment<6>(6 * i);
+            if (given[e].size() > 0) nodal -= weight * given[e].segment<6>(6 * i);
+        }
+    }
+}
+
+void ContactAssembly::add_tangents(const State& state,
+                                   double time,
+                                   double weight,
+                                   const std::vector<NodeLinearization>& linearizations,
+                                   std::vector<double>& values) const {
+    if (weight == 0.0) return;
+    const bool is_mixed = !state.contact.parameters.empty();
+    const At at = find_obstacles(state, time, is_mixed ? 1.0 : state.contact.progress);
+    for (const ContactElement& element : places_.elements) {
+        LoadMatrix tangent;
+        std::array<Mat3, most_element_nodes> turns;
+        for (std::size_t p = element.first_place; p < element.end_place; ++p) {
+            const ContactPlace& place = places_.places[p];
+            const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+            for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+                const SurfaceTouch surface = touch(at, obstacle, p, position);
+                const NormalForce normal = is_mixed ? tangent_force(at, obstacle, p, surface.gap, state)
+                                                    : law_force(at, obstacle, p, surface.gap, state);
+                if (normal.force == 0.0 && normal.stiffness == 0.0) continue;
+                if (tangent.size() == 0) {
+                    tangent = LoadMatrix::Zero(6 * element.count, 6 * element.count);
+                    for (int j = 0; j < element.count; ++j)
+                        turns[static_cast<std::size_t>(j)] = tangent_map_inverse(
+                            state.trial[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(j)])]
+                                .theta);
+                }
+                const PlaceForceDerivative there = compute_place_force_derivative(
+                    surface, places_.motion_of(place, state), normal, friction(obstacle, p, state));
+                for (int j = 0; j < element.count; ++j) {
+                    const auto node = static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(j)]);
+                    const double part = weight * linearizations[node].placement * place.weight *
+                                        place.shapes[static_cast<std::size_t>(j)];
+                    const Mat3& turn = turns[static_cast<std::size_t>(j)];
+                    Mat6 own;
+                    own << there.force_by_position, there.force_by_rotation * turn, there.moment_by_position,
+                        there.moment_by_rotation * turn;
+                    for (int i = 0; i < element.count; ++i)
+                        tangent.block<6, 6>(6 * i, 6 * j) -=
+                            (part * place.shapes[static_cast<std::size_t>(i)]) * own;
+                }
+            }
+        }
+        if (tangent.size() == 0) continue;
+        const std::span<const int> nodes(element.nodes.data(), static_cast<std::size_t>(element.count));
+        turn_to_own_axes(nodes, *equations_, tangent);
+        add_to_values(tangent.data(), element.slots, values);
+    }
+}
+
+void ContactAssembly::start(State& state, double time) const {
+    const At at = find_obstacles(state, time, state.contact.progress);
+    state.contact.parameters.resize(pair_count());
+    team_->for_each_range(places_.places.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t p = first; p < last; ++p) {
+            const Vec3 position = places_.interpolate(places_.places[p], state.trial, &NodeMotion::r);
+            for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle)
+                state.contact.parameters[pair(obstacle, p)] = touch(at, obstacle, p, position).gap;
+        }
+    });
+}
+
+void ContactAssembly::advance(const std::vector<Vec6>& deltas, double time, State& state) const {
+    const At at = find_obstacles(state, time, 1.0);
+    const double theta = at.has_impacts ? model_->contact.dissipation : 1.0;
+    team_->for_each_range(places_.places.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t p = first; p < last; ++p) {
+            const ContactPlace& place = places_.places[p];
+            const ContactElement& element = places_.elements[static_cast<std::size_t>(place.element)];
+            const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+            Vec3 change = Vec3::Zero();
+            for (int i = 0; i < element.count; ++i)
+                change +=
+                    place.shapes[static_cast<std::size_t>(i)] *
+                    deltas[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])].head<3>();
+            for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+                double& parameter = state.contact.parameters[pair(obstacle, p)];
+                const SurfaceTouch surface = touch(at, obstacle, p, position);
+                const double gap = surface.gap + surface.normal.dot(change);
+                if (obstacles_[obstacle].stiffness) {
+                    parameter = gap;
+                    continue;
+                }
+                const NormalForce normal = tangent_force(at, obstacle, p, gap, state);
+                const ImpactLaw law{
+                    element.law, theta, theta == 1.0 ? 0.0 : gap_before(at, obstacle, p, state)};
+                parameter = find_gap_on_curve(law, normal.force, gap);
+            }
+        }
+    });
+}
+
+ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
+                                     const State& state,
+                                     double time) const {
+    const At from = find_obstacles(state, time, state.contact.progress);
+    const At to = find_obstacles(state, time, 1.0);
+    ContactLimits limits;
+    limits.of_parts.assign(groups_->part_count(), 1.0);
+    std::vector<double> of_elements(places_.elements.size(), 1.0);
+    std::vector<double> gaps(places_.elements.size(), std::numeric_limits<double>::infinity());
+    team_->for_each_range(of_elements.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t e = first; e < last; ++e) {
+            const ContactElement& element = places_.elements[e];
+            for (std::size_t p = element.first_place; p < element.end_place; ++p) {
+                const ContactPlace& place = places_.places[p];
+                const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+                Vec3 change = Vec3::Zero();
+                for (int i = 0; i < element.count; ++i)
+                    change +=
+                        place.shapes[static_cast<std::size_t>(i)] *
+                        displacements[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])];
+                for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+                    if (obstacles_[obstacle].stiffness) continue;
+                    const FreeMotion free = find_free_motion(obstacles_[obstacle],
+                                                             element.radius,
+                                                             from.now[obstacle].to_start(position),
+                                                             to.now[obstacle].to_start(position + change));
+                    of_elements[e] = std::min(of_elements[e], free.fraction);
+                    gaps[e] = std::min(gaps[e], free.gap);
+                }
+            }
+        }
+    });
+    for (std::size_t e = 0; e < of_elements.size(); ++e) {
+        double& part = limits.of_parts[static_cast<std::size_t>(places_.elements[e].part)];
+        part = std::min(part, of_elements[e]);
+        limits.least = std::min(limits.least, of_elements[e]);
+        limits.least_gap = std::min(limits.least_gap, gaps[e]);
+    }
+    // Obstacles that still have to move go as far as all.
+    if (moves_ && state.contact.progress < 1.0) std::ranges::fill(limits.of_parts, limits.least);
+    return limits;
+}
+
+void ContactAssembly::commit(State& state, double time) const {
+    if (!rubs_) return;
+    const At at = find_obstacles(state, time, 1.0);
+    team_->for_each_range(places_.places.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t p = first; p < last; ++p) {
+            const ContactPlace& place = places_.places[p];
+            const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+            for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+                const SurfaceTouch surface = touch(at, obstacle, p, position);
+                state.contact_tractions[pair(obstacle, p)] =
+                    compute_place_force(surface,
+                                        places_.motion_of(place, state),
+                                        law_force(at, obstacle, p, surface.gap, state),
+                                        friction(obstacle, p, state))
+                        .traction;
+            }
+        }
+    });
+}
+
+std::vector<Vec6> ContactAssembly::compute_forces(const State& state, double time) const {
+    Residual residual;
+    residual.nodal.assign(state.trial.size(), Vec6::Zero());
+    subtract_forces(state, time, -1.0, residual);
+    return residual.nodal;
+}
+
+double ContactAssembly::compute_energy(const State& state, double time) const {
+    const At at = find_obstacles(state, time, 1.0);
+    double energy = 0.0;
+    for (std::size_t p = 0; p < places_.places.size(); ++p) {
+        const ContactPlace& place = places_.places[p];
+        const ContactLaw& law = places_.elements[static_cast<std::size_t>(place.element)].law;
+        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+            const SurfaceTouch surface = touch(at, obstacle, p, position);
+            const PlaceFriction rubbing = friction(obstacle, p, state);
+            if (const std::optional<double>& stiffness = obstacles_[obstacle].stiffness) {
+                const double depth = std::max(-surface.gap, 0.0);
+                energy += 0.5 * place.weight * *stiffness * depth * depth;
+            } else if (surface.gap < law.skin) {
+                energy += place.weight * compute_contact_energy(law, surface.gap);
+            }
+            if (rubbing.stiffness > 0.0) {
+                const PlaceForce force = compute_place_force(surface,
+                                                             places_.motion_of(place, state),
+                                                             law_force(at, obstacle, p, surface.gap, state),
+                                                             rubbing);
+                energy += 0.5 * place.weight * force.traction.squaredNorm() / rubbing.stiffness;
+            }
+        }
+    }
+    return energy;
+}
+
+std::vector<ObstacleValues> ContactAssembly::compute_obstacle_values(const State& state, double time) const {
+    const At at = find_obstacles(state, time, 1.0);
+    std::vector<ObstacleValues> values(obstacles_.size());
+    for (ObstacleValues& own : values) own.least_gap = std::numeric_limits<double>::infinity();
+    for (std::size_t p = 0; p < places_.places.size(); ++p) {
+        const ContactPlace& place = places_.places[p];
+        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+            ObstacleValues& own = values[obstacle];
+            const SurfaceTouch surface = touch(at, obstacle, p, position);
+            own.least_gap = std::min(own.least_gap, surface.gap);
+            const NormalForce normal = law_force(at, obstacle, p, surface.gap, state);
+            if (normal.force == 0.0) continue;
+            const PlaceForce force = compute_place_force(
+                surface, places_.motion_of(place, state), normal, friction(obstacle, p, state));
+            own.force -= place.weight * force.force;
+            own.friction -= place.weight * force.traction;
+        }
+    }
+    return values;
+}
+
+std::string ContactAssembly::describe_overlap(const State& state, double time) const {
+    const At at = find_obstacles(state, time, 1.0);
+    double least = 0.0;
+    std::string text;
+    for (std::size_t p = 0; p < places_.places.size(); ++p) {
+        const ContactPlace& place = places_.places[p];
+        const ContactElement& element = places_.elements[static_cast<std::size_t>(place.element)];
+        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+            const double gap = touch(at, obstacle, p, position).gap;
+            if (obstacles_[obstacle].stiffness || gap > least || (gap == 0.0 && !text.empty())) continue;
+            least = gap;
+            text = fmt::format("{}@{:.4g} is {} obstacle \"{}\"; expected a gap, as small as you like",
+                               model_->rods[static_cast<std::size_t>(element.rod)].name,
+                               place.fraction,
+                               gap == 0.0 ? "exactly on" : fmt::format("{:.4g} deep in", -gap),
+                               obstacles_[obstacle].name);
+        }
+    }
+    return text;
+}
+
+ContactCount ContactAssembly::count(const State& state, double time) const {
+    const At at = find_obstacles(state, time, state.contact.progress);
+    ContactCount result{0, std::numeric_limits<double>::infinity()};
+    for (std::size_t p = 0; p < places_.places.size(); ++p) {
+        const ContactLaw& law = places_.elements[static_cast<std::size_t>(places_.places[p].element)].law;
+        const Vec3 position = places_.interpolate(places_.places[p], state.trial, &NodeMotion::r);
+        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+            const double gap = touch(at, obstacle, p, position).gap;
+            const double range = obstacles_[obstacle].stiffness ? 0.0 : law.skin;
+            if (gap < range) ++result.touching;
+            result.least_gap = std::min(result.least_gap, gap);
+        }
+    }
+    return result;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "assembly/contact_places.hpp"
+#include "assembly/equation_numbers.hpp"
+#include "assembly/residual.hpp"
+#include "assembly/scale_groups.hpp"
+#include "contact/obstacle_distance.hpp"
+#include "linear/sparse_pattern.hpp"
+#include "loads/distributed_load.hpp"
+#include "parallel/thread_team.hpp"
+#include "state/obstacle_values.hpp"
+
+namespace gxrod {
+
+// The part of an increment that each part of the model may make (ScaleGroups).
+struct ContactLimits {
+    std::vector<double> of_parts;  // 0 … 1
+    double least = 1.0;
+    double least_gap = std::numeric_limits<double>::infinity();  // before the increment
+
+    bool shorten() const { return least < 1.0; }
+};
+
+// What touches at an instant.
+struct ContactCount {
+    std::int64_t touching = 0;
+    double least_gap = 0.0;
+};
+
+// Contact of rods with obstacles: forces, their tangent, and how far a motion may go so that nothing passes
+// through anything. Each place of a rod (ContactPlaces) touches each obstacle by itself. Forces are those of
+// State::trial; where State::contact has parameters, tangents are those of forces as unknowns of their own.
+class ContactAssembly {
+  public:
+    // All must outlive it.
+    ContactAssembly(const Model& model, const ThreadTeam& team, const ScaleGroups& groups);
+    void lay_out(const EquationNumbers& equations, const SparsePattern& pattern);
+
+    bool empty() const { return places_.places.empty() || obstacles_.empty(); }
+    // Of State::contact_tractions.
+    std::size_t traction_count() const { return rubs_ ? pair_count() : 0; }
+
+    // By a weight: of the schemes of time, see Integrator::contact_weight.
+    void subtract_forces(const State& state, double time, double weight, Residual& residual) const;
+    void add_tangents(const State& state,
+                      double time,
+                      double weight,
+                      const std::vector<NodeLinearization>& linearizations,
+                      std::vector<double>& values) const;
+    // Where the state has parameters: from the residual of the true forces to that of the tangents, with
+    // obstacles where they are to be at `time`.
+    void replace_by_tangent_forces(const State& state, double time, double weight, Residual& residual) const;
+
+    // Starts the parameters of an equilibrium at `time` on the law.
+    void start(State& state, double time) const;
+    // With the whole increments of a Newton iteration, before nodes move.
+    void advance(const std::vector<Vec6>& deltas, double time, State& state) const;
+    // How far displacements of the trial may go; obstacles move with them to where they are at `time`.
+    ContactLimits limit(const std::vector<Vec3>& displacements, const State& state, double time) const;
+    bool has_moving_obstacles() const { return moves_; }
+
+    void commit(State& state, double time) const;
+
+    // Whether anything touches, of the trial motions.
+    bool has_forces(const State& state, double time) const { return count(state, time).touching > 0; }
+    // On each node, of the trial motions.
+    std::vector<Vec6> compute_forces(const State& state, double time) const;
+    // Stored between rods and obstacles, with what sticks.
+    double compute_energy(const State& state, double time) const;
+    // Of Contact::obstacles.
+    std::vector<ObstacleValues> compute_obstacle_values(const State& state, double time) const;
+    // Of the trial motions: where a rod is in an obstacle or touches it without a gap, "" without one.
+    std::string describe_overlap(const State& state, double time) const;
+    ContactCount count(const State& state, double time) const;
+
+  private:
+    struct At;  // where obstacles are
+    std::size_t pair_count() const { return obstacles_.size() * places_.places.size(); }
+    std::size_t pair(std::size_t obstacle, std::size_t place) const {
+        return obstacle * places_.places.size() + place;
+    }
+    At find_obstacles(const State& state, double time, double progress) const;
+    SurfaceTouch touch(const At& at, std::size_t obstacle, std::size_t place, const Vec3& position) const;
+    double gap_before(const At& at, std::size_t obstacle, std::size_t place, const State& state) const;
+    PlaceFriction friction(std::size_t obstacle, std::size_t place, const State& state) const;
+    NormalForce law_force(
+        const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const;
+    NormalForce tangent_force(
+        const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const;
+    template <class Find>
+    void add_element_force(
+        std::size_t element, const At& at, const State& state, const Find& find, LoadVector& force) const;
+    template <class Find>
+    std::vector<LoadVector> compute_element_forces(const At& at, const State& state, const Find& find) const;
+
+    const Model* model_;
+    const ThreadTeam* team_;
+    const ScaleGroups* groups_;
+    const EquationNumbers* equations_ = nullptr;
+    const std::vector<Obstacle>& obstacles_;
+    ContactPlaces places_;
+    bool rubs_ = false;
+    bool moves_ = false;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,121 @@
+#include "assembly/contact_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assembly/element_geometry.hpp"
+#include "loads/shape_functions.hpp"
+#include "numerics/gauss_legendre.hpp"
+#include "numerics/lagrange.hpp"
+
+namespace gxrod {
+
+namespace {
+
+// The nodes of an element on [−1, 1], and the weights of the rule at them.
+struct Rule {
+    std::vector<double> at, weights;
+};
+
+Rule find_rule(int order) {
+    Rule rule;
+    visit_node_count(order, [&](auto count) {
+        const auto at = compute_node_positions<count>();
+        rule.at.assign(at.begin(), at.end());
+    });
+    rule.weights.assign(rule.at.size(), 0.0);
+    const ShapeFunctions shapes_at = find_shape_functions(order);
+    for (const QuadraturePoint& point : list_gauss_rule(order + 1)) {
+        const ShapeValues shapes = shapes_at(point.xi);
+        for (std::size_t i = 0; i < rule.weights.size(); ++i)
+            rule.weights[i] += point.weight * shapes.value[i];
+    }
+    return rule;
+}
+
+// The force of a crossing at half the skin is a thousandth of EA, over a length of two radii.
+ContactLaw find_law(const Model& model, const Rod& rod, double radius) {
+    const double EA = model.sections[static_cast<std::size_t>(rod.section)].stiffness(0, 0);
+    return {model.contact.skin * radius, EA / (1000.0 * radius)};
+}
+
+// So far apart that the chord between two places comes no nearer to any obstacle than a quarter of the skin.
+double find_spacing(const Model& model, double radius) {
+    double curvature = 0.0;
+    for (const Obstacle& obstacle : model.contact.obstacles) {
+        if (obstacle.shape != Obstacle::Shape::plane)
+            curvature = std::max(curvature, 1.0 / (obstacle.radius + radius));
+    }
+    return std::sqrt(2.0 * model.contact.skin * radius / curvature);
+}
+
+void add_element(
+    const Model& model, int index, int element, const Rule& rule, double spacing, ContactPlaces& all) {
+    const Rod& rod = model.rods[static_cast<std::size_t>(index)];
+    const std::size_t nodes = rule.at.size();
+    const std::size_t first = static_cast<std::size_t>(element) * nodes;
+    const ShapeFunctions shapes_at = find_shape_functions(rod.order);
+    ContactElement own;
+    own.rod = index;
+    own.element = element;
+    own.count = static_cast<int>(nodes);
+    own.radius = model.contact.radii[static_cast<std::size_t>(index)];
+    own.law = find_law(model, rod, own.radius);
+    own.first_place = all.places.size();
+    double length = 0.0;
+    for (std::size_t i = 0; i < nodes; ++i) own.nodes[i] = rod.element_nodes[first + i];
+    const auto jacobian = [&](const ShapeValues& shapes) {
+        Vec3 tangent = Vec3::Zero();
+        for (std::size_t i = 0; i < nodes; ++i)
+            tangent += shapes.slope[i] * model.nodes[static_cast<std::size_t>(own.nodes[i])].position;
+        return tangent.norm();
+    };
+    for (std::size_t i = 0; i < nodes; ++i) length += rule.weights[i] * jacobian(shapes_at(rule.at[i]));
+    const int panels = std::max(1, static_cast<int>(std::ceil(length / (rod.order * spacing))));
+    for (int panel = 0; panel < panels; ++panel) {
+        for (std::size_t i = 0; i < nodes; ++i) {
+            const double xi = -1.0 + (2.0 * panel + 1.0 + rule.at[i]) / panels;
+            const ShapeValues shapes = shapes_at(xi);
+            const double weight = rule.weights[i] / panels * jacobian(shapes);
+            if (panel > 0 && i == 0) {
+                all.places.back().weight += weight;
+                continue;
+            }
+            ContactPlace place;
+            place.element = static_cast<int>(all.elements.size());
+            place.weight = weight;
+            std::copy_n(shapes.value.begin(), nodes, place.shapes.begin());
+            for (std::size_t j = 0; j < nodes; ++j)
+                place.fraction += shapes.value[j] * rod.arc_length[first + j] / rod.length;
+            all.places.push_back(place);
+        }
+    }
+    own.end_place = all.places.size();
+    all.elements.push_back(own);
+}
+
+}  // namespace
+
+PlaceMotion ContactPlaces::motion_of(const ContactPlace& place, const State& state) const {
+    const ContactElement& element = elements[static_cast<std::size_t>(place.element)];
+    return {
+        interpolate(place, state.trial, &NodeMotion::r) - interpolate(place, state.previous, &NodeMotion::r),
+        interpolate(place, state.trial, &NodeMotion::theta),
+        element.radius};
+}
+
+ContactPlaces find_contact_places(const Model& model) {
+    ContactPlaces all;
+    for (int index = 0; index < static_cast<int>(model.rods.size()); ++index) {
+        const double radius = model.contact.radii[static_cast<std::size_t>(index)];
+        if (radius == 0.0) continue;
+        const Rod& rod = model.rods[static_cast<std::size_t>(index)];
+        const Rule rule = find_rule(rod.order);
+        const double spacing = find_spacing(model, radius);
+        for (int element = 0; element < rod.element_count(); ++element)
+            add_element(model, index, element, rule, spacing, all);
+    }
+    return all;
+}
+
+}  // namespace gxrod

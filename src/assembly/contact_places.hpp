@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "contact/contact_law.hpp"
+#include "contact/place_force.hpp"
+#include "loads/loaded_element.hpp"
+#include "state/state.hpp"
+
+namespace gxrod {
+
+// A place of a rod that can touch obstacles, and the length that goes with it.
+struct ContactPlace {
+    int element = 0;                                  // in the list of elements
+    double fraction = 0.0;                            // of the rod's length, from its start
+    double weight = 0.0;                              // a length at t = 0
+    std::array<double, most_element_nodes> shapes{};  // of the element's nodes
+};
+
+// An element of a rod that can touch.
+struct ContactElement {
+    int rod = 0;
+    int element = 0;
+    int part = 0;  // of the model, ScaleGroups
+    int count = 0;
+    std::array<int, most_element_nodes> nodes{};
+    double radius = 0.0;
+    ContactLaw law{};
+    std::size_t first_place = 0, end_place = 0;
+    std::vector<std::int64_t> slots{};
+};
+
+struct ContactPlaces {
+    std::vector<ContactElement> elements;
+    std::vector<ContactPlace> places;
+
+    template <class Member>
+    Vec3 interpolate(const ContactPlace& place, const std::vector<NodeMotion>& motions, Member member) const {
+        const ContactElement& element = elements[static_cast<std::size_t>(place.element)];
+        Vec3 sum = Vec3::Zero();
+        for (int i = 0; i < element.count; ++i)
+            sum += place.shapes[static_cast<std::size_t>(i)] *
+                   (motions[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])].*member);
+        return sum;
+    }
+    // Since the last accepted step.
+    PlaceMotion motion_of(const ContactPlace& place, const State& state) const;
+};
+
+// Of all rods that touch, in the order of the model: the Gauss-Lobatto points of panels of each element, as
+// many as a curved obstacle needs, with the weights of that rule.
+ContactPlaces find_contact_places(const Model& model);
+
+}  // namespace gxrod

@@ -1,0 +1,203 @@
+#include "contact/obstacle_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "rotation/rotation_map.hpp"
+
+namespace gxrod {
+
+namespace {
+
+// The closest point of a line, and what the distance from it needs: its unit tangent, zero at an end, and its
+// curvature vector c″.
+struct ClosestOnLine {
+    Vec3 position = Vec3::Zero();
+    Vec3 tangent = Vec3::Zero();
+    Vec3 curvature = Vec3::Zero();
+};
+
+ClosestOnLine find_on_cylinder(const Obstacle& obstacle, const Vec3& point) {
+    const Vec3 start = obstacle.line.front();
+    const Vec3 extent = obstacle.line.back() - start;
+    const double length = extent.norm();
+    const Vec3 axis = extent / length;
+    double s = (point - start).dot(axis);
+    const bool is_beyond = !obstacle.is_hollow && (s < 0.0 || s > length);
+    if (is_beyond) s = std::clamp(s, 0.0, length);
+    return {start + s * axis, is_beyond ? Vec3::Zero() : axis, Vec3::Zero()};
+}
+
+// Of a tube, a cubic Hermite piece between two points, by u = 0 … 1.
+struct Piece {
+    Vec3 p0, p1, m0, m1;
+
+    Vec3 position(double u) const {
+        const double w = 1.0 - u;
+        return (1.0 + 2.0 * u) * w * w * p0 + u * w * w * m0 + u * u * (3.0 - 2.0 * u) * p1 - u * u * w * m1;
+    }
+    Vec3 first(double u) const {
+        return 6.0 * u * (1.0 - u) * (p1 - p0) + (1.0 - u) * (1.0 - 3.0 * u) * m0 + u * (3.0 * u - 2.0) * m1;
+    }
+    Vec3 second(double u) const {
+        return (6.0 - 12.0 * u) * (p1 - p0) + (6.0 * u - 4.0) * m0 + (6.0 * u - 2.0) * m1;
+    }
+};
+
+Piece piece_of(const Obstacle& obstacle, std::size_t index) {
+    const Vec3& p0 = obstacle.line[index];
+    const Vec3& p1 = obstacle.line[index + 1];
+    const double length = (p1 - p0).norm();
+    return {p0, p1, length * obstacle.tangents[index], length * obstacle.tangents[index + 1]};
+}
+
+// u of the point of a piece that is closest, by Newton's method kept within the piece.
+double find_parameter(const Piece& piece, const Vec3& point) {
+    double low = 0.0, high = 1.0;
+    const auto slope = [&](double u) { return (piece.position(u) - point).dot(piece.first(u)); };
+    if (slope(0.0) >= 0.0) return 0.0;
+    if (slope(1.0) <= 0.0) return 1.0;
+    double u = 0.5;
+    for (int iteration = 0; iteration < 60; ++iteration) {
+        const double value = slope(u);
+        (value > 0.0 ? high : low) = u;
+        const double derivative =
+            piece.first(u).squaredNorm() + (piece.position(u) - point).dot(piece.second(u));
+        double next = derivative > 0.0 ? u - value / derivative : 0.5 * (low + high);
+        if (next <= low || next >= high) next = 0.5 * (low + high);
+        if (std::abs(next - u) <= 1e-15) return next;
+        u = next;
+    }
+    return u;
+}
+
+ClosestOnLine find_on_tube(const Obstacle& obstacle, const Vec3& point) {
+    const std::size_t pieces = obstacle.line.size() - 1;
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t best = 0;
+    double u = 0.0;
+    for (std::size_t index = 0; index < pieces; ++index) {
+        const Vec3& start = obstacle.line[index];
+        const Vec3& end = obstacle.line[index + 1];
+        // A piece is no further from the middle of its chord than its chord is long.
+        const double length = (end - start).norm();
+        if ((point - 0.5 * (start + end)).norm() - length > least) continue;
+        const Piece piece = piece_of(obstacle, index);
+        const double at = find_parameter(piece, point);
+        const double distance = (piece.position(at) - point).norm();
+        if (distance >= least) continue;
+        least = distance;
+        best = index;
+        u = at;
+    }
+    const bool is_before = best == 0 && u == 0.0;
+    const bool is_after = best + 1 == pieces && u == 1.0;
+    if (is_before || is_after) {
+        const Vec3& end = is_before ? obstacle.line.front() : obstacle.line.back();
+        if (!obstacle.is_hollow) return {end, Vec3::Zero(), Vec3::Zero()};
+        const Vec3& axis = is_before ? obstacle.tangents.front() : obstacle.tangents.back();
+        return {end + (point - end).dot(axis) * axis, axis, Vec3::Zero()};
+    }
+    const Piece piece = piece_of(obstacle, best);
+    const Vec3 first = piece.first(u);
+    const double speed = first.norm();
+    const Vec3 tangent = first / speed;
+    const Vec3 second = piece.second(u) / (speed * speed);
+    return {piece.position(u), tangent, second - second.dot(tangent) * tangent};
+}
+
+ClosestOnLine find_on_line(const Obstacle& obstacle, const Vec3& point) {
+    switch (obstacle.shape) {
+        case Obstacle::Shape::plane:
+        case Obstacle::Shape::sphere:
+            return {obstacle.line.front(), Vec3::Zero(), Vec3::Zero()};
+        case Obstacle::Shape::cylinder:
+            return find_on_cylinder(obstacle, point);
+        case Obstacle::Shape::tube:
+            return find_on_tube(obstacle, point);
+    }
+    return {};
+}
+
+}  // namespace
+
+ObstacleDistance find_obstacle_distance(const Obstacle& obstacle, const Vec3& point) {
+    ObstacleDistance result;
+    const ClosestOnLine closest = find_on_line(obstacle, point);
+    result.position = closest.position;
+    const Vec3 offset = point - closest.position;
+    if (obstacle.shape == Obstacle::Shape::plane) {
+        result.distance = offset.dot(obstacle.normal);
+        result.normal = obstacle.normal;
+        return result;
+    }
+    const double d = offset.norm();
+    const double sign = obstacle.is_hollow ? -1.0 : 1.0;
+    result.distance = sign * (d - obstacle.radius);
+    if (d == 0.0) return result;
+    const Vec3 n = offset / d;
+    result.normal = sign * n;
+    // The closest point follows by t (t · δx)/m, m = 1 − offset · c″.
+    const double m = 1.0 - offset.dot(closest.curvature);
+    const Vec3& t = closest.tangent;
+    result.curvature = (sign / d) * (Mat3::Identity() - n * n.transpose() - t * t.transpose() / m);
+    return result;
+}
+
+ObstaclePlacement place_obstacle(const Obstacle& obstacle, double time) {
+    ObstaclePlacement placement;
+    if (!obstacle.motion) return placement;
+    placement.displacement = obstacle.motion->displacement(time);
+    placement.rotation = obstacle.motion->rotation(time);
+    placement.about = obstacle.motion->about;
+    placement.turn = exp_matrix(placement.rotation);
+    return placement;
+}
+
+ObstaclePlacement between(const ObstaclePlacement& from, const ObstaclePlacement& to, double fraction) {
+    if (fraction == 1.0) return to;
+    ObstaclePlacement placement = to;
+    placement.displacement = from.displacement + fraction * (to.displacement - from.displacement);
+    placement.rotation = from.rotation + fraction * (to.rotation - from.rotation);
+    placement.turn = exp_matrix(placement.rotation);
+    return placement;
+}
+
+ObstacleDistance find_obstacle_distance(const Obstacle& obstacle,
+                                        const ObstaclePlacement& placement,
+                                        const Vec3& point) {
+    if (!obstacle.motion) return find_obstacle_distance(obstacle, point);
+    ObstacleDistance result = find_obstacle_distance(obstacle, placement.to_start(point));
+    const Mat3& Q = placement.turn;
+    result.normal = Q * result.normal;
+    result.curvature = Q * result.curvature * Q.transpose();
+    result.position = placement.from_start(result.position);
+    return result;
+}
+
+FreeMotion find_free_motion(const Obstacle& obstacle, double radius, const Vec3& from, const Vec3& to) {
+    const Vec3 motion = to - from;
+    const double length = motion.norm();
+    ObstacleDistance at = find_obstacle_distance(obstacle, from);
+    const double gap = at.distance - radius;
+    constexpr double kept = 0.1;
+    if (0.9 * gap >= length) return {1.0, gap};
+    // The distance from what bulges out is never below its tangent plane's: nothing bulges in but hollows and
+    // the bends of tubes.
+    const bool is_convex = !obstacle.is_hollow && obstacle.shape != Obstacle::Shape::tube;
+    constexpr int most_evaluations = 60;
+    double t = 0.0;
+    for (int evaluation = 0; evaluation < most_evaluations; ++evaluation) {
+        const double speed = is_convex ? -at.normal.dot(motion) : length;
+        const double room = at.distance - radius - kept * gap;
+        if (speed <= 0.0 || room >= (1.0 - t) * speed) return {1.0, gap};
+        const double step = room / speed;
+        t += step;
+        if (room <= 0.05 * kept * gap || step <= 1e-6) break;
+        at = find_obstacle_distance(obstacle, from + t * motion);
+    }
+    return {t, gap};
+}
+
+}  // namespace gxrod

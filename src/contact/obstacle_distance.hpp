@@ -1,0 +1,44 @@
+#pragma once
+
+#include "model/contact.hpp"
+
+namespace gxrod {
+
+// How far a point is from the surface of an obstacle, positive where rods are.
+struct ObstacleDistance {
+    double distance = 0.0;
+    Vec3 normal = Vec3::Zero();     // its gradient, of length 1
+    Mat3 curvature = Mat3::Zero();  // its second derivative, symmetric
+    Vec3 position = Vec3::Zero();   // of the obstacle's line, closest to the point
+};
+// Of an obstacle where it is at t = 0. On the line of a tube, where no direction is closest, the normal is
+// zero.
+ObstacleDistance find_obstacle_distance(const Obstacle& obstacle, const Vec3& point);
+
+// Where an obstacle is: x = turn (x₀ − about) + about + displacement, of its points x₀ at t = 0.
+struct ObstaclePlacement {
+    Vec3 displacement = Vec3::Zero();
+    Vec3 rotation = Vec3::Zero();
+    Vec3 about = Vec3::Zero();
+    Mat3 turn = Mat3::Identity();
+
+    Vec3 to_start(const Vec3& x) const { return turn.transpose() * (x - about - displacement) + about; }
+    Vec3 from_start(const Vec3& x) const { return turn * (x - about) + about + displacement; }
+};
+ObstaclePlacement place_obstacle(const Obstacle& obstacle, double time);
+// So far on the way from one placement to another: displacements and rotation vectors are linear in between.
+ObstaclePlacement between(const ObstaclePlacement& from, const ObstaclePlacement& to, double fraction);
+// Of a moved obstacle.
+ObstacleDistance find_obstacle_distance(const Obstacle& obstacle,
+                                        const ObstaclePlacement& placement,
+                                        const Vec3& point);
+
+// The largest part of the straight motion of a point, in the axes of the obstacle, that keeps its distance
+// above `radius` by a tenth of what it is at the start, or a little less; 1 if all of it does.
+struct FreeMotion {
+    double fraction = 1.0;
+    double gap = 0.0;  // at the start
+};
+FreeMotion find_free_motion(const Obstacle& obstacle, double radius, const Vec3& from, const Vec3& to);
+
+}  // namespace gxrod

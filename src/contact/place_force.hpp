@@ -1,0 +1,60 @@
+#pragma once
+
+#include "rotation/types.hpp"
+
+// The force with which a place of a round rod and a surface touch, per unit weight
+// (docs/theory/contact.md, (C4) to (C7)).
+namespace gxrod {
+
+// Where a place is against a surface.
+struct SurfaceTouch {
+    double gap = 0.0;               // between the surfaces
+    Vec3 normal = Vec3::Zero();     // from the surface to the place, of length 1
+    Mat3 curvature = Mat3::Zero();  // derivative of the normal by the place
+    Vec3 drift = Vec3::Zero();      // how the surface moved there since the last accepted step
+};
+
+// A place on the line of a rod, and how it moved since the last accepted step.
+struct PlaceMotion {
+    Vec3 displacement = Vec3::Zero();
+    Vec3 rotation = Vec3::Zero();  // a rotation vector
+    double radius = 0.0;           // from the line to the surface of the rod
+};
+
+// λ, and D = −dλ/dg.
+struct NormalForce {
+    double force = 0.0;
+    double stiffness = 0.0;
+};
+
+// Coulomb's friction that sticks elastically, and the traction of the last accepted step.
+struct PlaceFriction {
+    double coefficient = 0.0;
+    double stiffness = 0.0;  // of what sticks, per unit weight
+    Vec3 traction = Vec3::Zero();
+};
+
+struct PlaceForce {
+    Vec3 force = Vec3::Zero();
+    Vec3 moment = Vec3::Zero();    // about the line
+    Vec3 traction = Vec3::Zero();  // the part of the force that is friction
+    bool slides = false;
+};
+PlaceForce compute_place_force(const SurfaceTouch& touch,
+                               const PlaceMotion& place,
+                               const NormalForce& normal,
+                               const PlaceFriction& friction);
+
+// By the place's position and rotation vector.
+struct PlaceForceDerivative {
+    Mat3 force_by_position = Mat3::Zero();
+    Mat3 force_by_rotation = Mat3::Zero();
+    Mat3 moment_by_position = Mat3::Zero();
+    Mat3 moment_by_rotation = Mat3::Zero();
+};
+PlaceForceDerivative compute_place_force_derivative(const SurfaceTouch& touch,
+                                                    const PlaceMotion& place,
+                                                    const NormalForce& normal,
+                                                    const PlaceFriction& friction);
+
+}  // namespace gxrod

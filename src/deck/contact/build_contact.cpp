@@ -1,0 +1,212 @@
+#include "deck/contact/build_contact.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "deck/build/acting.hpp"
+#include "deck/build/build_centreline.hpp"
+#include "deck/checks/check_moves.hpp"
+#include "deck/joints/ends.hpp"
+#include "deck/schema/choices.hpp"
+
+namespace gxrod {
+namespace {
+
+const CheckedTable& only(const CheckedTable& table, const char* key) { return table.tables(key).front(); }
+
+// Of a rod: that of its section, or the largest of its sections; 0 if one has none.
+double find_radius(const Rod& rod, const Model& model) {
+    if (!rod.has_varying_sections()) return model.sections[static_cast<std::size_t>(rod.section)].radius;
+    double radius = 0.0;
+    for (const Section& section : rod.varying.at_nodes) {
+        if (section.radius == 0.0) return 0.0;
+        radius = std::max(radius, section.radius);
+    }
+    return radius;
+}
+
+void set_radii(const CheckedTable* table, Contact& contact, const BuildContext& context) {
+    const std::vector<Rod>& rods = context.model.rods;
+    contact.radii.assign(rods.size(), 0.0);
+    std::vector<std::size_t> touching(rods.size());
+    std::iota(touching.begin(), touching.end(), std::size_t{0});
+    if (table != nullptr && table->gives("rods")) {
+        touching.clear();
+        for (const CheckedWord& word : table->get<std::vector<CheckedWord>>("rods")) {
+            for (std::size_t i = 0; i < rods.size(); ++i) {
+                if (rods[i].name == word.word) touching.push_back(i);
+            }
+        }
+    }
+    const std::vector<CheckedTable>& tables = context.deck.tables("rod");
+    for (const std::size_t i : touching) {
+        contact.radii[i] = find_radius(rods[i], context.model);
+        if (contact.radii[i] > 0.0) continue;
+        context.faults.add(tables[i].place,
+                           tables[i].path,
+                           "touches obstacles, but its section has no radius; expected `radius` in the "
+                           "[section.NAME], or `rods` in [contact] without this one");
+    }
+}
+
+std::optional<Vec3> find_direction(const CheckedTable& table, const char* key, const BuildContext& context) {
+    const Vec3& direction = table.get<Vec3>(key);
+    if (!direction.isZero(0.0)) return direction.stableNormalized();
+    context.add_fault(table, key, "expected a direction, found a vector of zero length");
+    return std::nullopt;
+}
+
+// Points of a smooth curve so close that cubic pieces between them are the curve but for 1e-8 of its bends.
+void set_curve(const CheckedTable& tube, Obstacle& obstacle, const BuildContext& context) {
+    const std::optional<Centreline> line = find_centreline(tube, tube, context);
+    if (!line) return;
+    constexpr double most_turn = 0.05;
+    const double turn = line->turn(0, 0.0, 1.0);
+    const int pieces = std::max(8, static_cast<int>(std::ceil(turn / most_turn)));
+    for (int i = 0; i <= pieces; ++i) {
+        const double fraction = static_cast<double>(i) / pieces;
+        obstacle.line.push_back(line->position(0, fraction));
+        obstacle.tangents.push_back(line->transport(0, fraction) * line->start_tangent());
+    }
+}
+
+void set_shape(const CheckedTable& table, Obstacle& obstacle, const BuildContext& context) {
+    using Shape = Obstacle::Shape;
+    if (table.gives("plane")) {
+        const CheckedTable& plane = only(table, "plane");
+        obstacle.line = {plane.get<Vec3>("point")};
+        obstacle.normal = find_direction(plane, "normal", context).value_or(Vec3::UnitZ());
+        return;
+    }
+    const char* key = table.gives("sphere") ? "sphere" : table.gives("cylinder") ? "cylinder" : "tube";
+    const CheckedTable& round = only(table, key);
+    obstacle.radius = round.get<double>("radius");
+    obstacle.is_hollow = value_of(obstacle_side_choices, round.get<std::string>("side"));
+    if (table.gives("sphere")) {
+        obstacle.shape = Shape::sphere;
+        obstacle.line = {round.get<Vec3>("centre")};
+    } else if (table.gives("cylinder")) {
+        obstacle.shape = Shape::cylinder;
+        obstacle.line = {round.get<Vec3>("from"), round.get<Vec3>("to")};
+        if (obstacle.line[0] == obstacle.line[1])
+            context.add_fault(round, "to", "expected an end away from its start");
+    } else {
+        obstacle.shape = Shape::tube;
+        set_curve(round, obstacle, context);
+    }
+}
+
+void check_room(const CheckedTable& table,
+                const Obstacle& obstacle,
+                const Contact& contact,
+                const BuildContext& context) {
+    if (!obstacle.is_hollow) return;
+    const double thickest = *std::ranges::max_element(contact.radii);
+    if (thickest < obstacle.radius) return;
+    context.faults.add(
+        table.place,
+        table.path,
+        fmt::format("a rod of radius {:.6g} is to be inside, which is no narrower than its radius "
+                    "{:.6g}",
+                    thickest,
+                    obstacle.radius));
+}
+
+// A component of a motion in the stage at hand: f(t) after what earlier stages have moved.
+TimeFunction continue_motion(const CheckedTimeFunction& given, const BuildContext& context) {
+    std::vector<std::pair<TimeFunction, std::shared_ptr<const double>>> earlier;
+    for (std::size_t i = 0; i < context.stage; ++i) {
+        const StagePlan& stage = context.stages[i];
+        if (has_steps(stage.analysis)) earlier.emplace_back(given.function, stage.end);
+    }
+    const TimeFunction own = find_acting(context).apply(given.function);
+    if (earlier.empty()) return own;
+    return TimeFunction([own, earlier](double t) {
+        double sum = own(t);
+        for (const auto& [function, end] : earlier) sum += function(*end);
+        return sum;
+    });
+}
+
+void set_motion(const CheckedTable& table, Obstacle& obstacle, const BuildContext& context) {
+    if (!table.gives("move")) return;
+    const CheckedTable& given = only(table, "move");
+    std::array<TimeFunction, 6> components;
+    const double size = measure_size(context.model, {});
+    for (std::size_t i = 0; i < 6; ++i) {
+        const std::string name(component_names[i]);
+        if (!given.gives(name)) continue;
+        const auto& value = given.get<CheckedTimeFunction>(name);
+        if (context.stages.size() > 1 && !value.function.has_time()) {
+            context.faults.add(
+                value.place, value.path, "with several stages expected an expression of t, 0 at t = 0");
+            continue;
+        }
+        check_move(value, i < 3 ? size : 1.0, context);
+        components[i] = continue_motion(value, context);
+    }
+    obstacle.motion = ObstacleMotion{TimeVector(std::array{components[0], components[1], components[2]}),
+                                     TimeVector(std::array{components[3], components[4], components[5]}),
+                                     given.get<Vec3>("about")};
+}
+
+// What cannot be had together with contact, at the keys that ask for it.
+void check_analysis(const BuildContext& context) {
+    const std::vector<CheckedTable>& stages = context.deck.tables("stage");
+    const CheckedTable& table =
+        stages.empty() ? context.deck.tables("analysis").front() : stages[context.stage];
+    const AnalysisSettings& analysis = context.analysis();
+    if (is_path(analysis))
+        context.add_fault(
+            table,
+            "kind",
+            "a path cannot be followed with contact yet; expected static, or dynamic with damping");
+    if (context.model.rotation)
+        context.add_fault(
+            table, "kind", "contact does not turn with a frame; expected a stage without [rotation]");
+    const auto* timed = std::get_if<DynamicSettings>(&analysis);
+    if (timed == nullptr || !timed->has_inertia) return;
+    if (timed->scheme == Scheme::newmark_simplified || timed->scheme == Scheme::generalized_alpha) return;
+    context.add_fault(table,
+                      table.gives("integrator") ? "integrator"
+                      : table.gives("accuracy") ? "accuracy"
+                                                : "kind",
+                      "this scheme cannot take the impulses of contact; expected integrator = "
+                      "\"newmark-simplified\" or \"generalized-alpha\", with a time_step or `adaptive`");
+}
+
+}  // namespace
+
+void build_contact(BuildContext& context) {
+    const std::vector<CheckedTable>& settings = context.deck.tables("contact");
+    const std::vector<CheckedTable>& obstacles = context.deck.tables("obstacle");
+    const CheckedTable* table = settings.empty() ? nullptr : &settings.front();
+    if (obstacles.empty()) {
+        if (table != nullptr && context.stage == 0)
+            context.faults.add(
+                table->place, table->path, "nothing to touch: the deck has no [obstacle.NAME]");
+        return;
+    }
+    Contact& contact = context.model.contact;
+    if (table != nullptr) {
+        contact.skin = table->get<double>("skin");
+        contact.dissipation = table->get<double>("dissipation");
+        contact.friction = table->get<double>("friction");
+    }
+    set_radii(table, contact, context);
+    for (const CheckedTable& given : obstacles) {
+        Obstacle obstacle;
+        obstacle.name = given.name;
+        set_shape(given, obstacle, context);
+        obstacle.friction = given.gives("friction") ? given.get<double>("friction") : contact.friction;
+        if (given.gives("stiffness")) obstacle.stiffness = given.get<double>("stiffness");
+        check_room(given, obstacle, contact, context);
+        set_motion(given, obstacle, context);
+        contact.obstacles.push_back(std::move(obstacle));
+    }
+    check_analysis(context);
+}
+
+}  // namespace gxrod

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "deck/build/build_context.hpp"
+
+namespace gxrod {
+
+// Gives the model what its rods touch, and how that moves in the stage at hand. After build_rods.
+void build_contact(BuildContext& context);
+
+}  // namespace gxrod

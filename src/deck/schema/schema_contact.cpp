@@ -1,0 +1,181 @@
+#include "deck/schema/choices.hpp"
+#include "deck/schema/schema_tables.hpp"
+
+// [contact] and [obstacle.NAME].
+namespace gxrod {
+namespace {
+
+constexpr Range not_negative{.lower = 0.0};
+
+KeySpec length_key(const char* name, const char* sentence) {
+    return {.name = name,
+            .type = ValueType::number,
+            .dimension = "length",
+            .range = positive,
+            .presence = Presence::required,
+            .sentence = sentence};
+}
+
+KeySpec vector_key(const char* name, const char* dimension, const char* sentence) {
+    return {.name = name,
+            .type = ValueType::vector,
+            .dimension = dimension,
+            .presence = Presence::required,
+            .sentence = sentence};
+}
+
+KeySpec side_key() {
+    return {.name = "side",
+            .type = ValueType::choice,
+            .default_value = "outside",
+            .sentence = "Where the rods are.",
+            .choices = words_of(obstacle_side_choices)};
+}
+
+const TableSpec& plane_obstacle_table() {
+    static const TableSpec table{.path = "obstacle.NAME.plane",
+                                 .heading = "plane = { … }",
+                                 .sentence = "",
+                                 .keys = {vector_key("point", "length", "A point of it."),
+                                          vector_key("normal", "1", "Towards the rods, of any length.")}};
+    return table;
+}
+
+const TableSpec& sphere_obstacle_table() {
+    static const TableSpec table{
+        .path = "obstacle.NAME.sphere",
+        .heading = "sphere = { … }",
+        .sentence = "",
+        .keys = {vector_key("centre", "length", ""), length_key("radius", "Its own."), side_key()}};
+    return table;
+}
+
+const TableSpec& cylinder_obstacle_table() {
+    static const TableSpec table{
+        .path = "obstacle.NAME.cylinder",
+        .heading = "cylinder = { … }",
+        .sentence = "",
+        .keys = {
+            vector_key("from", "length", "A point of its axis, where it starts."),
+            vector_key("to", "length", "Where it ends. It has ends like hemispheres; a hollow one has none."),
+            length_key("radius", "Its own."),
+            side_key()}};
+    return table;
+}
+
+const TableSpec& tube_obstacle_table() {
+    static const TableSpec table = [] {
+        std::vector<KeySpec> keys = curve_keys();
+        std::erase_if(keys, [](const KeySpec& key) {
+            return key.name != "arc" && key.name != "helix" && key.name != "spline";
+        });
+        keys.push_back(length_key("radius", "Its own, inside if the rods are there."));
+        keys.push_back(side_key());
+        return TableSpec{.path = "obstacle.NAME.tube",
+                         .heading = "tube = { … }",
+                         .sentence = "",
+                         .keys = std::move(keys),
+                         .groups = {{GroupRule::exactly_one, {"arc", "helix", "spline"}}}};
+    }();
+    return table;
+}
+
+const TableSpec& obstacle_move_table() {
+    static const TableSpec table = [] {
+        TableSpec move{.path = "obstacle.NAME.move", .heading = "move = { … }", .sentence = "", .keys = {}};
+        for (std::size_t i = 0; i < component_names.size(); ++i) {
+            const std::string axis(component_names[i].substr(component_names[i].size() - 1));
+            move.keys.push_back({.name = std::string(component_names[i]),
+                                 .type = ValueType::time_expression,
+                                 .dimension = i < 3 ? "length" : "angle",
+                                 .sentence = i < 3 ? "Displacement along " + axis + " since t = 0."
+                                                   : "Component " + axis + " of the rotation vector."});
+        }
+        move.keys.push_back({.name = "about",
+                             .type = ValueType::vector,
+                             .dimension = "length",
+                             .default_value = Vec3(0, 0, 0),
+                             .sentence = "The point about which it turns, at t = 0."});
+        move.groups = {{GroupRule::at_least_one, {"x", "y", "z", "rx", "ry", "rz"}}};
+        return move;
+    }();
+    return table;
+}
+
+KeySpec table_key(const char* name, const TableSpec& table, const char* sentence) {
+    return {.name = name, .type = ValueType::table, .sentence = sentence, .table = &table};
+}
+
+}  // namespace
+
+const TableSpec& contact_table() {
+    static const TableSpec table{
+        .path = "contact",
+        .heading = "[contact]",
+        .sentence = "How rods touch obstacles.",
+        .keys = {{.name = "rods",
+                  .type = ValueType::names,
+                  .default_text = "all rods",
+                  .sentence = "Which rods touch; their sections have a radius.",
+                  .refers_to = {"rod"}},
+                 {.name = "friction",
+                  .type = ValueType::number,
+                  .dimension = "1",
+                  .range = not_negative,
+                  .default_value = 0.0,
+                  .sentence = "Coulomb's coefficient, on the surface."},
+                 {.name = "skin",
+                  .type = ValueType::number,
+                  .dimension = "1",
+                  .range = {.lower = 0.0, .at_lower = Bound::open, .upper = 1.0},
+                  .default_value = 0.02,
+                  .sentence =
+                      "Contact acts below this gap, times the radius of the rod; no gap ever closes."},
+                 {.name = "dissipation",
+                  .type = ValueType::number,
+                  .dimension = "1",
+                  .range = {.lower = 0.0, .upper = 1.0},
+                  .default_value = 1.0,
+                  .sentence = "Of impacts: with 0 they keep their energy at every step size, with 1 contact "
+                              "gives back least."}},
+        .example =
+            "[contact]\n"
+            "friction = 0.3\n"};
+    return table;
+}
+
+const TableSpec& obstacle_table() {
+    static const TableSpec table{
+        .path = "obstacle",
+        .heading = "[obstacle.NAME]",
+        .sentence = "A body that does not deform, which rods touch and never pass.",
+        .keys = {table_key("plane", plane_obstacle_table(), "A half space."),
+                 table_key("sphere", sphere_obstacle_table(), ""),
+                 table_key("cylinder", cylinder_obstacle_table(), ""),
+                 table_key(
+                     "tube",
+                     tube_obstacle_table(),
+                     "About a curve; its ends continue straight if it is hollow, else they are hemispheres."),
+                 {.name = "friction",
+                  .type = ValueType::number,
+                  .dimension = "1",
+                  .range = not_negative,
+                  .default_text = "that of [contact]",
+                  .sentence = "Coulomb's coefficient."},
+                 {.name = "stiffness",
+                  .type = ValueType::number,
+                  .dimension = "force/length²",
+                  .range = positive,
+                  .sentence = "Of a bed that yields instead of a rigid body: force per length and depth."},
+                 table_key("move",
+                           obstacle_move_table(),
+                           "Where it goes: exp of (rx, ry, rz), of any size, is its rotation since t = 0. 0 "
+                           "at t = 0.")},
+        .groups = {{GroupRule::exactly_one, {"plane", "sphere", "cylinder", "tube"}}},
+        .example =
+            "[obstacle.floor]\n"
+            "plane = { point = [0, 0, -5], normal = [0, 0, 1] }\n"};
+    return table;
+}
+
+}  // namespace gxrod

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/time_function.hpp"
+#include "rotation/types.hpp"
+
+// What rods touch: obstacles, and each other (docs/theory/contact.md).
+namespace gxrod {
+
+// How an obstacle moves from where it is at t = 0: by a displacement, and turned about a point by a rotation
+// vector.
+struct ObstacleMotion {
+    TimeVector displacement{Vec3::Zero()};
+    TimeVector rotation{Vec3::Zero()};
+    Vec3 about = Vec3::Zero();
+};
+
+// A body of a simple form, which does not deform. Where it is hollow rods are inside.
+struct Obstacle {
+    enum class Shape {
+        plane,     // a half space
+        sphere,    // about the first point of the line
+        cylinder,  // about the line from its first point to its last one; hollow, without ends
+        tube       // about the line through all points, a spline; hollow, its ends continue straight
+    };
+    std::string name;
+    Shape shape = Shape::plane;
+    bool is_hollow = false;
+    Vec3 normal = Vec3::UnitZ();  // of a plane, towards the rods, of length 1
+    std::vector<Vec3> line;       // of a plane a point of it
+    std::vector<Vec3> tangents;   // of a tube, by arc length, at each point of the line
+    double radius = 0.0;
+    double friction = 0.0;              // Coulomb's coefficient
+    std::optional<double> stiffness{};  // force per length and depth, of a bed that yields
+    std::optional<ObstacleMotion> motion{};
+};
+
+// A part of a rod, by fractions of its length.
+struct RodPart {
+    int rod = 0;
+    double from = 0.0, to = 1.0;
+};
+
+struct Contact {
+    std::vector<double> radii;       // of each rod; 0: it touches nothing
+    std::vector<double> bend_radii;  // of each rod: the tightest bend to expect
+    double skin = 0.02;              // below this gap contact acts, times the smaller radius
+    double dissipation = 1.0;        // of impacts, 0 … 1
+    double friction = 0.0;           // between rods
+    bool between_rods = false;
+    bool within_rods = false;  // a rod touches itself
+    std::vector<Obstacle> obstacles;
+
+    bool is_empty() const { return obstacles.empty() && !between_rods && !within_rods; }
+};
+
+}  // namespace gxrod
