@@ -68,8 +68,7 @@ Ledger::Ledger(const System& system,
     strain_energy_ = balance.strain_energy;
     fluid_forces_ = system.compute_surrounding_forces(state, state.time);
     if (const ContactAssembly* contact = system.contact()) {
-        if (integrator.is_static()) contact_forces_ = contact->compute_forces(state, state.time);
-        initial_contact_energy_ = contact->compute_energy(state, state.time);
+        contact_energy_ = initial_contact_energy_ = contact->compute_energy(state, state.time);
     }
     if (before == nullptr) return;
     initial_energy_ = before->initial_energy;
@@ -78,7 +77,7 @@ Ledger::Ledger(const System& system,
     dissipated_ = before->dissipated + before->kinetic_energy - balance.kinetic_energy;
     dissipated_by_scheme_ = before->dissipated_by_scheme;
     fluid_work_ = before->fluid_work;
-    contact_work_ = before->contact_work;
+    contact_loss_ = before->contact_loss;
     initial_contact_energy_ = before->initial_contact_energy;
     largest_energy_ = before->largest_energy;
 }
@@ -90,7 +89,7 @@ LedgerTotals Ledger::totals(const State& state) const {
             dissipated_,
             dissipated_by_scheme_,
             fluid_work_,
-            contact_work_,
+            contact_loss_,
             initial_contact_energy_,
             at_end.kinetic_energy,
             std::max({largest_energy_, at_end.strain_energy, std::abs(at_end.external_work)})};
@@ -135,13 +134,15 @@ void Ledger::add_fluid_work(const State& state, double time) {
     fluid_forces_ = std::move(forces);
 }
 
-// Of impulses exactly; in statics of the mean of the forces at both ends of the step.
 void Ledger::add_contact_work(const State& state, double time) {
-    if (!system_->contact()) return;
-    std::vector<Vec6> forces = system_->contact()->compute_forces(state, time);
-    contact_work_ += compute_mean_work(
-        integrator_->is_static() ? contact_forces_ : forces, forces, compute_movement(state));
-    if (integrator_->is_static()) contact_forces_ = std::move(forces);
+    const ContactAssembly* contact = system_->contact();
+    if (!contact) return;
+    const ContactWork work = contact->compute_work(state, time, contact_energy_);
+    work_ += work.by_obstacles;
+    contact_loss_ += work.loss;
+    const double energy = contact->compute_energy(state, time);
+    contact_change_ = energy - contact_energy_ + work.loss - work.by_obstacles;
+    contact_energy_ = energy;
 }
 
 void Ledger::add_load_step(const State& state, const Step& step, const std::vector<Vec6>& forces) {
@@ -166,7 +167,8 @@ void Ledger::measure_largest_energy() {
 
 bool Ledger::is_unclear() const {
     if (!integrator_->is_static()) return false;
-    const double imbalance = strain_energy_ + law_dissipation_ - strain_energy_before_ - step_work_.work;
+    const double imbalance =
+        strain_energy_ + law_dissipation_ + contact_change_ - strain_energy_before_ - step_work_.work;
     return std::abs(imbalance) > energy_worth_a_word * largest_energy_;
 }
 
@@ -210,9 +212,9 @@ LedgerMemory Ledger::memory() const {
     memory.dissipated = dissipated_;
     memory.dissipated_by_scheme = dissipated_by_scheme_;
     memory.fluid_work = fluid_work_;
-    memory.contact_work = contact_work_;
+    memory.contact_loss = contact_loss_;
+    memory.contact_energy = contact_energy_;
     memory.initial_contact_energy = initial_contact_energy_;
-    memory.contact_forces = contact_forces_;
     memory.fluid_forces = fluid_forces_;
     memory.driving_power = power_.driving;
     memory.damping_power = power_.damping;
@@ -237,9 +239,9 @@ void Ledger::resume(const LedgerMemory& memory) {
     dissipated_ = memory.dissipated;
     dissipated_by_scheme_ = memory.dissipated_by_scheme;
     fluid_work_ = memory.fluid_work;
-    contact_work_ = memory.contact_work;
+    contact_loss_ = memory.contact_loss;
+    contact_energy_ = memory.contact_energy;
     initial_contact_energy_ = memory.initial_contact_energy;
-    contact_forces_ = memory.contact_forces;
     fluid_forces_ = memory.fluid_forces;
     power_ = {memory.driving_power, memory.damping_power};
     forces_ = memory.forces;
@@ -259,12 +261,11 @@ LedgerRow Ledger::row(const State& state) const {
     row.work_uncertainty = step_work_.uncertainty;
     row.dissipated_energy = dissipated_;
     row.numerical_dissipation = dissipated_by_scheme_;
-    if (const ContactAssembly* contact = system_->contact()) {
-        row.contact_energy = contact->compute_energy(state, state.time);
-        row.contact_loss = initial_contact_energy_ - row.contact_energy - contact_work_;
-    }
-    row.energy_error = row.kinetic_energy + row.strain_energy - initial_energy_ - row.external_work -
-                       contact_work_ + dissipated_ + dissipated_by_scheme_;
+    row.contact_energy = contact_energy_;
+    row.contact_loss = contact_loss_;
+    row.energy_error = row.kinetic_energy + row.strain_energy - initial_energy_ + row.contact_energy -
+                       initial_contact_energy_ - row.external_work + dissipated_ + dissipated_by_scheme_ +
+                       contact_loss_;
     if (has_drive_) row.external_work += std::exchange(row.energy_error, 0.0);
     row.linear_momentum = balance.momentum.linear;
     row.angular_momentum = balance.momentum.angular;

@@ -18,7 +18,7 @@ struct LedgerTotals {
     double dissipated = 0.0;
     double dissipated_by_scheme = 0.0;
     double fluid_work = 0.0;
-    double contact_work = 0.0;
+    double contact_loss = 0.0;
     double initial_contact_energy = 0.0;
     double kinetic_energy = 0.0;
     double largest_energy = 0.0;
@@ -65,7 +65,7 @@ class Ledger {
         return {forces_before_,
                 forces_,
                 strain_energy_before_,
-                strain_energy_ + law_dissipation_,
+                strain_energy_ + law_dissipation_ + contact_change_,
                 largest_energy_};
     }
     void replace_work(const StepWork& work);
@@ -114,10 +114,11 @@ class Ledger {
     double dissipated_ = 0.0;
     double dissipated_by_scheme_ = 0.0;
     double fluid_work_ = 0.0;
-    double contact_work_ = 0.0;  // on rods
+    double contact_loss_ = 0.0;
+    double contact_energy_ = 0.0;  // at the last accepted step
+    double contact_change_ = 0.0;  // in the last step: stored and lost, less what obstacles did
     double initial_contact_energy_ = 0.0;
-    std::vector<Vec6> contact_forces_;  // in statics, at the last accepted step; empty without contact
-    std::vector<Vec6> fluid_forces_;    // at the last accepted step; empty where nothing is around
+    std::vector<Vec6> fluid_forces_;  // at the last accepted step; empty where nothing is around
     bool has_drive_ = false;
 };
 

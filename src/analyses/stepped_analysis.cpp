@@ -215,8 +215,7 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     const bool has_forces =
         books.forces.size() == (integrator_->power_weights().empty() ? with_joints : 0) &&
         books.force_change.size() == of_load_step && books.movement.size() == of_load_step &&
-        books.fluid_forces.size() == (system_.surroundings() ? nodes : 0) &&
-        books.contact_forces.size() == (system_.contact() && integrator_->is_static() ? nodes : 0);
+        books.fluid_forces.size() == (system_.surroundings() ? nodes : 0);
     const bool has_algorithmic =
         record.algorithmic.size() == (integrator_->has_algorithmic_accelerations() ? nodes : 0);
     if (record.nodes.size() != nodes || record.sections.size() != state_.sections.size() ||

@@ -50,6 +50,22 @@ ContactAssembly::At ContactAssembly::find_obstacles(const State& state, double t
     return at;
 }
 
+bool ContactAssembly::is_far(const At& at,
+                             std::size_t obstacle,
+                             const ContactElement& element,
+                             const State& state,
+                             double reach) const {
+    const auto position = [&](int i) -> const Vec3& {
+        return state.trial[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])].r;
+    };
+    const Vec3 centre = 0.5 * (position(0) + position(element.count - 1));
+    double extent = 0.0;
+    for (int i = 0; i < element.count; ++i) extent = std::max(extent, (position(i) - centre).norm());
+    // The shape functions of up to five nodes sum up to less than 1.8, absolutely.
+    const double distance = find_obstacle_distance(obstacles_[obstacle], at.now[obstacle], centre).distance;
+    return distance - 1.8 * extent - element.radius > element.law.skin + reach;
+}
+
 SurfaceTouch ContactAssembly::touch(const At& at,
                                     std::size_t obstacle,
                                     std::size_t place,
@@ -84,6 +100,17 @@ PlaceFriction ContactAssembly::friction(std::size_t obstacle, std::size_t place,
             state.contact_tractions[pair(obstacle, place)]};
 }
 
+// As the state's parameters take it for granted.
+PlaceFriction ContactAssembly::tangent_friction(std::size_t obstacle,
+                                                std::size_t place,
+                                                const State& state) const {
+    PlaceFriction taken = friction(obstacle, place, state);
+    if (taken.coefficient == 0.0) return taken;
+    taken.direction = state.contact.sliding[pair(obstacle, place)];
+    taken.slip = taken.direction.isZero(0.0) ? Slip::sticks : Slip::slides;
+    return taken;
+}
+
 NormalForce ContactAssembly::law_force(
     const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const {
     if (const std::optional<double>& stiffness = obstacles_[obstacle].stiffness)
@@ -106,20 +133,31 @@ NormalForce ContactAssembly::tangent_force(
     return normal;
 }
 
-// find(place, gap): the normal force there of an obstacle.
+ContactAssembly::Touching ContactAssembly::touch_by_law(
+    const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const {
+    return {law_force(at, obstacle, place, gap, state), friction(obstacle, place, state)};
+}
+
+ContactAssembly::Touching ContactAssembly::touch_by_parameters(
+    const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const {
+    return {tangent_force(at, obstacle, place, gap, state), tangent_friction(obstacle, place, state)};
+}
+
+// find(obstacle, place, gap): what touches there.
 template <class Find>
 void ContactAssembly::add_element_force(
     std::size_t index, const At& at, const State& state, const Find& find, LoadVector& force) const {
     const ContactElement& element = places_.elements[index];
-    for (std::size_t p = element.first_place; p < element.end_place; ++p) {
-        const ContactPlace& place = places_.places[p];
-        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
-        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+    for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+        if (is_far(at, obstacle, element, state)) continue;
+        for (std::size_t p = element.first_place; p < element.end_place; ++p) {
+            const ContactPlace& place = places_.places[p];
+            const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
             const SurfaceTouch surface = touch(at, obstacle, p, position);
-            const NormalForce normal = find(obstacle, p, surface.gap);
-            if (normal.force == 0.0) continue;
+            const Touching touching = find(obstacle, p, surface.gap);
+            if (touching.normal.force == 0.0) continue;
             const PlaceForce there = compute_place_force(
-                surface, places_.motion_of(place, state), normal, friction(obstacle, p, state));
+                surface, places_.motion_of(place, state), touching.normal, touching.friction);
             if (force.size() == 0) force = LoadVector::Zero(6 * element.count);
             for (int i = 0; i < element.count; ++i) {
                 const double share = place.weight * place.shapes[static_cast<std::size_t>(i)];
@@ -149,7 +187,7 @@ void ContactAssembly::subtract_forces(const State& state,
     if (weight == 0.0) return;
     const At at = find_obstacles(state, time, state.contact.progress);
     const auto find = [&](std::size_t obstacle, std::size_t place, double gap) {
-        return law_force(at, obstacle, place, gap, state);
+        return touch_by_law(at, obstacle, place, gap, state);
     };
     const std::vector<LoadVector> forces = compute_element_forces(at, state, find);
     for (std::size_t e = 0; e < forces.size(); ++e) {
@@ -172,10 +210,10 @@ void ContactAssembly::replace_by_tangent_forces(const State& state,
     const At now = find_obstacles(state, time, state.contact.progress);
     const At there = find_obstacles(state, time, 1.0);
     const auto true_force = [&](std::size_t obstacle, std::size_t place, double gap) {
-        return law_force(now, obstacle, place, gap, state);
+        return touch_by_law(now, obstacle, place, gap, state);
     };
     const auto tangent = [&](std::size_t obstacle, std::size_t place, double gap) {
-        return tangent_force(there, obstacle, place, gap, state);
+        return touch_by_parameters(there, obstacle, place, gap, state);
     };
     const std::vector<LoadVector> taken = compute_element_forces(now, state, true_force);
     const std::vector<LoadVector> given = compute_element_forces(there, state, tangent);
@@ -201,14 +239,15 @@ void ContactAssembly::add_tangents(const State& state,
     for (const ContactElement& element : places_.elements) {
         LoadMatrix tangent;
         std::array<Mat3, most_element_nodes> turns;
-        for (std::size_t p = element.first_place; p < element.end_place; ++p) {
-            const ContactPlace& place = places_.places[p];
-            const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
-            for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+            if (is_far(at, obstacle, element, state)) continue;
+            for (std::size_t p = element.first_place; p < element.end_place; ++p) {
+                const ContactPlace& place = places_.places[p];
+                const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
                 const SurfaceTouch surface = touch(at, obstacle, p, position);
-                const NormalForce normal = is_mixed ? tangent_force(at, obstacle, p, surface.gap, state)
-                                                    : law_force(at, obstacle, p, surface.gap, state);
-                if (normal.force == 0.0 && normal.stiffness == 0.0) continue;
+                const Touching touching = is_mixed ? touch_by_parameters(at, obstacle, p, surface.gap, state)
+                                                   : touch_by_law(at, obstacle, p, surface.gap, state);
+                if (touching.normal.force == 0.0 && touching.normal.stiffness == 0.0) continue;
                 if (tangent.size() == 0) {
                     tangent = LoadMatrix::Zero(6 * element.count, 6 * element.count);
                     for (int j = 0; j < element.count; ++j)
@@ -217,7 +256,7 @@ void ContactAssembly::add_tangents(const State& state,
                                 .theta);
                 }
                 const PlaceForceDerivative there = compute_place_force_derivative(
-                    surface, places_.motion_of(place, state), normal, friction(obstacle, p, state));
+                    surface, places_.motion_of(place, state), touching.normal, touching.friction);
                 for (int j = 0; j < element.count; ++j) {
                     const auto node = static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(j)]);
                     const double part = weight * linearizations[node].placement * place.weight *
@@ -239,46 +278,93 @@ void ContactAssembly::add_tangents(const State& state,
     }
 }
 
+// work(obstacle, place, position) for each place that is near; what others remember is forgotten.
+template <class Work>
+void ContactAssembly::for_each_near(
+    const At& at, const State& state, double reach, State& kept, const Work& work) const {
+    team_->for_each_range(places_.elements.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t e = first; e < last; ++e) {
+            const ContactElement& element = places_.elements[e];
+            for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+                const bool far = is_far(at, obstacle, element, state, reach);
+                for (std::size_t p = element.first_place; p < element.end_place; ++p) {
+                    if (far) {
+                        forget_place(obstacle, p, kept);
+                    } else {
+                        work(
+                            obstacle, p, places_.interpolate(places_.places[p], state.trial, &NodeMotion::r));
+                    }
+                }
+            }
+        }
+    });
+}
+
+void ContactAssembly::forget_place(std::size_t obstacle, std::size_t place, State& state) const {
+    const ContactElement& element = places_.elements[static_cast<std::size_t>(places_.places[place].element)];
+    state.contact.parameters[pair(obstacle, place)] = element.law.skin;
+    if (rubs_) state.contact.sliding[pair(obstacle, place)].setZero();
+}
+
 void ContactAssembly::start(State& state, double time) const {
     const At at = find_obstacles(state, time, state.contact.progress);
     state.contact.parameters.resize(pair_count());
-    team_->for_each_range(places_.places.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t p = first; p < last; ++p) {
-            const Vec3 position = places_.interpolate(places_.places[p], state.trial, &NodeMotion::r);
-            for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle)
-                state.contact.parameters[pair(obstacle, p)] = touch(at, obstacle, p, position).gap;
-        }
+    state.contact.sliding.assign(traction_count(), Vec3::Zero());
+    for_each_near(at, state, 0.0, state, [&](std::size_t obstacle, std::size_t p, const Vec3& position) {
+        const SurfaceTouch surface = touch(at, obstacle, p, position);
+        state.contact.parameters[pair(obstacle, p)] = surface.gap;
+        if (!rubs_) return;
+        const Touching touching = touch_by_law(at, obstacle, p, surface.gap, state);
+        const PlaceMotion motion = places_.motion_of(places_.places[p], state);
+        keep_slip(advance_slip(surface, motion, touching.normal, touching.friction), obstacle, p, state);
     });
 }
 
 void ContactAssembly::advance(const std::vector<Vec6>& deltas, double time, State& state) const {
     const At at = find_obstacles(state, time, 1.0);
     const double theta = at.has_impacts ? model_->contact.dissipation : 1.0;
-    team_->for_each_range(places_.places.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t p = first; p < last; ++p) {
+    double reach = 0.0;
+    for (const Vec6& delta : deltas) reach = std::max(reach, delta.head<3>().norm());
+    for_each_near(
+        at, state, 1.8 * reach, state, [&](std::size_t obstacle, std::size_t p, const Vec3& position) {
             const ContactPlace& place = places_.places[p];
             const ContactElement& element = places_.elements[static_cast<std::size_t>(place.element)];
-            const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
             Vec3 change = Vec3::Zero();
-            for (int i = 0; i < element.count; ++i)
-                change +=
-                    place.shapes[static_cast<std::size_t>(i)] *
-                    deltas[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])].head<3>();
-            for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
-                double& parameter = state.contact.parameters[pair(obstacle, p)];
-                const SurfaceTouch surface = touch(at, obstacle, p, position);
-                const double gap = surface.gap + surface.normal.dot(change);
-                if (obstacles_[obstacle].stiffness) {
-                    parameter = gap;
-                    continue;
-                }
-                const NormalForce normal = tangent_force(at, obstacle, p, gap, state);
-                const ImpactLaw law{
-                    element.law, theta, theta == 1.0 ? 0.0 : gap_before(at, obstacle, p, state)};
-                parameter = find_gap_on_curve(law, normal.force, gap);
+            PlaceMotion motion;
+            if (rubs_) motion = places_.motion_of(place, state);
+            for (int i = 0; i < element.count; ++i) {
+                const auto node = static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)]);
+                const double shape = place.shapes[static_cast<std::size_t>(i)];
+                change += shape * deltas[node].head<3>();
+                if (rubs_)
+                    motion.rotation +=
+                        shape * (tangent_map_inverse(state.trial[node].theta) * deltas[node].tail<3>());
             }
-        }
-    });
+            motion.displacement += change;
+            double& parameter = state.contact.parameters[pair(obstacle, p)];
+            const SurfaceTouch surface = touch(at, obstacle, p, position);
+            const double gap = surface.gap + surface.normal.dot(change);
+            const NormalForce normal = tangent_force(at, obstacle, p, gap, state);
+            if (obstacles_[obstacle].stiffness) {
+                parameter = gap;
+            } else {
+                const double before = theta == 1.0 ? 0.0 : gap_before(at, obstacle, p, state);
+                parameter = find_gap_on_curve({element.law, theta, before}, normal.force, gap);
+            }
+            if (rubs_)
+                keep_slip(advance_slip(surface, motion, normal, tangent_friction(obstacle, p, state)),
+                          obstacle,
+                          p,
+                          state);
+        });
+}
+
+void ContactAssembly::keep_slip(const PlaceFriction& friction,
+                                std::size_t obstacle,
+                                std::size_t place,
+                                State& state) const {
+    state.contact.sliding[pair(obstacle, place)] =
+        friction.slip == Slip::slides ? friction.direction : Vec3(Vec3::Zero());
 }
 
 ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
@@ -293,6 +379,20 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
     team_->for_each_range(of_elements.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t e = first; e < last; ++e) {
             const ContactElement& element = places_.elements[e];
+            double reach = 0.0;
+            for (int i = 0; i < element.count; ++i)
+                reach = std::max(
+                    reach,
+                    displacements[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])]
+                        .norm());
+            const auto is_clear = [&](std::size_t obstacle) {
+                return !obstacles_[obstacle].motion && is_far(from, obstacle, element, state, 1.8 * reach);
+            };
+            std::vector<std::size_t> near;
+            for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+                if (!obstacles_[obstacle].stiffness && !is_clear(obstacle)) near.push_back(obstacle);
+            }
+            if (near.empty()) continue;
             for (std::size_t p = element.first_place; p < element.end_place; ++p) {
                 const ContactPlace& place = places_.places[p];
                 const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
@@ -301,8 +401,7 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
                     change +=
                         place.shapes[static_cast<std::size_t>(i)] *
                         displacements[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])];
-                for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
-                    if (obstacles_[obstacle].stiffness) continue;
+                for (const std::size_t obstacle : near) {
                     const FreeMotion free = find_free_motion(obstacles_[obstacle],
                                                              element.radius,
                                                              from.now[obstacle].to_start(position),
@@ -377,6 +476,43 @@ double ContactAssembly::compute_energy(const State& state, double time) const {
         }
     }
     return energy;
+}
+
+ContactWork ContactAssembly::compute_work(const State& state, double time, double energy_before) const {
+    const At at = find_obstacles(state, time, 1.0);
+    ContactWork work;
+    double on_rods = 0.0, slip_work = 0.0;
+    for (std::size_t p = 0; p < places_.places.size(); ++p) {
+        const ContactPlace& place = places_.places[p];
+        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+        const PlaceMotion motion = places_.motion_of(place, state);
+        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+            const SurfaceTouch surface = touch(at, obstacle, p, position);
+            const Touching touching = touch_by_law(at, obstacle, p, surface.gap, state);
+            const PlaceForce after = compute_place_force(surface, motion, touching.normal, touching.friction);
+            Vec3 force = after.force;
+            if (!at.has_impacts) {
+                const double gap = gap_before(at, obstacle, p, state);
+                const ObstacleDistance found = find_obstacle_distance(
+                    obstacles_[obstacle], at.before[obstacle], position - motion.displacement);
+                const Vec3 before =
+                    law_force(at, obstacle, p, gap, state).force * found.normal + touching.friction.traction;
+                force = 0.5 * (force + before);
+                const Vec3 slip = motion.displacement -
+                                  motion.radius * motion.rotation.cross(surface.normal) - surface.drift;
+                slip_work -= 0.5 * place.weight * (after.traction + touching.friction.traction).dot(slip);
+                const double k = touching.friction.stiffness;
+                if (k > 0.0)
+                    slip_work -= 0.5 * place.weight / k *
+                                 (after.traction.squaredNorm() - touching.friction.traction.squaredNorm());
+            }
+            on_rods += place.weight * (force.dot(motion.displacement) + after.moment.dot(motion.rotation));
+            work.by_obstacles += place.weight * force.dot(surface.drift);
+        }
+    }
+    work.loss = at.has_impacts ? energy_before - compute_energy(state, time) - on_rods + work.by_obstacles
+                               : slip_work;
+    return work;
 }
 
 std::vector<ObstacleValues> ContactAssembly::compute_obstacle_values(const State& state, double time) const {

@@ -26,6 +26,12 @@ struct ContactLimits {
     bool shorten() const { return least < 1.0; }
 };
 
+// What contact does in a step.
+struct ContactWork {
+    double by_obstacles = 0.0;  // that move, on rods
+    double loss = 0.0;          // by impacts and friction
+};
+
 // What touches at an instant.
 struct ContactCount {
     std::int64_t touching = 0;
@@ -72,6 +78,10 @@ class ContactAssembly {
     std::vector<Vec6> compute_forces(const State& state, double time) const;
     // Stored between rods and obstacles, with what sticks.
     double compute_energy(const State& state, double time) const;
+    // Of the step from the last accepted motions to the trial, at `time`, which the energy at its start was
+    // `energy_before`. Of impulses exactly; in statics, where nothing is lost but by friction, of the mean of
+    // the forces at both ends.
+    ContactWork compute_work(const State& state, double time, double energy_before) const;
     // Of Contact::obstacles.
     std::vector<ObstacleValues> compute_obstacle_values(const State& state, double time) const;
     // Of the trial motions: where a rod is in an obstacle or touches it without a gap, "" without one.
@@ -80,11 +90,21 @@ class ContactAssembly {
 
   private:
     struct At;  // where obstacles are
+    struct Touching {
+        NormalForce normal;
+        PlaceFriction friction;
+    };
     std::size_t pair_count() const { return obstacles_.size() * places_.places.size(); }
     std::size_t pair(std::size_t obstacle, std::size_t place) const {
         return obstacle * places_.places.size() + place;
     }
     At find_obstacles(const State& state, double time, double progress) const;
+    // Whether an element is so far from an obstacle that it does not touch it within this distance.
+    bool is_far(const At& at,
+                std::size_t obstacle,
+                const ContactElement& element,
+                const State& state,
+                double reach = 0.0) const;
     SurfaceTouch touch(const At& at, std::size_t obstacle, std::size_t place, const Vec3& position) const;
     double gap_before(const At& at, std::size_t obstacle, std::size_t place, const State& state) const;
     PlaceFriction friction(std::size_t obstacle, std::size_t place, const State& state) const;
@@ -92,6 +112,18 @@ class ContactAssembly {
         const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const;
     NormalForce tangent_force(
         const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const;
+    PlaceFriction tangent_friction(std::size_t obstacle, std::size_t place, const State& state) const;
+    Touching touch_by_law(
+        const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const;
+    Touching touch_by_parameters(
+        const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const;
+    template <class Work>
+    void for_each_near(const At& at, const State& state, double reach, State& kept, const Work& work) const;
+    void forget_place(std::size_t obstacle, std::size_t place, State& state) const;
+    void keep_slip(const PlaceFriction& friction,
+                   std::size_t obstacle,
+                   std::size_t place,
+                   State& state) const;
     template <class Find>
     void add_element_force(
         std::size_t element, const At& at, const State& state, const Find& find, LoadVector& force) const;

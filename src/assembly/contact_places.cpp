@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "assembly/element_geometry.hpp"
 #include "loads/shape_functions.hpp"
@@ -39,14 +40,27 @@ ContactLaw find_law(const Model& model, const Rod& rod, double radius) {
     return {model.contact.skin * radius, EA / (1000.0 * radius)};
 }
 
-// So far apart that the chord between two places comes no nearer to any obstacle than a quarter of the skin.
+// So close together that several of them are within the skin of a bulging obstacle where the rod touches it.
 double find_spacing(const Model& model, double radius) {
-    double curvature = 0.0;
+    double spacing = std::numeric_limits<double>::infinity();
     for (const Obstacle& obstacle : model.contact.obstacles) {
-        if (obstacle.shape != Obstacle::Shape::plane)
-            curvature = std::max(curvature, 1.0 / (obstacle.radius + radius));
+        if (obstacle.shape == Obstacle::Shape::plane || obstacle.is_hollow) continue;
+        spacing = std::min(spacing,
+                           0.35 * std::sqrt(2.0 * (obstacle.radius + radius) * model.contact.skin * radius));
     }
-    return std::sqrt(2.0 * model.contact.skin * radius / curvature);
+    return spacing;
+}
+
+// The nodes of the element, or equal pieces and the trapezoidal rule, which sums up a bump without steps.
+Rule refine(const Rule& of_nodes, double pieces) {
+    if (pieces <= static_cast<double>(of_nodes.at.size() - 1)) return of_nodes;
+    const int count = static_cast<int>(std::ceil(pieces));
+    Rule rule;
+    for (int i = 0; i <= count; ++i) {
+        rule.at.push_back(-1.0 + 2.0 * i / count);
+        rule.weights.push_back((i == 0 || i == count ? 1.0 : 2.0) / count);
+    }
+    return rule;
 }
 
 void add_element(
@@ -71,27 +85,34 @@ void add_element(
         return tangent.norm();
     };
     for (std::size_t i = 0; i < nodes; ++i) length += rule.weights[i] * jacobian(shapes_at(rule.at[i]));
-    const int panels = std::max(1, static_cast<int>(std::ceil(length / (rod.order * spacing))));
-    for (int panel = 0; panel < panels; ++panel) {
-        for (std::size_t i = 0; i < nodes; ++i) {
-            const double xi = -1.0 + (2.0 * panel + 1.0 + rule.at[i]) / panels;
-            const ShapeValues shapes = shapes_at(xi);
-            const double weight = rule.weights[i] / panels * jacobian(shapes);
-            if (panel > 0 && i == 0) {
-                all.places.back().weight += weight;
-                continue;
-            }
-            ContactPlace place;
-            place.element = static_cast<int>(all.elements.size());
-            place.weight = weight;
-            std::copy_n(shapes.value.begin(), nodes, place.shapes.begin());
-            for (std::size_t j = 0; j < nodes; ++j)
-                place.fraction += shapes.value[j] * rod.arc_length[first + j] / rod.length;
-            all.places.push_back(place);
-        }
+    const Rule places = refine(rule, length / spacing);
+    for (std::size_t i = 0; i < places.at.size(); ++i) {
+        const ShapeValues shapes = shapes_at(places.at[i]);
+        ContactPlace place;
+        place.element = static_cast<int>(all.elements.size());
+        place.weight = places.weights[i] * jacobian(shapes);
+        std::copy_n(shapes.value.begin(), nodes, place.shapes.begin());
+        for (std::size_t j = 0; j < nodes; ++j)
+            place.fraction += shapes.value[j] * rod.arc_length[first + j] / rod.length;
+        all.places.push_back(place);
     }
     own.end_place = all.places.size();
     all.elements.push_back(own);
+}
+
+template <class FindSpacing>
+ContactPlaces find_places(const Model& model, const FindSpacing& find) {
+    ContactPlaces all;
+    for (int index = 0; index < static_cast<int>(model.rods.size()); ++index) {
+        const double radius = model.contact.radii[static_cast<std::size_t>(index)];
+        if (radius == 0.0) continue;
+        const Rod& rod = model.rods[static_cast<std::size_t>(index)];
+        const Rule rule = find_rule(rod.order);
+        const double spacing = find(index);
+        for (int element = 0; element < rod.element_count(); ++element)
+            add_element(model, index, element, rule, spacing, all);
+    }
+    return all;
 }
 
 }  // namespace
@@ -105,17 +126,18 @@ PlaceMotion ContactPlaces::motion_of(const ContactPlace& place, const State& sta
 }
 
 ContactPlaces find_contact_places(const Model& model) {
-    ContactPlaces all;
-    for (int index = 0; index < static_cast<int>(model.rods.size()); ++index) {
-        const double radius = model.contact.radii[static_cast<std::size_t>(index)];
-        if (radius == 0.0) continue;
-        const Rod& rod = model.rods[static_cast<std::size_t>(index)];
-        const Rule rule = find_rule(rod.order);
-        const double spacing = find_spacing(model, radius);
-        for (int element = 0; element < rod.element_count(); ++element)
-            add_element(model, index, element, rule, spacing, all);
-    }
-    return all;
+    return find_places(model, [&](int rod) {
+        return find_spacing(model, model.contact.radii[static_cast<std::size_t>(rod)]);
+    });
+}
+
+ContactPlaces find_chord_places(const Model& model) {
+    return find_places(model, [&](int rod) {
+        const auto index = static_cast<std::size_t>(rod);
+        // The sagitta of a chord is h²/8 over the radius of the bend.
+        return std::sqrt(2.0 * model.contact.skin * model.contact.radii[index] *
+                         model.contact.bend_radii[index]);
+    });
 }
 
 }  // namespace gxrod

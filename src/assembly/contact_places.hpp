@@ -49,8 +49,12 @@ struct ContactPlaces {
     PlaceMotion motion_of(const ContactPlace& place, const State& state) const;
 };
 
-// Of all rods that touch, in the order of the model: the Gauss-Lobatto points of panels of each element, as
-// many as a curved obstacle needs, with the weights of that rule.
+// Of all rods that touch, in the order of the model: the nodes of each element with the weights of
+// Gauss-Lobatto's rule, or, where an obstacle bulges, equal pieces of it.
 ContactPlaces find_contact_places(const Model& model);
+
+// Of all rods that touch: so close together that the chords between them stay within a quarter of the skin of
+// the line, even where it is bent as much as is to be expected.
+ContactPlaces find_chord_places(const Model& model);
 
 }  // namespace gxrod

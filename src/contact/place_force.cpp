@@ -16,6 +16,33 @@ Vec3 compute_pull(const SurfaceTouch& touch, const PlaceMotion& place, const Pla
     return friction.traction - friction.stiffness * slip;
 }
 
+// The traction before the cone bounds it, and how.
+struct Pull {
+    Vec3 traction = Vec3::Zero();
+    double most = 0.0;  // of the cone
+    double size = 0.0;
+    bool slides = false;
+    bool turns = false;  // slides where its slip takes it
+};
+
+Pull find_pull(const SurfaceTouch& touch,
+               const PlaceMotion& place,
+               const NormalForce& normal,
+               const PlaceFriction& friction) {
+    Pull pull;
+    pull.traction = tangential(touch.normal) * compute_pull(touch, place, friction);
+    pull.most = friction.coefficient * std::max(normal.force, 0.0);
+    pull.size = pull.traction.norm();
+    pull.slides = friction.slip == Slip::slides || (friction.slip == Slip::by_law && pull.size > pull.most);
+    pull.turns = pull.slides && (friction.slip == Slip::by_law || pull.traction.dot(friction.direction) >
+                                                                      std::max(pull.most, 0.5 * pull.size));
+    return pull;
+}
+
+bool rubs(const NormalForce& normal, const PlaceFriction& friction) {
+    return friction.coefficient > 0.0 && normal.force > 0.0;
+}
+
 }  // namespace
 
 PlaceForce compute_place_force(const SurfaceTouch& touch,
@@ -23,17 +50,34 @@ PlaceForce compute_place_force(const SurfaceTouch& touch,
                                const NormalForce& normal,
                                const PlaceFriction& friction) {
     PlaceForce result;
-    const double pressed = std::max(normal.force, 0.0);
     result.force = normal.force * touch.normal;
-    if (friction.coefficient == 0.0 || pressed == 0.0) return result;
-    result.traction = tangential(touch.normal) * compute_pull(touch, place, friction);
-    const double most = friction.coefficient * pressed;
-    const double size = result.traction.norm();
-    result.slides = size > most;
-    if (result.slides) result.traction *= most / size;
+    if (!rubs(normal, friction)) return result;
+    const Pull pull = find_pull(touch, place, normal, friction);
+    result.slides = pull.slides;
+    result.traction = !pull.slides ? pull.traction
+                      : pull.turns ? Vec3(pull.traction * (pull.most / pull.size))
+                                   : Vec3(pull.most * friction.direction);
     result.force += result.traction;
     result.moment = -place.radius * touch.normal.cross(result.traction);
     return result;
+}
+
+PlaceFriction advance_slip(const SurfaceTouch& touch,
+                           const PlaceMotion& place,
+                           const NormalForce& normal,
+                           PlaceFriction friction) {
+    if (friction.coefficient == 0.0) return friction;
+    if (!rubs(normal, friction)) {
+        friction.slip = Slip::sticks;
+        return friction;
+    }
+    const Vec3 pull = tangential(touch.normal) * compute_pull(touch, place, friction);
+    const double most = friction.coefficient * normal.force;
+    const double size = pull.norm();
+    const bool goes_on = friction.slip != Slip::slides || pull.dot(friction.direction) > 0.0;
+    friction.slip = size > most && goes_on ? Slip::slides : Slip::sticks;
+    if (friction.slip == Slip::slides) friction.direction = pull / size;
+    return friction;
 }
 
 PlaceForceDerivative compute_place_force_derivative(const SurfaceTouch& touch,
@@ -44,26 +88,31 @@ PlaceForceDerivative compute_place_force_derivative(const SurfaceTouch& touch,
     const Vec3& n = touch.normal;
     const Mat3& H = touch.curvature;
     result.force_by_position = -normal.stiffness * n * n.transpose() + normal.force * H;
-    const double pressed = std::max(normal.force, 0.0);
-    if (friction.coefficient == 0.0 || pressed == 0.0) return result;
+    if (!rubs(normal, friction)) return result;
     const Mat3 P = tangential(n);
     const double k = friction.stiffness;
     const double r = place.radius;
-    const Vec3 q = compute_pull(touch, place, friction);
-    Vec3 t = P * q;
-    // δ(P q) = P δq − (δn · q) n − (n · q) δn
-    Mat3 by_position = P * (-k * Mat3::Identity() + (k * r) * spin(place.rotation) * H) -
-                       n * (H * q).transpose() - n.dot(q) * H;
-    Mat3 by_rotation = (-k * r) * P * spin(n);
-    const double most = friction.coefficient * pressed;
-    const double size = t.norm();
-    if (size > most) {
-        const Vec3 direction = t / size;
-        const Mat3 turning = (most / size) * (Mat3::Identity() - direction * direction.transpose());
-        by_position =
-            turning * by_position - (friction.coefficient * normal.stiffness) * direction * n.transpose();
-        by_rotation = turning * by_rotation;
-        t = most * direction;
+    const Pull pull = find_pull(touch, place, normal, friction);
+    Mat3 by_position = Mat3::Zero();
+    Mat3 by_rotation = Mat3::Zero();
+    if (!pull.slides || pull.turns) {
+        // δ(P q) = P δq − (δn · q) n − (n · q) δn
+        const Vec3 q = compute_pull(touch, place, friction);
+        by_position = P * (-k * Mat3::Identity() + (k * r) * spin(place.rotation) * H) -
+                      n * (H * q).transpose() - n.dot(q) * H;
+        by_rotation = (-k * r) * P * spin(n);
+    }
+    Vec3 t = pull.traction;
+    if (pull.slides) {
+        const Vec3 direction = pull.turns ? Vec3(pull.traction / pull.size) : friction.direction;
+        if (pull.turns) {
+            const Mat3 turning =
+                (pull.most / pull.size) * (Mat3::Identity() - direction * direction.transpose());
+            by_position = turning * by_position;
+            by_rotation = turning * by_rotation;
+        }
+        by_position -= (friction.coefficient * normal.stiffness) * direction * n.transpose();
+        t = pull.most * direction;
     }
     result.force_by_position += by_position;
     result.force_by_rotation = by_rotation;

@@ -1,16 +1,34 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
+
+#include "rotation/types.hpp"
 
 namespace gxrod {
 
-// What Newton's method knows of contact in addition to motions, reset for each equilibrium.
+// Two pieces of rods that are so near that they can touch, by their index among all of them, and the gap of
+// their point on the curve of force and gap.
+struct NearPieces {
+    std::uint32_t first = 0, second = 0;  // first < second
+    double parameter = 0.0;
+};
+
+// What Newton's method knows of contact in addition to motions, found anew for each equilibrium.
 struct ContactTrial {
-    // ζ of each place that can touch, on the curve of force and gap (contact/contact_law.hpp): with these the
-    // tangent is that of forces as unknowns of their own. Empty: it follows from gaps.
+    // The gap of the point that each place has on the curve of force and gap (contact/impact_law.hpp): with
+    // these the tangent is that of forces as unknowns of their own. Empty: it follows from gaps.
     std::vector<double> parameters;
+    // Whether each place is taken to slide there, and the direction of its traction then; zero where it is
+    // taken to stick. Empty without friction.
+    std::vector<Vec3> sliding;
     // How far moved obstacles are on their way from the last accepted step, 0 … 1.
     double progress = 1.0;
+    // Pieces that were nearer than `margin` where the trial was, sorted; since then it has moved by no more
+    // than `travelled`. All that touch are among them.
+    std::vector<NearPieces> pieces;
+    double margin = 0.0;
+    double travelled = 0.0;
 };
 
 }  // namespace gxrod

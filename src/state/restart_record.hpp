@@ -18,7 +18,8 @@ struct LedgerMemory {
     double dissipated = 0.0;
     double dissipated_by_scheme = 0.0;
     double fluid_work = 0.0;
-    double contact_work = 0.0;
+    double contact_loss = 0.0;
+    double contact_energy = 0.0;
     double initial_contact_energy = 0.0;
     // Schemes of several stages: the powers at the end of the last step.
     double driving_power = 0.0;
@@ -26,7 +27,6 @@ struct LedgerMemory {
     // Schemes of one stage: forces and moments per node that do work, at the end of the last step.
     std::vector<Vec6> forces;
     std::vector<Vec6> fluid_forces;    // of water, air and ground per node, at the end of the last step
-    std::vector<Vec6> contact_forces;  // that rods touch with per node, likewise
     // In statics after the first step: the last one's changes of these forces, its movements, its length.
     std::vector<Vec6> force_change, movement;
     double load_step = 0.0;

@@ -119,7 +119,7 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
             return find_index(context.deck.tables(key), at).has_value();
         };
         if (!is_tie("spring") && !is_tie("bushing") && !is_tie("joint") && !is_tie("gear") &&
-            !is_tie("tendon"))
+            !is_tie("tendon") && !is_tie("obstacle"))
             points.check_place(table, "at");
         points.check_key(table, "relative_to");
     }

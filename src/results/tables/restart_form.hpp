@@ -111,7 +111,8 @@ void visit_numbers(Place& place, Visitor&& visit) {
     visit("dissipated", record.ledger.dissipated);
     visit("dissipated_by_scheme", record.ledger.dissipated_by_scheme);
     visit("fluid_work", record.ledger.fluid_work);
-    visit("contact_work", record.ledger.contact_work);
+    visit("contact_loss", record.ledger.contact_loss);
+    visit("contact_energy", record.ledger.contact_energy);
     visit("initial_contact_energy", record.ledger.initial_contact_energy);
     visit("driving_power", record.ledger.driving_power);
     visit("damping_power", record.ledger.damping_power);
@@ -182,8 +183,6 @@ inline const DatasetLabel forces_label{
     "forces", "force and moment that does work on each node", "spatial", ""};
 inline const DatasetLabel fluid_forces_label{
     "fluid_forces", "force and moment of water, air and the ground on each node", "spatial", ""};
-inline const DatasetLabel contact_forces_label{
-    "contact_forces", "force and moment of contact on each node, in statics", "spatial", ""};
 inline const DatasetLabel force_change_label{
     "force_change", "change of these in the last load step", "spatial", ""};
 inline const DatasetLabel movement_label{
@@ -213,7 +212,6 @@ void visit_lists(Record& record, Visitor&& visit) {
     visit(joints_label, record.joints);
     visit(forces_label, record.ledger.forces);
     visit(fluid_forces_label, record.ledger.fluid_forces);
-    visit(contact_forces_label, record.ledger.contact_forces);
     visit(force_change_label, record.ledger.force_change);
     visit(movement_label, record.ledger.movement);
     visit(path_tangent_label, record.path.tangent);

@@ -1,0 +1,441 @@
+#include "assembly/contact_pairs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "contact/advancement.hpp"
+
+namespace gxrod {
+
+namespace {
+
+using Ends = std::array<std::size_t, 2>;  // places
+
+// Of sets that are merged.
+class Unions {
+  public:
+    explicit Unions(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), std::size_t{0}); }
+    std::size_t find(std::size_t one) {
+        while (parents_[one] != one) one = parents_[one] = parents_[parents_[one]];
+        return one;
+    }
+    void merge(std::size_t one, std::size_t other) {
+        one = find(one);
+        other = find(other);
+        parents_[std::max(one, other)] = std::min(one, other);
+    }
+
+  private:
+    std::vector<std::size_t> parents_;
+};
+
+double largest_motion(const Segment& motion) { return std::max(motion.start.norm(), motion.end.norm()); }
+
+Segment add(const Segment& segment, const Segment& motion) {
+    return {segment.start + motion.start, segment.end + motion.end};
+}
+
+}  // namespace
+
+// g, its gradient and its second derivative times the force of the law at g.
+struct ContactPairs::Gap {
+    double gap = 0.0;
+    double force = 0.0;  // λ(g)
+    Vec12 gradient = Vec12::Zero();
+    Mat12 force_times_curvature = Mat12::Zero();
+};
+
+ContactPairs::ContactPairs(const Model& model, const ThreadTeam& team, const ScaleGroups& groups)
+    : model_(&model), team_(&team), groups_(&groups) {
+    if (model.contact.radii.empty()) return;
+    lines_ = find_contact_lines(model);
+    for (ContactElement& element : lines_.places.elements) element.part = groups.part_of_node(element.nodes[0]);
+}
+
+Segment ContactPairs::segment_of(std::size_t piece, const std::vector<NodeMotion>& motions) const {
+    const ContactPlaces& all = lines_.places;
+    const std::size_t place = lines_.pieces[piece].place;
+    return {all.interpolate(all.places[place], motions, &NodeMotion::r),
+            all.interpolate(all.places[place + 1], motions, &NodeMotion::r)};
+}
+
+PairLaw ContactPairs::law_of(const NearPieces& near) const {
+    const ContactElement& a = lines_.element_of(lines_.pieces[near.first]);
+    const ContactElement& b = lines_.element_of(lines_.pieces[near.second]);
+    // A crossing of the weaker of the two at half the skin carries a thousandth of its EA.
+    return {a.radius + b.radius,
+            {std::min(a.law.skin, b.law.skin),
+             2.0 * std::min(a.law.stiffness * a.radius, b.law.stiffness * b.radius)}};
+}
+
+ContactPairs::Gap ContactPairs::find_gap(const NearPieces& near, const std::vector<NodeMotion>& motions) const {
+    const PairLaw pair = law_of(near);
+    const PairEnergy found = compute_pair_energy(pair,
+                                                 segment_of(near.first, motions),
+                                                 segment_of(near.second, motions),
+                                                 lines_.pieces[near.first].length,
+                                                 lines_.pieces[near.second].length);
+    Gap result;
+    result.gap = pair.law.skin;
+    if (found.energy <= 0.0) return result;
+    result.gap = find_gap_of_contact_energy(pair.law, found.energy);
+    result.force = compute_contact_force(pair.law, result.gap);
+    if (result.force == 0.0) return result;
+    // E = V(g): ∇E = −λ ∇g and ∇²E = −λ ∇²g − λ′ ∇g ∇gᵀ.
+    const double slope = compute_contact_force_slope(pair.law, result.gap);
+    result.gradient = found.gradient / -result.force;
+    result.force_times_curvature =
+        -found.hessian - slope * result.gradient * result.gradient.transpose();
+    return result;
+}
+
+ImpactLaw ContactPairs::impact_law(const NearPieces& near, const State& state) const {
+    const bool has_impacts = model_->has_inertia && model_->has_time;
+    const double dissipation = has_impacts ? model_->contact.dissipation : 1.0;
+    return {law_of(near).law, dissipation, dissipation == 1.0 ? 0.0 : find_gap(near, state.previous).gap};
+}
+
+double ContactPairs::least_gap(const NearPieces& near, const std::vector<NodeMotion>& motions) const {
+    return find_closest_points(segment_of(near.first, motions), segment_of(near.second, motions)).distance -
+           law_of(near).radii;
+}
+
+void ContactPairs::search(double reach, State& state) const {
+    double skin = 0.0, thickest = 0.0;
+    std::vector<Capsule> capsules(lines_.pieces.size());
+    for (std::size_t i = 0; i < capsules.size(); ++i) {
+        const ContactElement& element = lines_.element_of(lines_.pieces[i]);
+        const Segment segment = segment_of(i, state.trial);
+        capsules[i] = {segment.start, segment.end, element.radius};
+        skin = std::max(skin, element.law.skin);
+        thickest = std::max(thickest, element.radius);
+    }
+    ContactTrial& contact = state.contact;
+    // Motions beyond that are shortened.
+    contact.margin = skin + 2.0 * std::clamp(reach, 0.25 * thickest, 4.0 * thickest);
+    contact.travelled = 0.0;
+    const auto keep = [&](CapsulePair pair) {
+        return lines_.can_touch(lines_.pieces[pair.first], lines_.pieces[pair.second]);
+    };
+    std::vector<NearPieces> before = std::move(contact.pieces);
+    contact.pieces.clear();
+    auto known = before.begin();
+    for (const CapsulePair pair : find_near_pairs(capsules, contact.margin, keep)) {
+        NearPieces near{pair.first, pair.second};
+        const auto is_before = [&](const NearPieces& one) {
+            return std::pair(one.first, one.second) < std::pair(near.first, near.second);
+        };
+        while (known != before.end() && is_before(*known)) ++known;
+        const bool is_known = known != before.end() && known->first == near.first && known->second == near.second;
+        near.parameter = is_known ? known->parameter : find_gap(near, state.trial).gap;
+        contact.pieces.push_back(near);
+    }
+}
+
+std::vector<NodeGroup> ContactPairs::list_groups(const State& state) const {
+    std::vector<std::pair<int, int>> elements;
+    for (const NearPieces& near : state.contact.pieces)
+        elements.emplace_back(lines_.places.places[lines_.pieces[near.first].place].element,
+                              lines_.places.places[lines_.pieces[near.second].place].element);
+    std::ranges::sort(elements);
+    elements.erase(std::ranges::unique(elements).begin(), elements.end());
+    std::vector<NodeGroup> groups;
+    for (const auto& [a, b] : elements) {
+        NodeGroup group;
+        for (const int index : {a, b}) {
+            const ContactElement& element = lines_.places.elements[static_cast<std::size_t>(index)];
+            for (int i = 0; i < element.count; ++i) {
+                const int node = element.nodes[static_cast<std::size_t>(i)];
+                if (std::ranges::find(group, node) == group.end()) group.push_back(node);
+            }
+        }
+        groups.push_back(std::move(group));
+    }
+    return groups;
+}
+
+// add(node, force), of both ends of both pieces.
+template <class Add>
+void ContactPairs::scatter(const NearPieces& near, const Vec12& of_ends, const Add& add) const {
+    int end = 0;
+    for (const std::uint32_t index : {near.first, near.second}) {
+        const ContactPiece& piece = lines_.pieces[index];
+        const ContactElement& element = lines_.element_of(piece);
+        for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
+            for (int i = 0; i < element.count; ++i)
+                add(element.nodes[static_cast<std::size_t>(i)],
+                    Vec3(lines_.places.places[p].shapes[static_cast<std::size_t>(i)] *
+                         of_ends.segment<3>(3 * end)));
+        }
+    }
+}
+
+// find(near, gap): the force along the gradient of the gap.
+template <class Find>
+void ContactPairs::add_forces(
+    const State& state, double weight, const Find& find, Residual& residual, bool raises) const {
+    const std::vector<NearPieces>& near = state.contact.pieces;
+    std::vector<Vec12> forces(near.size());
+    std::vector<char> acts(near.size(), 0);
+    team_->for_each_range(near.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Gap gap = find_gap(near[i], state.trial);
+            if (gap.force == 0.0) continue;
+            acts[i] = 1;
+            forces[i] = (weight * find(near[i], gap)) * gap.gradient;
+        }
+    });
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        if (acts[i] == 0) continue;
+        scatter(near[i], forces[i], [&](int node, const Vec3& force) {
+            Vec6 both = Vec6::Zero();
+            both.head<3>() = force;
+            if (raises) residual.raise_group(groups_->of_node(node), both);
+            residual.nodal[static_cast<std::size_t>(node)] -= both;
+        });
+    }
+}
+
+void ContactPairs::subtract_forces(const State& state, double weight, Residual& residual) const {
+    if (weight == 0.0) return;
+    const auto find = [&](const NearPieces& near, const Gap& gap) {
+        return compute_impact_force(impact_law(near, state), gap.gap).force;
+    };
+    add_forces(state, weight, find, residual, true);
+}
+
+void ContactPairs::replace_by_tangent_forces(const State& state, double weight, Residual& residual) const {
+    if (weight == 0.0) return;
+    const auto find = [&](const NearPieces& near, const Gap& gap) {
+        const ImpactLaw law = impact_law(near, state);
+        const NormalForce on_curve = compute_impact_force(law, near.parameter);
+        return on_curve.force - on_curve.stiffness * (gap.gap - near.parameter) -
+               compute_impact_force(law, gap.gap).force;
+    };
+    add_forces(state, weight, find, residual, false);
+}
+
+std::vector<PairBlock> ContactPairs::compute_tangents(
+    const State& state, double weight, const std::vector<NodeLinearization>& linearizations) const {
+    const std::vector<NearPieces>& near = state.contact.pieces;
+    const bool is_mixed = !state.contact.parameters.empty();
+    std::vector<Mat12> matrices(near.size());
+    std::vector<char> acts(near.size(), 0);
+    team_->for_each_range(near.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const Gap gap = find_gap(near[i], state.trial);
+            if (gap.force == 0.0) continue;
+            acts[i] = 1;
+            const ImpactLaw law = impact_law(near[i], state);
+            const double at = is_mixed ? near[i].parameter : gap.gap;
+            const NormalForce on_curve = compute_impact_force(law, at);
+            const double force = on_curve.force - on_curve.stiffness * (gap.gap - at);
+            matrices[i] =
+                weight * (on_curve.stiffness * gap.gradient * gap.gradient.transpose() -
+                          (force / gap.force) * gap.force_times_curvature);
+        }
+    });
+    std::vector<PairBlock> blocks;
+    for (NodeGroup& group : list_groups(state)) {
+        const auto size = static_cast<Eigen::Index>(6 * group.size());
+        blocks.push_back({std::move(group), Eigen::MatrixXd::Zero(size, size)});
+    }
+    std::map<std::pair<int, int>, std::size_t> block_of;
+    std::vector<std::pair<int, int>> elements(near.size());
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        elements[i] = {lines_.places.places[lines_.pieces[near[i].first].place].element,
+                       lines_.places.places[lines_.pieces[near[i].second].place].element};
+        block_of.emplace(elements[i], 0);
+    }
+    std::size_t next = 0;
+    for (auto& [pair, index] : block_of) index = next++;
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        if (acts[i] == 0) continue;
+        PairBlock& block = blocks[block_of.at(elements[i])];
+        // Shape functions of the four ends by the group's nodes.
+        Eigen::Matrix<double, 4, Eigen::Dynamic> shapes =
+            Eigen::Matrix<double, 4, Eigen::Dynamic>::Zero(4, static_cast<Eigen::Index>(block.nodes.size()));
+        int end = 0;
+        for (const std::uint32_t index : {near[i].first, near[i].second}) {
+            const ContactPiece& piece = lines_.pieces[index];
+            const ContactElement& element = lines_.element_of(piece);
+            for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
+                for (int n = 0; n < element.count; ++n) {
+                    const auto at = std::ranges::find(block.nodes, element.nodes[static_cast<std::size_t>(n)]);
+                    shapes(end, at - block.nodes.begin()) +=
+                        lines_.places.places[p].shapes[static_cast<std::size_t>(n)];
+                }
+            }
+        }
+        for (Eigen::Index column = 0; column < shapes.cols(); ++column) {
+            const double placement =
+                linearizations[static_cast<std::size_t>(block.nodes[static_cast<std::size_t>(column)])].placement;
+            for (Eigen::Index row = 0; row < shapes.cols(); ++row) {
+                Mat3 sum = Mat3::Zero();
+                for (int a = 0; a < 4; ++a) {
+                    for (int b = 0; b < 4; ++b)
+                        sum += (shapes(a, row) * shapes(b, column)) * matrices[i].block<3, 3>(3 * a, 3 * b);
+                }
+                block.matrix.block<3, 3>(6 * row, 6 * column) += placement * sum;
+            }
+        }
+    }
+    return blocks;
+}
+
+void ContactPairs::start(State& state) const {
+    for (NearPieces& near : state.contact.pieces) near.parameter = find_gap(near, state.trial).gap;
+}
+
+void ContactPairs::advance(const std::vector<Vec6>& deltas, State& state) const {
+    std::vector<NearPieces>& all = state.contact.pieces;
+    team_->for_each_range(all.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            NearPieces& near = all[i];
+            const Gap gap = find_gap(near, state.trial);
+            if (gap.force == 0.0) {
+                near.parameter = gap.gap;
+                continue;
+            }
+            Vec12 change = Vec12::Zero();
+            int end = 0;
+            for (const std::uint32_t index : {near.first, near.second}) {
+                const ContactPiece& piece = lines_.pieces[index];
+                const ContactElement& element = lines_.element_of(piece);
+                for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
+                    for (int n = 0; n < element.count; ++n)
+                        change.segment<3>(3 * end) +=
+                            lines_.places.places[p].shapes[static_cast<std::size_t>(n)] *
+                            deltas[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(n)])].head<3>();
+                }
+            }
+            const ImpactLaw law = impact_law(near, state);
+            const NormalForce on_curve = compute_impact_force(law, near.parameter);
+            const double reached = gap.gap + gap.gradient.dot(change);
+            const double force = on_curve.force - on_curve.stiffness * (reached - near.parameter);
+            near.parameter = find_gap_on_curve(law, force, reached);
+        }
+    });
+}
+
+void ContactPairs::limit(const std::vector<Vec3>& displacements, State& state, ContactLimits& limits) const {
+    double reach = 0.0;
+    for (const Vec3& one : displacements) reach = std::max(reach, one.norm());
+    ContactTrial& contact = state.contact;
+    double skin = 0.0;
+    for (const ContactElement& element : lines_.places.elements) skin = std::max(skin, element.law.skin);
+    // Shape functions of up to five nodes sum up to less than 1.8, absolutely.
+    reach *= 1.8;
+    if (contact.margin == 0.0 || skin + 2.0 * (contact.travelled + reach) > contact.margin) search(reach, state);
+    double all = 1.0;
+    const double room = 0.5 * (contact.margin - skin) - contact.travelled;
+    if (reach > room) all = room / reach;
+    const auto motion_of = [&](std::size_t piece) -> Segment {
+        const ContactElement& element = lines_.element_of(lines_.pieces[piece]);
+        Segment motion{Vec3::Zero(), Vec3::Zero()};
+        for (int n = 0; n < element.count; ++n) {
+            const Vec3& displacement =
+                displacements[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(n)])];
+            const auto shape = static_cast<std::size_t>(n);
+            motion.start += lines_.places.places[lines_.pieces[piece].place].shapes[shape] * displacement;
+            motion.end += lines_.places.places[lines_.pieces[piece].place + 1].shapes[shape] * displacement;
+        }
+        return motion;
+    };
+    std::vector<double> of_pairs(contact.pieces.size(), 1.0), gaps(contact.pieces.size());
+    std::vector<char> can_meet(contact.pieces.size(), 0);
+    team_->for_each_range(of_pairs.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const NearPieces& near = contact.pieces[i];
+            gaps[i] = least_gap(near, state.trial);
+            const Segment a = segment_of(near.first, state.trial);
+            const Segment b = segment_of(near.second, state.trial);
+            const Segment move_a = motion_of(near.first);
+            const Segment move_b = motion_of(near.second);
+            if (0.9 * gaps[i] >= largest_motion(move_a) + largest_motion(move_b)) continue;
+            can_meet[i] = 1;
+            of_pairs[i] =
+                advance_capsules(a, add(a, move_a), b, add(b, move_b), law_of(near).radii).fraction;
+        }
+    });
+    Unions islands(limits.of_parts.size());
+    for (std::size_t i = 0; i < of_pairs.size(); ++i) {
+        limits.least_gap = std::min(limits.least_gap, gaps[i]);
+        if (can_meet[i] == 0) continue;
+        const NearPieces& near = contact.pieces[i];
+        const auto a = static_cast<std::size_t>(lines_.element_of(lines_.pieces[near.first]).part);
+        const auto b = static_cast<std::size_t>(lines_.element_of(lines_.pieces[near.second]).part);
+        islands.merge(a, b);
+        limits.of_parts[a] = std::min(limits.of_parts[a], of_pairs[i]);
+    }
+    std::vector<double> of_islands(limits.of_parts.size(), all);
+    for (std::size_t part = 0; part < of_islands.size(); ++part) {
+        double& island = of_islands[islands.find(part)];
+        island = std::min(island, limits.of_parts[part]);
+    }
+    for (std::size_t part = 0; part < of_islands.size(); ++part) {
+        limits.of_parts[part] = of_islands[islands.find(part)];
+        limits.least = std::min(limits.least, limits.of_parts[part]);
+    }
+    contact.travelled += std::min(reach, room);
+}
+
+double ContactPairs::compute_energy(const State& state) const {
+    double energy = 0.0;
+    for (const NearPieces& near : state.contact.pieces)
+        energy += compute_contact_energy(law_of(near).law, find_gap(near, state.trial).gap);
+    return energy;
+}
+
+double ContactPairs::compute_work(const State& state) const {
+    double work = 0.0;
+    for (const NearPieces& near : state.contact.pieces) {
+        const Gap gap = find_gap(near, state.trial);
+        if (gap.force == 0.0) continue;
+        const Vec12 force = compute_impact_force(impact_law(near, state), gap.gap).force * gap.gradient;
+        scatter(near, force, [&](int node, const Vec3& of_node) {
+            const auto index = static_cast<std::size_t>(node);
+            work += of_node.dot(state.trial[index].r - state.previous[index].r);
+        });
+    }
+    return work;
+}
+
+void ContactPairs::count(const State& state, ContactCount& result) const {
+    for (const NearPieces& near : state.contact.pieces) {
+        if (find_gap(near, state.trial).force > 0.0) ++result.touching;
+        result.least_gap = std::min(result.least_gap, least_gap(near, state.trial));
+    }
+}
+
+std::string ContactPairs::describe_overlap(const State& state) const {
+    double least = 0.0;
+    const NearPieces* worst = nullptr;
+    int count = 0;
+    for (const NearPieces& near : state.contact.pieces) {
+        const double gap = least_gap(near, state.trial);
+        if (gap > 0.0) continue;
+        ++count;
+        if (worst != nullptr && gap >= least) continue;
+        least = gap;
+        worst = &near;
+    }
+    if (worst == nullptr) return "";
+    const auto name = [&](std::size_t index) {
+        const ContactPiece& piece = lines_.pieces[index];
+        const Rod& rod = model_->rods[static_cast<std::size_t>(lines_.element_of(piece).rod)];
+        return fmt::format("{}@{:.4g}", rod.name, piece.middle / rod.length);
+    };
+    const double radii = law_of(*worst).radii;
+    return fmt::format("{} and {} overlap: they are {:.6g} apart, and their radii add up to {:.6g}{}",
+                       name(worst->first),
+                       name(worst->second),
+                       radii + least,
+                       radii,
+                       count > 1 ? fmt::format("; {} more pieces do, less", count - 1) : "");
+}
+
+}  // namespace gxrod

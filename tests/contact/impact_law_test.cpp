@@ -1,0 +1,58 @@
+#include "contact/impact_law.hpp"
+
+#include <cmath>
+
+#include "tools/catch.hpp"
+#include "tools/difference.hpp"
+#include "tools/random_values.hpp"
+
+using namespace gxrod;
+using namespace gxrod::tools;
+
+TEST_CASE("impacts: the slope is the derivative of the force") {
+    for (const double theta : {0.0, 0.3, 1.0}) {
+        for (const double before : {0.05, 0.11, 0.19, 0.4}) {
+            for (const double gap : {0.03, 0.110000001, 0.17, 0.25}) {
+                const ImpactLaw law{{0.2, 7.0}, theta, before};
+                const double slope = differentiate(
+                    [&](double x) { return compute_impact_force(law, gap + x).force; }, 1e-3 * gap);
+                INFO(theta << " " << before << " " << gap);
+                CHECK(compute_impact_force(law, gap).stiffness == Approx(-slope).epsilon(1e-6).margin(1e-7));
+            }
+        }
+    }
+}
+
+TEST_CASE("impacts: the work on a gap is what the energy gives, or less") {
+    RandomValues random(7);
+    for (int sample = 0; sample < 1000; ++sample) {
+        ImpactLaw law{{0.2, 7.0}, 0.0, random.number(1e-3, 0.3)};
+        const double gap = random.number(1e-3, 0.3);
+        const double given =
+            compute_contact_energy(law.law, law.gap_before) - compute_contact_energy(law.law, gap);
+        const double work = compute_impact_force(law, gap).force * (gap - law.gap_before);
+        CHECK(work == Approx(given).epsilon(1e-9).margin(1e-14));
+        law.dissipation = 1.0;
+        CHECK(compute_impact_force(law, gap).force * (gap - law.gap_before) <=
+              given + 1e-12 * std::abs(given));
+    }
+}
+
+TEST_CASE("impacts: a force and a gap belong to the curve's point with the same difference") {
+    RandomValues random(9);
+    for (int sample = 0; sample < 500; ++sample) {
+        const ImpactLaw law{{0.2, 7.0}, random.number(0.0, 1.0), random.number(1e-3, 0.3)};
+        const double gap = random.number(-0.3, 0.3);
+        const double force = random.number(-20.0, 40.0);
+        const double found = find_gap_on_curve(law, force, gap);
+        REQUIRE(found > 0.0);
+        const double zeta = force / 7.0 - gap / 0.2;
+        CHECK(compute_impact_force(law, found).force / 7.0 - found / 0.2 ==
+              Approx(zeta).epsilon(1e-10).margin(1e-10));
+    }
+    SECTION("one on the curve is found again") {
+        const ImpactLaw law{{0.2, 7.0}, 0.4, 0.15};
+        const double force = compute_impact_force(law, 0.05).force;
+        CHECK(find_gap_on_curve(law, force, 0.05) == Approx(0.05).epsilon(1e-12));
+    }
+}
