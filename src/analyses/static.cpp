@@ -32,7 +32,7 @@ StaticAnalysis::StaticAnalysis(const Model& model, const StaticSettings& setting
       nominal_step_(1.0 / static_cast<double>(settings.steps)),
       counter_(system_),
       has_potential_(find_load_without_potential(model).empty()),
-      trial_(has_contrast_ ? -1 : 0),
+      trial_(has_contrast_ || system_.contact() ? -1 : 0),
       accepted_(trial_) {}
 
 EquilibriumReport StaticAnalysis::start() { return start_at_rest(); }
@@ -42,7 +42,7 @@ Stage StaticAnalysis::current_stage() const {
 }
 
 void StaticAnalysis::judge_equilibrium(EquilibriumReport& report) {
-    if (has_contrast_) return;
+    if (has_contrast_ || system_.contact()) return;
     const bool is_last = steps_->next_time() >= 1.0;
     const auto as_known = [&](std::int64_t count) { return has_potential_ || count < 0 ? count : count % 2; };
     trial_ = as_known(report.negative_pivots);

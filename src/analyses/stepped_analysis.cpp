@@ -78,6 +78,7 @@ SteppedAnalysis::SteppedAnalysis(const Model& model,
 
 void SteppedAnalysis::accept_start(double time, bool is_loaded) {
     if (system_.contact()) {
+        system_.contact()->search(state_);
         const std::string overlap = system_.contact()->describe_overlap(state_, time);
         if (!overlap.empty()) throw std::runtime_error("at the start " + overlap);
     }
@@ -212,10 +213,10 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     const LedgerMemory& books = record.ledger;
     const std::size_t with_joints = nodes + state_.joints_previous.size();
     const std::size_t of_load_step = integrator_->is_static() ? with_joints : 0;
-    const bool has_forces =
-        books.forces.size() == (integrator_->power_weights().empty() ? with_joints : 0) &&
-        books.force_change.size() == of_load_step && books.movement.size() == of_load_step &&
-        books.fluid_forces.size() == (system_.surroundings() ? nodes : 0);
+    const bool has_forces = books.forces.size() == (integrator_->power_weights().empty() ? with_joints : 0) &&
+                            books.force_change.size() == of_load_step &&
+                            books.movement.size() == of_load_step &&
+                            books.fluid_forces.size() == (system_.surroundings() ? nodes : 0);
     const bool has_algorithmic =
         record.algorithmic.size() == (integrator_->has_algorithmic_accelerations() ? nodes : 0);
     if (record.nodes.size() != nodes || record.sections.size() != state_.sections.size() ||
@@ -234,6 +235,7 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     state_.joints_previous = state_.joints_trial = record.joints;
     state_.algorithmic_previous = state_.algorithmic_trial = record.algorithmic;
     state_.time = state_.trial_time = steps_->time();
+    if (system_.contact()) system_.contact()->search(state_);
     resume_pivots(record.negative_pivots);
     reactions_.assign(nodes, Vec6::Zero());
     ledger_ = std::make_unique<Ledger>(system_, *integrator_);

@@ -185,7 +185,7 @@ void System::lay_out_memory(ElementBlock<E>& block) {
     if (memory_count_ > before) block.first_memory = std::move(first);
 }
 
-void System::build_pattern() {
+std::vector<NodeGroup> System::list_node_groups() const {
     std::vector<NodeGroup> groups;
     groups.reserve(element_count());
     for_each_block(blocks_, [&](const auto& block) {
@@ -194,7 +194,11 @@ void System::build_pattern() {
     });
     std::vector<NodeGroup> of_joints = joints_.node_groups();
     std::move(of_joints.begin(), of_joints.end(), std::back_inserter(groups));
-    pattern_ = compute_pattern(equations_, groups);
+    return groups;
+}
+
+void System::build_pattern() {
+    pattern_ = compute_pattern(equations_, list_node_groups());
     for_each_block(blocks_, [this](auto& block) {
         constexpr int node_count = std::remove_cvref_t<decltype(block)>::node_count;
         block.places.reserve(block.elements.size());

@@ -18,7 +18,11 @@ struct ContactAssembly::At {
 };
 
 ContactAssembly::ContactAssembly(const Model& model, const ThreadTeam& team, const ScaleGroups& groups)
-    : model_(&model), team_(&team), groups_(&groups), obstacles_(model.contact.obstacles) {
+    : model_(&model),
+      team_(&team),
+      groups_(&groups),
+      obstacles_(model.contact.obstacles),
+      pairs_(model, team, groups) {
     if (obstacles_.empty()) return;
     places_ = find_contact_places(model);
     for (ContactElement& element : places_.elements) element.part = groups.part_of_node(element.nodes[0]);
@@ -185,6 +189,7 @@ void ContactAssembly::subtract_forces(const State& state,
                                       double weight,
                                       Residual& residual) const {
     if (weight == 0.0) return;
+    pairs_.subtract_forces(state, weight, residual);
     const At at = find_obstacles(state, time, state.contact.progress);
     const auto find = [&](std::size_t obstacle, std::size_t place, double gap) {
         return touch_by_law(at, obstacle, place, gap, state);
@@ -207,6 +212,7 @@ void ContactAssembly::replace_by_tangent_forces(const State& state,
                                                 double weight,
                                                 Residual& residual) const {
     if (weight == 0.0) return;
+    pairs_.replace_by_tangent_forces(state, weight, residual);
     const At now = find_obstacles(state, time, state.contact.progress);
     const At there = find_obstacles(state, time, 1.0);
     const auto true_force = [&](std::size_t obstacle, std::size_t place, double gap) {
@@ -234,7 +240,7 @@ void ContactAssembly::add_tangents(const State& state,
                                    const std::vector<NodeLinearization>& linearizations,
                                    std::vector<double>& values) const {
     if (weight == 0.0) return;
-    const bool is_mixed = !state.contact.parameters.empty();
+    const bool is_mixed = state.contact.has_parameters;
     const At at = find_obstacles(state, time, is_mixed ? 1.0 : state.contact.progress);
     for (const ContactElement& element : places_.elements) {
         LoadMatrix tangent;
@@ -310,6 +316,8 @@ void ContactAssembly::start(State& state, double time) const {
     const At at = find_obstacles(state, time, state.contact.progress);
     state.contact.parameters.resize(pair_count());
     state.contact.sliding.assign(traction_count(), Vec3::Zero());
+    state.contact.has_parameters = true;
+    pairs_.start(state);
     for_each_near(at, state, 0.0, state, [&](std::size_t obstacle, std::size_t p, const Vec3& position) {
         const SurfaceTouch surface = touch(at, obstacle, p, position);
         state.contact.parameters[pair(obstacle, p)] = surface.gap;
@@ -321,6 +329,7 @@ void ContactAssembly::start(State& state, double time) const {
 }
 
 void ContactAssembly::advance(const std::vector<Vec6>& deltas, double time, State& state) const {
+    pairs_.advance(deltas, state);
     const At at = find_obstacles(state, time, 1.0);
     const double theta = at.has_impacts ? model_->contact.dissipation : 1.0;
     double reach = 0.0;
@@ -368,7 +377,7 @@ void ContactAssembly::keep_slip(const PlaceFriction& friction,
 }
 
 ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
-                                     const State& state,
+                                     State& state,
                                      double time) const {
     const At from = find_obstacles(state, time, state.contact.progress);
     const At to = find_obstacles(state, time, 1.0);
@@ -418,12 +427,14 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
         limits.least = std::min(limits.least, of_elements[e]);
         limits.least_gap = std::min(limits.least_gap, gaps[e]);
     }
+    if (!pairs_.empty()) pairs_.limit(displacements, state, limits);
     // Obstacles that still have to move go as far as all.
     if (moves_ && state.contact.progress < 1.0) std::ranges::fill(limits.of_parts, limits.least);
     return limits;
 }
 
 void ContactAssembly::commit(State& state, double time) const {
+    state.contact.has_parameters = false;
     if (!rubs_) return;
     const At at = find_obstacles(state, time, 1.0);
     team_->for_each_range(places_.places.size(), [&](std::size_t first, std::size_t last) {
@@ -452,7 +463,7 @@ std::vector<Vec6> ContactAssembly::compute_forces(const State& state, double tim
 
 double ContactAssembly::compute_energy(const State& state, double time) const {
     const At at = find_obstacles(state, time, 1.0);
-    double energy = 0.0;
+    double energy = pairs_.compute_energy(state);
     for (std::size_t p = 0; p < places_.places.size(); ++p) {
         const ContactPlace& place = places_.places[p];
         const ContactLaw& law = places_.elements[static_cast<std::size_t>(place.element)].law;
@@ -481,7 +492,8 @@ double ContactAssembly::compute_energy(const State& state, double time) const {
 ContactWork ContactAssembly::compute_work(const State& state, double time, double energy_before) const {
     const At at = find_obstacles(state, time, 1.0);
     ContactWork work;
-    double on_rods = 0.0, slip_work = 0.0;
+    double on_rods = at.has_impacts ? pairs_.compute_work(state) : 0.0;
+    double slip_work = 0.0;
     for (std::size_t p = 0; p < places_.places.size(); ++p) {
         const ContactPlace& place = places_.places[p];
         const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
@@ -556,6 +568,7 @@ std::string ContactAssembly::describe_overlap(const State& state, double time) c
                                obstacles_[obstacle].name);
         }
     }
+    if (text.empty()) text = pairs_.describe_overlap(state);
     return text;
 }
 
@@ -572,6 +585,7 @@ ContactCount ContactAssembly::count(const State& state, double time) const {
             result.least_gap = std::min(result.least_gap, gap);
         }
     }
+    pairs_.count(state, result);
     return result;
 }
 

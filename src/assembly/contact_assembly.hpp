@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "assembly/contact_limits.hpp"
+#include "assembly/contact_pairs.hpp"
 #include "assembly/contact_places.hpp"
 #include "assembly/equation_numbers.hpp"
 #include "assembly/residual.hpp"
@@ -17,25 +19,10 @@
 
 namespace gxrod {
 
-// The part of an increment that each part of the model may make (ScaleGroups).
-struct ContactLimits {
-    std::vector<double> of_parts;  // 0 … 1
-    double least = 1.0;
-    double least_gap = std::numeric_limits<double>::infinity();  // before the increment
-
-    bool shorten() const { return least < 1.0; }
-};
-
 // What contact does in a step.
 struct ContactWork {
     double by_obstacles = 0.0;  // that move, on rods
     double loss = 0.0;          // by impacts and friction
-};
-
-// What touches at an instant.
-struct ContactCount {
-    std::int64_t touching = 0;
-    double least_gap = 0.0;
 };
 
 // Contact of rods with obstacles: forces, their tangent, and how far a motion may go so that nothing passes
@@ -47,7 +34,9 @@ class ContactAssembly {
     ContactAssembly(const Model& model, const ThreadTeam& team, const ScaleGroups& groups);
     void lay_out(const EquationNumbers& equations, const SparsePattern& pattern);
 
-    bool empty() const { return places_.places.empty() || obstacles_.empty(); }
+    bool empty() const { return (places_.places.empty() || obstacles_.empty()) && pairs_.empty(); }
+    // Of rods with each other.
+    const ContactPairs& pairs() const { return pairs_; }
     // Of State::contact_tractions.
     std::size_t traction_count() const { return rubs_ ? pair_count() : 0; }
 
@@ -62,12 +51,16 @@ class ContactAssembly {
     // obstacles where they are to be at `time`.
     void replace_by_tangent_forces(const State& state, double time, double weight, Residual& residual) const;
 
+    // Finds what is near the trial; before all that asks for forces there, without an equilibrium.
+    void search(State& state) const {
+        if (!pairs_.empty()) pairs_.search(0.0, state);
+    }
     // Starts the parameters of an equilibrium at `time` on the law.
     void start(State& state, double time) const;
     // With the whole increments of a Newton iteration, before nodes move.
     void advance(const std::vector<Vec6>& deltas, double time, State& state) const;
     // How far displacements of the trial may go; obstacles move with them to where they are at `time`.
-    ContactLimits limit(const std::vector<Vec3>& displacements, const State& state, double time) const;
+    ContactLimits limit(const std::vector<Vec3>& displacements, State& state, double time) const;
     bool has_moving_obstacles() const { return moves_; }
 
     void commit(State& state, double time) const;
@@ -136,6 +129,7 @@ class ContactAssembly {
     const EquationNumbers* equations_ = nullptr;
     const std::vector<Obstacle>& obstacles_;
     ContactPlaces places_;
+    ContactPairs pairs_;
     bool rubs_ = false;
     bool moves_ = false;
 };

@@ -17,7 +17,9 @@ using Ends = std::array<std::size_t, 2>;  // places
 // Of sets that are merged.
 class Unions {
   public:
-    explicit Unions(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), std::size_t{0}); }
+    explicit Unions(std::size_t count) : parents_(count) {
+        std::iota(parents_.begin(), parents_.end(), std::size_t{0});
+    }
     std::size_t find(std::size_t one) {
         while (parents_[one] != one) one = parents_[one] = parents_[parents_[one]];
         return one;
@@ -52,7 +54,8 @@ ContactPairs::ContactPairs(const Model& model, const ThreadTeam& team, const Sca
     : model_(&model), team_(&team), groups_(&groups) {
     if (model.contact.radii.empty()) return;
     lines_ = find_contact_lines(model);
-    for (ContactElement& element : lines_.places.elements) element.part = groups.part_of_node(element.nodes[0]);
+    for (ContactElement& element : lines_.places.elements)
+        element.part = groups.part_of_node(element.nodes[0]);
 }
 
 Segment ContactPairs::segment_of(std::size_t piece, const std::vector<NodeMotion>& motions) const {
@@ -71,7 +74,8 @@ PairLaw ContactPairs::law_of(const NearPieces& near) const {
              2.0 * std::min(a.law.stiffness * a.radius, b.law.stiffness * b.radius)}};
 }
 
-ContactPairs::Gap ContactPairs::find_gap(const NearPieces& near, const std::vector<NodeMotion>& motions) const {
+ContactPairs::Gap ContactPairs::find_gap(const NearPieces& near,
+                                         const std::vector<NodeMotion>& motions) const {
     const PairLaw pair = law_of(near);
     const PairEnergy found = compute_pair_energy(pair,
                                                  segment_of(near.first, motions),
@@ -87,8 +91,7 @@ ContactPairs::Gap ContactPairs::find_gap(const NearPieces& near, const std::vect
     // E = V(g): ∇E = −λ ∇g and ∇²E = −λ ∇²g − λ′ ∇g ∇gᵀ.
     const double slope = compute_contact_force_slope(pair.law, result.gap);
     result.gradient = found.gradient / -result.force;
-    result.force_times_curvature =
-        -found.hessian - slope * result.gradient * result.gradient.transpose();
+    result.force_times_curvature = -found.hessian - slope * result.gradient * result.gradient.transpose();
     return result;
 }
 
@@ -129,7 +132,8 @@ void ContactPairs::search(double reach, State& state) const {
             return std::pair(one.first, one.second) < std::pair(near.first, near.second);
         };
         while (known != before.end() && is_before(*known)) ++known;
-        const bool is_known = known != before.end() && known->first == near.first && known->second == near.second;
+        const bool is_known =
+            known != before.end() && known->first == near.first && known->second == near.second;
         near.parameter = is_known ? known->parameter : find_gap(near, state.trial).gap;
         contact.pieces.push_back(near);
     }
@@ -221,7 +225,7 @@ void ContactPairs::replace_by_tangent_forces(const State& state, double weight, 
 std::vector<PairBlock> ContactPairs::compute_tangents(
     const State& state, double weight, const std::vector<NodeLinearization>& linearizations) const {
     const std::vector<NearPieces>& near = state.contact.pieces;
-    const bool is_mixed = !state.contact.parameters.empty();
+    const bool is_mixed = state.contact.has_parameters;
     std::vector<Mat12> matrices(near.size());
     std::vector<char> acts(near.size(), 0);
     team_->for_each_range(near.size(), [&](std::size_t first, std::size_t last) {
@@ -233,9 +237,8 @@ std::vector<PairBlock> ContactPairs::compute_tangents(
             const double at = is_mixed ? near[i].parameter : gap.gap;
             const NormalForce on_curve = compute_impact_force(law, at);
             const double force = on_curve.force - on_curve.stiffness * (gap.gap - at);
-            matrices[i] =
-                weight * (on_curve.stiffness * gap.gradient * gap.gradient.transpose() -
-                          (force / gap.force) * gap.force_times_curvature);
+            matrices[i] = weight * (on_curve.stiffness * gap.gradient * gap.gradient.transpose() -
+                                    (force / gap.force) * gap.force_times_curvature);
         }
     });
     std::vector<PairBlock> blocks;
@@ -264,7 +267,8 @@ std::vector<PairBlock> ContactPairs::compute_tangents(
             const ContactElement& element = lines_.element_of(piece);
             for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
                 for (int n = 0; n < element.count; ++n) {
-                    const auto at = std::ranges::find(block.nodes, element.nodes[static_cast<std::size_t>(n)]);
+                    const auto at =
+                        std::ranges::find(block.nodes, element.nodes[static_cast<std::size_t>(n)]);
                     shapes(end, at - block.nodes.begin()) +=
                         lines_.places.places[p].shapes[static_cast<std::size_t>(n)];
                 }
@@ -272,7 +276,8 @@ std::vector<PairBlock> ContactPairs::compute_tangents(
         }
         for (Eigen::Index column = 0; column < shapes.cols(); ++column) {
             const double placement =
-                linearizations[static_cast<std::size_t>(block.nodes[static_cast<std::size_t>(column)])].placement;
+                linearizations[static_cast<std::size_t>(block.nodes[static_cast<std::size_t>(column)])]
+                    .placement;
             for (Eigen::Index row = 0; row < shapes.cols(); ++row) {
                 Mat3 sum = Mat3::Zero();
                 for (int a = 0; a < 4; ++a) {
@@ -309,7 +314,8 @@ void ContactPairs::advance(const std::vector<Vec6>& deltas, State& state) const 
                     for (int n = 0; n < element.count; ++n)
                         change.segment<3>(3 * end) +=
                             lines_.places.places[p].shapes[static_cast<std::size_t>(n)] *
-                            deltas[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(n)])].head<3>();
+                            deltas[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(n)])]
+                                .head<3>();
                 }
             }
             const ImpactLaw law = impact_law(near, state);
@@ -329,7 +335,8 @@ void ContactPairs::limit(const std::vector<Vec3>& displacements, State& state, C
     for (const ContactElement& element : lines_.places.elements) skin = std::max(skin, element.law.skin);
     // Shape functions of up to five nodes sum up to less than 1.8, absolutely.
     reach *= 1.8;
-    if (contact.margin == 0.0 || skin + 2.0 * (contact.travelled + reach) > contact.margin) search(reach, state);
+    if (contact.margin == 0.0 || skin + 2.0 * (contact.travelled + reach) > contact.margin)
+        search(reach, state);
     double all = 1.0;
     const double room = 0.5 * (contact.margin - skin) - contact.travelled;
     if (reach > room) all = room / reach;
@@ -357,8 +364,7 @@ void ContactPairs::limit(const std::vector<Vec3>& displacements, State& state, C
             const Segment move_b = motion_of(near.second);
             if (0.9 * gaps[i] >= largest_motion(move_a) + largest_motion(move_b)) continue;
             can_meet[i] = 1;
-            of_pairs[i] =
-                advance_capsules(a, add(a, move_a), b, add(b, move_b), law_of(near).radii).fraction;
+            of_pairs[i] = advance_capsules(a, add(a, move_a), b, add(b, move_b), law_of(near).radii).fraction;
         }
     });
     Unions islands(limits.of_parts.size());

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "assembly/contact_lines.hpp"
 #include "assembly/contact_limits.hpp"
+#include "assembly/contact_lines.hpp"
 #include "assembly/node_groups.hpp"
 #include "assembly/residual.hpp"
 #include "assembly/scale_groups.hpp"
@@ -71,7 +71,8 @@ class ContactPairs {
     template <class Add>
     void scatter(const NearPieces& near, const Vec12& of_ends, const Add& add) const;
     template <class Find>
-    void add_forces(const State& state, double weight, const Find& find, Residual& residual, bool raises) const;
+    void add_forces(
+        const State& state, double weight, const Find& find, Residual& residual, bool raises) const;
 
     const Model* model_;
     const ThreadTeam* team_;

@@ -8,6 +8,7 @@
 #include "assembly/element_block.hpp"
 #include "assembly/equation_numbers.hpp"
 #include "assembly/joint_assembly.hpp"
+#include "assembly/node_groups.hpp"
 #include "assembly/residual.hpp"
 #include "assembly/rod_batches.hpp"
 #include "assembly/rotary_batches.hpp"
@@ -71,6 +72,8 @@ class System {
     const SurroundingsAssembly* surroundings() const { return surroundings_.get(); }
     const EquationNumbers& equations() const { return equations_; }
     const SparsePattern& pattern() const { return pattern_; }
+    // The groups of nodes that elements and joints couple, of which the pattern is made.
+    std::vector<NodeGroup> list_node_groups() const;
     // The model's length for scaling: the largest of its extent and the bodies' own sizes; 1 if both are
     // zero.
     double length_scale() const { return length_scale_; }

@@ -8,11 +8,15 @@
 #include "solvers/coupled/coupled_step.hpp"
 #include "solvers/hidden_constraints.hpp"
 #include "solvers/newton_steps.hpp"
+#include "solvers/paired_matrix.hpp"
 
 namespace gxrod {
 
 SolverWorkspace::SolverWorkspace(const System& system, LinearSolverKind kind)
-    : linear_solver(make_linear_solver(kind, system.pattern(), system.team())) {}
+    : linear_solver(make_linear_solver(kind, system.pattern(), system.team())) {
+    if (system.contact() && !system.contact()->pairs().empty())
+        paired = std::make_unique<PairedMatrix>(system, kind);
+}
 SolverWorkspace::~SolverWorkspace() = default;
 SolverWorkspace::SolverWorkspace(SolverWorkspace&&) noexcept = default;
 

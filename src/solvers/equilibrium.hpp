@@ -15,6 +15,7 @@ namespace gxrod {
 
 class FrameColumns;
 struct CoupledWorkspace;
+class PairedMatrix;
 
 enum class Outcome {
     converged,
@@ -67,6 +68,9 @@ struct SolverWorkspace {
     Eigen::VectorXd vector;
     std::vector<Vec6> increments;  // (δr, δφ) of each node
     std::unique_ptr<LinearSolver> linear_solver;
+    // Of a model whose rods touch each other, in which Newton's method solves; nullptr otherwise.
+    std::unique_ptr<PairedMatrix> paired;
+    bool is_paired = false;           // whether `paired` has the matrix to solve
     std::vector<Power> stage_powers;  // of the last step, if the scheme weighs them
     PhaseSeconds seconds;
     const FrameColumns* frame =

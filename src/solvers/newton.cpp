@@ -5,6 +5,7 @@
 #include "solvers/convergence_test.hpp"
 #include "solvers/difference_tangent.hpp"
 #include "solvers/newton_steps.hpp"
+#include "solvers/paired_matrix.hpp"
 #include "solvers/rotation_guard.hpp"
 #include "solvers/trial_moves.hpp"
 #include "solvers/trial_rates.hpp"
@@ -39,6 +40,13 @@ class Newton {
           guard_(system) {}
 
     EquilibriumReport solve() {
+        const EquilibriumReport report = iterate();
+        workspace_.is_paired = false;
+        return report;
+    }
+
+  private:
+    EquilibriumReport iterate() {
         predict();
         start_resultants();
         const auto predicted = [&](std::size_t node) { return state_.trial[node].theta; };
@@ -67,7 +75,6 @@ class Newton {
         return report_;
     }
 
-  private:
     void predict() {
         const PhaseTimer timer(workspace_.seconds.update);
         integrator_.begin_stage(state_, stage_, team_);
@@ -92,6 +99,7 @@ class Newton {
         for (std::size_t i = 0; i < count; ++i) displacements[i] = predicted[i].r - state_.previous[i].r;
         state_.trial = state_.previous;
         state_.contact.progress = 0.0;
+        state_.contact.margin = 0.0;
         const ContactLimits limits = contact_->limit(displacements, state_, time_);
         state_.trial = std::move(predicted);
         state_.contact.progress = limits.least;
@@ -110,6 +118,9 @@ class Newton {
             moves_supports_ = system_.supports().move();
         }
         contact_->start(state_, time_);
+        if (!workspace_.paired) return;
+        workspace_.paired->start(contact_->pairs().list_groups(state_));
+        workspace_.is_paired = true;
     }
 
     void start_resultants() {
@@ -146,6 +157,11 @@ class Newton {
                 system_.compute_tangent(
                     state_, time_, workspace_.linearizations, workspace_.values, request_);
                 if (workspace_.frame) workspace_.frame->add_stiffness(state_, time_, workspace_.values);
+                if (workspace_.paired) {
+                    std::vector<PairBlock> blocks = contact_->pairs().compute_tangents(
+                        state_, request_.contact_weight, workspace_.linearizations);
+                    workspace_.paired->set_values(workspace_.values, blocks);
+                }
                 break;
             case TangentKind::paper:
                 assert(integrator_.has_paper_tangent());

@@ -1,5 +1,7 @@
 #include "solvers/newton_steps.hpp"
 
+#include "solvers/paired_matrix.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -84,7 +86,11 @@ bool solve_increment(const System& system,
                      EquilibriumReport& report) {
     const PhaseTimer timer(workspace.seconds.solve);
     workspace.vector = -residual;
-    workspace.linear_solver->solve(workspace.vector);
+    if (workspace.is_paired) {
+        workspace.paired->solve(workspace.vector);
+    } else {
+        workspace.linear_solver->solve(workspace.vector);
+    }
     if (workspace.vector.allFinite()) return true;
     std::int64_t i = 0;
     while (std::isfinite(workspace.vector[i])) ++i;
@@ -120,7 +126,9 @@ int count_corrections(const System& system) {
 
 bool factorize(const System& system, SolverWorkspace& workspace, EquilibriumReport& report) {
     const PhaseTimer timer(workspace.seconds.solve);
-    const Factorization factorization = workspace.linear_solver->factorize(workspace.values);
+    const Factorization factorization = workspace.is_paired
+                                            ? workspace.paired->factorize()
+                                            : workspace.linear_solver->factorize(workspace.values);
     // Each multiplier adds one.
     report.negative_pivots = factorization.negative_pivots;
     if (report.negative_pivots >= 0) report.negative_pivots -= system.equations().attached_count();

@@ -16,8 +16,10 @@ struct NearPieces {
 
 // What Newton's method knows of contact in addition to motions, found anew for each equilibrium.
 struct ContactTrial {
+    // Whether tangents are those of forces as unknowns of their own, by the parameters; else by gaps.
+    bool has_parameters = false;
     // The gap of the point that each place has on the curve of force and gap (contact/impact_law.hpp): with
-    // these the tangent is that of forces as unknowns of their own. Empty: it follows from gaps.
+    // these the tangent is that of forces as unknowns of their own.
     std::vector<double> parameters;
     // Whether each place is taken to slide there, and the direction of its traction then; zero where it is
     // taken to stick. Empty without friction.

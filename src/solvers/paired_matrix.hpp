@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "assembly/contact_pairs.hpp"
+#include "assembly/system.hpp"
+#include "linear/linear_solver.hpp"
+
+namespace gxrod {
+
+// A tangent of a model whose rods touch each other: its own pattern and that of pairs of elements that are
+// near each other, which change. The pattern of a step follows from what is near at its start; it grows
+// within the step.
+class PairedMatrix {
+  public:
+    // The system must outlive it.
+    PairedMatrix(const System& system, LinearSolverKind kind) : system_(&system), kind_(kind) {}
+
+    // For a new step: the pattern becomes that of these groups.
+    void start(std::vector<NodeGroup> groups);
+    // Of values on the system's pattern, and blocks of pairs in global axes.
+    void set_values(const std::vector<double>& values, std::vector<PairBlock>& blocks);
+    Factorization factorize() { return solver_->factorize(values_); }
+    void solve(Eigen::VectorXd& right_hand_side) { solver_->solve(right_hand_side); }
+
+    // How often a pattern was made.
+    int orderings() const { return orderings_; }
+
+  private:
+    void build();
+
+    const System* system_;
+    LinearSolverKind kind_;
+    std::vector<NodeGroup> groups_;  // sorted
+    SparsePattern pattern_;
+    std::vector<std::int64_t> places_;  // of each value of the system's pattern
+    std::unique_ptr<LinearSolver> solver_;
+    std::vector<double> values_;
+    int orderings_ = 0;
+};
+
+}  // namespace gxrod
