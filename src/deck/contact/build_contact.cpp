@@ -183,19 +183,21 @@ void build_contact(BuildContext& context) {
     const std::vector<CheckedTable>& settings = context.deck.tables("contact");
     const std::vector<CheckedTable>& obstacles = context.deck.tables("obstacle");
     const CheckedTable* table = settings.empty() ? nullptr : &settings.front();
-    if (obstacles.empty()) {
-        if (table != nullptr && context.stage == 0)
-            context.faults.add(
-                table->place, table->path, "nothing to touch: the deck has no [obstacle.NAME]");
-        return;
-    }
+    if (obstacles.empty() && table == nullptr) return;
     Contact& contact = context.model.contact;
+    const auto is_on = [&](const char* key) { return !table->gives(key) || table->get<bool>(key); };
     if (table != nullptr) {
+        contact.between_rods = is_on("each_other");
+        contact.within_rods = is_on("self");
         contact.skin = table->get<double>("skin");
         contact.dissipation = table->get<double>("dissipation");
         contact.friction = table->get<double>("friction");
     }
     set_radii(table, contact, context);
+    for (const double radius : contact.radii)
+        contact.bend_radii.push_back(table != nullptr && table->gives("bend_radius")
+                                         ? table->get<double>("bend_radius")
+                                         : 10.0 * radius);
     for (const CheckedTable& given : obstacles) {
         Obstacle obstacle;
         obstacle.name = given.name;
@@ -206,6 +208,8 @@ void build_contact(BuildContext& context) {
         set_motion(given, obstacle, context);
         contact.obstacles.push_back(std::move(obstacle));
     }
+    if (context.stage == 0 && contact.is_empty())
+        context.faults.add(table->place, table->path, "nothing to touch: no rods, and no [obstacle.NAME]");
     check_analysis(context);
 }
 
