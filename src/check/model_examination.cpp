@@ -45,12 +45,14 @@ void find_drifting_parts(const Model& model, std::vector<Finding>& findings) {
     const bool has_springs = !model.springs.empty() || !model.bushings.empty();
     const char* holds = has_springs ? "supports or springs" : "supports";
     for (const auto& [part, motions] : find_free_parts(model)) {
-        if (!model.surroundings.is_empty()) {
+        const bool is_surrounded = !model.surroundings.is_empty();
+        if (is_surrounded || !model.contact.is_empty()) {
             findings.push_back({Severity::note,
-                                fmt::format("{} can {}; in statics, water, wind or the ground have to "
-                                            "hold it where it is in equilibrium",
+                                fmt::format("{} can {}; in statics, {} to hold it where it is in equilibrium",
                                             name_part(part, model),
-                                            list_motions(model, part, motions))});
+                                            list_motions(model, part, motions),
+                                            is_surrounded ? "water, wind or the ground have"
+                                                          : "contact has from the first step on")});
             continue;
         }
         findings.push_back({Severity::error,

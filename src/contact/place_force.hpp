@@ -3,7 +3,7 @@
 #include "rotation/types.hpp"
 
 // The force with which a place of a round rod and a surface touch, per unit weight
-// (docs/theory/contact.md, (C4) to (C7)).
+// (docs/theory/contact.md, (C4) to (C6)).
 namespace gxrod {
 
 // Where a place is against a surface.

@@ -1,0 +1,246 @@
+// Rods that touch, against exact solutions.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "analyses/static.hpp"
+#include "deck/decks.hpp"
+#include "tools/catch.hpp"
+
+namespace gxrod::test {
+namespace {
+
+// A deck, run to its end.
+class Run {
+  public:
+    explicit Run(const std::string& deck)
+        : problem_(read(deck)), analysis_(make_analysis(problem_.model, problem_.analysis, 1)) {
+        REQUIRE(analysis_->start().converged());
+    }
+    void finish() {
+        while (!analysis_->finished()) step();
+    }
+    void step() {
+        REQUIRE(analysis_->advance().converged());
+        least_gap_ = std::min(least_gap_, analysis_->solver_row().least_gap);
+        rejected_ += analysis_->solver_row().rejected_steps;
+    }
+    bool is_finished() const { return analysis_->finished(); }
+    const NodeMotion& at(const std::string& node) const {
+        const auto& nodes = problem_.model.nodes;
+        const auto found = std::ranges::find(nodes, node, &Node::name);
+        REQUIRE(found != nodes.end());
+        return analysis_->state().trial[static_cast<std::size_t>(found - nodes.begin())];
+    }
+    ObstacleValues obstacle(std::size_t index = 0) const {
+        return analysis_->snapshot(false).obstacles[index];
+    }
+    Vec6 reaction(const std::string& node) const {
+        const auto& nodes = problem_.model.nodes;
+        const auto found = std::ranges::find(nodes, node, &Node::name);
+        return analysis_->snapshot(false).reactions[static_cast<std::size_t>(found - nodes.begin())];
+    }
+    LedgerRow ledger() const { return analysis_->ledger_row(); }
+    double time() const { return analysis_->state().time; }
+    double least_gap() const { return least_gap_; }
+    int rejected() const { return rejected_; }
+
+  private:
+    Problem problem_;
+    std::unique_ptr<SteppedAnalysis> analysis_;
+    double least_gap_ = 1.0;
+    int rejected_ = 0;
+};
+
+const std::string rubber = R"(
+[section.s]
+shape = { circle = { radius = 0.01 } }
+material = { E = 1e9, nu = 0.3 }
+)";
+
+std::string rod(const char* name, const char* from, const char* to, int elements, int order = 2) {
+    return fmt::format(
+        "[rod.{}]\nsection = \"s\"\nline = {{ from = [{}], to = [{}] }}\nelements = {}\norder = {}\n",
+        name,
+        from,
+        to,
+        elements,
+        order);
+}
+
+// On the ground, from gaps in the skin: rods of a length of 1 and a radius of 0.05.
+std::string slider(const std::string& more, double friction, double density = 1000.0) {
+    return fmt::format(R"(
+gravity = [0, 0, -9.81]
+[section.s]
+shape = {{ circle = {{ radius = 0.05 }} }}
+material = {{ E = 1e9, nu = 0.3, density = {} }}
+[obstacle.floor]
+plane = {{ point = [0, 0, 0], normal = [0, 0, 1] }}
+friction = {}
+)",
+                       density,
+                       friction) +
+           rod("a", "0, 0, 0.050979", "1, 0, 0.050979", 4) + more;
+}
+
+}  // namespace
+
+TEST_CASE("C1c: a cantilever on a cylinder is pushed as the elastica is", "[analyses][contact]") {
+    Run run(rubber + rod("a", "0, 0, 0.0005", "1, 0, 0.0005", 20) + R"(
+[[support]]
+at = "a.start"
+fix = ["x", "y", "rotation"]
+move = { z = "-t*0.3005" }
+[obstacle.c]
+cylinder = { from = [0.8, -1, -0.06], to = [0.8, 1, -0.06], radius = 0.05 }
+[analysis]
+kind = "static"
+steps = 3
+)");
+    run.finish();
+    const ObstacleValues found = run.obstacle();
+    // The gap acts like more of the drop: 30 g of the force.
+    const double gap = found.least_gap;
+    CHECK(gap > 0.0);
+    CHECK(found.force.norm() == Approx(12.429723539 + 30.0 * gap).epsilon(3e-4));
+    CHECK(found.force.x() / found.force.z() == Approx(-6.433909720 / 10.634981568).epsilon(1e-3));
+    CHECK(run.reaction("a.start").head<3>().isApprox(found.force, 1e-6));
+    CHECK(run.least_gap() > 0.0);
+}
+
+TEST_CASE("C1a: two crossing cantilevers push each other as the elastica does", "[analyses][contact]") {
+    Run run(rubber + rod("a", "0, 0, 0", "1, 0, 0", 20) +
+            rod("b", "0.8, -0.6, 0.0205", "0.8, 0.4, 0.0205", 20) + R"(
+[[support]]
+at = "a.start"
+fix = "all"
+[[support]]
+at = "b.start"
+fix = ["x", "y", "rotation"]
+move = { z = "-0.3005*t" }
+[contact]
+[analysis]
+kind = "static"
+steps = 6
+)");
+    run.finish();
+    const Vec3 force = -run.reaction("a.start").head<3>();
+    const double gap = 1.5e-4;  // about: 19 g of the force
+    CHECK(force.norm() == Approx(8.1004620411 - 19.0 * -gap).epsilon(1e-3));
+    CHECK(run.at("a.end").r.z() == Approx(-0.259214832).epsilon(1e-3));
+    CHECK(run.at("b.end").r.x() == Approx(0.865466068).epsilon(1e-3));
+    CHECK(run.least_gap() > 0.0);
+}
+
+TEST_CASE("C5c: friction stops a rod after the distance of a body that slides", "[analyses][contact]") {
+    Run run(slider(R"(
+[[initial]]
+on = "a"
+velocity = [2, 0, 0]
+[analysis]
+kind = "dynamic"
+end_time = 1.0
+time_step = 0.005
+)",
+                   0.3));
+    run.finish();
+    CHECK(run.at("a.end").r.x() == Approx(1.0 + 0.6795786612).epsilon(3e-6));
+    CHECK(run.at("a.end").v.norm() < 1e-3);
+    const LedgerRow ledger = run.ledger();
+    CHECK(ledger.contact_loss == Approx(0.5 * 4.0 * 1000.0 * M_PI * 0.05 * 0.05).epsilon(1e-5));
+    CHECK(std::abs(ledger.energy_error) < 1e-7);
+    CHECK(run.rejected() == 0);
+}
+
+TEST_CASE("C5b: a rod that slides across begins to roll", "[analyses][contact]") {
+    Run run(slider(R"(
+[[initial]]
+on = "a"
+velocity = [0, 2, 0]
+[analysis]
+kind = "dynamic"
+end_time = 0.4
+time_step = 0.002
+)",
+                   0.3));
+    run.finish();
+    // From t* on with v* = 4/3.
+    constexpr double start = 0.2265262204, way = 0.3775437007, speed = 4.0 / 3.0;
+    CHECK(run.at("a.start").v.y() == Approx(speed).epsilon(2e-3));
+    CHECK(run.at("a.start").omega.x() == Approx(-speed / 0.05).epsilon(2e-3));
+    CHECK(run.at("a.start").r.y() == Approx(way + speed * (0.4 - start)).epsilon(2e-3));
+    CHECK(run.ledger().contact_loss == Approx(0.6666666667 * 1000.0 * M_PI * 0.05 * 0.05).epsilon(3e-3));
+}
+
+TEST_CASE("C5e: on an incline a rod holds below the cone, and slides beyond", "[analyses][contact]") {
+    const auto incline = [](double friction, double end) {
+        return slider(fmt::format("[analysis]\nkind = \"dynamic\"\nend_time = {}\ntime_step = 0.01\n", end),
+                      friction);
+    };
+    const std::string tilted =
+        fmt::format("gravity = [{:.15g}, 0, {:.15g}]", 9.81 * std::sin(0.25), -9.81 * std::cos(0.25));
+    SECTION("holds") {
+        Run run(replaced(incline(0.3, 10.0), "gravity = [0, 0, -9.81]", tilted));
+        run.finish();
+        CHECK(std::abs(run.at("a.start").r.x()) < 1e-5);  // of a skin of 1e-3
+    }
+    SECTION("slides") {
+        Run run(replaced(incline(0.2, 1.0), "gravity = [0, 0, -9.81]", tilted));
+        run.finish();
+        CHECK(run.at("a.start").r.x() == Approx(0.5 * 0.5260266689).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("Without dissipation a rod bounces as high as it fell from, at any step", "[analyses][contact]") {
+    for (const double step : {2e-3, 1e-2, 5e-2}) {
+        Run run(slider(fmt::format(R"(
+[contact]
+dissipation = 0
+self = false
+[analysis]
+kind = "dynamic"
+end_time = 4.0
+time_step = {}
+)",
+                                   step),
+                       0.0));
+        const double start = run.ledger().contact_energy;
+        double highest = -1.0;
+        while (!run.is_finished()) {
+            run.step();
+            const LedgerRow row = run.ledger();
+            const double total =
+                row.kinetic_energy + row.strain_energy + row.contact_energy - row.external_work;
+            highest = std::max(highest, total - start);
+            CHECK(std::abs(row.contact_loss) < 1e-7);
+        }
+        CHECK(highest < 1e-7);
+        CHECK(run.least_gap() > 0.0);
+    }
+}
+
+TEST_CASE("A moved obstacle pushes, and does work", "[analyses][contact]") {
+    Run run(rubber + rod("a", "0, 0, 0", "1, 0, 0", 10) + R"(
+[[support]]
+at = "a.start"
+fix = "all"
+[obstacle.ball]
+sphere = { centre = [0.9, 0, -0.0605], radius = 0.05 }
+move = { z = "0.1*t" }
+[analysis]
+kind = "static"
+steps = 40
+)");
+    run.finish();
+    const ObstacleValues found = run.obstacle();
+    CHECK(found.force.z() < 0.0);
+    CHECK(run.reaction("a.start").head<3>().isApprox(found.force, 1e-6));
+    const LedgerRow ledger = run.ledger();
+    // Linear in small displacements: ½ F δ.
+    CHECK(ledger.strain_energy == Approx(0.5 * -found.force.z() * 0.0995).epsilon(0.02));
+    CHECK(ledger.external_work == Approx(ledger.strain_energy + ledger.contact_energy).epsilon(5e-3));
+    CHECK(ledger.contact_loss == Approx(0.0).margin(1e-9));
+}
+
+}  // namespace gxrod::test
