@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <numbers>
 
 #include "contact/second_order.hpp"
@@ -19,7 +20,7 @@
 namespace gxrod {
 namespace {
 
-constexpr int outer_points = 6;
+constexpr int outer_points = 8;
 using Real = SecondOrder<6>;  // by A·A, A·B, B·B, A·r, B·r, r·r
 
 // ∫ dζ/(y + ζ²)^k from 1 to ∞, k = 1 … 4; y > −1.
@@ -188,36 +189,142 @@ struct WeightedPlaces {
     double weight = 0.0, s = 0.0, t = 0.0;
 };
 
-// c times the double integral over [0, 1]².
+// Σ weight · ∫Φ dz over the points of the outer rule, and its derivatives by ten numbers: centre, width,
+// middle and half of η's range, α, β, γ, those of the ends of b. η = middle + ξ half, s = centre + width sinh
+// η, ds = width half cosh η dξ.
+class OuterSum {
+  public:
+    enum Number { centre, width, middle, half, alpha, beta, gamma, axial_A, axial_r, length, numbers };
+
+    double value = 0.0;
+    Eigen::Matrix<double, numbers, 1> gradient = Eigen::Matrix<double, numbers, 1>::Zero();
+    // Half of the Hessian: its sum with its transpose is the Hessian.
+    Eigen::Matrix<double, numbers, numbers> half_hessian = Eigen::Matrix<double, numbers, numbers>::Zero();
+    WeightedPlaces places;
+
+    void add(const QuadraturePoint& point,
+             const std::array<double, numbers>& x,
+             double w,
+             double radii_squared);
+
+  private:
+    using Row = Eigen::Matrix<double, numbers, 1>;
+
+    void add_curvatures_of_places(double by_s,
+                                  double by_weight,
+                                  const QuadraturePoint& point,
+                                  const std::array<double, numbers>& x,
+                                  double sinh,
+                                  double cosh);
+};
+
+void OuterSum::add(const QuadraturePoint& point,
+                   const std::array<double, numbers>& x,
+                   double w,
+                   double radii_squared) {
+    const double xi = point.xi, eta = x[middle] + xi * x[half];
+    const double sinh = std::sinh(eta), cosh = std::sqrt(1.0 + sinh * sinh);
+    const double s = x[centre] + x[width] * sinh;
+    const double G = (x[alpha] * s + 2.0 * x[beta]) * s + x[gamma] - radii_squared;
+    const double low = -(x[axial_r] + s * x[axial_A]);
+    const LineIntegral line = integrate_line(w, G, low, low + x[length]);
+    if (line.value == 0.0) return;
+    const double weight = point.weight * x[width] * x[half] * cosh;
+    // The four that s depends on, then those that G and the ends depend on by themselves.
+    const double stretch = x[width] * cosh, G_by_s = 2.0 * (x[alpha] * s + x[beta]);
+    const double s_by[4] = {1.0, sinh, stretch, xi * stretch};
+    Row G_by = Row::Zero(), low_by = Row::Zero(), weight_by = Row::Zero();
+    for (int k = 0; k < 4; ++k) G_by[k] = G_by_s * s_by[k], low_by[k] = -x[axial_A] * s_by[k];
+    G_by[alpha] = s * s;
+    G_by[beta] = 2.0 * s;
+    G_by[gamma] = 1.0;
+    low_by[axial_A] = -s;
+    low_by[axial_r] = -1.0;
+    weight_by[width] = point.weight * x[half] * cosh;
+    weight_by[middle] = point.weight * x[width] * x[half] * sinh;
+    weight_by[half] = point.weight * (stretch + x[width] * x[half] * xi * sinh);
+    const double by_low = line.by_low + line.by_high;  // both ends move with the foot
+    Row inner_by = line.by_G * G_by + by_low * low_by;
+    inner_by[length] += line.by_high;
+    value += weight * line.value;
+    gradient += weight * inner_by + line.value * weight_by;
+    Row with_G = weight * (0.5 * line.by_GG * G_by + (line.by_G_low + line.by_G_high) * low_by);
+    with_G[length] += weight * line.by_G_high;
+    Row with_low = weight * 0.5 * (line.by_low_low + line.by_high_high) * low_by;
+    with_low[length] += weight * line.by_high_high;
+    half_hessian +=
+        G_by * with_G.transpose() + low_by * with_low.transpose() + weight_by * inner_by.transpose();
+    half_hessian(length, length) += 0.5 * weight * line.by_high_high;
+    // Second derivatives of G and low: by s twice, by s and α, β or the slope of a along b.
+    for (int k = 0; k < 4; ++k) {
+        const double share = weight * s_by[k];
+        half_hessian(k, alpha) += share * line.by_G * 2.0 * s;
+        half_hessian(k, beta) += share * line.by_G * 2.0;
+        half_hessian(k, axial_A) -= share * by_low;
+        for (int l = 0; l < 4; ++l) half_hessian(k, l) += share * line.by_G * x[alpha] * s_by[l];
+    }
+    add_curvatures_of_places(
+        weight * (line.by_G * G_by_s - by_low * x[axial_A]), line.value, point, x, sinh, cosh);
+    // The force is −2 Φ′ times the distance: −∫Φ′ dz, and ∫Φ′ z dz is half the change of Φ.
+    const double pressure = -line.by_G * weight;
+    places.weight += pressure;
+    places.s += pressure * s;
+    places.t -= pressure * low + 0.5 * (line.by_high + line.by_low) * weight;
+}
+
+// Second derivatives of s and of the weight.
+void OuterSum::add_curvatures_of_places(double by_s,
+                                        double by_weight,
+                                        const QuadraturePoint& point,
+                                        const std::array<double, numbers>& x,
+                                        double sinh,
+                                        double cosh) {
+    const double xi = point.xi, d = x[width], h = x[half], of_weight = by_weight * point.weight;
+    half_hessian(width, middle) += by_s * cosh + of_weight * h * sinh;
+    half_hessian(width, half) += by_s * xi * cosh + of_weight * (cosh + h * xi * sinh);
+    half_hessian(middle, middle) += 0.5 * (by_s * d * sinh + of_weight * d * h * cosh);
+    half_hessian(middle, half) += by_s * xi * d * sinh + of_weight * d * (sinh + h * xi * cosh);
+    half_hessian(half, half) +=
+        0.5 * (by_s * xi * xi * d * sinh + of_weight * d * xi * (2.0 * sinh + h * xi * cosh));
+}
+
+// The double integral over [0, 1]².
 Real integrate_pair(const PairShape& shape, double w, WeightedPlaces& places) {
     static const auto rule = compute_gauss_rule<outer_points>();
-    Real first, last, energy;
-    if (!find_range(shape, first, last)) return energy;
+    Real first, last;
+    if (!find_range(shape, first, last)) return {};
     const OuterMap map(shape, w);
     const Real start = asinh((first - map.centre) / map.width), end = asinh((last - map.centre) / map.width);
     const Real half = 0.5 * (end - start), middle = 0.5 * (end + start);
-    const Real scale = map.width * half;
-    for (const QuadraturePoint& point : rule) {
-        const Real eta = middle + point.xi * half;
-        const double sinh = std::sinh(eta.value), cosh = std::cosh(eta.value);
-        const Real s = map.centre + map.width * eta.apply(sinh, cosh, sinh);
-        const Real G = (shape.alpha * s + 2.0 * shape.beta) * s + shape.gamma - Real(shape.radii_squared);
-        const Real low = -1.0 * (shape.axial_r + s * shape.axial_A), high = low + shape.length;
-        const LineIntegral line = integrate_line(w, G.value, low.value, high.value);
-        if (line.value == 0.0) continue;
-        Real inner = G.apply(line.value, line.by_G, line.by_GG);
-        inner += low.apply(0.0, line.by_low, line.by_low_low);
-        inner += high.apply(0.0, line.by_high, line.by_high_high);
-        inner.add_products(2.0 * line.by_G_low, G.slopes, low.slopes);
-        inner.add_products(2.0 * line.by_G_high, G.slopes, high.slopes);
-        const Real weight = scale * eta.apply(cosh, sinh, cosh) * point.weight;
-        energy += weight * inner;
-        // The force is −2 Φ′ times the distance: −∫Φ′ dz, and ∫Φ′ z dz is half the change of Φ.
-        const double pressure = -line.by_G * weight.value;
-        places.weight += pressure;
-        places.s += pressure * s.value;
-        places.t -= pressure * low.value + 0.5 * (line.by_high + line.by_low) * weight.value;
+    const Real* numbers[OuterSum::numbers] = {&map.centre,
+                                              &map.width,
+                                              &middle,
+                                              &half,
+                                              &shape.alpha,
+                                              &shape.beta,
+                                              &shape.gamma,
+                                              &shape.axial_A,
+                                              &shape.axial_r,
+                                              &shape.length};
+    std::array<double, OuterSum::numbers> values;
+    Eigen::Matrix<double, OuterSum::numbers, 6> slopes;
+    for (int k = 0; k < OuterSum::numbers; ++k) {
+        values[k] = numbers[k]->value;
+        for (int i = 0; i < 6; ++i) slopes(k, i) = numbers[k]->slopes[i];
     }
+    OuterSum sum;
+    for (const QuadraturePoint& point : rule) sum.add(point, values, w, shape.radii_squared);
+    places = sum.places;
+    Real energy(sum.value);
+    const Mat6 half_curvatures = slopes.transpose() * sum.half_hessian * slopes;
+    for (int i = 0, entry = 0; i < 6; ++i) {
+        energy.slopes[i] = slopes.col(i).dot(sum.gradient);
+        for (int j = i; j < 6; ++j)
+            energy.curvatures[entry++] = half_curvatures(i, j) + half_curvatures(j, i);
+    }
+    for (int k = 0; k < OuterSum::numbers; ++k)
+        for (int entry = 0; entry < Real::products; ++entry)
+            energy.curvatures[entry] += sum.gradient[k] * numbers[k]->curvatures[entry];
     // dt is dz/|B|.
     return energy / shape.length;
 }
