@@ -1,0 +1,27 @@
+#pragma once
+
+#include "rotation/types.hpp"
+
+// Where two straight segments are closest.
+namespace gxrod {
+
+// The points start + s (end − start), s in [0, 1]. Both ends may coincide.
+struct Segment {
+    Vec3 start, end;
+
+    Vec3 at(double s) const { return start + s * (end - start); }
+};
+
+struct ClosestPoints {
+    double s = 0.0, t = 0.0;  // on the first and on the second segment
+    double distance = 0.0;
+    Vec3 offset = Vec3::Zero();  // from the point of the second segment to that of the first
+};
+
+// Of parallel segments one of the closest pairs.
+ClosestPoints find_closest_points(const Segment& a, const Segment& b);
+
+// s of the point of a segment that is closest to a point; 0 of a segment without length.
+double find_closest_place(const Segment& segment, const Vec3& point);
+
+}  // namespace gxrod

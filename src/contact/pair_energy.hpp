@@ -1,0 +1,43 @@
+#pragma once
+
+#include "contact/closest_points.hpp"
+#include "contact/contact_law.hpp"
+
+// The contact energy of two straight parts of round rods: a double integral over both lines,
+//   E = c ∫∫ Φ(|x(s) − y(t)|² − R²) ds dt,   Φ(u) = (1 − u/w)³ (w/u)² below w = (R + ĝ)² − R², else 0,
+// where R is the sum of the radii and ĝ the skin. It is additive: a line cut in two, or a joint that the
+// contact passes, changes nothing; and one formula holds from crossing to parallel lines. c = κ ĝ/(π w): two
+// long lines at the distance d that cross at the angle θ repel each other with c 2 π d Φ/sin θ, about κ (1 −
+// x)³/x² of x = u/w. (Φ ∝ 1/u would have the contact law itself, but leaves corners and ends without an
+// infinite energy.)
+namespace gxrod {
+
+using Vec12 = Eigen::Matrix<double, 12, 1>;
+using Mat12 = Eigen::Matrix<double, 12, 12>;
+
+struct PairLaw {
+    double radii = 0.0;  // R
+    ContactLaw law;
+};
+
+// By the ends, in the order a.start, a.end, b.start, b.end.
+struct PairEnergy {
+    double energy = 0.0;
+    Vec12 gradient = Vec12::Zero();  // exactly that of `energy`; the forces on the ends are its negative
+    Mat12 hessian = Mat12::Zero();   // exactly that of `energy`
+    double s = 0.5, t = 0.5;         // where the force acts on a and on b: the mean, weighted by the force
+    Vec3 force = Vec3::Zero();       // on a
+    double distance = 0.0;           // the least of the two lines; the gap is this less R
+};
+
+// Lengths are those in the reference state, by which the integral counts. The distance must exceed R.
+PairEnergy compute_pair_energy(
+    const PairLaw& pair, const Segment& a, const Segment& b, double length_a, double length_b);
+
+// The same for two points, or a point and a segment (then a.start = a.end), or two segments, by the law of
+// the least distance: energy V(distance − R). The ends of rods need it, where the double integral stays
+// finite as the gap closes. Where the closest points change between ends and insides, second derivatives
+// jump.
+PairEnergy compute_closest_energy(const PairLaw& pair, const Segment& a, const Segment& b);
+
+}  // namespace gxrod

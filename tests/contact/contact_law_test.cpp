@@ -1,0 +1,125 @@
+#include "contact/contact_law.hpp"
+
+#include <cmath>
+
+#include "tools/catch.hpp"
+
+namespace gxrod::test {
+namespace {
+
+const ContactLaw law{0.02, 30.0};
+
+// f′ by central differences, extrapolated.
+template <class Function>
+double differentiate(const Function& f, double x, double h) {
+    const auto central = [&](double step) { return (f(x + step) - f(x - step)) / (2.0 * step); };
+    return (4.0 * central(0.5 * h) - central(h)) / 3.0;
+}
+
+}  // namespace
+
+TEST_CASE("The contact law is what its formulas say", "[contact]") {
+    // By hand, at x = 1/2: λ = κ/2, V = κ ĝ (ln 2 − 1 + 3/8), λ′ = −3 κ/ĝ.
+    CHECK(compute_contact_force(law, 0.01) == Approx(15.0).epsilon(1e-15));
+    CHECK(compute_contact_energy(law, 0.01) == Approx(30.0 * 0.02 * (std::log(2.0) - 0.625)).epsilon(1e-14));
+    CHECK(compute_contact_force_slope(law, 0.01) == Approx(-3.0 * 30.0 / 0.02).epsilon(1e-15));
+    for (const double gap : {0.02, 0.03, 1e9}) {
+        CHECK(compute_contact_force(law, gap) == 0.0);
+        CHECK(compute_contact_force_slope(law, gap) == 0.0);
+        CHECK(compute_contact_energy(law, gap) == 0.0);
+    }
+}
+
+TEST_CASE("The contact law's force and slope are derivatives of its energy", "[contact]") {
+    for (const double x : {1e-6, 1e-3, 0.1, 0.249, 0.251, 0.5, 0.749, 0.751, 0.9}) {
+        INFO(x);
+        const double gap = x * law.skin, h = 1e-3 * std::min(gap, law.skin - gap);
+        const auto energy = [](double g) { return compute_contact_energy(law, g); };
+        const auto force = [](double g) { return compute_contact_force(law, g); };
+        CHECK(-differentiate(energy, gap, h) == Approx(compute_contact_force(law, gap)).epsilon(1e-9));
+        CHECK(differentiate(force, gap, h) == Approx(compute_contact_force_slope(law, gap)).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("Energies of contact keep their digits near both ends", "[contact]") {
+    // Of e = 1 − x by long doubles: Σ e^k/k.
+    for (const double e : {1e-9, 1e-4, 0.1, 0.24, 0.26, 0.5, 0.74, 0.76}) {
+        INFO(e);
+        const double gap = law.skin * (1.0 - e);
+        const long double depth = 1.0L - static_cast<long double>(gap) / law.skin;
+        long double sum = 0.0L, power = depth * depth;
+        for (int k = 3; k < 400; ++k) sum += (power *= depth) / k;
+        CHECK(compute_contact_energy(law, gap) ==
+              Approx(30.0 * 0.02 * static_cast<double>(sum)).epsilon(e > 0.05 ? 1e-13 : 1e-6));
+    }
+    CHECK(compute_contact_energy(law, 0.02e-200) ==
+          Approx(0.6 * (200.0 * std::log(10.0) - 1.5)).epsilon(1e-14));
+}
+
+TEST_CASE("The gap of an energy of contact is found over its whole range", "[contact]") {
+    CHECK(find_gap_of_contact_energy(law, 0.0) == law.skin);
+    for (double x = 1e-200; x < 1.0; x = std::min(1.7 * x, 0.5 * (1.0 + x))) {
+        if (1.0 - x < 1e-5) break;
+        INFO(x);
+        const double gap = find_gap_of_contact_energy(law, compute_contact_energy(law, x * law.skin));
+        // A large energy fixes ln x to rounding.
+        CHECK(gap / law.skin == Approx(x).epsilon(1e-13 - 1e-15 * std::log(x)));
+    }
+    for (const double energy : {1e-250, 1e-12, 1e-4, 0.05, 0.0599, 0.0601, 1.0, 100.0}) {
+        INFO(energy);
+        const double gap = find_gap_of_contact_energy(law, energy);
+        if (energy > 1e-5)
+            CHECK(compute_contact_energy(law, gap) == Approx(energy).epsilon(1e-11));
+        else
+            CHECK(gap <= law.skin);
+    }
+}
+
+TEST_CASE("The graph of the contact law lies on the law", "[contact]") {
+    for (const double x : {1e-8, 0.01, 0.3, 0.5, 0.99, 1.0, 1.01, 5.0}) {
+        INFO(x);
+        const double gap = x * law.skin, zeta = find_contact_parameter(law, gap);
+        const ContactGraphPoint point = find_contact_point(law, zeta);
+        const double force = compute_contact_force(law, gap);
+        CHECK(point.gap == Approx(gap).epsilon(1e-14));
+        CHECK(point.force == Approx(force).epsilon(1e-13).margin(1e-20));
+        CHECK(point.stiffness == Approx(-compute_contact_force_slope(law, gap)).epsilon(1e-13).margin(1e-20));
+        CHECK(zeta == Approx(force / law.stiffness - gap / law.skin).epsilon(1e-14));
+        if (x <= 1.0) CHECK(find_parameter_of_force(law, force) == Approx(zeta).epsilon(1e-13).margin(1e-13));
+    }
+    // Both are smooth in ζ with slopes of at most 1: along the curve, D is their quotient.
+    for (const double zeta : {-3.0, -0.9, 0.0, 0.7, 40.0}) {
+        INFO(zeta);
+        const double dgap =
+            differentiate([](double z) { return find_contact_point(law, z).gap; }, zeta, 1e-3) / law.skin;
+        const double dforce =
+            differentiate([](double z) { return find_contact_point(law, z).force; }, zeta, 1e-3) /
+            law.stiffness;
+        CHECK(dforce - dgap == Approx(1.0).epsilon(1e-10));
+        CHECK(find_contact_point(law, zeta).stiffness ==
+              Approx(-dforce / dgap * law.stiffness / law.skin).epsilon(1e-9).margin(1e-9));
+    }
+}
+
+TEST_CASE("Newton's method on the graph finds the gap that a spring leaves", "[contact]") {
+    // A spring c pulls a point to the gap −a: c (g + a) = λ(g).
+    for (const double c : {1.0, 1e4, 1e9})
+        for (const double start : {0.5, 50.0}) {
+            INFO(c << " from " << start);
+            const double a = 0.1;
+            double gap = start * law.skin, zeta = find_contact_parameter(law, gap);
+            int iterations = 0;
+            for (; iterations < 60; ++iterations) {
+                const double force = compute_tangent_force(law, zeta, gap);
+                const double change = (force - c * (gap + a)) / (c + find_contact_point(law, zeta).stiffness);
+                zeta = advance_contact_parameter(law, zeta, gap, change);
+                // As much of the way as leaves a tenth of the gap.
+                gap += std::max(change, -0.9 * gap);
+                if (std::abs(change) < 1e-13 * gap) break;
+            }
+            CHECK(iterations < 25);
+            CHECK(compute_contact_force(law, gap) == Approx(c * (gap + a)).epsilon(1e-11));
+        }
+}
+
+}  // namespace gxrod::test

@@ -1,0 +1,217 @@
+#include "contact/pair_energy.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "rotation/rotation_map.hpp"
+#include "tools/catch.hpp"
+
+namespace gxrod::test {
+namespace {
+
+const PairLaw wires{2.0, {0.02, 30.0}};
+
+struct FourEnds {
+    Vec3 ends[4];
+
+    Segment a() const { return {ends[0], ends[1]}; }
+    Segment b() const { return {ends[2], ends[3]}; }
+    FourEnds moved(const Vec12& by) const {
+        FourEnds result = *this;
+        for (int k = 0; k < 4; ++k) result.ends[k] += by.segment<3>(3 * k);
+        return result;
+    }
+};
+
+PairEnergy compute_pair(const FourEnds& ends, double length_a = 1.0, double length_b = 1.0) {
+    return compute_pair_energy(wires, ends.a(), ends.b(), length_a, length_b);
+}
+
+class RandomPairs {
+  public:
+    explicit RandomPairs(std::uint64_t seed) : random_(seed) {}
+
+    double number() { return uniform_(random_); }
+    Vec3 vector() {
+        const double x = number(), y = number(), z = number();
+        return {x, y, z};
+    }
+    Vec12 direction() {
+        Vec12 by;
+        for (double& x : by) x = number();
+        return by.normalized();
+    }
+    // Segments of any position, as far apart as leaves x of the skin: crossings, ends, nearly parallel ones.
+    FourEnds make(double x, double size = 1.0) {
+        while (true) {
+            FourEnds pair{{size * vector(), size * vector(), size * vector(), size * vector()}};
+            if (number() > 0.5)
+                pair.ends[3] = pair.ends[2] + (pair.ends[1] - pair.ends[0]) + 0.1 * size * vector();
+            const ClosestPoints closest = find_closest_points(pair.a(), pair.b());
+            if (closest.distance < 0.01) continue;
+            const double wanted = wires.radii + x * wires.law.skin;
+            const Vec3 shift = (wanted / closest.distance - 1.0) * closest.offset;
+            pair.ends[0] += shift;
+            pair.ends[1] += shift;
+            if (std::abs(find_closest_points(pair.a(), pair.b()).distance - wanted) < 1e-9) return pair;
+        }
+    }
+
+  private:
+    std::mt19937_64 random_;
+    std::uniform_real_distribution<double> uniform_{-1.0, 1.0};
+};
+
+template <class Energy>
+void check_pair_derivatives(const Energy& energy_of, const FourEnds& pair, const Vec12& by, double h) {
+    const PairEnergy here = energy_of(pair);
+    double slope = 0.0;
+    Vec12 change = Vec12::Zero();
+    // Sixth order.
+    const double weights[3] = {45.0, -9.0, 1.0};
+    for (int k = 1; k <= 3; ++k) {
+        const PairEnergy plus = energy_of(pair.moved(k * h * by)), minus = energy_of(pair.moved(-k * h * by));
+        slope += weights[k - 1] * (plus.energy - minus.energy) / (60.0 * h);
+        change += weights[k - 1] * (plus.gradient - minus.gradient) / (60.0 * h);
+    }
+    CHECK(std::abs(slope - here.gradient.dot(by)) < 1e-7 * here.gradient.norm());
+    CHECK((change - here.hessian * by).norm() < 1e-6 * here.hessian.norm());
+    CHECK((here.hessian - here.hessian.transpose()).norm() < 1e-12 * here.hessian.norm());
+}
+
+// Long lines at the distance d, at an angle.
+FourEnds cross_lines(double angle, double d, double length) {
+    const Vec3 along(std::cos(angle), std::sin(angle), 0.0), up(0.0, 0.0, d);
+    return {{Vec3(-0.45 * length, 0, 0),
+             Vec3(0.55 * length, 0, 0),
+             up - 0.52 * length * along,
+             up + 0.48 * length * along}};
+}
+
+}  // namespace
+
+TEST_CASE("Gradient and Hessian of a pair are those of its energy", "[contact]") {
+    RandomPairs random(21);
+    for (int k = 0; k < 120; ++k) {
+        const double x = 0.1 + 0.35 * (1.0 + random.number());
+        const FourEnds pair = random.make(x);
+        if (compute_pair(pair).energy < 1e-9) continue;
+        INFO(k << " at " << x);
+        check_pair_derivatives([](const FourEnds& ends) { return compute_pair(ends, 0.9, 1.3); },
+                               pair,
+                               random.direction(),
+                               2e-4 * wires.law.skin);
+    }
+}
+
+TEST_CASE("Lines that cross, or lie along each other, repel as the closed forms say", "[contact]") {
+    const double w = 0.02 * 4.02, c = 30.0 * 0.02 / (std::numbers::pi * w);
+    const auto kernel = [w](double u) { return std::pow(1.0 - u / w, 3) * (w / u) * (w / u); };
+    for (const double gap : {0.9, 0.5, 0.2, 0.05}) {
+        const double d = 2.0 + gap * 0.02;
+        for (const double degrees : {90.0, 30.0, 5.0}) {
+            INFO(gap << " at " << degrees);
+            const double angle = degrees * std::numbers::pi / 180.0, length = 30.0;
+            const PairEnergy pair = compute_pair(cross_lines(angle, d, length), length, length);
+            const double force = c * 2.0 * std::numbers::pi * d * kernel(d * d - 4.0) / std::sin(angle);
+            // Of eight points on the line that is integrated numerically.
+            CHECK(-pair.force[2] == Approx(force).epsilon(gap > 0.1 ? 1e-4 : 2e-3));
+            CHECK(pair.force.head<2>().norm() < 1e-3 * force);
+            CHECK(pair.s == Approx(0.45).margin(1e-5));
+            CHECK(pair.t == Approx(0.52).margin(1e-5));
+        }
+        // Parallel: a short piece over the middle of a long line, by a sum over the closed kernel.
+        const double reach = std::sqrt(w - (d * d - 4.0));
+        double force = 0.0;
+        for (int k = 0; k < 4000; ++k) {
+            const double z = reach * (k + 0.5) / 4000.0, u = d * d - 4.0 + z * z;
+            const double slope = -std::pow(1.0 - u / w, 2) * (2.0 + u / w) * std::pow(w / u, 3) / w;
+            force += -2.0 * c * 2.0 * d * slope * reach / 4000.0;
+        }
+        const FourEnds along{{Vec3(-0.5, 0, 0), Vec3(0.5, 0, 0), Vec3(-20, 0, d), Vec3(20, 0, d)}};
+        CHECK(-compute_pair(along, 1.0, 40.0).force[2] == Approx(force).epsilon(1e-5));
+    }
+}
+
+TEST_CASE("The energy of a pair moves with it, and is the same for both orders", "[contact]") {
+    RandomPairs random(33);
+    for (int k = 0; k < 30; ++k) {
+        INFO(k);
+        const FourEnds pair = random.make(0.5, 0.4);
+        const PairEnergy here = compute_pair(pair);
+        const Mat3 R = exp_matrix(3.0 * random.vector());
+        const Vec3 shift = 10.0 * random.vector();
+        FourEnds turned = pair;
+        for (Vec3& end : turned.ends) end = R * end + shift;
+        const PairEnergy there = compute_pair(turned);
+        CHECK(there.energy == Approx(here.energy).epsilon(1e-9).margin(1e-14));
+        CHECK((there.force - R * here.force).norm() < 1e-8 * here.gradient.norm());
+        // No resultant force or moment.
+        Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+        for (int end = 0; end < 4; ++end) {
+            force += here.gradient.segment<3>(3 * end);
+            moment += pair.ends[end].cross(here.gradient.segment<3>(3 * end));
+        }
+        CHECK(force.norm() <= 1e-12 * here.gradient.norm());
+        CHECK(moment.norm() <= 1e-12 * here.gradient.norm());
+        // The other order integrates the other line numerically.
+        const PairEnergy swapped = compute_pair({{pair.ends[2], pair.ends[3], pair.ends[0], pair.ends[1]}});
+        CHECK(swapped.energy == Approx(here.energy).epsilon(0.01).margin(1e-6));
+    }
+}
+
+TEST_CASE("A segment that is cut in two keeps its energy", "[contact]") {
+    const double length = 0.6;
+    for (const double gap : {0.8, 0.3})
+        for (const double degrees : {90.0, 30.0, 5.0, 0.0})
+            for (const double cut : {0.2, 0.44, 0.45, 0.5}) {
+                INFO(gap << " at " << degrees << " cut at " << cut);
+                const FourEnds whole =
+                    cross_lines(degrees * std::numbers::pi / 180.0, 2.0 + gap * 0.02, length);
+                const double energy = compute_pair(whole, length, length).energy;
+                const Vec3 on_a = whole.a().at(cut), on_b = whole.b().at(cut);
+                const auto sum = [&](const Segment& first, const Segment& second, bool is_a) {
+                    const double l1 = length * cut, l2 = length * (1.0 - cut);
+                    if (is_a)
+                        return compute_pair_energy(wires, first, whole.b(), l1, length).energy +
+                               compute_pair_energy(wires, second, whole.b(), l2, length).energy;
+                    return compute_pair_energy(wires, whole.a(), first, length, l1).energy +
+                           compute_pair_energy(wires, whole.a(), second, length, l2).energy;
+                };
+                const double tolerance = 1e-2;
+                CHECK(sum({whole.ends[0], on_a}, {on_a, whole.ends[1]}, true) ==
+                      Approx(energy).epsilon(tolerance));
+                CHECK(sum({whole.ends[2], on_b}, {on_b, whole.ends[3]}, false) ==
+                      Approx(energy).epsilon(tolerance));
+            }
+}
+
+TEST_CASE("The energy of the least distance has its derivatives", "[contact]") {
+    RandomPairs random(45);
+    const auto energy_of = [](const FourEnds& ends) {
+        return compute_closest_energy(wires, ends.a(), ends.b());
+    };
+    for (int k = 0; k < 120; ++k) {
+        INFO(k);
+        FourEnds pair = random.make(0.1 + 0.4 * (1.0 + random.number()));
+        const ClosestPoints at = find_closest_points(pair.a(), pair.b());
+        // Away from where the closest points change their kind, and from parallel lines.
+        const auto is_clear = [](double place) {
+            return place == 0.0 || place == 1.0 || std::abs(place - 0.5) < 0.49;
+        };
+        const Vec3 A = pair.ends[1] - pair.ends[0], B = pair.ends[3] - pair.ends[2];
+        if (!is_clear(at.s) || !is_clear(at.t) || A.cross(B).norm() < 0.1 * A.norm() * B.norm()) continue;
+        check_pair_derivatives(energy_of, pair, random.direction(), 2e-4 * wires.law.skin);
+        CHECK(energy_of(pair).energy == Approx(compute_contact_energy(wires.law, at.distance - 2.0)));
+    }
+    // Two points, and a point and a segment.
+    const FourEnds points{{Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 1.2, 1.61), Vec3(0, 1.2, 1.61)}};
+    CHECK(energy_of(points).force.norm() ==
+          Approx(compute_contact_force(wires.law, std::hypot(1.2, 1.61) - 2.0)).epsilon(1e-9));
+    const FourEnds over{{Vec3(0.2, 0, 2.01), Vec3(0.2, 0, 2.01), Vec3(-1, 0, 0), Vec3(1, 0, 0)}};
+    CHECK(energy_of(over).t == Approx(0.6));
+    CHECK(energy_of(over).force[2] == Approx(15.0));
+}
+
+}  // namespace gxrod::test
