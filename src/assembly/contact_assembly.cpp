@@ -212,7 +212,6 @@ void ContactAssembly::replace_by_tangent_forces(const State& state,
                                                 double weight,
                                                 Residual& residual) const {
     if (weight == 0.0) return;
-    pairs_.replace_by_tangent_forces(state, weight, residual);
     const At now = find_obstacles(state, time, state.contact.progress);
     const At there = find_obstacles(state, time, 1.0);
     const auto true_force = [&](std::size_t obstacle, std::size_t place, double gap) {
@@ -317,7 +316,6 @@ void ContactAssembly::start(State& state, double time) const {
     state.contact.parameters.resize(pair_count());
     state.contact.sliding.assign(traction_count(), Vec3::Zero());
     state.contact.has_parameters = true;
-    pairs_.start(state);
     for_each_near(at, state, 0.0, state, [&](std::size_t obstacle, std::size_t p, const Vec3& position) {
         const SurfaceTouch surface = touch(at, obstacle, p, position);
         state.contact.parameters[pair(obstacle, p)] = surface.gap;
@@ -329,7 +327,6 @@ void ContactAssembly::start(State& state, double time) const {
 }
 
 void ContactAssembly::advance(const std::vector<Vec6>& deltas, double time, State& state) const {
-    pairs_.advance(deltas, state);
     const At at = find_obstacles(state, time, 1.0);
     const double theta = at.has_impacts ? model_->contact.dissipation : 1.0;
     double reach = 0.0;

@@ -118,7 +118,12 @@ ContactLines find_contact_lines(const Model& model) {
         const Rod& rod = model.rods[static_cast<std::size_t>(
             lines.places.elements[static_cast<std::size_t>(from.element)].rod)];
         const double length = (to.fraction - from.fraction) * rod.length;
-        lines.pieces.push_back({p, length, 0.5 * (from.fraction + to.fraction) * rod.length});
+        const bool is_closed = rod.element_nodes.front() == rod.element_nodes.back();
+        lines.pieces.push_back({p,
+                                length,
+                                0.5 * (from.fraction + to.fraction) * rod.length,
+                                !is_closed && from.fraction < 1e-9,
+                                !is_closed && to.fraction > 1.0 - 1e-9});
     }
     for (const Rod& rod : model.rods) {
         const bool is_closed = rod.element_nodes.front() == rod.element_nodes.back();

@@ -12,6 +12,7 @@ struct ContactPiece {
     std::size_t place = 0;  // and the one after it, of the same element
     double length = 0.0;    // at t = 0
     double middle = 0.0;    // arc length from the start of the rod
+    bool starts_rod = false, ends_rod = false;
 };
 
 // Where two rods meet, so that they do not touch there: a place on each by arc length, and how far from it.

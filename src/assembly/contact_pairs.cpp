@@ -42,14 +42,6 @@ Segment add(const Segment& segment, const Segment& motion) {
 
 }  // namespace
 
-// g, its gradient and its second derivative times the force of the law at g.
-struct ContactPairs::Gap {
-    double gap = 0.0;
-    double force = 0.0;  // λ(g)
-    Vec12 gradient = Vec12::Zero();
-    Mat12 force_times_curvature = Mat12::Zero();
-};
-
 ContactPairs::ContactPairs(const Model& model, const ThreadTeam& team, const ScaleGroups& groups)
     : model_(&model), team_(&team), groups_(&groups) {
     if (model.contact.radii.empty()) return;
@@ -74,31 +66,37 @@ PairLaw ContactPairs::law_of(const NearPieces& near) const {
              2.0 * std::min(a.law.stiffness * a.radius, b.law.stiffness * b.radius)}};
 }
 
-ContactPairs::Gap ContactPairs::find_gap(const NearPieces& near,
-                                         const std::vector<NodeMotion>& motions) const {
+PairEnergy ContactPairs::find_energy(const NearPieces& near, const std::vector<NodeMotion>& motions) const {
     const PairLaw pair = law_of(near);
-    const PairEnergy found = compute_pair_energy(pair,
-                                                 segment_of(near.first, motions),
-                                                 segment_of(near.second, motions),
-                                                 lines_.pieces[near.first].length,
-                                                 lines_.pieces[near.second].length);
-    Gap result;
-    result.gap = pair.law.skin;
-    if (found.energy <= 0.0) return result;
-    result.gap = find_gap_of_contact_energy(pair.law, found.energy);
-    result.force = compute_contact_force(pair.law, result.gap);
-    if (result.force == 0.0) return result;
-    // E = V(g): ∇E = −λ ∇g and ∇²E = −λ ∇²g − λ′ ∇g ∇gᵀ.
-    const double slope = compute_contact_force_slope(pair.law, result.gap);
-    result.gradient = found.gradient / -result.force;
-    result.force_times_curvature = -found.hessian - slope * result.gradient * result.gradient.transpose();
-    return result;
-}
-
-ImpactLaw ContactPairs::impact_law(const NearPieces& near, const State& state) const {
-    const bool has_impacts = model_->has_inertia && model_->has_time;
-    const double dissipation = has_impacts ? model_->contact.dissipation : 1.0;
-    return {law_of(near).law, dissipation, dissipation == 1.0 ? 0.0 : find_gap(near, state.previous).gap};
+    const ContactPiece& of_a = lines_.pieces[near.first];
+    const ContactPiece& of_b = lines_.pieces[near.second];
+    const Segment a = segment_of(near.first, motions);
+    const Segment b = segment_of(near.second, motions);
+    PairEnergy sum = compute_pair_energy(pair, a, b, of_a.length, of_b.length);
+    const auto add = [&](const PairEnergy& more, const std::array<int, 4>& ends) {
+        sum.energy += more.energy;
+        for (int i = 0; i < 4; ++i) {
+            sum.gradient.segment<3>(3 * ends[static_cast<std::size_t>(i)]) += more.gradient.segment<3>(3 * i);
+            for (int j = 0; j < 4; ++j)
+                sum.hessian.block<3, 3>(3 * ends[static_cast<std::size_t>(i)],
+                                        3 * ends[static_cast<std::size_t>(j)]) +=
+                    more.hessian.block<3, 3>(3 * i, 3 * j);
+        }
+    };
+    // A point is a segment whose ends are the same.
+    const auto add_ends =
+        [&](const ContactPiece& piece, const Segment& own, const Segment& other, bool is_first) {
+            for (int end = 0; end < 2; ++end) {
+                if (!(end == 0 ? piece.starts_rod : piece.ends_rod)) continue;
+                const Vec3& point = end == 0 ? own.start : own.end;
+                const int at = (is_first ? 0 : 2) + end;
+                add(compute_closest_energy(pair, {point, point}, other),
+                    {at, at, is_first ? 2 : 0, is_first ? 3 : 1});
+            }
+        };
+    add_ends(of_a, a, b, true);
+    add_ends(of_b, b, a, false);
+    return sum;
 }
 
 double ContactPairs::least_gap(const NearPieces& near, const std::vector<NodeMotion>& motions) const {
@@ -123,19 +121,9 @@ void ContactPairs::search(double reach, State& state) const {
     const auto keep = [&](CapsulePair pair) {
         return lines_.can_touch(lines_.pieces[pair.first], lines_.pieces[pair.second]);
     };
-    std::vector<NearPieces> before = std::move(contact.pieces);
     contact.pieces.clear();
-    auto known = before.begin();
     for (const CapsulePair pair : find_near_pairs(capsules, contact.margin, keep)) {
-        NearPieces near{pair.first, pair.second};
-        const auto is_before = [&](const NearPieces& one) {
-            return std::pair(one.first, one.second) < std::pair(near.first, near.second);
-        };
-        while (known != before.end() && is_before(*known)) ++known;
-        const bool is_known =
-            known != before.end() && known->first == near.first && known->second == near.second;
-        near.parameter = is_known ? known->parameter : find_gap(near, state.trial).gap;
-        contact.pieces.push_back(near);
+        contact.pieces.push_back({pair.first, pair.second});
     }
 }
 
@@ -177,69 +165,30 @@ void ContactPairs::scatter(const NearPieces& near, const Vec12& of_ends, const A
     }
 }
 
-// find(near, gap): the force along the gradient of the gap.
-template <class Find>
-void ContactPairs::add_forces(
-    const State& state, double weight, const Find& find, Residual& residual, bool raises) const {
+void ContactPairs::subtract_forces(const State& state, double weight, Residual& residual) const {
+    if (weight == 0.0) return;
     const std::vector<NearPieces>& near = state.contact.pieces;
-    std::vector<Vec12> forces(near.size());
-    std::vector<char> acts(near.size(), 0);
+    std::vector<PairEnergy> energies(near.size());
     team_->for_each_range(near.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const Gap gap = find_gap(near[i], state.trial);
-            if (gap.force == 0.0) continue;
-            acts[i] = 1;
-            forces[i] = (weight * find(near[i], gap)) * gap.gradient;
-        }
+        for (std::size_t i = first; i < last; ++i) energies[i] = find_energy(near[i], state.trial);
     });
     for (std::size_t i = 0; i < near.size(); ++i) {
-        if (acts[i] == 0) continue;
-        scatter(near[i], forces[i], [&](int node, const Vec3& force) {
+        if (energies[i].energy == 0.0) continue;
+        scatter(near[i], -weight * energies[i].gradient, [&](int node, const Vec3& force) {
             Vec6 both = Vec6::Zero();
             both.head<3>() = force;
-            if (raises) residual.raise_group(groups_->of_node(node), both);
+            residual.raise_group(groups_->of_node(node), both);
             residual.nodal[static_cast<std::size_t>(node)] -= both;
         });
     }
 }
 
-void ContactPairs::subtract_forces(const State& state, double weight, Residual& residual) const {
-    if (weight == 0.0) return;
-    const auto find = [&](const NearPieces& near, const Gap& gap) {
-        return compute_impact_force(impact_law(near, state), gap.gap).force;
-    };
-    add_forces(state, weight, find, residual, true);
-}
-
-void ContactPairs::replace_by_tangent_forces(const State& state, double weight, Residual& residual) const {
-    if (weight == 0.0) return;
-    const auto find = [&](const NearPieces& near, const Gap& gap) {
-        const ImpactLaw law = impact_law(near, state);
-        const NormalForce on_curve = compute_impact_force(law, near.parameter);
-        return on_curve.force - on_curve.stiffness * (gap.gap - near.parameter) -
-               compute_impact_force(law, gap.gap).force;
-    };
-    add_forces(state, weight, find, residual, false);
-}
-
 std::vector<PairBlock> ContactPairs::compute_tangents(
     const State& state, double weight, const std::vector<NodeLinearization>& linearizations) const {
     const std::vector<NearPieces>& near = state.contact.pieces;
-    const bool is_mixed = state.contact.has_parameters;
-    std::vector<Mat12> matrices(near.size());
-    std::vector<char> acts(near.size(), 0);
+    std::vector<PairEnergy> energies(near.size());
     team_->for_each_range(near.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const Gap gap = find_gap(near[i], state.trial);
-            if (gap.force == 0.0) continue;
-            acts[i] = 1;
-            const ImpactLaw law = impact_law(near[i], state);
-            const double at = is_mixed ? near[i].parameter : gap.gap;
-            const NormalForce on_curve = compute_impact_force(law, at);
-            const double force = on_curve.force - on_curve.stiffness * (gap.gap - at);
-            matrices[i] = weight * (on_curve.stiffness * gap.gradient * gap.gradient.transpose() -
-                                    (force / gap.force) * gap.force_times_curvature);
-        }
+        for (std::size_t i = first; i < last; ++i) energies[i] = find_energy(near[i], state.trial);
     });
     std::vector<PairBlock> blocks;
     for (NodeGroup& group : list_groups(state)) {
@@ -256,7 +205,7 @@ std::vector<PairBlock> ContactPairs::compute_tangents(
     std::size_t next = 0;
     for (auto& [pair, index] : block_of) index = next++;
     for (std::size_t i = 0; i < near.size(); ++i) {
-        if (acts[i] == 0) continue;
+        if (energies[i].energy == 0.0) continue;
         PairBlock& block = blocks[block_of.at(elements[i])];
         // Shape functions of the four ends by the group's nodes.
         Eigen::Matrix<double, 4, Eigen::Dynamic> shapes =
@@ -282,49 +231,14 @@ std::vector<PairBlock> ContactPairs::compute_tangents(
                 Mat3 sum = Mat3::Zero();
                 for (int a = 0; a < 4; ++a) {
                     for (int b = 0; b < 4; ++b)
-                        sum += (shapes(a, row) * shapes(b, column)) * matrices[i].block<3, 3>(3 * a, 3 * b);
+                        sum += (shapes(a, row) * shapes(b, column)) *
+                               energies[i].hessian.block<3, 3>(3 * a, 3 * b);
                 }
-                block.matrix.block<3, 3>(6 * row, 6 * column) += placement * sum;
+                block.matrix.block<3, 3>(6 * row, 6 * column) += (weight * placement) * sum;
             }
         }
     }
     return blocks;
-}
-
-void ContactPairs::start(State& state) const {
-    for (NearPieces& near : state.contact.pieces) near.parameter = find_gap(near, state.trial).gap;
-}
-
-void ContactPairs::advance(const std::vector<Vec6>& deltas, State& state) const {
-    std::vector<NearPieces>& all = state.contact.pieces;
-    team_->for_each_range(all.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            NearPieces& near = all[i];
-            const Gap gap = find_gap(near, state.trial);
-            if (gap.force == 0.0) {
-                near.parameter = gap.gap;
-                continue;
-            }
-            Vec12 change = Vec12::Zero();
-            int end = 0;
-            for (const std::uint32_t index : {near.first, near.second}) {
-                const ContactPiece& piece = lines_.pieces[index];
-                const ContactElement& element = lines_.element_of(piece);
-                for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
-                    for (int n = 0; n < element.count; ++n)
-                        change.segment<3>(3 * end) +=
-                            lines_.places.places[p].shapes[static_cast<std::size_t>(n)] *
-                            deltas[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(n)])]
-                                .head<3>();
-                }
-            }
-            const ImpactLaw law = impact_law(near, state);
-            const NormalForce on_curve = compute_impact_force(law, near.parameter);
-            const double reached = gap.gap + gap.gradient.dot(change);
-            const double force = on_curve.force - on_curve.stiffness * (reached - near.parameter);
-            near.parameter = find_gap_on_curve(law, force, reached);
-        }
-    });
 }
 
 void ContactPairs::limit(const std::vector<Vec3>& displacements, State& state, ContactLimits& limits) const {
@@ -391,18 +305,16 @@ void ContactPairs::limit(const std::vector<Vec3>& displacements, State& state, C
 
 double ContactPairs::compute_energy(const State& state) const {
     double energy = 0.0;
-    for (const NearPieces& near : state.contact.pieces)
-        energy += compute_contact_energy(law_of(near).law, find_gap(near, state.trial).gap);
+    for (const NearPieces& near : state.contact.pieces) energy += find_energy(near, state.trial).energy;
     return energy;
 }
 
 double ContactPairs::compute_work(const State& state) const {
     double work = 0.0;
     for (const NearPieces& near : state.contact.pieces) {
-        const Gap gap = find_gap(near, state.trial);
-        if (gap.force == 0.0) continue;
-        const Vec12 force = compute_impact_force(impact_law(near, state), gap.gap).force * gap.gradient;
-        scatter(near, force, [&](int node, const Vec3& of_node) {
+        const PairEnergy found = find_energy(near, state.trial);
+        if (found.energy == 0.0) continue;
+        scatter(near, -found.gradient, [&](int node, const Vec3& of_node) {
             const auto index = static_cast<std::size_t>(node);
             work += of_node.dot(state.trial[index].r - state.previous[index].r);
         });
@@ -412,7 +324,7 @@ double ContactPairs::compute_work(const State& state) const {
 
 void ContactPairs::count(const State& state, ContactCount& result) const {
     for (const NearPieces& near : state.contact.pieces) {
-        if (find_gap(near, state.trial).force > 0.0) ++result.touching;
+        if (find_energy(near, state.trial).energy > 0.0) ++result.touching;
         result.least_gap = std::min(result.least_gap, least_gap(near, state.trial));
     }
 }

@@ -11,7 +11,6 @@
 #include "assembly/node_groups.hpp"
 #include "assembly/residual.hpp"
 #include "assembly/scale_groups.hpp"
-#include "contact/impact_law.hpp"
 #include "contact/pair_energy.hpp"
 #include "parallel/thread_team.hpp"
 
@@ -32,21 +31,17 @@ class ContactPairs {
 
     bool empty() const { return lines_.pieces.empty(); }
 
-    // Finds what is near the trial, if nodes can move by this much from there; what was near keeps its
-    // parameter, else it starts on the law.
+    // Finds what is near the trial, if nodes can move by this much from there.
     void search(double reach, State& state) const;
     // The groups of nodes that the tangent couples: sorted, each once.
     std::vector<NodeGroup> list_groups(const State& state) const;
 
     // Of the trial motions, by a weight (ContactAssembly).
     void subtract_forces(const State& state, double weight, Residual& residual) const;
-    void replace_by_tangent_forces(const State& state, double weight, Residual& residual) const;
     // One block for each of list_groups, in their order.
     std::vector<PairBlock> compute_tangents(const State& state,
                                             double weight,
                                             const std::vector<NodeLinearization>& linearizations) const;
-    void start(State& state) const;
-    void advance(const std::vector<Vec6>& deltas, State& state) const;
     // Lowers the limits of parts of the model whose rods would meet; these then go equally far. Searches
     // first where it has to.
     void limit(const std::vector<Vec3>& displacements, State& state, ContactLimits& limits) const;
@@ -58,21 +53,14 @@ class ContactPairs {
     std::string describe_overlap(const State& state) const;
 
   private:
-    struct Pair;  // two pieces
     Segment segment_of(std::size_t piece, const std::vector<NodeMotion>& motions) const;
     PairLaw law_of(const NearPieces& near) const;
-    // The effective gap, its gradient and second derivative by the ends; no gradient where the pieces do not
-    // touch.
-    struct Gap;
-    Gap find_gap(const NearPieces& near, const std::vector<NodeMotion>& motions) const;
-    ImpactLaw impact_law(const NearPieces& near, const State& state) const;
+    // With what the end of a rod adds, whose integral is finite where it touches.
+    PairEnergy find_energy(const NearPieces& near, const std::vector<NodeMotion>& motions) const;
     double least_gap(const NearPieces& near, const std::vector<NodeMotion>& motions) const;
     // Adds a vector by the ends of two pieces to nodes.
     template <class Add>
     void scatter(const NearPieces& near, const Vec12& of_ends, const Add& add) const;
-    template <class Find>
-    void add_forces(
-        const State& state, double weight, const Find& find, Residual& residual, bool raises) const;
 
     const Model* model_;
     const ThreadTeam* team_;

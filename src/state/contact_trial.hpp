@@ -7,11 +7,9 @@
 
 namespace gxrod {
 
-// Two pieces of rods that are so near that they can touch, by their index among all of them, and the gap of
-// their point on the curve of force and gap.
+// Two pieces of rods that are so near that they can touch, by their index among all of them.
 struct NearPieces {
     std::uint32_t first = 0, second = 0;  // first < second
-    double parameter = 0.0;
 };
 
 // What Newton's method knows of contact in addition to motions, found anew for each equilibrium.
