@@ -180,24 +180,3 @@ TEST_CASE("a rod too stiff to vibrate cannot take up the energy, and a message s
         "the energy of the step is off by more than the vibrations of the model can take up. Try a smaller "
         "time_step; or integrator = \"gauss-4\", where a model turns almost without vibrating"));
 }
-
-TEST_CASE("energy-momentum says what it is not for", "[deck][conserve]") {
-    const auto fault = [](const std::string& what) {
-        return "x.toml:16:14: analysis.integrator: \"energy-momentum\" is for one free elastic body of rods, "
-               "without supports, joints or damping; this model has " +
-               what + "; expected another integrator, such as \"gauss-4\"";
-    };
-    CHECK(faults_of(tumbling + "[[support]]\nat = \"r.start\"\nfix = [\"x\"]\n") == fault("supports"));
-    CHECK(faults_of(tumbling + "[body.b]\nmass = 1\ninertia = [1, 1, 1]\n") == fault("several parts"));
-    CHECK(faults_of(tumbling +
-                    "[spring.s]\nbetween = [\"r.start\", \"r.end\"]\nstiffness = 1\ndamping = 1\n") ==
-          fault("damping"));
-    CHECK(
-        faults_of(replaced(body_deck, "steps = 10", "steps = 10\nintegrator = \"energy-momentum\"")) ==
-        "x.toml:8:14: analysis.integrator: \"energy-momentum\" is for one free elastic body of rods, without "
-        "supports, joints or damping; this model has no rods; expected another integrator, such as "
-        "\"gauss-4\"");
-    CHECK(faults_of(replaced(tumbling, "energy-momentum", "energy-momentun")).find("did you mean") !=
-          std::string::npos);
-    CHECK(faults_of(tumbling + "beta = 0.3\n").find("energy-momentum") != std::string::npos);
-}
