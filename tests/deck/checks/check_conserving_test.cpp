@@ -17,8 +17,6 @@ TEST_CASE("energy-momentum says what it is not for", "[deck]") {
     CHECK(faults_of(free_deck + "[[support]]\nat = \"r.start\"\nfix = [\"x\"]\n") == fault("supports"));
     CHECK(faults_of(replaced(free_deck, "[rod.r]", "damping = { mass_proportional = 0.1 }\n[rod.r]"))
               .find("this model has damping") != std::string::npos);
-    CHECK(faults_of("[water]\ndensity = 1000\n" + free_deck).find("water, air or ground") !=
-          std::string::npos);
     CHECK(faults_of(free_deck + "[body.b]\nmass = 1\ninertia = [1, 1, 1]\n") == fault("several parts"));
     CHECK(faults_of(free_deck +
                     "[spring.s]\nbetween = [\"r.start\", \"r.end\"]\nstiffness = 1\ndamping = 1\n") ==
