@@ -25,6 +25,8 @@ const char* name_of(Outcome outcome) {
             return "one element's nodes turned against each other by half a turn";
         case Outcome::error_too_large:
             return "the estimated error of a step was above the tolerance";
+        case Outcome::energy_out_of_reach:
+            return "vibrations could not take up what the energy of a step was off";
         case Outcome::joints_open:
             return "velocities could not be made to fit the joints";
         case Outcome::control_turned:

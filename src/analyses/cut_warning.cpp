@@ -27,6 +27,8 @@ std::string advise_on_motion(const Model& model, const DynamicSettings& settings
     const bool is_newmark =
         settings.scheme == Scheme::newmark_simplified || settings.scheme == Scheme::newmark_ibrahimbegovic;
     if (is_newmark) remedy += ", or generalized-alpha, which damps what is too fast for the steps";
+    if (settings.scheme == Scheme::energy_momentum)
+        remedy += ", or gauss-4 where it turns almost without vibrating";
     return describe_ratio(model) + remedy + ".";
 }
 

@@ -142,6 +142,7 @@ class System {
     double compute_law_dissipation(const State& state, double time) const;
     // Of these motions, which need only rotations and rates.
     double compute_kinetic_energy(const std::vector<NodeMotion>& motions) const;
+    Momentum compute_momentum(const std::vector<NodeMotion>& motions) const;
     // The residual of held components, those that supports exert; global axes.
     std::vector<Vec6> compute_reactions(const Residual& residual) const;
     // Of all that acts from outside: loads, gravity, damping and what supports exert; of the trial motions.

@@ -92,6 +92,18 @@ double System::compute_kinetic_energy(const std::vector<NodeMotion>& motions) co
     return energy;
 }
 
+Momentum System::compute_momentum(const std::vector<NodeMotion>& motions) const {
+    Balance sums;
+    for_each_block(blocks_, [&](const auto& block) {
+        add_up(*team_, block, sums, [&](std::size_t e, Balance& sum) {
+            const Momentum momentum = block.elements[e].momentum(block.motions(motions, e));
+            sum.momentum.linear += momentum.linear;
+            sum.momentum.angular += momentum.angular;
+        });
+    });
+    return sums.momentum;
+}
+
 std::vector<DrivenPoint> System::list_driven_points(const std::vector<NodeMotion>& motions,
                                                     const State& state,
                                                     double time) const {

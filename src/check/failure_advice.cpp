@@ -106,6 +106,8 @@ std::string describe_outcome(const Failure& failure) {
         case Outcome::error_too_large:
             return fmt::format(
                 "the estimated error of the step, {:.2e}, is above the tolerance{}", failure.step_error, at);
+        case Outcome::energy_out_of_reach:
+            return "the energy of the step is off by more than the vibrations of the model can take up";
         case Outcome::joints_open:
             return fmt::format(
                 "no velocities near those of the step fit {}, which are off by {:.2e} of the largest",
@@ -159,6 +161,10 @@ std::vector<std::string> advise(const Failure& failure) {
         case Outcome::error_too_large:
             advice.push_back("a smaller adaptive.min_step");
             advice.push_back("a larger adaptive.tolerance");
+            break;
+        case Outcome::energy_out_of_reach:
+            advice.push_back(shorter_steps(failure));
+            advice.push_back("integrator = \"gauss-4\", where a model turns almost without vibrating");
             break;
         case Outcome::joints_open:
             advice.push_back(shorter_steps(failure));

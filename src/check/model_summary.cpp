@@ -93,6 +93,8 @@ const char* name_of(Scheme scheme) {
             return "radau-5";
         case Scheme::gauss_4:
             return "gauss-4";
+        case Scheme::energy_momentum:
+            return "energy-momentum";
         case Scheme::runge_kutta_4:
             break;
     }

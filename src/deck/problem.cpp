@@ -22,6 +22,7 @@
 #include "deck/build/build_supports.hpp"
 #include "deck/build/plane.hpp"
 #include "deck/build/read_rod_nets.hpp"
+#include "deck/checks/check_conserving.hpp"
 #include "deck/checks/check_functions.hpp"
 #include "deck/checks/check_memory.hpp"
 #include "deck/checks/check_points.hpp"
@@ -81,6 +82,7 @@ void build_actions(const SurroundingsFiles& files, BuildContext& context) {
         build_surroundings(files, context);
         build_contact(context);
         check_functions(context);
+        check_conserving(context);
         if (i == 0) continue;
         context.stages[i].actions = take_actions(context.model);
         set_actions(std::move(first), context.model);

@@ -1,6 +1,7 @@
 #include "integrators/integrator.hpp"
 
 #include "integrators/coupled_stages.hpp"
+#include "integrators/energy_momentum.hpp"
 #include "integrators/generalized_alpha.hpp"
 #include "integrators/newmark_ibrahimbegovic.hpp"
 #include "integrators/newmark_simplified.hpp"
@@ -22,6 +23,8 @@ std::unique_ptr<Integrator> make_integrator(const DynamicSettings& settings) {
             return std::make_unique<CoupledStages>(CoupledStages::make_radau_5());
         case Scheme::gauss_4:
             return std::make_unique<CoupledStages>(CoupledStages::make_gauss_4());
+        case Scheme::energy_momentum:
+            return std::make_unique<EnergyMomentum>();
         case Scheme::runge_kutta_4:
             return std::make_unique<RungeKutta4>();
         case Scheme::newmark_simplified:

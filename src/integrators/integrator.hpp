@@ -82,6 +82,9 @@ class Integrator {
 
     // Whether State::algorithmic_previous is its own from step to step.
     virtual bool has_algorithmic_accelerations() const { return false; }
+    // Whether the rates at the end of a step are corrected so that energy and momenta change by the work and
+    // the impulses of the step alone.
+    virtual bool conserves() const { return false; }
     // Once, when the trial motions have the initial accelerations.
     virtual void start(State&) const {}
     // Places the trial motions, whatever they were: an implicit scheme predicts, an explicit one sets what

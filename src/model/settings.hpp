@@ -22,6 +22,7 @@ enum class Scheme {
     sdirk_4,
     radau_5,
     gauss_4,
+    energy_momentum,
     runge_kutta_4
 };
 

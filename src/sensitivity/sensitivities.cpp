@@ -30,6 +30,9 @@ Sensitivities::Sensitivities(const SteppedAnalysis& analysis,
         throw std::invalid_argument(
             "derivatives are not carried along by schemes that find the stages of a step together: take "
             "integrator \"sdirk-4\"");
+    if (integrator_->conserves())
+        throw std::invalid_argument(
+            "derivatives are not carried along by energy-momentum: take integrator \"newmark-simplified\"");
     if (const auto* statics = std::get_if<StaticSettings>(&settings)) linear_solver_ = statics->linear_solver;
     if (const auto* dynamic = std::get_if<DynamicSettings>(&settings)) {
         linear_solver_ = dynamic->linear_solver;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "assembly/contact_assembly.hpp"
+#include "solvers/conservation.hpp"
 #include "solvers/coupled/coupled_step.hpp"
 #include "solvers/hidden_constraints.hpp"
 #include "solvers/newton_steps.hpp"
@@ -199,16 +200,12 @@ EquilibriumReport solve_together(const System& system,
     return report;
 }
 
-}  // namespace
-
-EquilibriumReport solve_step(const System& system,
-                             const Integrator& integrator,
-                             const NewtonSettings& settings,
-                             const Stage& first_stage,
-                             SolverWorkspace& workspace,
-                             State& state) {
-    if (const CoupledStages* coupled = integrator.coupled())
-        return solve_together(system, *coupled, settings, first_stage, workspace, state);
+EquilibriumReport solve_in_turn(const System& system,
+                                const Integrator& integrator,
+                                const NewtonSettings& settings,
+                                const Stage& first_stage,
+                                SolverWorkspace& workspace,
+                                State& state) {
     EquilibriumReport total;
     Stage stage = first_stage;
     const bool weighs_power = !integrator.power_weights().empty();
@@ -234,6 +231,24 @@ EquilibriumReport solve_step(const System& system,
     if (total.converged() && is_implicit && system.contact() && system.model().has_inertia)
         split_contact(system, integrator, stage, workspace, state, total);
     return total;
+}
+
+}  // namespace
+
+EquilibriumReport solve_step(const System& system,
+                             const Integrator& integrator,
+                             const NewtonSettings& settings,
+                             const Stage& first_stage,
+                             SolverWorkspace& workspace,
+                             State& state) {
+    if (const CoupledStages* coupled = integrator.coupled())
+        return solve_together(system, *coupled, settings, first_stage, workspace, state);
+    if (!integrator.conserves())
+        return solve_in_turn(system, integrator, settings, first_stage, workspace, state);
+    const StepStart start = note_step_start(system, state, first_stage.step_time);
+    EquilibriumReport report = solve_in_turn(system, integrator, settings, first_stage, workspace, state);
+    if (report.converged()) conserve(system, start, first_stage, state, report);
+    return report;
 }
 
 }  // namespace gxrod

@@ -19,16 +19,17 @@ class PairedMatrix;
 
 enum class Outcome {
     converged,
-    out_of_iterations,   // the residual did not fall below the tolerance
-    singular,            // the tangent (or mass) matrix has no inverse
-    not_finite,          // a residual or an increment is not a number
-    rotation_too_large,  // a node turns by π or more within the step
-    element_too_turned,  // nodes of one element are turned against each other by nearly π
-    error_too_large,     // the step's estimated error is above its tolerance
-    joints_open,         // joints cannot be closed, or velocities do not fit them
-    control_turned,      // the displacement that controls a path turns back
-    lost_stability       // the step is good, but shorter ones seek what it may have passed: a stable
-                         // equilibrium, or, on a path, a bend or critical points
+    out_of_iterations,    // the residual did not fall below the tolerance
+    singular,             // the tangent (or mass) matrix has no inverse
+    not_finite,           // a residual or an increment is not a number
+    rotation_too_large,   // a node turns by π or more within the step
+    element_too_turned,   // nodes of one element are turned against each other by nearly π
+    error_too_large,      // the step's estimated error is above its tolerance
+    energy_out_of_reach,  // no moderate scaling of the vibrations' rates gives the energy that is due
+    joints_open,          // joints cannot be closed, or velocities do not fit them
+    control_turned,       // the displacement that controls a path turns back
+    lost_stability        // the step is good, but shorter ones seek what it may have passed: a stable
+                          // equilibrium, or, on a path, a bend or critical points
 };
 
 // How the search for one equilibrium went. Not converging is a value, not an exception.

@@ -36,6 +36,8 @@ TEST_CASE("What is said of cuts is what the model and its settings make of them"
     CHECK(advise(test::rod_deck + "integrator = \"generalized-alpha\"\n") == mixed + ".");
     CHECK(advise(test::rod_deck + "integrator = \"generalized-alpha\"\nnewton.tangent = \"mixed\"\n") ==
           ". Try a smaller time_step.");
+    CHECK(advise(test::rod_deck + "integrator = \"energy-momentum\"\n") ==
+          mixed + ", or gauss-4 where it turns almost without vibrating.");
     CHECK(advise(test::rod_deck + "integrator = \"sdirk-4\"\nadaptive = {}\n") ==
           ". Try newton.tangent = \"mixed\", which converges in longer steps, or a smaller max_step.");
     CHECK(advise(test::replaced(test::rod_deck, "EIz = 700", "EIz = 7e4")) ==

@@ -49,6 +49,8 @@ const char* name_of(Outcome outcome) {
             return "element too turned";
         case Outcome::error_too_large:
             return "error too large";
+        case Outcome::energy_out_of_reach:
+            return "energy out of reach";
         case Outcome::joints_open:
             return "joints open";
         case Outcome::control_turned:

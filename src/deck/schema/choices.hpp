@@ -66,13 +66,14 @@ inline constexpr std::array<Choice<Interpolation>, 3> interpolation_choices{
      {"cubic", Interpolation::cubic},
      {"monotone", Interpolation::monotone}}};
 
-inline constexpr std::array<Choice<Scheme>, 7> scheme_choices{
+inline constexpr std::array<Choice<Scheme>, 8> scheme_choices{
     {{"newmark-simplified", Scheme::newmark_simplified},
      {"newmark-ibrahimbegovic", Scheme::newmark_ibrahimbegovic},
      {"generalized-alpha", Scheme::generalized_alpha},
      {"sdirk-4", Scheme::sdirk_4},
      {"radau-5", Scheme::radau_5},
      {"gauss-4", Scheme::gauss_4},
+     {"energy-momentum", Scheme::energy_momentum},
      {"runge-kutta-4", Scheme::runge_kutta_4}}};
 
 inline constexpr std::array<Choice<TangentKind>, 5> tangent_choices{

@@ -28,7 +28,8 @@ std::vector<Condition> for_equilibria() {
                          Scheme::generalized_alpha,
                          Scheme::sdirk_4,
                          Scheme::radau_5,
-                         Scheme::gauss_4})
+                         Scheme::gauss_4,
+                         Scheme::energy_momentum})
                 .back()};
 }
 
@@ -39,7 +40,8 @@ std::vector<Condition> for_estimated_steps() {
                          Scheme::newmark_ibrahimbegovic,
                          Scheme::generalized_alpha,
                          Scheme::sdirk_4,
-                         Scheme::radau_5})
+                         Scheme::radau_5,
+                         Scheme::energy_momentum})
                 .back()};
 }
 

@@ -289,6 +289,8 @@ constexpr WordSynonyms choices[] = {
     {"sdirk-4", "dirk sdirk"},
     {"radau-5", "radau radau_iia radau5"},
     {"gauss-4", "gauss gauss_legendre midpoint collocation"},
+    {"energy-momentum",
+     "conserving energy_momentum energy-conserving momentum-conserving conservative simo_tarnow emm"},
     {"runge-kutta-4", "rk4 rk explicit_rk runge-kutta erk4"},
     {"spatial", "global dead fixed_frame space world"},
     {"follower", "following corotational nonconservative"},

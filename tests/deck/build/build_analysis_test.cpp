@@ -80,6 +80,7 @@ TEST_CASE("Every integrator, tangent and solver has its word", "[deck]") {
     CHECK(analysis("integrator = \"generalized-alpha\"").scheme == Scheme::generalized_alpha);
     CHECK(analysis("integrator = \"sdirk-4\"").scheme == Scheme::sdirk_4);
     CHECK(analysis("integrator = \"runge-kutta-4\"").scheme == Scheme::runge_kutta_4);
+    CHECK(dynamic_of(read(rod_deck + "integrator = \"energy-momentum\"")).scheme == Scheme::energy_momentum);
     CHECK(analysis("").newton.tangent == TangentKind::automatic);
     CHECK(analysis("newton.tangent = \"automatic\"").newton.tangent == TangentKind::automatic);
     CHECK(analysis("newton.tangent = \"mixed\"").newton.tangent == TangentKind::mixed);
@@ -93,7 +94,7 @@ TEST_CASE("Every integrator, tangent and solver has its word", "[deck]") {
 TEST_CASE("Steps by their error are for schemes that estimate it", "[deck]") {
     CHECK(
         faults_of(body_deck + "integrator = \"gauss-4\"\nadaptive = {}") ==
-        R"(x.toml:9:1: analysis.adaptive: integrator "gauss-4" does not use this key; it is for newmark-simplified, newmark-ibrahimbegovic, generalized-alpha, sdirk-4, radau-5)");
+        R"(x.toml:9:1: analysis.adaptive: integrator "gauss-4" does not use this key; it is for newmark-simplified, newmark-ibrahimbegovic, generalized-alpha, sdirk-4, radau-5, energy-momentum)");
     CHECK_FALSE(dynamic_of(read(body_deck + "integrator = \"sdirk-4\"")).adaptive);
     const auto adaptive = dynamic_of(read(body_deck + "integrator = \"sdirk-4\"\nadaptive = {}")).adaptive;
     REQUIRE(adaptive);

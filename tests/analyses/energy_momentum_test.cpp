@@ -1,0 +1,172 @@
+// Energy and momenta of rods under the scheme energy-momentum: constant where nothing acts, and else as work
+// and impulses change them.
+#include "check/failure_advice.hpp"
+#include "deck/decks.hpp"
+#include "solvers/conservation.hpp"
+#include "tools/catch.hpp"
+#include "tools/free_flight.hpp"
+#include "tools/run.hpp"
+
+using namespace gxrod;
+using namespace gxrod::test;
+using namespace gxrod::tools;
+
+namespace {
+
+// Tumbles, bends, twists and stretches.
+const std::string tumbling = R"([section.s]
+stiffness = { EA = 1e3, GAy = 5e2, GAz = 5e2, GJ = 0.8, EIy = 1, EIz = 2 }
+inertia = { rhoA = 1.0, rhoJ = 3e-3, rhoIy = 1e-3, rhoIz = 2e-3 }
+[rod.r]
+section = "s"
+line = { from = [-0.5, 0, 0], to = [0.5, 0, 0] }
+y_axis = [0, 1, 0]
+elements = 3
+order = 2
+[[initial]]
+on = "r"
+velocity = [0.3, "2*x + x^2 - 1/12", "3*x^3"]
+angular_velocity = [4, 0, "2 + 2*x"]
+[analysis]
+kind = "dynamic"
+integrator = "energy-momentum"
+end_time = 1.0
+time_step = 0.005
+)";
+
+Problem make_tumbling(const std::string& end_time, const std::string& time_step) {
+    return read(tumbling, {"analysis.end_time=" + end_time, "analysis.time_step=" + time_step});
+}
+
+// The largest deviation of a run from the energy and the momenta of its start.
+struct Drift {
+    double energy = 0.0;
+    double linear = 0.0;
+    double angular = 0.0;
+};
+
+Drift measure_drift(const Problem& problem) {
+    DynamicAnalysis analysis(problem.model, dynamic_of(problem));
+    REQUIRE(analysis.start().converged());
+    const LedgerRow first = analysis.ledger_row();
+    Drift drift;
+    while (!analysis.finished()) {
+        REQUIRE(analysis.advance().converged());
+        const LedgerRow row = analysis.ledger_row();
+        const double change =
+            row.kinetic_energy + row.strain_energy - first.kinetic_energy - first.strain_energy;
+        drift.energy = std::max(drift.energy, std::abs(change));
+        drift.linear = std::max(drift.linear, (row.linear_momentum - first.linear_momentum).norm());
+        drift.angular = std::max(drift.angular, (row.angular_momentum - first.angular_momentum).norm());
+    }
+    return drift;
+}
+
+// The end of a rod that a smooth load has driven for 2 s.
+Vec3 find_end(Scheme scheme, long steps) {
+    Model model = make_free_flight(4);
+    model.rods[0].kind = ElementKind::objective;
+    return run_to_end(model, make_settings(scheme, 2.0, steps)).r;
+}
+
+}  // namespace
+
+TEST_CASE("energy-momentum keeps energy and momenta of a free rod over 10,000 steps", "[analyses]") {
+    const Drift drift = measure_drift(make_tumbling("50", "0.005"));
+    // Energy and momenta are 0.3, 0.3 and 0.2; round-off of each step adds up.
+    CHECK(drift.energy < 1e-12);
+    CHECK(drift.linear < 1e-13);
+    CHECK(drift.angular < 1e-12);
+}
+
+TEST_CASE("energy-momentum keeps them with long steps and steps by their error", "[analyses]") {
+    for (const char* key : {"analysis.time_step=0.02", "analysis.adaptive={ tolerance = 1e-3 }"}) {
+        INFO(key);
+        const Drift drift = measure_drift(read(tumbling, {"analysis.end_time=0.5", key}));
+        CHECK(drift.energy < 1e-14);
+        CHECK(drift.linear < 1e-14);
+        CHECK(drift.angular < 1e-14);
+    }
+}
+
+TEST_CASE("energy-momentum is of order 2", "[analyses]") {
+    const Vec3 exact = find_end(Scheme::radau_5, 400);
+    std::vector<double> errors;
+    for (const long steps : {100L, 200L, 400L})
+        errors.push_back((find_end(Scheme::energy_momentum, steps) - exact).norm());
+    for (const double order : compute_orders(errors)) CHECK(order == Approx(2.0).margin(0.2));
+}
+
+TEST_CASE("under loads energy and momenta follow work and impulses", "[analyses]") {
+    // From rest, where there is no energy yet.
+    const Model model = make_free_flight(4);
+    DynamicSettings settings = make_settings(Scheme::energy_momentum, 8.0, 80);
+    LedgerRow last;
+    double worst = 0.0;
+    run(model, settings, [&](const DynamicAnalysis& analysis) {
+        last = analysis.ledger_row();
+        worst = std::max(worst, std::abs(last.energy_error));
+    });
+    CHECK(last.kinetic_energy > 500.0);
+    CHECK(worst < 1e-12 * last.kinetic_energy);
+    // The impulse of the pulse's force, by the trapezoidal rule, which integrates sin² exactly.
+    CHECK((last.linear_momentum - Vec3(50.0, 0.0, 0.0)).norm() < 1e-11);
+}
+
+TEST_CASE("in a field of gravity a rod falls freely, and its energy stays", "[analyses]") {
+    const Problem problem = read("gravity = [0, 0, -9.81]\n" + tumbling);
+    double worst = 0.0;
+    LedgerRow last;
+    run(problem.model, dynamic_of(problem), [&](const DynamicAnalysis& analysis) {
+        last = analysis.ledger_row();
+        worst = std::max(worst, std::abs(last.energy_error));
+    });
+    CHECK(worst < 1e-12 * last.kinetic_energy);
+    CHECK((last.linear_momentum - Vec3(0.3, 0.0, -9.81)).norm() < 1e-12);
+}
+
+TEST_CASE("a rod at rest stays at rest under energy-momentum", "[analyses]") {
+    const Problem problem = read(rod_deck + "integrator = \"energy-momentum\"");
+    const NodeMotion last = run_to_end(problem.model, dynamic_of(problem));
+    CHECK(last.r == Vec3::Zero());
+    CHECK(last.v == Vec3::Zero());
+}
+
+TEST_CASE("rates that balance are left as they are, and the others moved the least", "[analyses]") {
+    const Problem problem = make_tumbling("1", "0.005");
+    const System system(problem.model);
+    State state = system.initial_state();
+    const std::vector<NodeMotion> before = state.trial;
+    const Stage stage{0, 0.0, 0.005, 0.005};
+    StepStart start = note_step_start(system, state, 0.0);
+    EquilibriumReport report;
+    conserve(system, start, stage, state, report);
+    REQUIRE(report.converged());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        CHECK((state.trial[i].v - before[i].v).norm() < 1e-13);
+        CHECK((state.trial[i].omega - before[i].omega).norm() < 1e-13);
+    }
+    // All have one more velocity: the change is that velocity, and its kinetic energy ½ m v².
+    const Vec3 more(0.01, -0.02, 0.03);
+    start.momentum.linear += more;
+    const double along = start.momentum.linear.dot(more) - 0.5 * more.squaredNorm();
+    start.energy += along;
+    conserve(system, start, stage, state, report);
+    REQUIRE(report.converged());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        CHECK((state.trial[i].v - before[i].v - more).norm() < 1e-13);
+        CHECK((state.trial[i].omega - before[i].omega).norm() < 1e-13);
+    }
+    // Energy that vibrations do not have.
+    start.energy -= 0.1;
+    conserve(system, start, stage, state, report);
+    CHECK(report.outcome == Outcome::energy_out_of_reach);
+}
+
+TEST_CASE("a step whose energy is out of reach says so, and what to do", "[analyses]") {
+    Failure failure;
+    failure.outcome = Outcome::energy_out_of_reach;
+    CHECK(describe_failure(failure).ends_with(
+        "the energy of the step is off by more than the vibrations of the model can take up. Try a smaller "
+        "time_step; or integrator = \"gauss-4\", where a model turns almost without vibrating"));
+}
