@@ -14,7 +14,7 @@
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t form_version = 13;  // of /restart; raise it with every change
+inline constexpr std::int64_t form_version = 14;  // of /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 using Vec1 = Eigen::Matrix<double, 1, 1>;
@@ -95,9 +95,10 @@ std::vector<Row> rows_of(const Table& table) {
 // Calls visit(name, member) for each single number of a place.
 template <class Place, class Visitor>
 void visit_numbers(Place& place, Visitor&& visit) {
-    auto& [record, steps, frames] = place;
+    auto& [record, steps, frames, samples] = place;
     visit("steps", steps);
     visit("frames", frames);
+    visit("samples", samples);
     visit("time", record.steps.time);
     visit("has_failed", record.steps.has_failed);
     visit("is_off_grid", record.steps.is_off_grid);
