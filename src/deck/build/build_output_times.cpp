@@ -48,7 +48,7 @@ std::string explain_unreached(double time, const std::vector<StagePlan>& stages)
     return "";
 }
 
-void read_times(const CheckedTable& table, const BuildContext& context, OutputSettings& output) {
+void set_times(const CheckedTable& table, const BuildContext& context, OutputSettings& output) {
     if (!table.gives("times")) return;
     output.times = table.get<std::vector<double>>("times");
     const auto add = [&](const std::string& message) { context.add_fault(table, "times", message); };
@@ -82,7 +82,7 @@ void build_output_times(const CheckedTable& table, const BuildContext& context, 
     }
     output.interval = read_interval(table, "interval", context);
     output.history_interval = read_interval(table, "history_interval", context);
-    read_times(table, context, output);
+    set_times(table, context, output);
 }
 
 }  // namespace gxrod
