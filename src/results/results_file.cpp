@@ -247,9 +247,11 @@ void ResultsFile::record_sample(const Snapshot& snapshot) {
 void ResultsFile::note_interpolant(const std::string& words) {
     attempt(hdf5_reserve, [&] {
         const hid_t root = hdf5_->root.id();
-        const bool is_there = H5Aexists(root, "interpolation") > 0;
-        if (!is_there || read_text_attribute(root, "interpolation") != words)
+        if (H5Aexists(root, "interpolation") <= 0) {
+            write_attribute(root, "interpolation", words);
+        } else if (read_text_attribute(root, "interpolation") != words) {
             rewrite_attribute(root, "interpolation", words);
+        }
     });
 }
 

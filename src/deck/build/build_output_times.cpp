@@ -57,6 +57,7 @@ void set_times(const CheckedTable& table, const BuildContext& context, OutputSet
             "where stages begin after a path is not known beforehand; output.interval needs no such times");
     for (std::size_t i = 0; i < output.times.size(); ++i) {
         const double time = output.times[i];
+        if (time < 0.0) return add(fmt::format("expected times that are not negative, found {:.10g}", time));
         if (i > 0 && time <= output.times[i - 1])
             return add(
                 fmt::format("expected times in order; {:.10g} follows {:.10g}", time, output.times[i - 1]));

@@ -330,7 +330,6 @@ const TableSpec& output_table() {
                  {.name = "times",
                   .type = ValueType::numbers,
                   .dimension = "time",
-                  .range = {.lower = 0.0},
                   .sentence =
                       "Times of frames, instead, in order: on the axis of the results, on which the "
                       "first stage with time begins at 0. The first and the last frame of the run are "
