@@ -269,11 +269,11 @@ TEST_CASE("what lies within a step meets its ends", "[analyses]") {
     for (const auto& [kind, values] : after) CHECK(values == still.at(kind));
 }
 
-// A stiff rod spins, by 0.1 rad a step. The motion between the ends of steps is some 1e-6 off, of which its
+// A stiff rod spins, by 0.3 rad a step. The motion between the ends of steps is some 1e-5 off, of which its
 // stiffness would make forces beyond all that act.
 TEST_CASE("within steps forces of a stiff rod are those of equilibria, not of the motion", "[analyses]") {
     const std::string deck = R"deck([section.s]
-stiffness = { EA = 1e8, GAy = 1e8, GAz = 1e8, GJ = 1e3, EIy = 1e3, EIz = 1e3 }
+stiffness = { EA = 1e7, GAy = 1e7, GAz = 1e7, GJ = 1e3, EIy = 1e3, EIz = 1e3 }
 inertia = { rhoA = 1.0, rhoJ = 0.02, rhoIy = 0.01, rhoIz = 0.01 }
 [rod.r]
 section = "s"
@@ -281,7 +281,7 @@ line = { from = [0, 0, 0], to = [2, 0, 0] }
 elements = 4
 [[initial]]
 on = "r"
-spin = { axis = [0, 0, 1], through = [1, 0, 0], rate = 4 }
+spin = { axis = [0, 0, 1], through = [1, 0, 0], rate = 12 }
 [analysis]
 kind = "dynamic"
 end_time = 0.5
@@ -289,7 +289,9 @@ steps = 20
 )deck";
     const Problem problem = read(deck);
     const Scheme scheme = GENERATE(Scheme::radau_5, Scheme::generalized_alpha);
-    DynamicAnalysis analysis(problem.model, make_settings(scheme, 0.5, 20));
+    DynamicSettings settings = make_settings(scheme, 0.5, 20);
+    settings.newton.tolerance = 1e-8;
+    DynamicAnalysis analysis(problem.model, settings);
     analysis.keep_steps([](double, double) { return true; });
     REQUIRE(analysis.start().converged());
     double largest = 0.0, of_equilibria = 0.0, of_motion = 0.0;
@@ -297,6 +299,8 @@ steps = 20
         const double before = analysis.snapshot().elements[0].force.x();
         REQUIRE(analysis.advance().converged());
         const double after = analysis.snapshot().elements[0].force.x();
+        // At first the rod stretches.
+        if (analysis.steps().steps_done() <= 5) continue;
         largest = std::max(largest, std::abs(after));
         const double middle = 0.5 * (analysis.step_start() + analysis.state().time);
         const Snapshot within = analysis.snapshot_within(middle);
@@ -308,8 +312,8 @@ steps = 20
         of_motion = std::max(of_motion, std::abs(moved - 0.5 * (before + after)));
     }
     INFO(largest << " " << of_equilibria << " " << of_motion);
-    CHECK(of_equilibria < 0.5 * largest);
-    CHECK(of_motion > 10.0 * largest);
+    CHECK(of_equilibria < 0.1 * largest);
+    CHECK(of_motion > largest);
 }
 
 }  // namespace gxrod::test
