@@ -1,5 +1,7 @@
 #include "analyses/step_interior.hpp"
 
+#include "rotation/tangent_map.hpp"
+
 namespace gxrod {
 
 StepInterior::StepInterior(const System& system, const Integrator& integrator)
@@ -13,6 +15,24 @@ void StepInterior::keep(const State& state, double end_time) {
     state_.resultants.clear();
     end_time_ = end_time;
     places_.assign(fractions_.size(), Place{});
+    starts_at_rest_ = !system_.model().has_inertia && state.time == 0.0;
+    if (starts_at_rest_) find_first_rates();
+}
+
+// Those with which the motion to the end has no third derivative.
+void StepInterior::find_first_rates() {
+    const double by_time = 2.0 / (end_time_ - state_.time);
+    for (std::size_t i = 0; i < state_.trial.size(); ++i) {
+        NodeMotion& start = state_.previous[i];
+        const NodeMotion& end = state_.trial[i];
+        start.v = by_time * (end.r - start.r) - end.v;
+        start.omega = by_time * end.theta - tangent_map_inverse(end.theta) * end.omega;
+    }
+}
+
+std::vector<double> StepInterior::weights_at(double fraction) const {
+    if (starts_at_rest_) return {0.0, 1.0};
+    return integrator_.interpolation_weights(fraction);
 }
 
 State StepInterior::state_at(std::size_t place) const {
@@ -114,7 +134,7 @@ void StepInterior::mix_reactions(const std::vector<double>& weights) {
 Snapshot StepInterior::snapshot(double time, bool with_elements, const std::vector<RodPlace>& watched) {
     const double time_step = end_time_ - state_.time;
     const double fraction = (time - state_.time) / time_step;
-    const std::vector<double> weights = integrator_.interpolation_weights(fraction);
+    const std::vector<double> weights = weights_at(fraction);
     find_values(with_elements, watched);
     between_ = state_;
     between_.trial_time = time;

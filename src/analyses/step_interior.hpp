@@ -31,6 +31,9 @@ class StepInterior {
         bool has_sections = false, has_others = false;
     };
 
+    void find_first_rates();
+    // Of the places' values.
+    std::vector<double> weights_at(double fraction) const;
     State state_at(std::size_t place) const;
     void find_values(bool with_elements, const std::vector<RodPlace>& watched);
     void mix_joints(const std::vector<double>& weights);
@@ -43,6 +46,9 @@ class StepInterior {
     std::vector<double> fractions_;  // 0, of the stages, 1
     State state_;                    // the step
     double end_time_ = 0.0;
+    // A quasi-static stage starts without rates, and so not in equilibrium: its first step has the forces at
+    // its end.
+    bool starts_at_rest_ = false;
     std::vector<Place> places_;
 
     State between_;  // the same, with the trial at the time asked for

@@ -81,6 +81,16 @@ struct Runs {
     }
 };
 
+void check_close(const std::vector<double>& values, const std::vector<double>& expected) {
+    REQUIRE(values.size() == expected.size());
+    double error = 0.0, scale = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        error = std::max(error, std::abs(values[i] - expected[i]));
+        scale = std::max(scale, std::abs(expected[i]));
+    }
+    CHECK(error < 0.03 * scale);
+}
+
 const std::string frame_times = "/VTKHDF/Steps/Values";
 
 // Of all datasets of numbers but those that say where a run came from and how it would resume.
@@ -158,16 +168,23 @@ TEST_CASE("Samples within steps are close to those of short steps", "[analyses]"
     const Hdf5Reader coarse = runs.run(with("0.01") + "[output]\nhistory_interval = 0.002\n", "a");
     const Hdf5Reader fine = runs.run(with("0.002"), "b");
     for (const char* name : {"/tip/position", "/tip/quaternion", "/root/reaction_force", "/root/force"}) {
-        const std::vector<double> one = coarse.numbers("/sampled" + std::string(name));
-        const std::vector<double> other = fine.numbers("/histories" + std::string(name));
-        REQUIRE(one.size() == other.size());
-        double error = 0.0, scale = 0.0;
-        for (std::size_t i = 0; i < one.size(); ++i) {
-            error = std::max(error, std::abs(one[i] - other[i]));
-            scale = std::max(scale, std::abs(other[i]));
-        }
         INFO(name << " of " << scheme);
-        CHECK(error < 0.03 * scale);
+        check_close(coarse.numbers("/sampled" + std::string(name)),
+                    fine.numbers("/histories" + std::string(name)));
+    }
+}
+
+TEST_CASE("Samples within quasi-static steps are close to those of short steps", "[analyses]") {
+    const Runs runs;
+    const std::string creeping = replaced(replaced(equal_steps, "\"dynamic\"", "\"quasi-static\""),
+                                          "rhoIz = 0.1 }",
+                                          "rhoIz = 0.1 }\ndamping = { kelvin_voigt = 0.2 }");
+    const Hdf5Reader coarse = runs.run(creeping + "[output]\nhistory_interval = 0.004\n", "a");
+    const Hdf5Reader fine = runs.run(replaced(creeping, "time_step = 0.02", "time_step = 0.004"), "b");
+    for (const char* name : {"/tip/position", "/root/reaction_force", "/root/force"}) {
+        INFO(name);
+        check_close(coarse.numbers("/sampled" + std::string(name)),
+                    fine.numbers("/histories" + std::string(name)));
     }
 }
 
