@@ -127,13 +127,12 @@ void check_room(const JobOptions& options, const Problem& problem) {
     if (error || size.bytes <= static_cast<double>(room.available)) return;
     throw FileError(
         options.results,
-        fmt::format("would take more than {:.3g} GB, for {:.6g} steps and {:.6g} frames, where {:.3g} GB "
-                    "are free",
+        fmt::format("would take more than {:.3g} GB, for {}{:.6g} frames, where {:.3g} GB are free",
                     size.bytes / gigabyte,
-                    size.steps,
+                    size.steps > 0.0 ? fmt::format("{:.6g} steps and ", size.steps) : "",
                     size.frames,
                     static_cast<double>(room.available) / gigabyte),
-        "a larger output.every makes fewer frames; each step is recorded");
+        "a larger output.every or output.interval makes fewer frames; histories have each step");
 }
 
 // Runs and reports the outcome.

@@ -27,7 +27,7 @@ GROUPS = [
     ("Derivatives", "Derivatives by the `sensitivities` of a `Simulation` are carried along with it; `sim[\"tip\"].derivative` of `Values` reads them "
                     "([theory](theory/sensitivities.md)).", {"gradients": ["check_gradient"]}),
     ("Many runs", "", {"mapping": ["map"], "batches": ["batch", "read_batch"]}),
-    ("Results of runs", "", {"results": ["open_results", "Results"], "results/records": ["Record", "History", "Quantity", "Named"],
+    ("Results of runs", "", {"results": ["open_results", "Results"], "results/records": ["Record", "History", "SampledHistory", "Quantity", "Named"],
                      "results/frames": ["Frames", "Frame", "Fields", "Rod"], "results/tables": ["Table"],
                      "results/stages": ["Stage", "ShapesStage", "Sweep", "Response", "Answers", "PathStage", "Shapes"], "plot": ["draw"], "page": ["Page"]}),
     ("Blades and sections of other programs", "", {"importers/formats": ["read_blade"], "importers/writing": ["write_deck"], "importers/blade": ["Blade"], "importers/sections": ["from_sectionproperties"]}),

@@ -6,10 +6,14 @@
 
 namespace gxrod {
 
+std::unique_ptr<Integrator> make_scheme(const DynamicSettings& settings) {
+    return settings.has_inertia ? make_integrator(settings) : std::make_unique<QuasiStatic>();
+}
+
 DynamicAnalysis::DynamicAnalysis(const Model& model, const DynamicSettings& settings, int threads)
     : SteppedAnalysis(model,
                       threads,
-                      settings.has_inertia ? make_integrator(settings) : std::make_unique<QuasiStatic>(),
+                      make_scheme(settings),
                       choose_newton(model, settings),
                       settings.linear_solver,
                       make_step_sequence(settings)),

@@ -5,6 +5,9 @@
 
 namespace gxrod {
 
+// The scheme of a dynamic or a quasi-static analysis.
+std::unique_ptr<Integrator> make_scheme(const DynamicSettings& settings);
+
 // Motion in time from given initial conditions.
 class DynamicAnalysis : public SteppedAnalysis {
   public:

@@ -311,6 +311,7 @@ EquilibriumReport SteppedAnalysis::advance() {
     const double time = trial_time();
     point_values_ = system_.compute_point_values(state_, time, watched_);
     body_values_ = system_.compute_body_surroundings(state_, time);
+    keep_step(time);
     ledger_->add_step(state_, {time, steps_->time_step(), workspace_.residual, workspace_.stage_powers});
     look_into_load_step();
     solver_row_.time_step = steps_->time_step();
@@ -324,9 +325,16 @@ EquilibriumReport SteppedAnalysis::advance() {
     }
     note_equilibrium();
     solver_row_.negative_pivots = accepted_pivots();
+    step_start_ = state_.time;
     system_.commit(state_, time);
     steps_->accept();
     return report;
+}
+
+void SteppedAnalysis::keep_step(double time) {
+    if (!is_wanted_ || !is_wanted_(state_.time, time)) return;
+    if (!interior_) interior_ = std::make_unique<StepInterior>(system_, *integrator_);
+    interior_->keep(state_, time);
 }
 
 std::optional<PathPoint> SteppedAnalysis::find_equilibrium(const PathPoint& from, double load_factor) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "analyses/cut_tally.hpp"
 #include "analyses/ledger.hpp"
 #include "analyses/path_work.hpp"
+#include "analyses/step_interior.hpp"
 #include "assembly/system.hpp"
 #include "check/failure_advice.hpp"
 #include "integrators/integrator.hpp"
@@ -75,6 +77,16 @@ class SteppedAnalysis {
     // Of the last accepted state; valid until the next step. With the sections of all elements only if asked
     // for.
     Snapshot snapshot(bool with_elements = true);
+    // Keeps steps for which this holds, of their ends, so that they can be looked into.
+    void keep_steps(std::function<bool(double from, double to)> is_wanted) {
+        is_wanted_ = std::move(is_wanted);
+    }
+    // At a time within the last accepted step, which must have been kept; valid until the next call or step.
+    Snapshot snapshot_within(double time, bool with_elements = true) {
+        return interior_->snapshot(time, with_elements, watched_);
+    }
+    // Where the last accepted step began.
+    double step_start() const { return step_start_; }
     // Of what acts from outside on the last accepted state; in dynamics it is the rate of the momenta.
     Resultant outer_resultant() const {
         return system_.compute_outer_resultant(state_, state_.time, reactions_);
@@ -133,6 +145,8 @@ class SteppedAnalysis {
     void find_reason(Failure& failure);
     // An equilibrium beyond another one, apart from the state. The workspace has its residual afterwards.
     std::optional<PathPoint> find_equilibrium(const PathPoint& from, double load_factor);
+    // Of the trial motions, if what lies within the step is wanted.
+    void keep_step(double time);
     // Of the trial motions, which are the end of a load step.
     void look_into_load_step();
     // Fails the report if the step's estimated error is too large for steps that are chosen by it.
@@ -150,6 +164,9 @@ class SteppedAnalysis {
     SolverRow solver_row_;
     CutTally cuts_;
     double largest_error_ = 0.0;
+    double step_start_ = 0.0;
+    std::function<bool(double from, double to)> is_wanted_;
+    std::unique_ptr<StepInterior> interior_;  // of the last step that was kept
     std::vector<RodPlace> watched_;
     std::vector<PointValues> point_values_;
     std::vector<PointSurroundings> body_values_;

@@ -195,6 +195,13 @@ std::string describe_dynamic(const DynamicSettings& settings) {
 
 namespace {
 
+// "frames every 0.01", "frames at 3 times", or "" where they follow the steps.
+std::string describe_frame_times(const OutputSettings& output) {
+    if (output.interval) return fmt::format("frames every {:.6g}", *output.interval);
+    if (output.times.empty()) return "";
+    return fmt::format("frames at {} time{}", output.times.size(), output.times.size() == 1 ? "" : "s");
+}
+
 std::string describe_frames(const AnalysisSettings& settings, long every) {
     if (every == 0) {
         return fmt::format(
@@ -257,7 +264,9 @@ std::string describe_output(const std::vector<StagePlan>& stages, const OutputSe
     const char* separator = "";
     for (const StagePlan& stage : stages) {
         if (!has_steps(stage.analysis)) continue;
-        const std::string frames = describe_frames(stage.analysis, stage.frame_interval);
+        const std::string by_time = is_timed(stage.analysis) ? describe_frame_times(output) : "";
+        const std::string frames =
+            by_time.empty() ? describe_frames(stage.analysis, stage.frame_interval) : by_time;
         text += separator + (stages.size() > 1 ? "of stage " + stage.name + " " : "") + frames;
         separator = ", ";
     }
@@ -265,6 +274,8 @@ std::string describe_output(const std::vector<StagePlan>& stages, const OutputSe
     for (const HistoryRequest& history : output.histories) {
         text += fmt::format(", history {} at {}", history.name, history.at);
     }
+    if (output.history_interval)
+        text += fmt::format(", histories every {:.6g} too", *output.history_interval);
     return text + "\n";
 }
 

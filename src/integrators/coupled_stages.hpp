@@ -65,6 +65,16 @@ class CoupledStages : public Integrator {
     // Sets the trial to the end of the step; its accelerations too where that is a stage.
     void end_step(State& state, const Stage& step, const ThreadTeam& team) const;
 
+    // By the polynomials through the start, the stages and the end, of all values alike
+    // (docs/theory/newmark.md, (D2)).
+    void interpolate(const State& state,
+                     double time_step,
+                     double fraction,
+                     std::vector<NodeMotion>& motions,
+                     const ThreadTeam& team = ThreadTeam::alone()) const override;
+    Interpolant interpolant() const override;
+    std::vector<double> inner_fractions() const override;
+
     // What the real equation's solution makes an estimate of the error, per unit of Δt: of a node, what
     // comes to v and a at the start, from the placements and rates of the stages.
     struct Defect {

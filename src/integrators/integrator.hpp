@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "model/settings.hpp"
@@ -39,6 +40,12 @@ StepError measure_step_error(const std::vector<Vec6>& placements,
 // Nodes first … last − 1.
 struct NodeRange {
     std::size_t first, last;
+};
+
+// Which polynomials carry placements through a step, and the power of Δt by which what they leave out falls.
+struct Interpolant {
+    std::string form;
+    int order;
 };
 
 class CoupledStages;
@@ -124,6 +131,21 @@ class Integrator {
                                       double /*time_step*/,
                                       int /*term*/,
                                       std::vector<NodeMotion>& /*rates*/) const {}
+
+    // Between the ends of a step that was solved and is not committed, at this fraction of it: sets
+    // `motions`. Placements by cubic Hermite polynomials in (r, v) and (θ, T(θ)⁻¹ ω), velocities by their
+    // derivatives; accelerations linear (docs/theory/newmark.md, (D1)).
+    virtual void interpolate(const State& state,
+                             double time_step,
+                             double fraction,
+                             std::vector<NodeMotion>& motions,
+                             const ThreadTeam& team = ThreadTeam::alone()) const;
+    virtual Interpolant interpolant() const { return {"cubic Hermite polynomials", 4}; }
+    // Fractions of the step, between 0 and 1, at which State::stage_motions has the motions of an
+    // equilibrium …
+    virtual std::vector<double> inner_fractions() const { return {}; }
+    // … and the weights of values at the start, at these and at the end, that interpolate them.
+    std::vector<double> interpolation_weights(double fraction) const;
 
     // Weights of the power of loads over a step, in order: at its start, then at each stage. They integrate
     // the work of the loads to the scheme's order. Empty for one-stage schemes, whose work is the mean load

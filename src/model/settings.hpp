@@ -226,6 +226,13 @@ struct OutputSettings {
     // Steps between frames; the first and the last are always written. 0: by the time
     // (model/frame_interval.hpp).
     long every = 1;
+    // Instead of it in stages with time, whatever their steps: the multiples of an interval in t of each
+    // stage, or times on the axis that stages share, ascending. The first and the last frame are written
+    // too.
+    std::optional<double> interval;
+    std::vector<double> times;
+    // Histories are recorded at the multiples of it too, in addition to the ends of steps.
+    std::optional<double> history_interval;
     Compression compression = Compression::none;
     std::vector<HistoryRequest> histories;
 };

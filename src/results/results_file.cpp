@@ -149,7 +149,8 @@ void ResultsFile::open_tables(const DeckRecord& deck,
                               const Model& model,
                               const OutputSettings& output,
                               const RowCounts& after) {
-    tables_ = std::make_unique<ResultsTables>(hdf5_->root, deck, model, output, after.steps, after.frames);
+    tables_ = std::make_unique<ResultsTables>(
+        hdf5_->root, deck, model, output, ResultsTables::Rows{after.steps, after.frames, after.samples});
     hdf5_->commit();
 }
 
@@ -157,7 +158,7 @@ void ResultsFile::resume(const DeckRecord& deck,
                          const Model& model,
                          const OutputSettings& output,
                          ResumableFile& file) {
-    const RowCounts after{file.place().steps, file.place().frames};
+    const RowCounts after{file.place().steps, file.place().frames, file.place().samples};
     take_over(file.release());
     hdf5_ = std::make_unique<Hdf5File>(*file_, open_hdf5);
     open_tables(deck, model, output, after);
@@ -237,6 +238,21 @@ void ResultsFile::write_paths(const StagePlace& stage,
 void ResultsFile::record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver) {
     // Only gathers rows in memory; HDF5 is not called.
     attempt(0, [&] { tables_->append_step(snapshot, ledger, solver); });
+}
+
+void ResultsFile::record_sample(const Snapshot& snapshot) {
+    attempt(0, [&] { tables_->append_sample(snapshot); });
+}
+
+void ResultsFile::note_interpolant(const std::string& words) {
+    attempt(hdf5_reserve, [&] {
+        const hid_t root = hdf5_->root.id();
+        if (H5Aexists(root, "interpolation") <= 0) {
+            write_attribute(root, "interpolation", words);
+        } else if (read_text_attribute(root, "interpolation") != words) {
+            rewrite_attribute(root, "interpolation", words);
+        }
+    });
 }
 
 void ResultsFile::write_frame(const Snapshot& snapshot) {

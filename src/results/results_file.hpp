@@ -73,6 +73,10 @@ class ResultsFile {
                      const PathRecord& paths);
     // Adds a row to the histories, the ledger and the solver record: each accepted step, t = 0 included.
     void record_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
+    // Adds a row to the sampled histories, at a time of its own.
+    void record_sample(const Snapshot& snapshot);
+    // Notes which polynomials frames and samples within steps are of.
+    void note_interpolant(const std::string& words);
     // Adds a frame to /VTKHDF.
     void write_frame(const Snapshot& snapshot);
     // Whether no call has failed so far. After a failure, only the destructor may be called.
@@ -95,6 +99,7 @@ class ResultsFile {
     struct RowCounts {
         std::uint64_t steps = 0;
         std::uint64_t frames = 0;
+        std::uint64_t samples = 0;
     };
 
     void take_over(int descriptor);

@@ -20,9 +20,8 @@ double count_frame_numbers(const Model& model) {
     return numbers_of_point * static_cast<double>(model.nodes.size()) + numbers_of_cell * cells;
 }
 
-double count_step_numbers(const OutputSettings& output, bool is_static) {
-    double numbers =
-        1.0 + count_numbers(ledger_columns, is_static) + count_numbers(solver_columns, is_static);
+double count_history_numbers(const OutputSettings& output) {
+    double numbers = 1.0;
     for (const HistoryRequest& history : output.histories) {
         for (const Quantity quantity : history.quantities) {
             numbers += quantity_form(quantity, PointKind::rod).shape.columns;
@@ -31,18 +30,32 @@ double count_step_numbers(const OutputSettings& output, bool is_static) {
     return numbers;
 }
 
+double count_step_numbers(const OutputSettings& output, bool is_static) {
+    return count_numbers(ledger_columns, is_static) + count_numbers(solver_columns, is_static) +
+           count_history_numbers(output);
+}
+
 }  // namespace
 
 ResultsSize estimate_results_size(const Model& model,
                                   const AnalysisSettings& analysis,
                                   const OutputSettings& output) {
+    const bool has_times = is_timed(analysis) && (output.interval || !output.times.empty());
+    const bool knows_steps = steps_of(analysis) > 0 || !has_steps(analysis);
     // A path may be over long before it has taken as many steps as it is allowed.
-    if (has_steps(analysis) && (steps_of(analysis) == 0 || is_path(analysis))) return {};
+    if (is_path(analysis) || (!knows_steps && !has_times)) return {};
     ResultsSize size;
     size.steps = static_cast<double>(steps_of(analysis));
-    const long every = output.every > 0 ? output.every : choose_frame_interval(analysis);
-    size.frames = 1.0 + std::ceil(size.steps / static_cast<double>(every));
+    if (has_times) {
+        size.frames = output.interval ? 1.0 + std::ceil(end_of(analysis) / *output.interval)
+                                      : 2.0 + static_cast<double>(output.times.size());
+    } else {
+        const long every = output.every > 0 ? output.every : choose_frame_interval(analysis);
+        size.frames = 1.0 + std::ceil(size.steps / static_cast<double>(every));
+    }
     double numbers = (size.steps + 1.0) * count_step_numbers(output, !is_timed(analysis));
+    if (is_timed(analysis) && output.history_interval)
+        numbers += end_of(analysis) / *output.history_interval * count_history_numbers(output);
     if (output.compression == Compression::none) numbers += size.frames * count_frame_numbers(model);
     size.bytes = numbers * sizeof(double);
     return size;

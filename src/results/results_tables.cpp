@@ -29,25 +29,25 @@ ResultsTables::ResultsTables(const Hdf5Handle& root,
                              const DeckRecord& deck,
                              const Model& model,
                              const OutputSettings& output,
-                             hsize_t steps,
-                             hsize_t frames)
+                             const Rows& rows)
     : histories_group_(require_group(root, "histories")),
       ledger_group_(require_group(root, "ledger")),
       solver_group_(require_group(root, "solver")),
-      times_(open_times(histories_group_, deck, steps)),
-      stages_(root, histories_group_, deck, steps),
-      histories_(histories_group_, model, output.histories, steps),
-      ledger_(ledger_group_, ledger_columns, deck.has_statics, steps),
-      solver_(solver_group_, solver_columns, deck.has_statics, steps),
-      inputs_(root, model.inputs, steps),
-      frames_(root, model, output, frames),
+      times_(open_times(histories_group_, deck, rows.steps)),
+      stages_(root, histories_group_, deck, rows.steps),
+      histories_(histories_group_, model, output.histories, rows.steps),
+      ledger_(ledger_group_, ledger_columns, deck.has_statics, rows.steps),
+      solver_(solver_group_, solver_columns, deck.has_statics, rows.steps),
+      inputs_(root, model.inputs, rows.steps),
+      frames_(root, model, output, rows.frames),
       restart_(root),
-      step_count_(steps),
-      frame_count_(frames),
+      rows_(rows),
       step_numbers_(1 + count_numbers(ledger_columns, deck.has_statics) +
                     count_numbers(solver_columns, deck.has_statics)) {
     for (const Hdf5Handle* group : {&ledger_group_, &solver_group_})
         link_dataset(times_.id(), *group, "time");
+    if (output.history_interval || has_link(root, samples_group_name))
+        samples_.emplace(root, model, output.histories, rows.samples);
 }
 
 void ResultsTables::append_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver) {
@@ -57,16 +57,21 @@ void ResultsTables::append_step(const Snapshot& snapshot, const LedgerRow& ledge
     ledger_.append(ledger);
     solver_.append(solver);
     inputs_.append(snapshot.inputs);
-    ++step_count_;
+    ++rows_.steps;
+}
+
+void ResultsTables::append_sample(const Snapshot& snapshot) {
+    samples_->append(snapshot);
+    ++rows_.samples;
 }
 
 void ResultsTables::append_frame(const Snapshot& snapshot) {
     frames_.append(snapshot);
-    ++frame_count_;
+    ++rows_.frames;
 }
 
 void ResultsTables::set_restart(RestartRecord record) {
-    restart_.write({std::move(record), step_count_, frame_count_});
+    restart_.write({std::move(record), rows_.steps, rows_.frames, rows_.samples});
 }
 
 void ResultsTables::flush_rows() {
@@ -75,6 +80,7 @@ void ResultsTables::flush_rows() {
     ledger_.flush();
     solver_.flush();
     inputs_.flush();
+    if (samples_) samples_->flush();
     frames_.flush_frames();
 }
 
@@ -82,6 +88,7 @@ void ResultsTables::flush_frame_count() { frames_.flush_count(); }
 
 void ResultsTables::flush_times() {
     times_.flush();
+    if (samples_) samples_->flush_times();
     frames_.flush_times();
 }
 
@@ -89,6 +96,7 @@ void ResultsTables::switch_restart() { restart_.switch_slot(); }
 
 void ResultsTables::trim_times() {
     times_.trim();
+    if (samples_) samples_->trim_times();
     frames_.trim_times();
 }
 
@@ -99,12 +107,13 @@ void ResultsTables::trim() {
     ledger_.trim();
     solver_.trim();
     inputs_.trim();
+    if (samples_) samples_->trim();
     frames_.trim();
 }
 
 std::size_t ResultsTables::buffered_bytes() const {
     return times_.buffered_bytes() * static_cast<std::size_t>(step_numbers_) + histories_.buffered_bytes() +
-           frames_.buffered_bytes();
+           frames_.buffered_bytes() + (samples_ ? samples_->buffered_bytes() : 0);
 }
 
 }  // namespace gxrod

@@ -5,6 +5,7 @@
 #include "results/tables/history_table.hpp"
 #include "results/tables/input_table.hpp"
 #include "results/tables/restart_table.hpp"
+#include "results/tables/sample_table.hpp"
 #include "results/tables/stage_table.hpp"
 #include "results/tables/step_table.hpp"
 
@@ -13,25 +14,29 @@ namespace gxrod {
 // The datasets of a results file while they are open for appending. Throws Hdf5Error and std::system_error.
 class ResultsTables {
   public:
-    // Appends after so many steps and frames. `model` must outlive the tables.
+    struct Rows {
+        hsize_t steps, frames, samples;
+    };
+
+    // Appends after so many. `model` must outlive the tables.
     ResultsTables(const Hdf5Handle& root,
                   const DeckRecord& deck,
                   const Model& model,
                   const OutputSettings& output,
-                  hsize_t steps,
-                  hsize_t frames);
+                  const Rows& rows);
 
-    void begin_stage(const StagePlace& stage) { stages_.begin_stage(stage, step_count_); }
+    void begin_stage(const StagePlace& stage) { stages_.begin_stage(stage, rows_.steps); }
     void write_shapes(const StagePlace& stage,
                       const Model& model,
                       const ShapesRecord& record,
                       std::span<const double> scales) {
-        stages_.write_shapes(stage, model, record, scales, step_count_);
+        stages_.write_shapes(stage, model, record, scales, rows_.steps);
     }
     void write_paths(const StagePlace& stage, const PathRecord& paths) {
-        stages_.write_paths(stage, paths, step_count_);
+        stages_.write_paths(stage, paths, rows_.steps);
     }
     void append_step(const Snapshot& snapshot, const LedgerRow& ledger, const SolverRow& solver);
+    void append_sample(const Snapshot& snapshot);
     void append_frame(const Snapshot& snapshot);
     // A run can be resumed after the steps and frames that were appended so far.
     void set_restart(RestartRecord record);
@@ -59,8 +64,9 @@ class ResultsTables {
     StepTable<SolverRow> solver_;
     InputTable inputs_;
     FrameTable frames_;
+    std::optional<SampleTable> samples_;  // if the deck asks for samples, or the file has some
     RestartTable restart_;
-    hsize_t step_count_, frame_count_;
+    Rows rows_;
     int step_numbers_;  // of a row of ledger, solver's record and time
 };
 

@@ -7,6 +7,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "analyses/dynamic.hpp"
 #include "check/shape_report.hpp"
 #include "machine/file_error.hpp"
 #include "model/analysis_traits.hpp"
@@ -26,6 +27,8 @@ Simulation::Simulation(RunRequest request)
         file_ =
             std::make_unique<ResultsFile>(*request_.results, request_.deck, request_.model, request_.output);
     }
+    schedule_output();
+    note_interpolants();
     summary.nodes = static_cast<long>(request_.model.nodes.size());
     summary.elements = static_cast<long>(analysis().system().element_count());
     summary.unknowns = analysis().system().equations().count();
@@ -50,10 +53,6 @@ std::unique_ptr<StageSequence> Simulation::build() {
         throw FileError(request_.resumed->path(),
                         "cannot be resumed: it is in a stage that the deck does not have");
     return std::make_unique<StageSequence>(make_plan(), record);
-}
-
-long Simulation::frame_interval() const {
-    return stages_->index() == 0 ? request_.output.every : request_.stages[stages_->index()].frame_interval;
 }
 
 template <class Action>
@@ -143,13 +142,6 @@ bool Simulation::enter_next_branch() {
     return true;
 }
 
-// Frames show where a path that was given up ends, too.
-void Simulation::show_last() {
-    if (!file_ || last_framed_ || !has_started_) return;
-    file_->write_frame(take_snapshot());
-    last_framed_ = true;
-}
-
 // What the stage's path has found, if it is one that has not been written.
 void Simulation::write_paths() {
     const PathRecord& paths = stages_->paths();
@@ -203,6 +195,10 @@ bool Simulation::enter_next_stage() {
     if (!note.empty()) books_.summary().notes.push_back("stage " + stages_->name() + ": " + note);
     books_.begin(*stages_);
     if (file_) file_->begin_stage(place_of_stage());
+    const bool follows_time = !schedule_.is_empty();
+    schedule_output();
+    if (!follows_time && !schedule_.is_empty() && schedule_.list_start().is_sample)
+        file_->record_sample(take_snapshot(false));
     return true;
 }
 
@@ -285,6 +281,7 @@ void Simulation::restore(const Checkpoint& checkpoint) {
         throw;
     }
     books_.reopen();
+    schedule_output();
     cause_.clear();
     rows_ = checkpoint.rows;
     phase_ = Phase::started;
@@ -335,49 +332,6 @@ bool Simulation::take_step() {
                               row.time_step,
                               row.newton_iterations});
     return true;
-}
-
-void Simulation::record() {
-    const PhaseTimer timer(output_seconds_);
-    last_framed_ = file_ && is_frame_due();
-    const LedgerRow ledger = analysis().ledger_row();
-    books_.watch_energy(*stages_, ledger, !has_started_);
-    accepted_totals_ = books_.summary().totals;
-    if (file_ || request_.observe) {
-        const Snapshot snapshot = take_snapshot(last_framed_);
-        if (request_.observe) request_.observe(snapshot, ledger);
-        if (file_) file_->record_step(snapshot, ledger, analysis().solver_row());
-        if (last_framed_) file_->write_frame(snapshot);
-    }
-    recorded_time_ = stages_->axis();
-    ++rows_;
-    if (file_ && file_->is_flush_due()) {
-        if (!stages_->has_critical_points()) file_->set_restart(restart_record());
-        file_->flush();
-    }
-}
-
-Snapshot Simulation::take_snapshot(bool with_elements) {
-    Snapshot snapshot = stages_->analysis().snapshot(with_elements);
-    snapshot.time = stages_->axis();
-    snapshot.stage = static_cast<int>(stages_->moving_index());
-    snapshot.load_factor = analysis().state().time;
-    snapshot.branch = stages_->branch();
-    input_values_.clear();
-    for (const std::shared_ptr<Input>& input : request_.model.inputs)
-        input_values_.push_back((*input)(snapshot.load_factor));
-    snapshot.inputs = input_values_;
-    snapshot.limit_load_factor = limit_load_factor_of(stages_->settings()).value_or(snapshot.load_factor);
-    return snapshot;
-}
-
-// At the accepted time; the one before it is recorded. The end of a stage is shown.
-bool Simulation::is_frame_due() const {
-    if (analysis().finished() && (!stages_->is_last() || is_path(stages_->settings()))) return true;
-    const long interval = frame_interval();
-    if (interval > 0) return analysis().steps().is_frame_due(interval);
-    const double before = recorded_time_ - stages_->axis_start();
-    return !has_started_ || is_frame_time(before, analysis().state().time, end_of(stages_->settings()));
 }
 
 RestartRecord Simulation::restart_record() const {
@@ -446,14 +400,6 @@ void Simulation::leave_path() {
     if (stages_->branch() > 0 && (!file_ || file_->is_sound())) show_last();
     stages_->leave_branches();
     if (!file_ || file_->is_sound()) write_paths();
-}
-
-void Simulation::write_end() {
-    // If memory ran out, the last step may not have become a row; a resumed run takes it again.
-    if (has_started_ && recorded_time_ != stages_->axis()) return;
-    if (has_started_ && !stages_->has_critical_points()) file_->set_restart(restart_record());
-    // The last frame, where none was due, is no part of what a run resumes from.
-    if (!last_framed_) file_->write_frame(take_snapshot());
 }
 
 }  // namespace gxrod

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "results/results_file.hpp"
+#include "run/output_schedule.hpp"
 #include "run/run.hpp"
 #include "run/run_books.hpp"
 #include "run/stage_sequence.hpp"
@@ -88,8 +89,14 @@ class Simulation {
     void resume();
     bool take_over(const RestartRecord& record);
     [[noreturn]] void explain_no_step(const std::filesystem::path& path, double time) const;
+    void note_interpolants();
+    void schedule_output();
     void record();
+    void record_within();
+    DueOutput find_due() const;
     bool is_frame_due() const;
+    // Sets what an analysis does not know, of a state at this time of the stage.
+    void complete(Snapshot& snapshot, double time);
     RestartRecord restart_record() const;
     std::string describe_place() const;
     void leave_path();
@@ -101,6 +108,7 @@ class Simulation {
     double output_seconds_ = 0.0;
     std::unique_ptr<StageSequence> stages_;
     std::unique_ptr<ResultsFile> file_;
+    OutputSchedule schedule_;  // of the stage at hand
     Phase phase_ = Phase::new_run;
     bool is_closed_ = false;
     std::string cause_;              // why a branch of a path was given up

@@ -79,8 +79,9 @@ struct RestartRecord {
 // Where in a results file a restart record belongs.
 struct RestartPlace {
     RestartRecord record;
-    std::uint64_t steps = 0;   // rows of the histories up to it
-    std::uint64_t frames = 0;  // frames up to it
+    std::uint64_t steps = 0;    // rows of the histories up to it
+    std::uint64_t frames = 0;   // frames up to it
+    std::uint64_t samples = 0;  // rows of the sampled histories up to it
 };
 
 }  // namespace gxrod

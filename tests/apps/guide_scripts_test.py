@@ -92,7 +92,7 @@ class Scripts(ProgramTest):
         exact = 1.8751040687**2 / (2 * np.pi) * np.sqrt(E * height**2 / 12 / density) / length**2
         adaptive = ("analysis.integrator=sdirk-4",
                     "analysis.adaptive={ tolerance = 1e-4, min_step = 1e-5, max_step = 0.01 }")
-        for settings in ((), adaptive):
+        for settings in ((), adaptive, (*adaptive, "output.history_interval=1e-3")):
             with self.subTest(settings):
                 results = self.run_deck("cantilever", *settings)
                 with h5py.File(results) as file:

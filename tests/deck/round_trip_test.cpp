@@ -820,6 +820,17 @@ std::vector<RoundTrip> analysis_trips() {
         {"output.every",
          body_deck + "[output]\nevery = 5",
          [](const Problem& p) { return p.output.every == 5; }},
+        {"output.interval",
+         body_deck + "[output]\ninterval = 0.05",
+         [](const Problem& p) { return p.output.interval == 0.05; }},
+        {"output.times",
+         body_deck + "[output]\ntimes = [0.25, \"1/3\"]",
+         [](const Problem& p) {
+             return p.output.times == std::vector{0.25, 1.0 / 3.0};
+         }},
+        {"output.history_interval",
+         body_deck + "[output]\nhistory_interval = 0.05",
+         [](const Problem& p) { return p.output.history_interval == 0.05; }},
         {"output.compression",
          body_deck + "[output]\ncompression = \"deflate\"",
          [](const Problem& p) { return p.output.compression == Compression::deflate; }},

@@ -79,6 +79,25 @@ def test_histories_and_ledger_are_those_of_the_export(runs, deck):
             np.testing.assert_array_equal(getattr(record, quantity), values)
 
 
+def test_samples_at_equal_times_are_those_of_the_export(runs, tmp_path):
+    run_gxrod("run", runs.folder / "plank.toml", "--set", "output.history_interval=0.03", "-o", "sampled.vtkhdf", "--quiet", folder=tmp_path)
+    run_gxrod("export", "sampled.vtkhdf", "--csv", "tables", folder=tmp_path)
+    results = gxrod.open_results(tmp_path / "sampled.vtkhdf")
+    assert list(results.sampled) == list(results.histories) == ["tip", "tip-seen"]
+    tip = results.sampled["tip"]
+    np.testing.assert_allclose(tip.time, 0.03 * np.arange(len(tip.time)), rtol=1e-14)
+    assert tip.time[-1] <= results.time[-1] < tip.time[-1] + 0.03
+    table = read_csv(tmp_path / "tables" / "sampled_tip.csv")
+    np.testing.assert_array_equal(tip.time, numbers(table, "time")[:, 0])
+    np.testing.assert_array_equal(tip.displacement, of_vector(table, "displacement"))
+    assert tip.describe("displacement").shape == (len(tip.time), 3)
+    assert (tip.at, results.sampled["tip-seen"].relative_to) == ("plank.end", "plank@0.5")
+    # Between steps of 0.01 as short steps have it.
+    between = np.interp(tip.time, results.time, results["tip"].displacement[:, 2])
+    np.testing.assert_allclose(tip.displacement[:, 2], between, atol=0.02 * np.ptp(between))
+    assert len(gxrod.open_results(runs("plank")).sampled) == 0
+
+
 def test_quantities_say_what_they_are(plank):
     tip = plank["tip"]
     assert (tip.name, tip.at, tip.relative_to) == ("tip", "plank.end", "")

@@ -54,6 +54,18 @@ TEST_CASE("Only the size that the deck determines is estimated", "[results]") {
     CHECK(of_steps > 0.0);
     dynamic.adaptive = AdaptiveSettings{};
     CHECK(estimate_results_size(model, dynamic, output).bytes == 0.0);
+    // But frames at times, and samples, do not follow the steps.
+    OutputSettings by_time;
+    by_time.interval = 0.1;
+    const ResultsSize frames = estimate_results_size(model, dynamic, by_time);
+    CHECK(frames.frames == 11.0);
+    CHECK(frames.steps == 0.0);
+    CHECK(frames.bytes > 0.0);
+    by_time.history_interval = 1e-3;
+    CHECK(estimate_results_size(model, dynamic, by_time).bytes > frames.bytes + 7999.0);
+    by_time = {};
+    by_time.times = {0.1, 0.7};
+    CHECK(estimate_results_size(model, dynamic, by_time).frames == 4.0);
     StaticSettings load_steps;
     load_steps.steps = 9;
     output.every = 4;

@@ -47,8 +47,9 @@ def main():
     with h5py.File(arguments.results) as file:
         if file.attrs["analysis"] == "static":
             parser.error("a static analysis has no frequencies")
-        time = file["histories/time"][()]
-        dataset = file["histories"][arguments.history]
+        histories = file["sampled" if "sampled" in file else "histories"]  # at equal times, if the deck asks for them
+        time = histories["time"][()]
+        dataset = histories[arguments.history]
         values = dataset[: len(time)][:, "wxyz"[-dataset.shape[1] :].index(arguments.component)]
         dimension = dataset.attrs["dimension"]
     wanted = (time >= arguments.after) & np.isfinite(values)  # NaN: not recorded

@@ -8,6 +8,7 @@
 #include <set>
 #include <span>
 
+#include "deck/build/build_output_times.hpp"
 #include "deck/build/part.hpp"
 #include "deck/schema/choices.hpp"
 #include "deck/sections/section_axes.hpp"
@@ -419,6 +420,7 @@ OutputSettings build_output(const BuildContext& context) {
     const std::vector<CheckedTable>& tables = context.deck.tables("output");
     if (!tables.empty()) {
         const CheckedTable& table = tables.front();
+        build_output_times(table, context, output);
         output.compression = value_of(compression_choices, table.get<std::string>("compression"));
     }
     std::set<std::string> taken;

@@ -321,12 +321,34 @@ const TableSpec& output_table() {
                       "Steps between frames; the first and the last are always written. Left out: 1 up to "
                       "500 steps; beyond that the least of 2, 5, 10, 20, 50 … that makes about 500 frames at "
                       "most; with adaptive steps one frame in each 500th part of the time."},
+                 {.name = "interval",
+                  .type = ValueType::number,
+                  .dimension = "time",
+                  .range = positive,
+                  .sentence =
+                      "Time between frames, instead: they come at its multiples in each stage with "
+                      "time, and at the ends of stages, wherever steps end. Steps are not cut: within "
+                      "them the motion is the scheme's interpolant."},
+                 {.name = "times",
+                  .type = ValueType::numbers,
+                  .dimension = "time",
+                  .sentence =
+                      "Times of frames, instead, in order: on the axis of the results, on which the "
+                      "first stage with time begins at 0. The first and the last frame of the run are "
+                      "written too."},
+                 {.name = "history_interval",
+                  .type = ValueType::number,
+                  .dimension = "time",
+                  .range = positive,
+                  .sentence = "Histories are recorded at its multiples in each stage with time, too, in "
+                              "/sampled of the results; in /histories they are at every step."},
                  {.name = "compression",
                   .type = ValueType::choice,
                   .default_value = word_of(compression_choices, OutputSettings{}.compression),
                   .sentence = "Of frames, without loss. deflate halves them and takes some time of writing; "
                               "for models of a thousand nodes and more.",
                   .choices = words_of(compression_choices)}},
+        .groups = {{GroupRule::at_most_one, {"every", "interval", "times"}}},
         .example =
             "[output]\n"
             "every = 10\n"
@@ -340,7 +362,7 @@ const TableSpec& history_table() {
         .heading = "[[history]]",
         .sentence =
             "Quantities of a point, a spring, a bushing, a joint, a gear or a tendon, recorded at every "
-            "step.",
+            "step, and at times of their own if output.history_interval is given.",
         .keys =
             {{.name = "name",
               .type = ValueType::text,

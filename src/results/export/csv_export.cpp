@@ -11,6 +11,7 @@
 #include "results/export/item_csv.hpp"
 #include "results/export/shape_csv.hpp"
 #include "results/file/results_access.hpp"
+#include "results/tables/sample_table.hpp"
 #include "results/tables/stage_table.hpp"
 
 namespace gxrod {
@@ -38,8 +39,26 @@ struct CsvColumn {
     }
 };
 
+const std::string sampled_group = std::string("/") + samples_group_name;
+const std::string sampled_time = sampled_group + "/time";
+
+bool is_sampled(const std::string& group) { return group.starts_with(sampled_group + "/"); }
+
+void add_members(const Hdf5Reader& file, const std::string& group, std::vector<CsvColumn>& columns) {
+    for (const std::string& name : file.members(group)) {
+        if (!is_history_name(name)) continue;
+        const std::string path = fmt::format("{}/{}", group, name);
+        columns.push_back({path, name, file.width(path)});
+    }
+}
+
 // The datasets of a group, time first.
 std::vector<CsvColumn> find_columns(const Hdf5Reader& file, const std::string& group) {
+    if (is_sampled(group)) {
+        std::vector<CsvColumn> columns{{sampled_time, "time"}};
+        add_members(file, group, columns);
+        return columns;
+    }
     std::vector<CsvColumn> columns{{"/histories/time", "time"}};
     const bool has_paths = file.has("/histories/load_factor");
     const bool has_stages = file.has("/histories/stage");
@@ -52,11 +71,7 @@ std::vector<CsvColumn> find_columns(const Hdf5Reader& file, const std::string& g
         const std::string path = std::string("/histories/") + name;
         if (file.has(path)) columns.push_back({path, name});
     }
-    for (const std::string& name : file.members(group)) {
-        if (!is_history_name(name)) continue;
-        const std::string path = fmt::format("{}/{}", group, name);
-        columns.push_back({path, name, file.width(path)});
-    }
+    add_members(file, group, columns);
     return columns;
 }
 
@@ -84,8 +99,8 @@ void append_rows(const Hdf5Reader& file,
 void write_table(const Hdf5Reader& file, const std::string& group, const std::filesystem::path& path) {
     std::ofstream out(path, std::ios::binary);
     const std::vector<CsvColumn> columns = find_columns(file, group);
-    // The times are written last, so their number is that of complete steps.
-    const hsize_t rows = file.size("/histories/time").at(0);
+    // The times are written last, so their number is that of complete rows.
+    const hsize_t rows = file.size(columns[0].path).at(0);
     std::string headings;
     for (const CsvColumn& column : columns) headings += (headings.empty() ? "" : ",") + column.heading();
     out << headings << '\n';
@@ -109,6 +124,12 @@ std::vector<CsvTable> list_tables(const Hdf5Reader& file, const std::filesystem:
     for (const std::string& name : file.members("/histories")) {
         if (is_history_name(name))
             tables.push_back({"/histories/" + name, folder / ("history_" + name + ".csv")});
+    }
+    if (file.has(sampled_group)) {
+        for (const std::string& name : file.members(sampled_group)) {
+            if (is_history_name(name))
+                tables.push_back({sampled_group + "/" + name, folder / ("sampled_" + name + ".csv")});
+        }
     }
     if (!file.has("/stages")) return tables;
     for (const std::string& name : file.members("/stages")) {

@@ -95,9 +95,10 @@ std::vector<Row> rows_of(const Table& table) {
 // Calls visit(name, member) for each single number of a place.
 template <class Place, class Visitor>
 void visit_numbers(Place& place, Visitor&& visit) {
-    auto& [record, steps, frames] = place;
+    auto& [record, steps, frames, samples] = place;
     visit("steps", steps);
     visit("frames", frames);
+    visit("samples", samples);
     visit("time", record.steps.time);
     visit("has_failed", record.steps.has_failed);
     visit("is_off_grid", record.steps.is_off_grid);

@@ -10,7 +10,7 @@ from ..typed import AnyPath, Array
 from . import frames
 from .display import Shown
 from .frames import STILL, Frames, Rod, find_rod, read_rod_table
-from .records import History, Named, Record, attributes_of
+from .records import History, Named, Record, SampledHistory, attributes_of
 from .source import Source, plain
 from .stages import Stage, read_stages
 from .tables import Table, parts_of_deck, read_table, table_of_deck
@@ -161,6 +161,13 @@ class Results(Shown):
                                                              if not hasattr(entry, "shape")])
         return Named("history", names, lambda name: History(self._source, name))
 
+    @property
+    def sampled(self) -> Named[SampledHistory]:
+        """Histories at the multiples of `output.history_interval`: `r.sampled["tip"].position` [T,3], at `r.sampled["tip"].time` [T]. Empty if the deck does not have it."""
+        names = self._source.once("sampled", lambda file: [name for name, entry in file["sampled"].items() if not hasattr(entry, "shape")]
+                                  if "sampled" in file else [])
+        return Named("history", names, lambda name: SampledHistory(self._source, name))
+
     def __getitem__(self, name: str) -> History:
         """The history of this name: `r["tip"].position` [S,3]."""
         return self.histories[name]
@@ -252,6 +259,7 @@ class Results(Shown):
             raise ImportError(f"all results as one tree need xarray 2024.10 or newer, not {xarray.__version__}; to_xarray() of a history does not")
         nodes = {"/": xarray.Dataset(attrs={key: value for key, value in self.attributes.items() if isinstance(value, (str, int, float))})}
         nodes.update({f"histories/{name}": history.to_xarray() for name, history in self.histories.items()})
+        nodes.update({f"sampled/{name}": history.to_xarray() for name, history in self.sampled.items()})
         nodes.update({record._path: record.to_xarray() for record in (self.ledger, self.solver)})
         if self._source.once("has inputs", lambda file: "inputs" in file):
             nodes["inputs"] = self.inputs.to_xarray()

@@ -42,6 +42,8 @@ class Record(Mapping[str, Array], Shown):
     (x, y, z), [S,4] of quaternions (w, x, y, z). Arrays are read when asked for, and not kept.
     """
 
+    _rows_are = "steps"
+
     def __init__(self, source: Source, path: str, what: str) -> None:
         self._source, self._path, self._what = source, path, what
 
@@ -49,6 +51,11 @@ class Record(Mapping[str, Array], Shown):
     def time(self) -> Array:
         """Time at the end of each step [S]; in statics the load factor, along a path its arc length."""
         return self._source.times
+
+    @property
+    def _along(self):
+        """What the rows go along, and its unit."""
+        return self._source.time_name, self._source.time_unit
 
     @property
     def names(self) -> list[str]:
@@ -65,7 +72,7 @@ class Record(Mapping[str, Array], Shown):
         columns: dict[str, Array] = {}
         for name, values in self.items():
             columns.update(split_components(name, values))
-        return pandas.DataFrame(columns, index=pandas.Index(self.time, name=self._source.time_name))
+        return pandas.DataFrame(columns, index=pandas.Index(self.time, name=self._along[0]))
 
     def to_xarray(self) -> xarray.Dataset:
         """An xarray.Dataset with the dimensions time and component (x, y, z) or quaternion (w, x, y, z).
@@ -73,9 +80,9 @@ class Record(Mapping[str, Array], Shown):
         Attributes of each array: long_name, units (where the deck's label names them), frame, dimension.
         """
         xarray = import_xarray()
-        along = self._source.time_name
+        along, unit = self._along
         arrays = {name: variable_of(values, along, self.describe(name)) for name, values in self.items()}
-        coordinates = {along: (along, self.time, {"units": self._source.time_unit} if self._source.time_unit else {})}
+        coordinates = {along: (along, self.time, {"units": unit} if unit else {})}
         used = {dims[1] for dims, *_ in arrays.values() if len(dims) > 1}
         coordinates.update({name: list(letters) for name, letters in AXES.items() if name in used})
         return xarray.Dataset(arrays, coordinates, self._attributes())
@@ -92,7 +99,7 @@ class Record(Mapping[str, Array], Shown):
         for name, dataset in file[self._path].items():
             if name != "time":
                 text = lambda key, dataset=dataset: plain(dataset.attrs.get(key, ""))
-                shape = (len(self._source.times), *dataset.shape[1:])
+                shape = (len(self.time), *dataset.shape[1:])
                 found[name] = Quantity(name, text("description"), text("frame"), text("dimension"),
                                        self._source.unit(text("dimension")), shape)
         return found
@@ -104,7 +111,7 @@ class Record(Mapping[str, Array], Shown):
 
     def __getitem__(self, name: str) -> Array:
         self._check(name)
-        return self._source.read(lambda file: file[self._path][name][: len(self._source.times)])
+        return self._source.read(lambda file: file[self._path][name][: len(self.time)])
 
     def __getattr__(self, name: str) -> Array:
         if name.startswith("_"):
@@ -132,7 +139,7 @@ class Record(Mapping[str, Array], Shown):
         return self.names
 
     def _headline(self):
-        return f"{self._what}: {len(self.time)} steps"
+        return f"{self._what}: {len(self.time)} {self._rows_are}"
 
     def _rows(self):
         return [(each.name, shape_text(each.shape), each.unit or each.dimension, each.frame, each.description)
@@ -142,8 +149,8 @@ class Record(Mapping[str, Array], Shown):
 class History(Record):
     """What the deck's `[[history]]` records at a point, joint or spring: `r["tip"].position` [S,3]."""
 
-    def __init__(self, source: Source, name: str) -> None:
-        super().__init__(source, f"histories/{name}", f"history {name}")
+    def __init__(self, source: Source, name: str, group: str = "histories") -> None:
+        super().__init__(source, f"{group}/{name}", f"history {name}")
         self.name = name
 
     @property
@@ -166,6 +173,24 @@ class History(Record):
 
     def _headline(self):
         return f"{super()._headline()}, at {self.at}" + (f" relative to {self.relative_to}" if self.relative_to else "")
+
+
+class SampledHistory(History):
+    """The same at the multiples of `output.history_interval`: `r.sampled["tip"].position` [T,3] at its own `time` [T]."""
+
+    _rows_are = "samples"
+
+    def __init__(self, source: Source, name: str) -> None:
+        super().__init__(source, name, "sampled")
+
+    @property
+    def time(self) -> Array:
+        """Time of each sample [T]."""
+        return self._source.sample_times
+
+    @property
+    def _along(self):
+        return "time", self._source.unit("time")
 
 
 AXES = {"component": "xyz", "quaternion": "wxyz"}

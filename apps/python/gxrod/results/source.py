@@ -65,6 +65,7 @@ class Source:
         # The times are written last, so their number is that of complete steps, and of frames.
         self.times = file["histories/time"][()]
         self.frame_times = file["VTKHDF/Steps/Values"][()]
+        self.sample_times = file["sampled/time"][()] if "sampled" in file else None
         self.points, self.cells = (int(file["VTKHDF"][name][0]) for name in ("NumberOfPoints", "NumberOfCells"))
         self.columns = [name for name, entry in file["histories"].items() if hasattr(entry, "shape") and name != "time"]
         self.units = read_units(self.attributes.get("units", ""))

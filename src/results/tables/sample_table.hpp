@@ -1,0 +1,32 @@
+#pragma once
+
+#include "results/tables/history_table.hpp"
+
+namespace gxrod {
+
+inline constexpr const char* samples_group_name = "sampled";
+
+// /sampled: time, and the histories at times of their own, /sampled/<name>/<quantity>. Throws Hdf5Error.
+class SampleTable {
+  public:
+    // Appends after the first `rows` rows. `model` must outlive the table.
+    SampleTable(const Hdf5Handle& root,
+                const Model& model,
+                const std::vector<HistoryRequest>& requests,
+                hsize_t rows);
+
+    void append(const Snapshot& snapshot);
+    // All rows; those that are complete are counted by the times, which come last.
+    void flush() { histories_.flush(); }
+    void flush_times() { times_.flush(); }
+    void trim_times() { times_.trim(); }
+    void trim();
+    std::size_t buffered_bytes() const { return times_.buffered_bytes() + histories_.buffered_bytes(); }
+
+  private:
+    Hdf5Handle group_;
+    AppendDataset<double> times_;
+    HistoryTable histories_;
+};
+
+}  // namespace gxrod
