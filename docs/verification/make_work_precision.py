@@ -154,7 +154,8 @@ def measure_equal_steps(program, motion, scheme, idle, reference, folder):
             print(f"{motion}, {scheme}, {steps} steps: failed", flush=True)
             continue
         rows.append({**row, "accuracy": None})
-        if row["seconds"] > LONGEST or row["error"] < SMALLEST:
+        is_cut = row["steps"] > 1.1 * steps  # which costs more than more steps
+        if row["error"] < SMALLEST or (row["seconds"] > LONGEST and not is_cut):
             break
     return rows
 
@@ -214,16 +215,17 @@ def curve_of(rows, scheme, is_controlled):
 
 
 def find_seconds(seconds, errors, wanted):
-    """What an error takes: where runs with more steps have no larger one, between two of them by a power of the error."""
+    """What an error takes, at the least: of runs from which on more steps have no larger one; between two by a power of the error."""
     if len(errors) == 0 or errors[-1] > wanted:
         return None
     good = len(errors) - 1
     while good > 0 and errors[good - 1] <= wanted:
         good -= 1
+    least = float(np.min(seconds[good:]))
     if good == 0:
-        return float(seconds[0])
+        return least
     part = np.log(wanted / errors[good - 1]) / np.log(errors[good] / errors[good - 1])
-    return float(np.exp(np.log(seconds[good - 1]) + part * np.log(seconds[good] / seconds[good - 1])))
+    return min(least, float(np.exp(np.log(seconds[good - 1]) + part * np.log(seconds[good] / seconds[good - 1]))))
 
 
 def seconds_of(motion, wanted):

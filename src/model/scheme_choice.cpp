@@ -1,44 +1,26 @@
 #include "model/scheme_choice.hpp"
 
+#include <fmt/format.h>
+
 namespace gxrod {
 namespace {
 
-// What makes a coordinate's force change at once.
-std::string find_jump(const JointCoordinate& coordinate) {
-    if (coordinate.friction.acts()) return "rubs";
-    if (coordinate.limits.lower || coordinate.limits.upper) return "has stops";
-    return "";
-}
+// From here on steps of order 2 were seen to be the cheaper ones; in fluids also where no accuracy is given.
+constexpr double loose = 1e-2;
+constexpr double loose_in_fluids = 1e-3;
 
-// "joint brake rubs"; "" if forces follow the motion without jumps and kinks.
-std::string find_jump(const Model& model) {
-    for (const Joint& joint : model.joints) {
-        for (const JointCoordinate* one : {&joint.turn, &joint.slide}) {
-            if (const std::string jump = find_jump(*one); !jump.empty())
-                return "joint " + joint.name + " " + jump;
-        }
-    }
-    for (const Sleeve& sleeve : model.sleeves) {
-        if (const std::string jump = find_jump(sleeve.slide); !jump.empty())
-            return "joint " + sleeve.name + " " + jump;
-    }
-    for (const Tendon& tendon : model.tendons) {
-        if (tendon.friction) return "tendon " + tendon.name + " rubs";
-        if (tendon.winch && tendon.winch->pulls_only) return "tendon " + tendon.name + " can go slack";
-    }
-    if (model.surroundings.seabed && model.surroundings.seabed->has_friction()) return "the ground rubs";
-    return "";
-}
+bool has_rods_in_fluids(const Model& model) { return !model.rods.empty() && !model.surroundings.is_empty(); }
 
 }  // namespace
 
-SchemeChoice choose_scheme(const Model& model) {
-    if (std::string jump = find_jump(model); !jump.empty()) {
-        jump += ", and order is lost where forces jump";
-        return {Scheme::generalized_alpha, jump};
-    }
+SchemeChoice choose_scheme(const Model& model, std::optional<double> accuracy) {
+    if (accuracy && *accuracy >= loose)
+        return {Scheme::generalized_alpha,
+                fmt::format("an accuracy of {:g} wants no higher order", *accuracy)};
+    if (has_rods_in_fluids(model) && accuracy.value_or(1.0) >= loose_in_fluids)
+        return {Scheme::generalized_alpha, "for rods in water, wind or on the ground"};
     if (model.rods.empty()) return {Scheme::radau_5, "for bodies"};
-    return {Scheme::radau_5, "for rods, whose fastest waves no step resolves"};
+    return {Scheme::radau_5, "for rods, whose fastest vibrations steps do not resolve"};
 }
 
 }  // namespace gxrod

@@ -1,20 +1,22 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "model/model.hpp"
 #include "model/settings.hpp"
 
-// Which integrator a motion takes where the deck leaves it open (docs/verification/work_precision.md).
+// Which integrator a motion takes where the deck leaves it open. The rules follow from measurements
+// (docs/verification/work_precision.md).
 namespace gxrod {
 
 struct SchemeChoice {
     Scheme scheme = Scheme::radau_5;
-    std::string reason;  // "joint brake rubs, and what jumps wants short steps"
+    std::string reason;  // "no more than 0.01 is asked for"
 };
 
-// By the model alone, so that a run that is resumed with other steps takes the same one. It estimates the
-// error of its steps.
-SchemeChoice choose_scheme(const Model& model);
+// By the model and the accuracy that the deck asks for, if it does: what a run that is resumed cannot
+// change, as it can its steps. Of schemes that estimate the error of a step.
+SchemeChoice choose_scheme(const Model& model, std::optional<double> accuracy);
 
 }  // namespace gxrod

@@ -320,7 +320,10 @@ void choose_schemes(BuildContext& context) {
         const CheckedTable& table = tables.empty() ? context.deck.tables("analysis").front() : tables[i];
         auto* dynamic = std::get_if<DynamicSettings>(&context.stages[i].analysis);
         if (dynamic == nullptr || !dynamic->has_inertia || !leaves_scheme_open(table)) continue;
-        const SchemeChoice choice = choose_scheme(make_model_of(context.stages[i], i == 0, context.model));
+        std::optional<double> accuracy;
+        if (table.gives("accuracy")) accuracy = table.get<double>("accuracy");
+        const SchemeChoice choice =
+            choose_scheme(make_model_of(context.stages[i], i == 0, context.model), accuracy);
         dynamic->scheme = choice.scheme;
         dynamic->chosen_for = choice.reason;
     }
