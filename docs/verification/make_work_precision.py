@@ -12,6 +12,7 @@ import json
 import os
 import pathlib
 import re
+import resource
 import statistics
 import subprocess
 import sys
@@ -48,6 +49,7 @@ REPEATS = 3
 LONGEST = 1.0  # seconds of a run after which steps are not halved again
 SMALLEST = 2e-7  # an error after which they are not either
 HALVINGS = 14
+LIMIT = 10  # seconds of a run after which it is ended, and steps are not halved again
 LEAST_DRAWN = 1e-8
 # Example, changes, what is compared at the end, the size that errors are relative to, end time, fewest steps, steps of the reference.
 # A quaternion is compared by its angle, in rad, and so is an angle.
@@ -86,15 +88,25 @@ def write_deck(motion, analysis, folder, end_time):
     return deck
 
 
-def run(program, motion, analysis, folder, end_time=None):
+class TooLong(Exception):
+    """A run that takes more than LIMIT."""
+
+
+def set_limit():
+    resource.setrlimit(resource.RLIMIT_CPU, (LIMIT, LIMIT))
+
+
+def run(program, motion, analysis, folder, end_time=None, limit=set_limit):
     """Seconds of processor time, the compared values at the end, steps and iterations of a run; None if it failed."""
     results = folder / "run.vtkhdf"
     deck = write_deck(motion, analysis, folder, end_time or MOTIONS[motion][4])
     changes = [word for change in ("output.every=1000000", *MOTIONS[motion][1]) for word in ("--set", change)]
     command = [program, "run", deck, "-o", results, "--force", "--quiet", *changes]
-    process = subprocess.Popen(command, stderr=subprocess.DEVNULL)
+    process = subprocess.Popen(command, stderr=subprocess.DEVNULL, preexec_fn=limit)
     _, status, used = os.wait4(process.pid, 0)
     process.returncode = os.waitstatus_to_exitcode(status)
+    if used.ru_utime + used.ru_stime >= LIMIT and limit:
+        raise TooLong
     if process.returncode != 0:
         return None
     with h5py.File(results) as file:
@@ -125,8 +137,8 @@ def equal_steps(scheme, steps, *more):
 def find_reference(program, motion, folder):
     """Values at the end by radau-5 in many steps, and how far gauss-4 is from them."""
     steps, tight = MOTIONS[motion][6], "newton = { tolerance = 1e-11 }"
-    _, values, _, _ = run(program, motion, equal_steps("radau-5", steps, tight), folder)
-    other = run(program, motion, equal_steps("gauss-4", steps, tight), folder)
+    _, values, _, _ = run(program, motion, equal_steps("radau-5", steps, tight), folder, limit=None)
+    other = run(program, motion, equal_steps("gauss-4", steps, tight), folder, limit=None)
     return values, distance(motion, values, other[1])
 
 
@@ -144,33 +156,35 @@ def measure(program, motion, scheme, analysis, idle, reference, folder):
     return row
 
 
-def measure_equal_steps(program, motion, scheme, idle, reference, folder):
-    """Rows of ever more steps."""
-    rows = []
+def list_runs(motion, scheme):
+    """(analysis, steps, accuracy) of a scheme's runs."""
     for halving in range(HALVINGS):
         steps = MOTIONS[motion][5] * 2 ** halving
-        row = measure(program, motion, scheme, equal_steps(scheme, steps), idle, reference, folder)
-        if row is None:
-            print(f"{motion}, {scheme}, {steps} steps: failed", flush=True)
+        yield equal_steps(scheme, steps), steps, None
+    if scheme in CONTROLLED:
+        for accuracy in ACCURACIES:
+            yield [f'integrator = "{scheme}"', f"accuracy = {accuracy!r}"], None, accuracy
+
+
+def measure_scheme(program, motion, scheme, idle, reference, folder):
+    """Rows of ever more steps, then of steps by their error."""
+    rows, ended = [], set()
+    for analysis, steps, accuracy in list_runs(motion, scheme):
+        is_controlled = accuracy is not None
+        if is_controlled in ended:
             continue
-        rows.append({**row, "accuracy": None})
-        is_cut = row["steps"] > 1.1 * steps  # which costs more than more steps
-        if row["error"] < SMALLEST or (row["seconds"] > LONGEST and not is_cut):
-            break
-    return rows
-
-
-def measure_controlled(program, motion, scheme, idle, reference, folder):
-    """Rows of steps by their error."""
-    rows = []
-    for accuracy in ACCURACIES:
-        row = measure(program, motion, scheme, [f'integrator = "{scheme}"', f"accuracy = {accuracy!r}"], idle, reference, folder)
+        try:
+            row = measure(program, motion, scheme, analysis, idle, reference, folder)
+        except TooLong:
+            ended.add(is_controlled)
+            continue
         if row is None:
-            print(f"{motion}, {scheme}, accuracy {accuracy}: failed", flush=True)
+            print(f"{motion}, {', '.join(analysis)}: failed", flush=True)
             continue
         rows.append({**row, "accuracy": accuracy})
-        if row["seconds"] > LONGEST:
-            break
+        is_cut = steps is not None and row["steps"] > 1.1 * steps  # which costs more than more steps
+        if row["error"] < SMALLEST or (row["seconds"] > LONGEST and not is_cut):
+            ended.add(is_controlled)
     return rows
 
 
@@ -186,9 +200,7 @@ def measure_motion(program, motion, schemes, folder):
     idle = find_idle_seconds(program, motion, folder)
     rows = []
     for scheme in schemes:
-        rows += measure_equal_steps(program, motion, scheme, idle, reference, folder)
-        if scheme in CONTROLLED:
-            rows += measure_controlled(program, motion, scheme, idle, reference, folder)
+        rows += measure_scheme(program, motion, scheme, idle, reference, folder)
     return {"agreement": float(f"{floor:.2g}"), "rows": rows}
 
 
