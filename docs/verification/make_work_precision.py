@@ -3,7 +3,7 @@
 
 Saves its numbers in tests/data/work_precision.json, draws figures/work_precision.png, and renews the tables of work_precision.md.
 `--pages` renews picture and tables without a run, `--check` reports whether they are those of work_precision.json; `--motion`
-and `--scheme` measure some again. A whole run takes about ten minutes.
+and `--scheme` measure some again. A whole run takes about a quarter of an hour.
 """
 
 import argparse

@@ -57,8 +57,11 @@ double steps_needed(Scheme scheme) {
     return 20.0;
 }
 
+// "1/13.7", "2.55", "1852".
 std::string describe_part(double part) {
-    return part < 1.0 ? fmt::format("1/{:.3g}", 1.0 / part) : fmt::format("{:.3g}", part);
+    const double size = part < 1.0 ? 1.0 / part : part;
+    const std::string text = size < 1000.0 ? fmt::format("{:.3g}", size) : fmt::format("{:.0f}", size);
+    return part < 1.0 ? "1/" + text : text;
 }
 
 // What suits, of a deck whose steps are too long for its scheme.
@@ -91,7 +94,7 @@ std::string describe_steps(const MeshFrequencies& found, double damping, const D
     if (settings.scheme == Scheme::sdirk_4 && is_stiff) {
         text +=
             "  sdirk-4 with these steps does not resolve the highest ones: if they are excited, reactions "
-            "and accelerations lose their order and energy may grow; radau-5 keeps it\n";
+            "and accelerations lose their order and energy may grow; radau-5 keeps its order\n";
     }
     if (settings.scheme == Scheme::gauss_4 && is_stiff) {
         text +=

@@ -12,7 +12,7 @@ namespace gxrod {
 
 struct SchemeChoice {
     Scheme scheme = Scheme::radau_5;
-    std::string reason;  // "no more than 0.01 is asked for"
+    std::string reason;  // "for rods in water, in wind or on the ground"
 };
 
 // By the model and the accuracy that the deck asks for, if it does: what a run that is resumed cannot
