@@ -10,6 +10,7 @@
 #include "check/plane_findings.hpp"
 #include "check/rod_lines.hpp"
 #include "check/static_scale.hpp"
+#include "check/step_advice.hpp"
 #include "deck/problem.hpp"
 #include "exit_code.hpp"
 #include "job.hpp"
@@ -120,7 +121,10 @@ int start_analysis(const Problem& problem) {
     say(stdout,
         "initial accelerations solved; energy at the start {:.6g}\n",
         analysis.ledger_row().kinetic_energy + analysis.ledger_row().strain_energy);
-    say(stdout, "{}", describe_frequencies(problem.model, *dynamic));
+    say(stdout,
+        "{}{}",
+        describe_frequencies(problem.model, *dynamic),
+        describe_turning(problem.model, *dynamic));
     return exit_done;
 }
 

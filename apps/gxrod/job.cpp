@@ -8,6 +8,7 @@
 
 #include "batch/plan.hpp"
 #include "check/model_examination.hpp"
+#include "check/model_summary.hpp"
 #include "check/shape_report.hpp"
 #include "exit_code.hpp"
 #include "machine/file_error.hpp"
@@ -117,6 +118,20 @@ bool examine(const JobOptions& options, const Problem& problem) {
     return !has_error(findings);
 }
 
+void say_chosen_schemes(const JobOptions& options, const Problem& problem) {
+    if (!options.prints()) return;
+    for (const StagePlan& stage : problem.stages) {
+        const auto* dynamic = std::get_if<DynamicSettings>(&stage.analysis);
+        if (dynamic == nullptr || dynamic->chosen_for.empty()) continue;
+        say(stdout,
+            "{}integrator auto takes {}: {}\n",
+            stage.name.empty() ? "" : "stage " + stage.name + ": ",
+            name_of(dynamic->scheme),
+            dynamic->chosen_for);
+    }
+    std::fflush(stdout);
+}
+
 // Throws FileError if the disk is too small for what the run would write.
 void check_room(const JobOptions& options, const Problem& problem) {
     constexpr double gigabyte = 1e9;
@@ -180,6 +195,7 @@ int run_job(const Problem& problem, const JobOptions& options, ResumableFile* re
     if (!examine(options, problem)) return exit_bad_input;
     if (resumed == nullptr) check_room(options, problem);
     warn_of_threads(options);
+    say_chosen_schemes(options, problem);
     std::signal(SIGINT, ask_to_end);
     std::signal(SIGTERM, ask_to_end);
     ProgressLine line;

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numbers>
 
 #include "assembly/state_matrices.hpp"
 #include "check/free_parts.hpp"
+#include "check/step_advice.hpp"
 #include "linear/eigen/eigenvalue_count.hpp"
 #include "linear/eigen/lowest_pairs.hpp"
 
@@ -18,9 +18,6 @@ namespace {
 
 // More unknowns are not examined: it would take longer than a user waits for a check.
 constexpr std::int64_t most_unknowns = 100'000;
-
-// A step's part of a vibration, in rad, that a scheme of order 4 follows.
-constexpr double resolved = 2.0;
 
 // Beyond so many the search for the lowest frequency, which passes them all, takes too long.
 constexpr int most_rigid_motions = 60;
@@ -60,27 +57,6 @@ Model make_bare(Model model) {
     return model;
 }
 
-// The largest ωΔt at which runge-kutta-4 damps a vibration of frequency ω and damping ratio zeta: where its
-// |1 + z + z²/2 + z³/6 + z⁴/24| reaches 1 on the ray z = λΔt.
-double find_explicit_limit(double zeta) {
-    using Complex = std::complex<double>;
-    // The faster of two real rates, in units of ω, or the angle of two complex ones.
-    const Complex direction = zeta < 1.0 ? Complex(-zeta, std::sqrt(1.0 - zeta * zeta))
-                                         : Complex(-zeta - std::sqrt(zeta * zeta - 1.0), 0.0);
-    const auto grows = [&](double length) {
-        const Complex z = length * direction;
-        const Complex growth = 1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)));
-        return std::abs(growth) > 1.0 + 1e-12;
-    };
-    double stable = 1.0 / std::abs(direction);
-    double unstable = 4.0 / std::abs(direction);
-    while (unstable - stable > 1e-6 * stable) {
-        const double middle = 0.5 * (stable + unstable);
-        (grows(middle) ? unstable : stable) = middle;
-    }
-    return stable;
-}
-
 // Of a section: ζ = ½(τω + α/ω).
 double compute_damping_ratio(const Section& section, double omega) {
     return 0.5 * (section.kelvin_voigt * omega + section.mass_proportional / omega);
@@ -115,12 +91,6 @@ std::string describe_frequencies(const Model& model, const DynamicSettings& sett
                         ? ""
                         : fmt::format(" (in addition to {} of rigid motions)", found->rigid_motions),
                     found->highest / cycle);
-    const double step = settings.time_step();
-    if (settings.scheme == Scheme::sdirk_4 && step * found->highest > resolved) {
-        text +=
-            "  sdirk-4 with these steps does not resolve the highest ones: if they are excited, reactions "
-            "and accelerations lose their order and energy may grow\n";
-    }
     double largest_ratio = 0.0;
     for (const Section& section : model.sections) {
         largest_ratio = std::max(largest_ratio, compute_damping_ratio(section, found->highest));
@@ -131,12 +101,7 @@ std::string describe_frequencies(const Model& model, const DynamicSettings& sett
                         compute_damping_ratio(section, found->lowest),
                         compute_damping_ratio(section, found->highest));
     }
-    if (settings.scheme != Scheme::runge_kutta_4) return text;
-    const double longest = find_explicit_limit(largest_ratio) / found->highest;
-    text += fmt::format("  runge-kutta-4 is stable up to time steps of {:.3g}{}\n",
-                        longest,
-                        step > longest ? fmt::format(": this deck's, {:.3g}, will fail", step) : "");
-    return text;
+    return text + describe_steps(*found, largest_ratio, settings);
 }
 
 }  // namespace gxrod

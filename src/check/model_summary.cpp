@@ -174,18 +174,22 @@ std::string describe_dynamic(const DynamicSettings& settings) {
     } else if (settings.scheme == Scheme::generalized_alpha) {
         parameters = fmt::format(" (spectral radius {:.6g})", settings.spectral_radius);
     }
+    const std::string chosen =
+        settings.chosen_for.empty() ? "" : fmt::format(" (auto: {})", settings.chosen_for);
     if (settings.adaptive) {
         return fmt::format(
-            "dynamic analysis: {}, steps by their error, tolerance {:.6g}, first step {:.6g}, to t = "
+            "dynamic analysis: {}{}, steps by their error, tolerance {:.6g}, first step {:.6g}, to t = "
             "{:.6g}\n",
             name_of(settings.scheme),
+            chosen,
             settings.adaptive->tolerance,
             settings.time_step(),
             settings.end_time);
     }
-    return fmt::format("dynamic analysis: {}{}, {} steps of {:.6g} to t = {:.6g}\n",
+    return fmt::format("dynamic analysis: {}{}{}, {} steps of {:.6g} to t = {:.6g}\n",
                        name_of(settings.scheme),
                        parameters,
+                       chosen,
                        settings.steps,
                        settings.time_step(),
                        settings.end_time);

@@ -37,6 +37,7 @@
 #include "deck/reading/resumption.hpp"
 #include "deck/reading/text_file.hpp"
 #include "deck/reading/validation.hpp"
+#include "deck/schema/choices.hpp"
 #include "deck/sections/build_sections.hpp"
 #include "deck/sections/section_files.hpp"
 #include "deck/surroundings/build_surroundings.hpp"
@@ -99,8 +100,22 @@ void set_frame_intervals(BuildContext& context) {
     }
 }
 
+// "radau-5"; of stages "move: radau-5, rest: generalized-alpha".
+std::string list_integrators(const std::vector<StagePlan>& stages) {
+    std::string text;
+    for (const StagePlan& stage : stages) {
+        const auto* dynamic = std::get_if<DynamicSettings>(&stage.analysis);
+        if (dynamic == nullptr || !dynamic->has_inertia) continue;
+        if (!text.empty()) text += ", ";
+        if (!stage.name.empty()) text += stage.name + ": ";
+        text += word_of(scheme_choices, dynamic->scheme);
+    }
+    return text;
+}
+
 void note_stages(const std::vector<StagePlan>& stages, DeckRecord& record) {
     record.is_static = true;
+    record.integrators = list_integrators(stages);
     for (const StagePlan& stage : stages) {
         if (!stage.name.empty()) record.stages.push_back(stage.name);
         record.has_statics = record.has_statics || !is_timed(stage.analysis);
@@ -146,6 +161,7 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     build_actions(surroundings, context);
     build_path_targets(context);
     build_excitation(context);
+    choose_schemes(context);
     set_frame_intervals(context);
     problem.output = build_output(context);
     name_response_points(problem.output.histories, context);

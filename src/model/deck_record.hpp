@@ -22,6 +22,7 @@ struct DeckRecord {
     bool finds_shapes = false;             // some stage finds modes or the like
     bool has_paths = false;                // some stage goes along a path: t is a column of its own
     bool follows_limits = false;           // some stage follows limit points
+    std::string integrators = {};          // that advance time: "radau-5", or "move: radau-5" of each stage
     std::vector<std::string> stages = {};  // their names; none of a deck without [[stage]]
     std::vector<MeshRecord> meshes = {};
 };

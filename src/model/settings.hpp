@@ -65,6 +65,7 @@ struct DynamicSettings {
     double end_time = 0.0;
     long steps = 0;  // equal steps from 0 to end_time
     Scheme scheme = Scheme::newmark_simplified;
+    std::string chosen_for;  // why gxrod took this scheme, where the deck leaves it open; else ""
     double beta = 0.25;
     double gamma = 0.5;
     double spectral_radius = 0.9;              // at infinite frequency, of generalized_alpha

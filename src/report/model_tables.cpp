@@ -178,7 +178,9 @@ Json describe_analysis(const AnalysisSettings& analysis) {
         rows.push_back({"most iterations", newton.max_iterations});
     };
     if (const auto* dynamic = std::get_if<DynamicSettings>(&analysis)) {
-        rows.push_back({"integrator", word_of(scheme_choices, dynamic->scheme)});
+        rows.push_back({"integrator",
+                        word_of(scheme_choices, dynamic->scheme) +
+                            (dynamic->chosen_for.empty() ? "" : " (auto: " + dynamic->chosen_for + ")")});
         rows.push_back({"end time", dynamic->end_time});
         if (dynamic->steps > 0) {
             const double step = dynamic->time_step();

@@ -66,9 +66,10 @@ struct RunSummary {
     long elements = 0;
     long unknowns = 0;
     bool is_static = false;
-    RunTotals totals;   // since t = 0, also of a resumed run
-    double time = 0.0;  // reached
-    std::string place;  // the same for messages: "t = 1", "λ = 2 of path.1+"
+    std::string integrators;  // as DeckRecord's
+    RunTotals totals;         // since t = 0, also of a resumed run
+    double time = 0.0;        // reached
+    std::string place;        // the same for messages: "t = 1", "λ = 2 of path.1+"
     int threads = 1;
     double wall_seconds = 0.0;
     PhaseSeconds phases;

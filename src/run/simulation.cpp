@@ -21,6 +21,7 @@ Simulation::Simulation(RunRequest request)
     : request_(std::move(request)), books_(request_.model), stages_(build()) {
     RunSummary& summary = books_.summary();
     summary.is_static = request_.deck.is_static;
+    summary.integrators = request_.deck.integrators;
     if (request_.resumed) {
         resume();
     } else if (request_.results) {

@@ -40,6 +40,15 @@ class Check(ProgramTest):
                           "a static analysis needs supports that prevent it", done.stderr)
         self.assertFalse((self.folder / "beam.vtkhdf").exists())
 
+    def test_scheme_and_steps_that_do_not_suit_are_named(self):
+        dynamic = BEAM.replace('kind  = "static"\nsteps = 2', 'kind = "dynamic"\nend_time = 30\ntime_step = 3')
+        self.write("beam.toml", dynamic + 'fix = "all"\n')
+        said = self.gxrod("check", "beam.toml").stdout
+        self.assertRegex(said, r"  a step of 3 is [\d.]+ of the longest period and \d+ of the shortest\n")
+        self.assertRegex(said, r"newmark-simplified needs some 20 steps in a period that matters: expected time_step = [\d.]+, or accuracy")
+        for scheme, words in (("sdirk-4", "radau-5 keeps its order"), ("gauss-4", "they ring"), ("runge-kutta-4", "will fail; accuracy")):
+            self.assertIn(words, self.gxrod("check", "beam.toml", "--set", f"analysis.integrator={scheme}").stdout)
+
     def test_warnings_are_printed_unless_quiet(self):
         tail = '[rod.tail]\nsection = "s"\nline = { from = [4, 0, 0], to = [4, 1, 0] }\nelements = 1\nelement = "simo"\n'
         self.write("beam.toml", BEAM + 'fix = "all"\n' + tail + '[[support]]\nat = "tail.end"\nfix = "all"\n')

@@ -121,7 +121,7 @@ class Run(ProgramTest):
         summary = json.loads(done.stdout)
         self.assertEqual(
             sorted(summary),
-            sorted("status reason warnings deck results nodes elements unknowns steps rejected_steps cuts newton_limit "
+            sorted("status reason warnings deck results nodes elements unknowns integrator steps rejected_steps cuts newton_limit "
                    "findings found newton_iterations time wall_seconds threads version".split()))
         self.assertEqual(sorted(summary["wall_seconds"]),
                          sorted("total setup assembly solve update output".split()))
@@ -129,6 +129,17 @@ class Run(ProgramTest):
         self.assertEqual((summary["nodes"], summary["elements"], summary["unknowns"]), (1, 1, 6))
         self.gxrod("run", "body.toml", "--force", "--summary", "summary.json", "--quiet")
         self.assertEqual(json.loads((self.folder / "summary.json").read_text())["status"], "complete")
+
+    def test_an_integrator_that_is_left_open_is_printed_and_kept(self):
+        done = self.gxrod("run", "body.toml", "--set", "analysis.integrator=auto")
+        self.assertTrue(done.stdout.startswith("integrator auto takes radau-5: for bodies\n"), done.stdout)
+        with h5py.File(self.folder / "body.vtkhdf") as file:
+            self.assertEqual(file.attrs["integrator"], "radau-5")
+        chosen = self.gxrod("run", "body.toml", "--set", "analysis.integrator=auto", "--force", "--summary", "-")
+        self.assertEqual(json.loads(chosen.stdout)["integrator"], "radau-5")
+        self.assertNotIn("integrator", self.gxrod("run", "body.toml", "--force").stdout)
+        self.assertIn("dynamic analysis: radau-5 (auto: for bodies), 100 steps of 0.01",
+                      self.gxrod("check", "body.toml", "--set", "analysis.integrator=auto").stdout)
 
     def test_cut_steps_are_summed_up_at_the_end(self):
         self.write("tape.toml", FALLING_TAPE)

@@ -49,6 +49,7 @@ TEST_CASE("A results file says where it came from and how the run ended", "[resu
     CHECK(file.text_attribute("/", "title") == "Sample");
     CHECK(file.text_attribute("/", "units") == "m kg s");
     CHECK(file.text_attribute("/", "analysis") == "dynamic");
+    CHECK(file.text_attribute("/", "integrator") == "sdirk-4");
     CHECK(file.text_attribute("/histories/time", "dimension") == "time");
     CHECK(file.text_attribute("/", "status") == "complete");
     CHECK(file.text_attribute("/", "reason") == "end_time reached");

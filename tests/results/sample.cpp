@@ -74,7 +74,11 @@ OutputSettings make_output() {
     return output;
 }
 
-DeckRecord make_deck() { return {"sample.toml", "title = \"Sample\"\n# ½ metre\n", "Sample", "m kg s"}; }
+DeckRecord make_deck() {
+    DeckRecord deck{"sample.toml", "title = \"Sample\"\n# ½ metre\n", "Sample", "m kg s"};
+    deck.integrators = "sdirk-4";
+    return deck;
+}
 
 Motion::Motion(double t) : time(t) {
     const Model model = make_model();

@@ -109,7 +109,6 @@ def draw_schemes(axes, rows, key, names=None):
         steps, errors = [row["steps"] for row in runs], [row[key] for row in runs]
         draw_line(axes, index, steps, errors, f"{(names or {}).get(scheme, scheme)}: {slope(steps, errors):.2f}")
     mark_values(axes, rows, "steps")
-    axes.legend(loc="lower left", handlelength=2.0)
 
 
 def draw_rubin2007(_, case):
@@ -117,15 +116,17 @@ def draw_rubin2007(_, case):
     quantities = {"error_orientation": "$E_Λ$", "error_momentum": "$E_H$", "error_energy": "$E_T$"}
     for axes, (key, label) in zip(figure.subplots(1, 3), quantities.items()):
         draw_schemes(axes, case["rows"], key, SCHEME_NAMES)
+        axes.legend(loc="lower left", handlelength=2.0)
         finish(axes, "steps N of the cycle", f"largest {label}")
         axes.set_ylim(bottom=axes.get_ylim()[0] / 50.0)  # room for the legend
     return figure
 
 
 def draw_rod_schemes(_, case):
-    figure = style.new_figure(9.0, 6.6)
+    figure = style.new_figure(11.5, 6.6)
     for axes, (motion, rows) in zip(figure.subplots(2, 2).flat, group(case["rows"], "case").items()):
         draw_schemes(axes, rows, "rotation_error")
+        place_legend(axes, "order of the last pair")
         axes.set_title(motion)
         finish(axes, "steps", "error of rotation, rad")
     return figure

@@ -12,6 +12,7 @@
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 #include "machine/printable.hpp"
+#include "model/scheme_choice.hpp"
 
 namespace gxrod {
 namespace {
@@ -106,16 +107,23 @@ void check_paper_tangent(const CheckedTable& newton, const std::string& user, co
 // Stages that are found together share one matrix of their own.
 void check_coupled_tangent(const CheckedTable& newton,
                            const DynamicSettings& settings,
+                           bool is_open,
                            const BuildContext& context) {
     const TangentKind tangent = settings.newton.tangent;
     const bool is_coupled = settings.scheme == Scheme::radau_5 || settings.scheme == Scheme::gauss_4;
     if (!is_coupled || tangent == TangentKind::automatic || tangent == TangentKind::consistent) return;
-    context.add_fault(newton,
-                      "tangent",
-                      fmt::format("\"{}\" finds the stages of a step together and has a tangent of its own; "
-                                  "expected \"{}\"",
-                                  word_of(scheme_choices, settings.scheme),
-                                  word_of(tangent_choices, TangentKind::automatic)));
+    context.add_fault(
+        newton,
+        "tangent",
+        fmt::format("\"{}\" {}; expected \"{}\"",
+                    is_open ? open_scheme_word : word_of(scheme_choices, settings.scheme),
+                    is_open ? "chooses the tangent, too"
+                            : "finds the stages of a step together and has a tangent of its own",
+                    word_of(tangent_choices, TangentKind::automatic)));
+}
+
+bool leaves_scheme_open(const CheckedTable& table) {
+    return table.get<std::string>("integrator") == open_scheme_word;
 }
 
 // Sets what the deck gives.
@@ -151,6 +159,7 @@ DynamicSettings build_quasi_static(const CheckedTable& table, const BuildContext
 }
 
 Scheme find_scheme(const CheckedTable& table, const BuildContext& context) {
+    if (leaves_scheme_open(table)) return Scheme::radau_5;  // until the model is known
     const Scheme scheme = value_of(scheme_choices, table.get<std::string>("integrator"));
     if (!table.gives("accuracy") || table.gives("integrator")) return scheme;
     for (const char* key : {"beta", "gamma"}) {
@@ -177,10 +186,10 @@ DynamicSettings build_dynamic(const CheckedTable& table, const BuildContext& con
     settings.adaptive = build_adaptive(table, context);
     if (settings.adaptive) note_first_step(settings, table, context);
     const bool is_papers_scheme = settings.scheme == Scheme::newmark_simplified;
-    const std::string user = "\"" + word_of(scheme_choices, settings.scheme) + "\"";
+    const std::string user = "\"" + table.get<std::string>("integrator") + "\"";
     read_newton(table, is_papers_scheme ? "" : user, context, settings.newton);
     if (table.gives("newton") && table.tables("newton").front().gives("tangent"))
-        check_coupled_tangent(table.tables("newton").front(), settings, context);
+        check_coupled_tangent(table.tables("newton").front(), settings, leaves_scheme_open(table), context);
     settings.linear_solver = find_linear_solver(table);
     return settings;
 }
@@ -296,7 +305,29 @@ void check_sweeps(const std::vector<StagePlan>& stages, const BuildContext& cont
     }
 }
 
+// The model as a stage has it.
+Model make_model_of(const StagePlan& stage, bool is_first, const Model& model) {
+    Model own = model;
+    if (!is_first) set_actions(stage.actions, own);
+    return own;
+}
+
 }  // namespace
+
+void choose_schemes(BuildContext& context) {
+    const std::vector<CheckedTable>& tables = context.deck.tables("stage");
+    for (std::size_t i = 0; i < context.stages.size(); ++i) {
+        const CheckedTable& table = tables.empty() ? context.deck.tables("analysis").front() : tables[i];
+        auto* dynamic = std::get_if<DynamicSettings>(&context.stages[i].analysis);
+        if (dynamic == nullptr || !dynamic->has_inertia || !leaves_scheme_open(table)) continue;
+        std::optional<double> accuracy;
+        if (table.gives("accuracy")) accuracy = table.get<double>("accuracy");
+        const SchemeChoice choice =
+            choose_scheme(make_model_of(context.stages[i], i == 0, context.model), accuracy);
+        dynamic->scheme = choice.scheme;
+        dynamic->chosen_for = choice.reason;
+    }
+}
 
 std::vector<StagePlan> build_stages(const BuildContext& context) {
     std::vector<StagePlan> stages;

@@ -76,6 +76,9 @@ inline constexpr std::array<Choice<Scheme>, 8> scheme_choices{
      {"energy-momentum", Scheme::energy_momentum},
      {"runge-kutta-4", Scheme::runge_kutta_4}}};
 
+// Of an integrator that the model decides (model/scheme_choice.hpp).
+inline constexpr const char* open_scheme_word = "auto";
+
 inline constexpr std::array<Choice<TangentKind>, 5> tangent_choices{
     {{"automatic", TangentKind::automatic},
      {"mixed", TangentKind::mixed},
@@ -164,6 +167,13 @@ template <class Value, std::size_t count>
 std::vector<std::string> words_of(const std::array<Choice<Value>, count>& choices) {
     std::vector<std::string> words;
     for (const Choice<Value>& choice : choices) words.emplace_back(choice.word);
+    return words;
+}
+
+// Of all integrators, and that which leaves it open.
+inline std::vector<std::string> scheme_words() {
+    std::vector<std::string> words = words_of(scheme_choices);
+    words.emplace_back(open_scheme_word);
     return words;
 }
 

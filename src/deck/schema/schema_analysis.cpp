@@ -20,29 +20,34 @@ std::vector<Condition> for_schemes(const std::vector<Scheme>& schemes) {
     return {dynamic_only, condition};
 }
 
+// And for one that the model decides, which is implicit and estimates errors.
+Condition for_schemes_and_open(const std::vector<Scheme>& schemes) {
+    Condition condition = for_schemes(schemes).back();
+    condition.words.emplace_back(open_scheme_word);
+    return condition;
+}
+
 // Newton's method is for equilibria and implicit integrators.
 std::vector<Condition> for_equilibria() {
     return {with_steps,
-            for_schemes({Scheme::newmark_simplified,
-                         Scheme::newmark_ibrahimbegovic,
-                         Scheme::generalized_alpha,
-                         Scheme::sdirk_4,
-                         Scheme::radau_5,
-                         Scheme::gauss_4,
-                         Scheme::energy_momentum})
-                .back()};
+            for_schemes_and_open({Scheme::newmark_simplified,
+                                  Scheme::newmark_ibrahimbegovic,
+                                  Scheme::generalized_alpha,
+                                  Scheme::sdirk_4,
+                                  Scheme::radau_5,
+                                  Scheme::gauss_4,
+                                  Scheme::energy_momentum})};
 }
 
 // Schemes that estimate the error of a step.
 std::vector<Condition> for_estimated_steps() {
     return {timed,
-            for_schemes({Scheme::newmark_simplified,
-                         Scheme::newmark_ibrahimbegovic,
-                         Scheme::generalized_alpha,
-                         Scheme::sdirk_4,
-                         Scheme::radau_5,
-                         Scheme::energy_momentum})
-                .back()};
+            for_schemes_and_open({Scheme::newmark_simplified,
+                                  Scheme::newmark_ibrahimbegovic,
+                                  Scheme::generalized_alpha,
+                                  Scheme::sdirk_4,
+                                  Scheme::radau_5,
+                                  Scheme::energy_momentum})};
 }
 
 const TableSpec& newton_table() {
@@ -114,8 +119,9 @@ std::vector<KeySpec> scheme_keys() {
         {.name = "integrator",
          .type = ValueType::choice,
          .default_value = word_of(scheme_choices, defaults.scheme),
-         .sentence = "How time advances; with accuracy, radau-5 unless another one is given.",
-         .choices = words_of(scheme_choices),
+         .sentence = "How time advances; with accuracy, radau-5 unless another one is given. auto: by the "
+                     "model, see [which scheme](guide/solving.md#which-scheme).",
+         .choices = scheme_words(),
          .only_for = {dynamic_only}},
         {.name = "beta",
          .type = ValueType::number,

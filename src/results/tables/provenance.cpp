@@ -51,6 +51,7 @@ void write_provenance(const Hdf5Handle& root, const DeckRecord& deck) {
     write_attribute(root.id(), "deck_sha256", sha256_hex(deck.text));
     write_attribute(root.id(), "title", deck.title);
     write_attribute(root.id(), "units", deck.units);
+    write_attribute(root.id(), "integrator", deck.integrators);
     write_attribute(root.id(), "status", "running");
     write_attribute(root.id(), "reason", "");
     write_attribute(root.id(), "reason_nodes", std::span<const std::int64_t>{});

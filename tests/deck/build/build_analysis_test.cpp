@@ -94,7 +94,7 @@ TEST_CASE("Every integrator, tangent and solver has its word", "[deck]") {
 TEST_CASE("Steps by their error are for schemes that estimate it", "[deck]") {
     CHECK(
         faults_of(body_deck + "integrator = \"gauss-4\"\nadaptive = {}") ==
-        R"(x.toml:9:1: analysis.adaptive: integrator "gauss-4" does not use this key; it is for newmark-simplified, newmark-ibrahimbegovic, generalized-alpha, sdirk-4, radau-5, energy-momentum)");
+        R"(x.toml:9:1: analysis.adaptive: integrator "gauss-4" does not use this key; it is for newmark-simplified, newmark-ibrahimbegovic, generalized-alpha, sdirk-4, radau-5, energy-momentum, auto)");
     CHECK_FALSE(dynamic_of(read(body_deck + "integrator = \"sdirk-4\"")).adaptive);
     const auto adaptive = dynamic_of(read(body_deck + "integrator = \"sdirk-4\"\nadaptive = {}")).adaptive;
     REQUIRE(adaptive);
@@ -118,6 +118,56 @@ TEST_CASE("An accuracy chooses radau-5 and its steps", "[deck]") {
           "x.toml:7:1: analysis.accuracy: adaptive is given too; only one of them can be");
     CHECK(faults_of(body_deck + "accuracy = 1e-3") ==
           "x.toml:8:1: analysis.accuracy: steps is given too; only one of them can be");
+}
+
+TEST_CASE("An integrator that is left open is chosen once the model is known", "[deck]") {
+    const Problem problem = read(body_deck + "integrator = \"auto\"");
+    CHECK(dynamic_of(problem).scheme == Scheme::radau_5);
+    CHECK(dynamic_of(problem).chosen_for == "for bodies");
+    CHECK(problem.record.integrators == "radau-5");
+    CHECK(dynamic_of(read(body_deck)).chosen_for.empty());
+    CHECK(read(body_deck).record.integrators == "newmark-simplified");
+    CHECK(
+        read(static_rod_deck + "[[support]]\nat = \"r.start\"\nfix = \"all\"\n").record.integrators.empty());
+    const std::string accurate = replaced(body_deck, "steps = 10", "accuracy = 0.05\nintegrator = \"auto\"");
+    CHECK(dynamic_of(read(accurate)).scheme == Scheme::radau_5);
+    CHECK(dynamic_of(read(accurate)).adaptive->tolerance == Approx(5e-4).epsilon(1e-14));
+    const std::string seabed = "[seabed]\nz = -1\nstiffness = 1e3\n";
+    const std::string lying = replaced(rod_deck, "[rod.r]", "fluid = { outer_diameter = 0.1 }\n[rod.r]") +
+                              "integrator = \"auto\"\n" + seabed;
+    CHECK(dynamic_of(read(lying)).scheme == Scheme::generalized_alpha);
+    CHECK(dynamic_of(read(replaced(lying, "steps = 10", "accuracy = 1e-4"))).scheme == Scheme::radau_5);
+    CHECK_NOTHROW(read(body_deck + "integrator = \"auto\"\nadaptive = {}\nnewton = { tolerance = 1e-9 }"));
+    CHECK(faults_of(body_deck + "integrator = \"auto\"\nnewton = { tangent = \"mixed\" }") ==
+          R"(x.toml:9:22: analysis.newton.tangent: "auto" chooses the tangent, too; expected "automatic")");
+    CHECK(
+        faults_of(body_deck + "integrator = \"auto\"\nspectral_radius = 0.5") ==
+        R"(x.toml:9:1: analysis.spectral_radius: integrator "auto" does not use this key; it is for generalized-alpha)");
+}
+
+TEST_CASE("Each stage has the integrator that suits it", "[deck]") {
+    const std::string stages = R"([[stage]]
+name = "rest"
+kind = "static"
+[[stage]]
+name = "move"
+kind = "dynamic"
+end_time = 1.0
+steps = 10
+integrator = "auto"
+[[stage]]
+name = "ring"
+kind = "dynamic"
+end_time = 1.0
+steps = 10
+integrator = "sdirk-4"
+[[support]]
+at = "r.start"
+fix = "all"
+)";
+    const Problem problem = read(rod_deck.substr(0, rod_deck.find("[analysis]")) + stages);
+    CHECK(problem.record.integrators == "move: radau-5, ring: sdirk-4");
+    CHECK(!std::get<DynamicSettings>(problem.stages[1].analysis).chosen_for.empty());
 }
 
 TEST_CASE("Schemes whose stages are found together have a tangent of their own", "[deck]") {

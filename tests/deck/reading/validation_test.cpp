@@ -159,7 +159,7 @@ beta = 0.3)") ==
     CHECK(
         faults_of(body_deck + R"(integrator = "runge-kutta-4"
 newton = { tolerance = 1e-3 })") ==
-        R"(x.toml:9:1: analysis.newton: integrator "runge-kutta-4" does not use this key; it is for newmark-simplified, newmark-ibrahimbegovic, generalized-alpha, sdirk-4, radau-5, gauss-4, energy-momentum)");
+        R"(x.toml:9:1: analysis.newton: integrator "runge-kutta-4" does not use this key; it is for newmark-simplified, newmark-ibrahimbegovic, generalized-alpha, sdirk-4, radau-5, gauss-4, energy-momentum, auto)");
     CHECK(
         faults_of(body_deck + R"(integrator = "generalized-alpha"
 gamma = 0.5)") ==

@@ -1,0 +1,20 @@
+#include "model/scheme_choice.hpp"
+
+namespace gxrod {
+namespace {
+
+// In fluids steps of order 2 were seen to be the cheaper ones down to here.
+constexpr double loose_in_fluids = 1e-3;
+
+bool has_rods_in_fluids(const Model& model) { return !model.rods.empty() && !model.surroundings.is_empty(); }
+
+}  // namespace
+
+SchemeChoice choose_scheme(const Model& model, std::optional<double> accuracy) {
+    if (has_rods_in_fluids(model) && accuracy.value_or(loose_in_fluids) >= loose_in_fluids)
+        return {Scheme::generalized_alpha, "for rods in water, in wind or on the ground"};
+    if (model.rods.empty()) return {Scheme::radau_5, "for bodies"};
+    return {Scheme::radau_5, "for rods, whose fastest vibrations steps do not resolve"};
+}
+
+}  // namespace gxrod

@@ -1,0 +1,38 @@
+#include "model/scheme_choice.hpp"
+
+#include "deck/decks.hpp"
+#include "tools/catch.hpp"
+
+using namespace gxrod;
+using namespace gxrod::test;
+
+namespace {
+
+Model model_of(const std::string& deck) { return read(deck).model; }
+
+Model put_on_the_ground(Model model) {
+    model.surroundings.seabed = Seabed{};
+    return model;
+}
+
+}  // namespace
+
+TEST_CASE("Rods and bodies are left to radau-5", "[model]") {
+    const SchemeChoice rods = choose_scheme(model_of(rod_deck), {});
+    CHECK(rods.scheme == Scheme::radau_5);
+    CHECK(rods.reason == "for rods, whose fastest vibrations steps do not resolve");
+    CHECK(choose_scheme(model_of(rod_deck), 0.1).scheme == Scheme::radau_5);
+    const SchemeChoice bodies = choose_scheme(model_of(body_deck), 1e-3);
+    CHECK(bodies.scheme == Scheme::radau_5);
+    CHECK(bodies.reason == "for bodies");
+}
+
+TEST_CASE("Rods on the ground are left to generalized-alpha unless much is asked for", "[model]") {
+    const Model model = put_on_the_ground(model_of(rod_deck));
+    const SchemeChoice open = choose_scheme(model, {});
+    CHECK(open.scheme == Scheme::generalized_alpha);
+    CHECK(open.reason == "for rods in water, in wind or on the ground");
+    CHECK(choose_scheme(model, 1e-3).scheme == Scheme::generalized_alpha);
+    CHECK(choose_scheme(model, 9e-4).scheme == Scheme::radau_5);
+    CHECK(choose_scheme(put_on_the_ground(model_of(body_deck)), {}).scheme == Scheme::radau_5);
+}
