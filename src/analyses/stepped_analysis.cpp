@@ -32,9 +32,10 @@ bool may_come_from_weakness(Outcome outcome) {
 }
 
 // With a contrast the tangent is good to few digits, so that Newton's method gains but one in several
-// iterations.
-NewtonSettings with_patience(NewtonSettings newton, bool has_contrast) {
-    if (has_contrast) newton.max_iterations *= 10;
+// iterations. Where a rod comes to lie on something, or leaves it, an equilibrium moves on by few elements in
+// each.
+NewtonSettings with_patience(NewtonSettings newton, bool needs_patience) {
+    if (needs_patience) newton.max_iterations *= 10;
     return newton;
 }
 
@@ -70,7 +71,7 @@ SteppedAnalysis::SteppedAnalysis(const Model& model,
       system_(model, team_),
       integrator_(std::move(integrator)),
       has_contrast_(!find_stiffness_contrasts(model, find_parts(model)).empty()),
-      newton_(with_patience(newton, has_contrast_)),
+      newton_(with_patience(newton, has_contrast_ || (integrator_->is_static() && system_.contact()))),
       linear_solver_(linear_solver),
       workspace_(system_, linear_solver),
       steps_(std::move(steps)),

@@ -99,6 +99,20 @@ PairEnergy ContactPairs::find_energy(const NearPieces& near, const std::vector<N
     return sum;
 }
 
+std::vector<std::size_t> ContactPairs::list_touching(const State& state) const {
+    const std::vector<NearPieces>& near = state.contact.pieces;
+    std::vector<char> touches(near.size(), 0);
+    team_->for_each_range(near.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            touches[i] = least_gap(near[i], state.trial) < law_of(near[i]).law.skin ? 1 : 0;
+    });
+    std::vector<std::size_t> listed;
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        if (touches[i] != 0) listed.push_back(i);
+    }
+    return listed;
+}
+
 double ContactPairs::least_gap(const NearPieces& near, const std::vector<NodeMotion>& motions) const {
     return find_closest_points(segment_of(near.first, motions), segment_of(near.second, motions)).distance -
            law_of(near).radii;
@@ -127,6 +141,18 @@ void ContactPairs::search(double reach, State& state) const {
     }
 }
 
+NodeGroup ContactPairs::list_nodes(int a, int b) const {
+    NodeGroup group;
+    for (const int index : {a, b}) {
+        const ContactElement& element = lines_.places.elements[static_cast<std::size_t>(index)];
+        for (int i = 0; i < element.count; ++i) {
+            const int node = element.nodes[static_cast<std::size_t>(i)];
+            if (std::ranges::find(group, node) == group.end()) group.push_back(node);
+        }
+    }
+    return group;
+}
+
 std::vector<NodeGroup> ContactPairs::list_groups(const State& state) const {
     std::vector<std::pair<int, int>> elements;
     for (const NearPieces& near : state.contact.pieces)
@@ -135,17 +161,7 @@ std::vector<NodeGroup> ContactPairs::list_groups(const State& state) const {
     std::ranges::sort(elements);
     elements.erase(std::ranges::unique(elements).begin(), elements.end());
     std::vector<NodeGroup> groups;
-    for (const auto& [a, b] : elements) {
-        NodeGroup group;
-        for (const int index : {a, b}) {
-            const ContactElement& element = lines_.places.elements[static_cast<std::size_t>(index)];
-            for (int i = 0; i < element.count; ++i) {
-                const int node = element.nodes[static_cast<std::size_t>(i)];
-                if (std::ranges::find(group, node) == group.end()) group.push_back(node);
-            }
-        }
-        groups.push_back(std::move(group));
-    }
+    for (const auto& [a, b] : elements) groups.push_back(list_nodes(a, b));
     return groups;
 }
 
@@ -167,14 +183,15 @@ void ContactPairs::scatter(const NearPieces& near, const Vec12& of_ends, const A
 
 void ContactPairs::subtract_forces(const State& state, double weight, Residual& residual) const {
     if (weight == 0.0) return;
-    const std::vector<NearPieces>& near = state.contact.pieces;
-    std::vector<PairEnergy> energies(near.size());
-    team_->for_each_range(near.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) energies[i] = find_energy(near[i], state.trial);
+    const std::vector<std::size_t> touching = list_touching(state);
+    std::vector<PairEnergy> energies(touching.size());
+    team_->for_each_range(touching.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            energies[i] = find_energy(state.contact.pieces[touching[i]], state.trial);
     });
-    for (std::size_t i = 0; i < near.size(); ++i) {
-        if (energies[i].energy == 0.0) continue;
-        scatter(near[i], -weight * energies[i].gradient, [&](int node, const Vec3& force) {
+    for (std::size_t i = 0; i < touching.size(); ++i) {
+        const NearPieces& near = state.contact.pieces[touching[i]];
+        scatter(near, -weight * energies[i].gradient, [&](int node, const Vec3& force) {
             Vec6 both = Vec6::Zero();
             both.head<3>() = force;
             residual.raise_group(groups_->of_node(node), both);
@@ -185,33 +202,28 @@ void ContactPairs::subtract_forces(const State& state, double weight, Residual& 
 
 std::vector<PairBlock> ContactPairs::compute_tangents(
     const State& state, double weight, const std::vector<NodeLinearization>& linearizations) const {
-    const std::vector<NearPieces>& near = state.contact.pieces;
-    std::vector<PairEnergy> energies(near.size());
-    team_->for_each_range(near.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) energies[i] = find_energy(near[i], state.trial);
+    const std::vector<std::size_t> touching = list_touching(state);
+    std::vector<PairEnergy> energies(touching.size());
+    team_->for_each_range(touching.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            energies[i] = find_energy(state.contact.pieces[touching[i]], state.trial);
     });
-    std::vector<PairBlock> blocks;
-    for (NodeGroup& group : list_groups(state)) {
-        const auto size = static_cast<Eigen::Index>(6 * group.size());
-        blocks.push_back({std::move(group), Eigen::MatrixXd::Zero(size, size)});
-    }
-    std::map<std::pair<int, int>, std::size_t> block_of;
-    std::vector<std::pair<int, int>> elements(near.size());
-    for (std::size_t i = 0; i < near.size(); ++i) {
-        elements[i] = {lines_.places.places[lines_.pieces[near[i].first].place].element,
-                       lines_.places.places[lines_.pieces[near[i].second].place].element};
-        block_of.emplace(elements[i], 0);
-    }
-    std::size_t next = 0;
-    for (auto& [pair, index] : block_of) index = next++;
-    for (std::size_t i = 0; i < near.size(); ++i) {
-        if (energies[i].energy == 0.0) continue;
-        PairBlock& block = blocks[block_of.at(elements[i])];
+    std::map<std::pair<int, int>, PairBlock> of_elements;
+    for (std::size_t i = 0; i < touching.size(); ++i) {
+        const NearPieces& near = state.contact.pieces[touching[i]];
+        const int first = lines_.places.places[lines_.pieces[near.first].place].element;
+        const int second = lines_.places.places[lines_.pieces[near.second].place].element;
+        PairBlock& block = of_elements[{first, second}];
+        if (block.nodes.empty()) {
+            block.nodes = list_nodes(first, second);
+            const auto size = static_cast<Eigen::Index>(6 * block.nodes.size());
+            block.matrix = Eigen::MatrixXd::Zero(size, size);
+        }
         // Shape functions of the four ends by the group's nodes.
         Eigen::Matrix<double, 4, Eigen::Dynamic> shapes =
             Eigen::Matrix<double, 4, Eigen::Dynamic>::Zero(4, static_cast<Eigen::Index>(block.nodes.size()));
         int end = 0;
-        for (const std::uint32_t index : {near[i].first, near[i].second}) {
+        for (const std::uint32_t index : {near.first, near.second}) {
             const ContactPiece& piece = lines_.pieces[index];
             const ContactElement& element = lines_.element_of(piece);
             for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
@@ -238,6 +250,8 @@ std::vector<PairBlock> ContactPairs::compute_tangents(
             }
         }
     }
+    std::vector<PairBlock> blocks;
+    for (auto& [elements, block] : of_elements) blocks.push_back(std::move(block));
     return blocks;
 }
 
@@ -305,15 +319,16 @@ void ContactPairs::limit(const std::vector<Vec3>& displacements, State& state, C
 
 double ContactPairs::compute_energy(const State& state) const {
     double energy = 0.0;
-    for (const NearPieces& near : state.contact.pieces) energy += find_energy(near, state.trial).energy;
+    for (const std::size_t i : list_touching(state))
+        energy += find_energy(state.contact.pieces[i], state.trial).energy;
     return energy;
 }
 
 double ContactPairs::compute_work(const State& state) const {
     double work = 0.0;
-    for (const NearPieces& near : state.contact.pieces) {
+    for (const std::size_t i : list_touching(state)) {
+        const NearPieces& near = state.contact.pieces[i];
         const PairEnergy found = find_energy(near, state.trial);
-        if (found.energy == 0.0) continue;
         scatter(near, -found.gradient, [&](int node, const Vec3& of_node) {
             const auto index = static_cast<std::size_t>(node);
             work += of_node.dot(state.trial[index].r - state.previous[index].r);
@@ -324,8 +339,9 @@ double ContactPairs::compute_work(const State& state) const {
 
 void ContactPairs::count(const State& state, ContactCount& result) const {
     for (const NearPieces& near : state.contact.pieces) {
-        if (find_energy(near, state.trial).energy > 0.0) ++result.touching;
-        result.least_gap = std::min(result.least_gap, least_gap(near, state.trial));
+        const double gap = least_gap(near, state.trial);
+        if (gap < law_of(near).law.skin) ++result.touching;
+        result.least_gap = std::min(result.least_gap, gap);
     }
 }
 

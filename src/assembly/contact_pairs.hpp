@@ -38,7 +38,7 @@ class ContactPairs {
 
     // Of the trial motions, by a weight (ContactAssembly).
     void subtract_forces(const State& state, double weight, Residual& residual) const;
-    // One block for each of list_groups, in their order.
+    // One block for each of list_groups in which something touches, in their order.
     std::vector<PairBlock> compute_tangents(const State& state,
                                             double weight,
                                             const std::vector<NodeLinearization>& linearizations) const;
@@ -54,9 +54,12 @@ class ContactPairs {
 
   private:
     Segment segment_of(std::size_t piece, const std::vector<NodeMotion>& motions) const;
+    NodeGroup list_nodes(int a, int b) const;  // of two elements
     PairLaw law_of(const NearPieces& near) const;
     // With what the end of a rod adds, whose integral is finite where it touches.
     PairEnergy find_energy(const NearPieces& near, const std::vector<NodeMotion>& motions) const;
+    // Those of State::contact that are in reach of each other, by their index.
+    std::vector<std::size_t> list_touching(const State& state) const;
     double least_gap(const NearPieces& near, const std::vector<NodeMotion>& motions) const;
     // Adds a vector by the ends of two pieces to nodes.
     template <class Add>

@@ -52,6 +52,7 @@ double steps_needed(Scheme scheme) {
         case Scheme::newmark_simplified:
         case Scheme::newmark_ibrahimbegovic:
         case Scheme::generalized_alpha:
+        case Scheme::energy_momentum:
             break;
     }
     return 20.0;

@@ -11,6 +11,7 @@ bool has_rods_in_fluids(const Model& model) { return !model.rods.empty() && !mod
 }  // namespace
 
 SchemeChoice choose_scheme(const Model& model, std::optional<double> accuracy) {
+    if (!model.contact.is_empty()) return {Scheme::generalized_alpha, "for rods that touch"};
     if (has_rods_in_fluids(model) && accuracy.value_or(loose_in_fluids) >= loose_in_fluids)
         return {Scheme::generalized_alpha, "for rods in water, in wind or on the ground"};
     if (model.rods.empty()) return {Scheme::radau_5, "for bodies"};
