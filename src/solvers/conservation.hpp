@@ -5,7 +5,7 @@
 #include "solvers/equilibrium.hpp"
 
 // Rates at the end of a step corrected so that its energy and momenta balance (docs/theory/newmark.md,
-// (M1) to (M4)).
+// (M1) to (M3)).
 namespace gxrod {
 
 // What is compared with the end of a step.
