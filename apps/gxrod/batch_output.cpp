@@ -108,7 +108,8 @@ std::string describe_room(const std::filesystem::path& folder, double bytes) {
     const auto room = std::filesystem::space(parent.empty() ? "." : parent, error);
     if (error || bytes <= static_cast<double>(room.available)) return "";
     return fmt::format(
-        ", more than the {:.3g} GB that are free: a larger output.every or output.interval makes fewer frames, and [keep] "
+        ", more than the {:.3g} GB that are free: a larger output.every or output.interval makes fewer "
+        "frames, and [keep] "
         "results = \"failed\" or \"none\" keeps fewer files",
         static_cast<double>(room.available) / 1e9);
 }
