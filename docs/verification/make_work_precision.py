@@ -150,7 +150,7 @@ def measure(program, motion, scheme, analysis, idle, reference, folder):
     seconds = [first[0], *(run(program, motion, analysis, folder)[0] for _ in range(REPEATS - 1))]
     _, values, steps, iterations = first
     spent = max(statistics.median(seconds) - idle, 1e-4)
-    row = {"motion": motion, "scheme": scheme, "steps": steps, "iterations": iterations,
+    row = {"scheme": scheme, "steps": steps, "iterations": iterations,
            "error": float(f"{distance(motion, values, reference):.3g}"), "seconds": float(f"{spent:.3g}")}
     print(f"{motion}, {scheme}, {steps} steps: error {row['error']:.1e}, {row['seconds']:.3f} s", flush=True)
     return row
@@ -205,7 +205,9 @@ def measure_motion(program, motion, schemes, folder):
 
 
 def save(motions):
-    RECORD.write_text(json.dumps(motions, indent=1) + "\n", encoding="utf-8")
+    """A line for each row."""
+    text = json.dumps(motions, indent=1)
+    RECORD.write_text(re.sub(r"\n {4,}|\n {3}\}", lambda match: "}" if match[0].endswith("}") else " ", text) + "\n", encoding="utf-8")
 
 
 def measure_all(program, motions, schemes):

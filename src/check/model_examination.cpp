@@ -18,6 +18,7 @@
 #include "model/body_moments.hpp"
 #include "model/newton_choice.hpp"
 #include "model/parts.hpp"
+#include "model/scheme_choice.hpp"
 #include "numerics/symmetric_eigen.hpp"
 #include "state/spring_line.hpp"
 
@@ -113,6 +114,19 @@ void note_tangent(const Model& model, const AnalysisSettings& analysis, std::vec
     findings.push_back({Severity::note,
                         describe(*choice.reason, model) +
                             "; newton.tangent is \"mixed\", so that steps need not be cut for that"});
+}
+
+// Where steps are chosen by errors that friction hides.
+void note_friction(const Model& model, const AnalysisSettings& analysis, std::vector<Finding>& findings) {
+    const auto* dynamic = std::get_if<DynamicSettings>(&analysis);
+    if (dynamic == nullptr || !dynamic->has_inertia || !dynamic->adaptive) return;
+    if (dynamic->scheme != Scheme::radau_5 && dynamic->scheme != Scheme::sdirk_4) return;
+    const std::string rubs = find_friction(model);
+    if (rubs.empty()) return;
+    findings.push_back(
+        {Severity::note,
+         rubs + " has friction: where it sticks or slips, errors can be far above the accuracy that "
+                "is asked for; integrator = \"generalized-alpha\" keeps nearer to it"});
 }
 
 void warn_of_newton_tolerance(const AnalysisSettings& analysis, std::vector<Finding>& findings) {
@@ -272,6 +286,7 @@ std::vector<Finding> examine_model(const Model& model,
         warn_of_contrasts(model, parts, findings);
         note_tangent(model, analysis, findings);
         warn_of_newton_tolerance(analysis, findings);
+        note_friction(model, analysis, findings);
     }
     for (const std::string& sentence : find_unconnected_points(model)) {
         findings.push_back({Severity::warning, sentence});

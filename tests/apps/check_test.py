@@ -49,6 +49,28 @@ class Check(ProgramTest):
         for scheme, words in (("sdirk-4", "radau-5 keeps its order"), ("gauss-4", "they ring"), ("runge-kutta-4", "will fail; accuracy")):
             self.assertIn(words, self.gxrod("check", "beam.toml", "--set", f"analysis.integrator={scheme}").stdout)
 
+    def test_friction_that_hides_errors_is_noted(self):
+        deck = """[body.wheel]
+mass = 1
+inertia = [1, 1, 1]
+angular_velocity = [0, 0, 20]
+[joint.axle]
+type = "hinge"
+between = ["ground", "wheel"]
+axis = [0, 0, 1]
+friction = { moment = 2, stick = 1e-4 }
+[analysis]
+kind = "dynamic"
+end_time = 12
+accuracy = 1e-3
+"""
+        self.write("wheel.toml", deck)
+        note = "note: joint axle has friction: where it sticks or slips, errors can be far above the accuracy"
+        self.assertIn(note, self.gxrod("check", "wheel.toml").stdout)
+        chosen = self.gxrod("check", "wheel.toml", "--set", "analysis.integrator=auto").stdout
+        self.assertNotIn("note: joint", chosen)
+        self.assertIn("generalized-alpha (auto: for friction, which joint axle has)", chosen)
+
     def test_warnings_are_printed_unless_quiet(self):
         tail = '[rod.tail]\nsection = "s"\nline = { from = [4, 0, 0], to = [4, 1, 0] }\nelements = 1\nelement = "simo"\n'
         self.write("beam.toml", BEAM + 'fix = "all"\n' + tail + '[[support]]\nat = "tail.end"\nfix = "all"\n')

@@ -36,3 +36,16 @@ TEST_CASE("Rods on the ground are left to generalized-alpha unless much is asked
     CHECK(choose_scheme(model, 9e-4).scheme == Scheme::radau_5);
     CHECK(choose_scheme(put_on_the_ground(model_of(body_deck)), {}).scheme == Scheme::radau_5);
 }
+
+TEST_CASE("Friction is left to generalized-alpha", "[model]") {
+    const std::string hinge =
+        "[joint.axle]\ntype = \"hinge\"\nbetween = [\"ground\", \"top\"]\naxis = [0, 0, 1]\n";
+    CHECK(find_friction(model_of(body_deck + hinge)).empty());
+    const Model model = model_of(body_deck + hinge + "friction = { moment = 2, stick = 1e-4 }\n");
+    CHECK(find_friction(model) == "joint axle");
+    CHECK(choose_scheme(model, 1e-4).scheme == Scheme::generalized_alpha);
+    CHECK(choose_scheme(model, {}).reason == "for friction, which joint axle has");
+    Model pulled = model_of(rod_deck);
+    pulled.tendons.push_back({.name = "pull", .friction = CapstanFriction{0.3, 1e3}});
+    CHECK(find_friction(pulled) == "tendon pull");
+}
