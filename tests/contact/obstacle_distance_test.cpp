@@ -12,9 +12,9 @@ using namespace gxrod::tools;
 
 namespace {
 
-using Shape = Obstacle::Shape;
+using Form = Obstacle::Shape;
 
-Obstacle make(Shape shape, std::vector<Vec3> line, double radius, bool is_hollow = false) {
+Obstacle make(Form shape, std::vector<Vec3> line, double radius, bool is_hollow = false) {
     Obstacle obstacle;
     obstacle.shape = shape;
     obstacle.line = std::move(line);
@@ -24,14 +24,14 @@ Obstacle make(Shape shape, std::vector<Vec3> line, double radius, bool is_hollow
 }
 
 Obstacle a_plane() {
-    Obstacle plane = make(Shape::plane, {Vec3(0.3, -0.2, 0.5)}, 0.0);
+    Obstacle plane = make(Form::plane, {Vec3(0.3, -0.2, 0.5)}, 0.0);
     plane.normal = Vec3(0.2, -0.3, 1.0).normalized();
     return plane;
 }
 
 // Three quarters of a circle of radius 2 about z.
 Obstacle a_ring(double radius, bool is_hollow) {
-    Obstacle ring = make(Shape::tube, {}, radius, is_hollow);
+    Obstacle ring = make(Form::tube, {}, radius, is_hollow);
     constexpr int pieces = 100;
     for (int i = 0; i <= pieces; ++i) {
         const double angle = 1.5 * M_PI * i / pieces;
@@ -44,10 +44,10 @@ Obstacle a_ring(double radius, bool is_hollow) {
 std::vector<Obstacle> all_obstacles() {
     const std::vector<Vec3> axis{Vec3(-1.0, 0.2, 0.0), Vec3(1.0, 0.5, 0.3)};
     return {a_plane(),
-            make(Shape::sphere, {Vec3(0.1, 0.2, 0.3)}, 0.4),
-            make(Shape::sphere, {Vec3(0.1, 0.2, 0.3)}, 3.0, true),
-            make(Shape::cylinder, axis, 0.3),
-            make(Shape::cylinder, axis, 3.0, true),
+            make(Form::sphere, {Vec3(0.1, 0.2, 0.3)}, 0.4),
+            make(Form::sphere, {Vec3(0.1, 0.2, 0.3)}, 3.0, true),
+            make(Form::cylinder, axis, 0.3),
+            make(Form::cylinder, axis, 3.0, true),
             a_ring(0.3, false),
             a_ring(3.0, true)};
 }
@@ -57,14 +57,14 @@ std::vector<Obstacle> all_obstacles() {
 TEST_CASE("obstacles: distances are those of their surfaces") {
     CHECK(find_obstacle_distance(a_plane(), a_plane().line[0] + 0.7 * a_plane().normal).distance ==
           Approx(0.7).epsilon(1e-14));
-    const Obstacle sphere = make(Shape::sphere, {Vec3(1, 0, 0)}, 0.5);
+    const Obstacle sphere = make(Form::sphere, {Vec3(1, 0, 0)}, 0.5);
     CHECK(find_obstacle_distance(sphere, Vec3(1, 2, 0)).distance == Approx(1.5).epsilon(1e-14));
-    const Obstacle hollow = make(Shape::sphere, {Vec3(1, 0, 0)}, 0.5, true);
+    const Obstacle hollow = make(Form::sphere, {Vec3(1, 0, 0)}, 0.5, true);
     CHECK(find_obstacle_distance(hollow, Vec3(1, 0.2, 0)).distance == Approx(0.3).epsilon(1e-14));
-    const Obstacle capsule = make(Shape::cylinder, {Vec3(0, 0, 0), Vec3(1, 0, 0)}, 0.5);
+    const Obstacle capsule = make(Form::cylinder, {Vec3(0, 0, 0), Vec3(1, 0, 0)}, 0.5);
     CHECK(find_obstacle_distance(capsule, Vec3(0.5, 2, 0)).distance == Approx(1.5).epsilon(1e-14));
     CHECK(find_obstacle_distance(capsule, Vec3(4, 4, 0)).distance == Approx(4.5).epsilon(1e-14));
-    const Obstacle pipe = make(Shape::cylinder, {Vec3(0, 0, 0), Vec3(1, 0, 0)}, 0.5, true);
+    const Obstacle pipe = make(Form::cylinder, {Vec3(0, 0, 0), Vec3(1, 0, 0)}, 0.5, true);
     CHECK(find_obstacle_distance(pipe, Vec3(4, 0.1, 0)).distance == Approx(0.4).epsilon(1e-14));
     SECTION("a ring's from its circle, but for the error of its pieces") {
         const Vec3 at = 2.7 * Vec3(std::cos(2.0), std::sin(2.0), 0.0);

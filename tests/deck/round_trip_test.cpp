@@ -970,7 +970,7 @@ std::vector<RoundTrip> all_trips() {
                               support_trips(),       connection_and_initial_trips(),
                               analysis_trips(),      path_trips(),
                               follow_trips(),        stage_trips(),
-                              surroundings_trips()}) {
+                              surroundings_trips(),  contact_trips()}) {
         all.insert(all.end(), trips.begin(), trips.end());
     }
     return all;

@@ -19,6 +19,7 @@ struct RoundTrip {
 std::vector<RoundTrip> law_trips();
 std::vector<RoundTrip> drive_trips();
 std::vector<RoundTrip> surroundings_trips();
+std::vector<RoundTrip> contact_trips();
 std::vector<RoundTrip> section_file_trips();
 std::vector<RoundTrip> section_frame_trips();
 std::vector<RoundTrip> spin_trips();

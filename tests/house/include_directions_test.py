@@ -23,7 +23,7 @@ DIRECT = {
     "elements": ["state", "numerics", "machine"],
     "loads": ["state", "numerics", "environment"],
     "constraints": ["state", "numerics"],
-    "contact": ["rotation", "numerics"],
+    "contact": ["model", "numerics"],
     "linear": ["model", "parallel", "machine"],
     "integrators": ["state", "parallel"],
     "assembly": ["elements", "loads", "constraints", "contact", "linear"],

@@ -208,6 +208,9 @@ void build_contact(BuildContext& context) {
         set_motion(given, obstacle, context);
         contact.obstacles.push_back(std::move(obstacle));
     }
+    if (context.stage == 0 && obstacles.empty() && contact.friction > 0.0)
+        context.add_fault(
+            *table, "friction", "there is none between rods yet, and the deck has no [obstacle.NAME]");
     if (context.stage == 0 && contact.is_empty())
         context.faults.add(table->place, table->path, "nothing to touch: no rods, and no [obstacle.NAME]");
     check_analysis(context);

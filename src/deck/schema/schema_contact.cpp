@@ -140,7 +140,8 @@ const TableSpec& contact_table() {
                   .dimension = "1",
                   .range = not_negative,
                   .default_value = 0.0,
-                  .sentence = "Coulomb's coefficient, on the surface."},
+                  .sentence =
+                      "Coulomb's coefficient of obstacles, on the surface. Rods have none with each other."},
                  {.name = "skin",
                   .type = ValueType::number,
                   .dimension = "1",
@@ -157,7 +158,9 @@ const TableSpec& contact_table() {
                               "gives back least."}},
         .example =
             "[contact]\n"
-            "friction = 0.3\n"};
+            "rods       = [\"spring\", \"bow\"]\n"
+            "each_other = false\n"
+            "friction   = 0.3\n"};
     return table;
 }
 

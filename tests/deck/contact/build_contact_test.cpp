@@ -1,0 +1,107 @@
+#include "deck/decks.hpp"
+#include "tools/catch.hpp"
+
+namespace gxrod::test {
+namespace {
+
+using Catch::Contains;
+
+const std::string dynamic = "[analysis]\nkind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\n";
+const std::string circle =
+    "shape = { circle = { radius = 0.01 } }\nmaterial = { E = 1e9, nu = 0.3, density = 1000 }\n";
+const std::string constants =
+    "stiffness = { EA = 1, GAy = 1, GAz = 1, GJ = 1, EIy = 1, EIz = 1 }\n"
+    "inertia = { rhoA = 1, rhoIy = 1, rhoIz = 1 }\n";
+const std::string floor = "[obstacle.floor]\nplane = { point = [0, 0, -1], normal = [0, 0, 1] }\n";
+
+std::string deck(const std::string& more,
+                 const std::string& section = circle,
+                 const std::string& analysis = dynamic) {
+    return "[section.s]\n" + section +
+           "[rod.a]\nsection = \"s\"\nline = { from = [0, 0, 0], to = [1, 0, 0] }\n" + more + analysis;
+}
+
+std::string faults(const std::string& more,
+                   const std::string& section = circle,
+                   const std::string& analysis = dynamic) {
+    return faults_of(deck(more, section, analysis));
+}
+
+}  // namespace
+
+TEST_CASE("What touches has a radius", "[deck][contact]") {
+    CHECK_THAT(
+        faults(floor, constants),
+        Contains("x.toml:4:1: rod.a: touches obstacles, but its section has no radius; expected `radius`"));
+    CHECK(read(deck(floor, constants + "radius = 0.2\n")).model.contact.radii == std::vector{0.2});
+    CHECK(read(deck(floor)).model.contact.radii == std::vector{0.01});
+    CHECK(read(deck("", constants)).model.contact.is_empty());
+}
+
+TEST_CASE("Obstacles that cannot be are reported", "[deck][contact]") {
+    CHECK_THAT(faults("[obstacle.o]\nplane = { point = [0, 0, 0], normal = [0, 0, 0] }\n"),
+               Contains("obstacle.o.plane.normal: expected a direction, found a vector of zero length"));
+    CHECK_THAT(faults("[obstacle.o]\ncylinder = { from = [0, 0, 1], to = [0, 0, 1], radius = 0.1 }\n"),
+               Contains("obstacle.o.cylinder.to: expected an end away from its start"));
+    CHECK_THAT(faults("[obstacle.o]\nsphere = { centre = [0, 0, 0], radius = 0.01, side = \"inside\" }\n"),
+               Contains("obstacle.o: a rod of radius 0.01 is to be inside"));
+    CHECK_THAT(faults("[obstacle.o]\nfriction = 1\n"), Contains("obstacle.o: missing; expected plane or"));
+    CHECK_THAT(faults("[obstacle.a]\nplane = { point = [0, 0, -1], normal = [0, 0, 1] }\n"),
+               Contains("has this name too"));
+    CHECK_THAT(faults(floor + "move = { z = \"1 + t\" }\n"), Contains("obstacle.floor.move.z"));
+}
+
+TEST_CASE("Friction between rods is refused", "[deck][contact]") {
+    CHECK_THAT(faults("[contact]\nfriction = 0.3\n"),
+               Contains("contact.friction: there is none between rods yet"));
+    CHECK_THAT(faults("[contact]\neach_other = false\nself = false\n"),
+               Contains("contact: nothing to touch"));
+}
+
+TEST_CASE("Analyses that contact does not go with are reported", "[deck][contact]") {
+    const auto with = [&](const std::string& analysis) {
+        return faults(floor, circle, "[analysis]\n" + analysis);
+    };
+    for (const char* scheme :
+         {"newmark-ibrahimbegovic", "sdirk-4", "radau-5", "gauss-4", "runge-kutta-4", "energy-momentum"})
+        CHECK_THAT(with("kind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\nintegrator = \"" +
+                        std::string(scheme) + "\"\n"),
+                   Contains("analysis.integrator: this scheme cannot take the impulses of contact"));
+    CHECK_THAT(with("kind = \"dynamic\"\nend_time = 1\naccuracy = 1e-3\n"),
+               Contains("analysis.accuracy: this scheme cannot take the impulses of contact"));
+    CHECK_THAT(with("kind = \"path\"\nuntil = { steps = 3 }\n"),
+               Contains("a path cannot be followed with contact yet"));
+    CHECK_NOTHROW(read(deck(floor, circle, "[analysis]\nkind = \"static\"\n")));
+    const Problem chosen =
+        read(deck(floor,
+                  circle,
+                  "[analysis]\nkind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\nintegrator = \"auto\"\n"));
+    CHECK(std::get<DynamicSettings>(chosen.analysis).scheme == Scheme::generalized_alpha);
+}
+
+TEST_CASE("Histories of obstacles have quantities of their own", "[deck][contact]") {
+    const auto history = [](const std::string& at, const std::string& quantity) {
+        return "[[history]]\nname = \"h\"\nat = \"" + at + "\"\nquantities = [\"" + quantity + "\"]\n";
+    };
+    CHECK_THAT(faults(floor + history("floor", "position")),
+               Contains("an obstacle has contact_force, contact_friction and least_gap only"));
+    CHECK_THAT(faults(floor + history("a.end", "least_gap")), Contains("only obstacles have it"));
+    const Problem problem = read(deck(floor + history("floor", "contact_force")));
+    CHECK(problem.output.histories.at(0).obstacle == 0);
+}
+
+TEST_CASE("An obstacle goes on in later stages from where it is", "[deck][contact]") {
+    const Problem problem =
+        read(deck(floor + "move = { z = \"2*t\" }\n",
+                  circle,
+                  "[[stage]]\nname = \"up\"\nkind = \"dynamic\"\nend_time = 0.25\ntime_step = 0.05\n"
+                  "[[stage]]\nname = \"on\"\nkind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\n"));
+    const auto height = [](const Contact& contact, double t) {
+        return contact.obstacles.at(0).motion->displacement(t).z();
+    };
+    CHECK(height(problem.model.contact, 0.1) == 0.2);
+    CHECK(height(problem.stages.at(1).actions.contact, 0.0) == 0.5);
+    CHECK(height(problem.stages.at(1).actions.contact, 0.5) == 1.5);
+}
+
+}  // namespace gxrod::test
