@@ -51,11 +51,11 @@ TEST_CASE("A kinematic curve is the given one at first and Masing's after", "[la
         CHECK(S[4] == Approx(0.6 * moment_of(size)).epsilon(1e-12));
         CHECK(S[5] == Approx(0.8 * moment_of(size)).epsilon(1e-12));
     }
-    for (const double down : {0.01, 0.1, 0.3, 0.7}) {
-        const double size = 0.5 - down;
+    for (const double drop : {0.01, 0.1, 0.3, 0.7}) {
+        const double size = 0.5 - drop;
         const Vec6 S =
             path.go(Vec6(strain_along(4, 0.6 * size) + strain_along(5, 0.8 * size)), 1.0).resultants;
-        CHECK(0.6 * S[4] + 0.8 * S[5] == Approx(moment_of(0.5) - 2.0 * moment_of(0.5 * down)).epsilon(1e-12));
+        CHECK(0.6 * S[4] + 0.8 * S[5] == Approx(moment_of(0.5) - 2.0 * moment_of(0.5 * drop)).epsilon(1e-12));
     }
     CHECK(path.dissipated() > 0.0);
 }
