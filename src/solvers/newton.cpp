@@ -1,6 +1,4 @@
 #include <cassert>
-#include <cstdio>
-#include <cstdlib>
 
 #include "assembly/contact_assembly.hpp"
 #include "assembly/frame_columns.hpp"
@@ -141,7 +139,6 @@ class Newton {
 
     // Whether to stop, be it converged, out of iterations or NaN.
     bool is_done() {
-        if (getenv("GX_DBG")) { fprintf(stderr,"t %g it %d res %.3e node %d comp %d inc %.3e sh %d gap %.2e prog %g", time_, report_.iterations, report_.residual, report_.worst_node, report_.worst_component, convergence_.last_increment(), report_.shortened, report_.least_gap, state_.contact.progress);  fprintf(stderr,"\n"); }
         if (report_.outcome == Outcome::not_finite) return true;
         const bool must_move = moves_supports_ || state_.contact.progress < 1.0;
         if (!must_move && convergence_.is_met(workspace_.residual, report_)) return true;

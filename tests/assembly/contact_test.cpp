@@ -167,8 +167,9 @@ TEST_CASE("The number of threads changes no force of contact and no limit", "[as
     std::vector<Vec3> displacements;
     RandomValues random(8);
     for (std::size_t i = 0; i < scene.state.trial.size(); ++i) displacements.push_back(random.vector(3.0));
-    const ContactLimits a = one.contact()->limit(displacements, scene.state, now);
-    const ContactLimits b = several.contact()->limit(displacements, scene.state, now);
+    State state = scene.state;
+    const ContactLimits a = one.contact()->limit(displacements, state, now);
+    const ContactLimits b = several.contact()->limit(displacements, state, now);
     CHECK(a.shorten());
     CHECK(a.of_parts == b.of_parts);
     CHECK(a.least_gap == b.least_gap);
@@ -182,7 +183,8 @@ TEST_CASE("A limited increment leaves a gap everywhere", "[assembly][contact]") 
         std::vector<Vec3> displacements;
         for (std::size_t i = 0; i < scene.state.trial.size(); ++i)
             displacements.push_back(random.vector(5.0));
-        const ContactLimits limits = system.contact()->limit(displacements, scene.state, now);
+        State state = scene.state;
+        const ContactLimits limits = system.contact()->limit(displacements, state, now);
         CHECK(limits.shorten());
         for (int part = 1; part <= 20; ++part) {
             State moved = scene.state;
