@@ -10,11 +10,11 @@ namespace gxrod::test {
 namespace {
 
 // The rod of Till's ContinuumRobotExamples, after Rucker and Webster (2011).
-constexpr double length = 0.5, radius = 1e-3, E = 200e9, a = 0.01506;
-constexpr double EA = E * std::numbers::pi * radius * radius;
-constexpr double EI = E * std::numbers::pi * radius * radius * radius * radius / 4.0;
-// How a tendon along the rod at a distance a shortens by its tension: N = −T and M = T a of the rod.
-constexpr double compliance = length * (1.0 / EA + a * a / EI);
+constexpr double length = 0.5, radius = 1e-3, modulus = 200e9, offset = 0.01506;
+constexpr double EA = modulus * std::numbers::pi * radius * radius;
+constexpr double EI = modulus * std::numbers::pi * radius * radius * radius * radius / 4.0;
+// How a tendon along the rod at an offset a shortens by its tension: N = −T and M = T a of the rod.
+constexpr double compliance = length * (1.0 / EA + offset * offset / EI);
 
 std::string wire(int elements, const std::string& rest) {
     return R"deck([section.wire]
@@ -232,8 +232,8 @@ TEST_CASE("Sections bear the tension of a tendon that is drawn in", "[analyses][
     const Snapshot snapshot = simulation.take_snapshot(true);
     const SectionValues& first = snapshot.elements.front();
     CHECK(first.force.norm() < 1e-9 * snapshot.tendons[0].tension);
-    CHECK(first.moment.norm() < 1e-9 * snapshot.tendons[0].tension * a);
-    CHECK(first.curvature.norm() == Approx(snapshot.tendons[0].tension * a / EI));
+    CHECK(first.moment.norm() < 1e-9 * snapshot.tendons[0].tension * offset);
+    CHECK(first.curvature.norm() == Approx(snapshot.tendons[0].tension * offset / EI));
 }
 
 }  // namespace gxrod::test

@@ -63,11 +63,11 @@ struct Scene {
     State state = make_state();
 
     State make_state() const {
-        State state = system.initial_state();
+        State start = system.initial_state();
         RandomValues random(3);
-        for (NodeMotion& motion : state.trial) motion.r += random.vector(2e-3);
-        system.contact()->search(state);
-        return state;
+        for (NodeMotion& motion : start.trial) motion.r += random.vector(2e-3);
+        system.contact()->search(start);
+        return start;
     }
     const ContactPairs& pairs() const { return system.contact()->pairs(); }
 };
