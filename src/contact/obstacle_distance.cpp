@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "rotation/rotation_map.hpp"
 
@@ -48,7 +49,9 @@ struct Piece {
 Piece piece_of(const Obstacle& obstacle, std::size_t index) {
     const Vec3& p0 = obstacle.line[index];
     const Vec3& p1 = obstacle.line[index + 1];
-    const double length = (p1 - p0).norm();
+    // As a circle has it, whose pieces are then off by δ⁶ of their angle δ.
+    const double half = std::sqrt(0.5 * (1.0 + obstacle.tangents[index].dot(obstacle.tangents[index + 1])));
+    const double length = 2.0 * (p1 - p0).norm() / (1.0 + half);
     return {p0, p1, length * obstacle.tangents[index], length * obstacle.tangents[index + 1]};
 }
 
@@ -91,13 +94,23 @@ ClosestOnLine find_on_tube(const Obstacle& obstacle, const Vec3& point) {
         best = index;
         u = at;
     }
-    const bool is_before = best == 0 && u == 0.0;
-    const bool is_after = best + 1 == pieces && u == 1.0;
-    if (is_before || is_after) {
-        const Vec3& end = is_before ? obstacle.line.front() : obstacle.line.back();
-        if (!obstacle.is_hollow) return {end, Vec3::Zero(), Vec3::Zero()};
-        const Vec3& axis = is_before ? obstacle.tangents.front() : obstacle.tangents.back();
-        return {end + (point - end).dot(axis) * axis, axis, Vec3::Zero()};
+    const auto end_of = [&](bool is_start) -> const Vec3& {
+        return is_start ? obstacle.line.front() : obstacle.line.back();
+    };
+    if (obstacle.is_hollow) {
+        std::optional<ClosestOnLine> beyond;
+        for (const bool is_start : {true, false}) {
+            const Vec3& axis = is_start ? obstacle.tangents.front() : obstacle.tangents.back();
+            const double s = (point - end_of(is_start)).dot(axis);
+            if (is_start ? s >= 0.0 : s <= 0.0) continue;
+            const Vec3 position = end_of(is_start) + s * axis;
+            if ((point - position).norm() > least) continue;
+            least = (point - position).norm();
+            beyond = {position, axis, Vec3::Zero()};
+        }
+        if (beyond) return *beyond;
+    } else if ((best == 0 && u == 0.0) || (best + 1 == pieces && u == 1.0)) {
+        return {end_of(u == 0.0), Vec3::Zero(), Vec3::Zero()};
     }
     const Piece piece = piece_of(obstacle, best);
     const Vec3 first = piece.first(u);

@@ -162,6 +162,7 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     build_path_targets(context);
     build_excitation(context);
     choose_schemes(context);
+    check_contact(context);
     set_frame_intervals(context);
     problem.output = build_output(context);
     name_response_points(problem.output.histories, context);

@@ -25,6 +25,7 @@ void check_memory(const Model& model) {
         throw std::invalid_argument(
             "an equilibrium of sections that remember depends on how it was reached: carry derivatives along "
             "instead");
+    if (!model.contact.is_empty()) throw std::invalid_argument("there are no derivatives with contact yet");
     const auto rubs = [](const Joint& joint) {
         return joint.turn.friction.acts() || joint.slide.friction.acts();
     };

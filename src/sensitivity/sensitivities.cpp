@@ -33,6 +33,7 @@ Sensitivities::Sensitivities(const SteppedAnalysis& analysis,
     if (integrator_->conserves())
         throw std::invalid_argument(
             "derivatives are not carried along by energy-momentum: take integrator \"newmark-simplified\"");
+    if (analysis.system().contact()) throw std::invalid_argument("there are no derivatives with contact yet");
     if (const auto* statics = std::get_if<StaticSettings>(&settings)) linear_solver_ = statics->linear_solver;
     if (const auto* dynamic = std::get_if<DynamicSettings>(&settings)) {
         linear_solver_ = dynamic->linear_solver;

@@ -9,7 +9,7 @@
 using namespace gxrod;
 using namespace gxrod::tools;
 
-TEST_CASE("impacts: the slope is the derivative of the force") {
+TEST_CASE("impacts: the slope is the derivative of the force", "[contact]") {
     for (const double theta : {0.0, 0.3, 1.0}) {
         for (const double before : {0.05, 0.11, 0.19, 0.4}) {
             for (const double gap : {0.03, 0.110000001, 0.17, 0.25}) {
@@ -23,7 +23,7 @@ TEST_CASE("impacts: the slope is the derivative of the force") {
     }
 }
 
-TEST_CASE("impacts: the work on a gap is what the energy gives, or less") {
+TEST_CASE("impacts: the work on a gap is what the energy gives, or less", "[contact]") {
     RandomValues random(7);
     for (int sample = 0; sample < 1000; ++sample) {
         ImpactLaw law{{0.2, 7.0}, 0.0, random.number(1e-3, 0.3)};
@@ -38,7 +38,7 @@ TEST_CASE("impacts: the work on a gap is what the energy gives, or less") {
     }
 }
 
-TEST_CASE("impacts: a force and a gap belong to the curve's point with the same difference") {
+TEST_CASE("impacts: a force and a gap belong to the curve's point with the same difference", "[contact]") {
     RandomValues random(9);
     for (int sample = 0; sample < 500; ++sample) {
         const ImpactLaw law{{0.2, 7.0}, random.number(0.0, 1.0), random.number(1e-3, 0.3)};

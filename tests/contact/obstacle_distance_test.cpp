@@ -54,7 +54,7 @@ std::vector<Obstacle> all_obstacles() {
 
 }  // namespace
 
-TEST_CASE("obstacles: distances are those of their surfaces") {
+TEST_CASE("obstacles: distances are those of their surfaces", "[contact]") {
     CHECK(find_obstacle_distance(a_plane(), a_plane().line[0] + 0.7 * a_plane().normal).distance ==
           Approx(0.7).epsilon(1e-14));
     const Obstacle sphere = make(Form::sphere, {Vec3(1, 0, 0)}, 0.5);
@@ -77,7 +77,7 @@ TEST_CASE("obstacles: distances are those of their surfaces") {
     }
 }
 
-TEST_CASE("obstacles: the normal and the curvature are derivatives of the distance") {
+TEST_CASE("obstacles: the normal and the curvature are derivatives of the distance", "[contact]") {
     RandomValues random(3);
     for (const Obstacle& obstacle : all_obstacles()) {
         for (int sample = 0; sample < 20; ++sample) {
@@ -100,7 +100,7 @@ TEST_CASE("obstacles: the normal and the curvature are derivatives of the distan
     }
 }
 
-TEST_CASE("obstacles: a moved one sees what the point sees from it") {
+TEST_CASE("obstacles: a moved one sees what the point sees from it", "[contact]") {
     Obstacle obstacle = a_ring(0.3, false);
     obstacle.motion =
         ObstacleMotion{TimeVector(Vec3(0.1, 0.2, 0.3)), TimeVector(Vec3(0.3, -0.4, 0.5)), Vec3(1, 0, 0)};
@@ -117,7 +117,7 @@ TEST_CASE("obstacles: a moved one sees what the point sees from it") {
           Approx(step).epsilon(1e-6));
 }
 
-TEST_CASE("obstacles: a free motion keeps a tenth of the gap all along") {
+TEST_CASE("obstacles: a free motion keeps a tenth of the gap all along", "[contact]") {
     RandomValues random(5);
     int stopped = 0;
     for (const Obstacle& obstacle : all_obstacles()) {

@@ -63,7 +63,7 @@ double tangent_error(const Scene& scene) {
 
 }  // namespace
 
-TEST_CASE("a place that touches: its tangent is the derivative of its force") {
+TEST_CASE("a place that touches: its tangent is the derivative of its force", "[contact]") {
     Scene scene;
     SECTION("without friction") { scene.friction = {}; }
     SECTION("sticking") { CHECK_FALSE(scene.force().slides); }
@@ -74,7 +74,7 @@ TEST_CASE("a place that touches: its tangent is the derivative of its force") {
     CHECK(tangent_error(scene) < 1e-7);
 }
 
-TEST_CASE("a place that touches: friction is in the cone, against the slip of the surface") {
+TEST_CASE("a place that touches: friction is in the cone, against the slip of the surface", "[contact]") {
     const SurfaceTouch floor{0.01, Vec3::UnitZ()};
     const NormalForce pressed{2.0, 1.0};
     SECTION("sticks by its stiffness") {

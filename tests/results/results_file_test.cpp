@@ -132,7 +132,7 @@ TEST_CASE("Every dataset of a results file is described", "[results]") {
     write_sample(folder / "a.vtkhdf", model);
     const Hdf5Reader file(folder / "a.vtkhdf");
     const std::vector<std::string> datasets = file.datasets();
-    CHECK(datasets.size() == 130);
+    CHECK(datasets.size() == 135);
     for (const std::string& dataset : datasets) {
         INFO(dataset);
         CHECK(!file.text_attribute(dataset, "description").empty());

@@ -73,6 +73,23 @@ TEST_CASE("what depends on how it was reached has no derivatives by multipliers"
     CHECK_THROWS_WITH(make(), Contains("depends on how it was reached"));
 }
 
+TEST_CASE("what touches has no derivatives", "[sensitivity]") {
+    const Problem base = read(
+        replaced(
+            replaced(static_rod_deck, "simo", "objective"), "[section.s]\n", "[section.s]\nradius = 0.01\n") +
+        "[contact]\nself = false\n[obstacle.o]\nplane = { point = [0, 0, -99], normal = [0, 0, 1] }\n");
+    const System system(base.model);
+    const auto make = [&] {
+        return EquilibriumAdjoint(system,
+                                  system.initial_state(),
+                                  1.0,
+                                  LinearSolverKind::automatic,
+                                  {1},
+                                  [](const System&, const State&, int) { return 0.0; });
+    };
+    CHECK_THROWS_WITH(make(), Contains("there are no derivatives with contact yet"));
+}
+
 TEST_CASE("tendons that rub have no derivatives by multipliers", "[sensitivity]") {
     const Problem base = read(replaced(static_rod_deck, "simo", "objective") +
                               "[tendon.t]\non = \"r\"\noffset = [0, 1]\ntension = 1\nfriction = 0.1\n");

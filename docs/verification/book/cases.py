@@ -11,7 +11,7 @@ KEPT = SOURCE / "tests" / "data" / "results.json"
 
 # In the order of the index.
 KINDS = {"rigid body": "Rigid bodies", "mechanism": "Mechanisms", "statics": "Statics", "vibrations": "Vibrations", "stability": "Stability",
-         "materials": "Materials and forces within", "surroundings": "Water, wind and ground", "dynamics": "Dynamics", "objectivity": "Objectivity",
+         "materials": "Materials and forces within", "surroundings": "Water, wind and ground", "contact": "Contact", "dynamics": "Dynamics", "objectivity": "Objectivity",
          "conservation": "Conservation", "order": "Order of the schemes"}
 
 

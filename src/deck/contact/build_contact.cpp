@@ -153,17 +153,23 @@ void set_motion(const CheckedTable& table, Obstacle& obstacle, const BuildContex
 }
 
 // What cannot be had together with contact, at the keys that ask for it.
-void check_analysis(const BuildContext& context) {
-    const std::vector<CheckedTable>& stages = context.deck.tables("stage");
-    const CheckedTable& table =
-        stages.empty() ? context.deck.tables("analysis").front() : stages[context.stage];
-    const AnalysisSettings& analysis = context.analysis();
+void check_stage(const CheckedTable& table,
+                 const AnalysisSettings& analysis,
+                 bool turns,
+                 const BuildContext& context) {
     if (is_path(analysis))
         context.add_fault(
             table,
             "kind",
             "a path cannot be followed with contact yet; expected static, or dynamic with damping");
-    if (context.model.rotation)
+    const Contact& contact = context.model.contact;
+    if (!has_steps(analysis) && (contact.between_rods || contact.within_rods))
+        context.add_fault(
+            table,
+            "kind",
+            "shapes of rods that touch each other cannot be found yet; expected each_other = false "
+            "and self = false in [contact]");
+    if (turns)
         context.add_fault(
             table, "kind", "contact does not turn with a frame; expected a stage without [rotation]");
     const auto* timed = std::get_if<DynamicSettings>(&analysis);
@@ -213,7 +219,19 @@ void build_contact(BuildContext& context) {
             *table, "friction", "there is none between rods yet, and the deck has no [obstacle.NAME]");
     if (context.stage == 0 && contact.is_empty())
         context.faults.add(table->place, table->path, "nothing to touch: no rods, and no [obstacle.NAME]");
-    check_analysis(context);
+}
+
+void check_contact(const BuildContext& context) {
+    if (context.model.contact.is_empty()) return;
+    const std::vector<CheckedTable>& tables = context.deck.tables("stage");
+    for (std::size_t i = 0; i < context.stages.size(); ++i) {
+        const StagePlan& stage = context.stages[i];
+        const auto& rotation = i == 0 ? context.model.rotation : stage.actions.rotation;
+        check_stage(tables.empty() ? context.deck.tables("analysis").front() : tables[i],
+                    stage.analysis,
+                    rotation.has_value(),
+                    context);
+    }
 }
 
 }  // namespace gxrod

@@ -46,7 +46,8 @@ const TableSpec& sphere_obstacle_table() {
         .path = "obstacle.NAME.sphere",
         .heading = "sphere = { … }",
         .sentence = "",
-        .keys = {vector_key("centre", "length", ""), length_key("radius", "Its own."), side_key()}};
+        .keys = {
+            vector_key("centre", "length", "Its centre."), length_key("radius", "Its own."), side_key()}};
     return table;
 }
 
@@ -166,12 +167,12 @@ const TableSpec& contact_table() {
 
 const TableSpec& obstacle_table() {
     static const TableSpec table{
-        .path = "obstacle",
+        .path = "obstacle.NAME",
         .heading = "[obstacle.NAME]",
         .sentence = "A body that does not deform, which rods touch and never pass.",
         .keys = {table_key("plane", plane_obstacle_table(), "A half space."),
-                 table_key("sphere", sphere_obstacle_table(), ""),
-                 table_key("cylinder", cylinder_obstacle_table(), ""),
+                 table_key("sphere", sphere_obstacle_table(), "Solid, or hollow."),
+                 table_key("cylinder", cylinder_obstacle_table(), "Solid, or hollow."),
                  table_key(
                      "tube",
                      tube_obstacle_table(),

@@ -114,7 +114,7 @@ constexpr KeySynonyms keys[] = {
     {"", "wave", "waves sea_state irregular"},
     {"", "air", "wind aero"},
     {"", "contact", "contacts collision collisions touching"},
-    {"", "obstacle", "obstacles wall rigid_body surface"},
+    {"", "obstacle", "obstacles wall surface"},
     {"contact", "friction", "mu friction_coefficient"},
     {"contact", "skin", "gap thickness margin range"},
     {"contact", "dissipation", "restitution loss"},

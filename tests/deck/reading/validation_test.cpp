@@ -17,7 +17,7 @@ colour = 3)")) ==
           "x.toml:13:2: zone: unknown key; known here: title, units, gravity, plane, parameters, function, "
           "input, "
           "section, rod, body, spring, bushing, joint, gear, connect, load, tendon, actuation, magnetic, "
-          "fluid, wave, air, seabed, support, initial, rotation, "
+          "fluid, wave, air, seabed, contact, obstacle, support, initial, rotation, "
           "analysis, "
           "stage, output, history");
     CHECK(faults_of(body_deck + "gravity = [0, 0, -9.81]") ==

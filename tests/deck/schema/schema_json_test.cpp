@@ -50,7 +50,7 @@ TEST_CASE("The JSON Schema has ranges, words, sizes and exclusions", "[deck]") {
     CHECK(analysis.at("beta").at("anyOf")[0] ==
           Json({{"type", "number"}, {"exclusiveMinimum", 0.0}, {"maximum", 0.5}}));
     CHECK(analysis.at("steps").at("anyOf")[0].at("minimum") == 1);
-    CHECK(analysis.at("integrator").at("enum").size() == 8);
+    CHECK(analysis.at("integrator").at("enum").size() == 9);
     CHECK(analysis.at("integrator").at("default") == "newmark-simplified");
     CHECK(properties.at("gravity").at("minItems") == 3);
     CHECK(properties.at("gravity").at("maxItems") == 3);
