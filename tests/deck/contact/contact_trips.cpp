@@ -6,15 +6,17 @@ namespace {
 
 // Two wires, far from what is added.
 std::string wires(const std::string& more, const std::string& section = "") {
+    const auto rod = [](const char* name, int y) {
+        return std::string("[rod.") + name + "]\nsection = \"s\"\nelements = 4\nline = { from = [0, " +
+               std::to_string(y) + ", 0], to = [1, " + std::to_string(y) + ", 0] }\n";
+    };
     return "[section.s]\nshape = { circle = { radius = 0.01 } }\n"
            "material = { E = 1e9, nu = 0.3, density = 1000 }\n" +
-           section +
-           "[rod.a]\nsection = \"s\"\nline = { from = [0, 0, 0], to = [1, 0, 0] }\nelements = 4\n"
-           "[rod.b]\nsection = \"s\"\nline = { from = [0, 1, 0], to = [1, 1, 0] }\nelements = 4\n" +
-           more + "[analysis]\nkind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\n";
+           section + rod("a", 0) + rod("b", 1) + more +
+           "[analysis]\nkind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\n";
 }
 
-// The first, or one of nothing.
+// The first, or one that no trip sees.
 Obstacle obstacle(const Problem& problem) {
     if (!problem.model.contact.obstacles.empty()) return problem.model.contact.obstacles[0];
     Obstacle none;
@@ -22,45 +24,110 @@ Obstacle obstacle(const Problem& problem) {
     return none;
 }
 
-std::string with_obstacle(const std::string& keys) { return wires("[obstacle.o]\n" + keys + "\n"); }
 const std::string floor_keys = "plane = { point = [1, 2, -3], normal = [0, 0, 2] }\n";
 
-RoundTrip shape_trip(const std::string& key,
-                     const std::string& value,
-                     std::function<bool(const Obstacle&)> is_seen) {
-    return {"obstacle.NAME." + key, with_obstacle(value), [is_seen](const Problem& problem) {
+RoundTrip trip(const std::string& key,
+               const std::string& keys,
+               const std::function<bool(const Obstacle&)>& is_seen) {
+    return {"obstacle.NAME." + key, wires("[obstacle.o]\n" + keys + "\n"), [is_seen](const Problem& problem) {
                 return is_seen(obstacle(problem));
             }};
 }
 
-RoundTrip move_trip(const std::string& component, std::function<double(const ObstacleMotion&)> find) {
-    return {"obstacle.NAME.move." + component,
-            with_obstacle(floor_keys + "move = { " + component + " = \"3*t\" }"),
-            [find](const Problem& problem) {
-                const Obstacle one = obstacle(problem);
-                return one.motion && find(*one.motion) == 1.5;
-            }};
+// Of the curves of a tube, whose keys are those of rods, by where they start and end.
+struct Curve {
+    std::string name, deck;
+    std::vector<std::string> keys;
+    Vec3 start, end;
+};
+
+std::vector<Curve> list_curves() {
+    return {{"arc",
+             "from = [5, 0, -9], through = [0, 5, -9], to = [-5, 0, -9]",
+             {"from", "through", "to"},
+             {5, 0, -9},
+             {-5, 0, -9}},
+            {"arc",
+             "centre = [0, 0, -9], axis = [0, 0, 1], from = [5, 0, -9], angle = \"pi\"",
+             {"centre", "axis", "angle"},
+             {5, 0, -9},
+             {-5, 0, -9}},
+            {"helix",
+             "centre = [0, 0, -9], axis = [0, 0, -1], from = [2, 0, -9], turns = 2, pitch = 3",
+             {"centre", "axis", "from", "turns", "pitch"},
+             {2, 0, -9},
+             {2, 0, -15}}};
+}
+
+void add_curve_trips(std::vector<RoundTrip>& trips) {
+    for (const Curve& curve : list_curves()) {
+        for (const std::string& key : curve.keys)
+            trips.push_back(trip("tube." + curve.name + "." + key,
+                                 "tube = { " + curve.name + " = { " + curve.deck + " }, radius = 0.5 }",
+                                 [curve](const Obstacle& one) {
+                                     return (one.line.front() - curve.start).norm() < 1e-12 &&
+                                            (one.line.back() - curve.end).norm() < 1e-12;
+                                 }));
+    }
+}
+
+void add_move_trips(std::vector<RoundTrip>& trips) {
+    for (std::size_t i = 0; i < component_names.size(); ++i) {
+        const std::string name(component_names[i]);
+        trips.push_back(
+            trip("move." + name, floor_keys + "move = { " + name + " = \"3*t\" }", [i](const Obstacle& one) {
+                if (!one.motion) return false;
+                const TimeVector& part = i < 3 ? one.motion->displacement : one.motion->rotation;
+                return part(0.5)[static_cast<Eigen::Index>(i % 3)] == 1.5;
+            }));
+    }
+    trips.push_back(
+        trip("move.about", floor_keys + "move = { rx = \"t\", about = [4, 5, 6] }", [](const Obstacle& one) {
+            return one.motion && one.motion->about == Vec3(4, 5, 6);
+        }));
+}
+
+void add_shape_trips(std::vector<RoundTrip>& trips) {
+    const std::string sphere = "sphere = { centre = [0, 0, -3], radius = 0.5 }";
+    const std::string cylinder = "cylinder = { from = [0, 0, -3], to = [1, 0, -3], radius = 0.5 }";
+    const auto is_hollow = [](const Obstacle& one) { return one.is_hollow; };
+    const auto has_radius = [](const Obstacle& one) { return one.radius == 0.5; };
+    const auto starts = [](const Vec3& at) {
+        return [at](const Obstacle& one) { return one.line.front() == at; };
+    };
+    trips.push_back(trip("plane.point", floor_keys, starts({1, 2, -3})));
+    trips.push_back(trip("plane.normal", floor_keys, [](const Obstacle& one) {
+        return one.normal == Vec3(0, 0, 1) && one.line[0] == Vec3(1, 2, -3);
+    }));
+    trips.push_back(trip("sphere.centre", sphere, starts({0, 0, -3})));
+    trips.push_back(trip("sphere.radius", sphere, has_radius));
+    trips.push_back(
+        trip("sphere.side", "sphere = { centre = [0, 0, 0], radius = 50, side = \"inside\" }", is_hollow));
+    trips.push_back(trip("cylinder.from", cylinder, starts({0, 0, -3})));
+    trips.push_back(
+        trip("cylinder.to", cylinder, [](const Obstacle& one) { return one.line.back() == Vec3(1, 0, -3); }));
+    trips.push_back(trip("cylinder.radius", cylinder, has_radius));
+    trips.push_back(trip("cylinder.side",
+                         "cylinder = { from = [0, 0, 0], to = [1, 0, 0], radius = 50, side = \"inside\" }",
+                         is_hollow));
+    const std::string spline = "tube = { spline = [[0, 0, -9], [1, 1, -9], [2, 0, -9]], radius = 0.5 }";
+    trips.push_back(trip("tube.spline", spline, starts({0, 0, -9})));
+    trips.push_back(trip("tube.radius", spline, has_radius));
+    trips.push_back(
+        trip("tube.side",
+             "tube = { spline = [[-9, 0, 0], [0, 0, 0], [9, 0, 0]], radius = 5, side = \"inside\" }",
+             is_hollow));
 }
 
 }  // namespace
 
 std::vector<RoundTrip> contact_trips() {
-    const std::string sphere = "sphere = { centre = [0, 0, -3], radius = 0.5, side = \"outside\" }";
-    const std::string hollow = "sphere = { centre = [0, 0, 0], radius = 50, side = \"inside\" }";
-    const std::string cylinder = "cylinder = { from = [0, 0, -3], to = [1, 0, -3], radius = 0.5 }";
-    const std::string pipe =
-        "cylinder = { from = [0, 0, 0], to = [1, 0, 0], radius = 50, side = \"inside\" }";
-    const std::string arc =
-        "tube = { arc = { from = [5, 0, -9], through = [0, 5, -9], to = [-5, 0, -9] }, radius = 0.5 }";
-    const auto has_shape = [](Obstacle::Shape shape) {
-        return [shape](const Obstacle& one) { return one.shape == shape; };
-    };
-    using Shape = Obstacle::Shape;
-    return {
+    const auto radii = [](const Problem& p) { return p.model.contact.radii; };
+    std::vector<RoundTrip> trips{
         {"contact.rods",
          wires("[contact]\nrods = \"b\"\n"),
-         [](const Problem& p) {
-             return p.model.contact.radii == std::vector{0.0, 0.01};
+         [=](const Problem& p) {
+             return radii(p) == std::vector{0.0, 0.01};
          }},
         {"contact.each_other",
          wires("[contact]\neach_other = false\n"),
@@ -84,61 +151,19 @@ std::vector<RoundTrip> contact_trips() {
          [](const Problem& p) { return p.model.contact.dissipation == 0.25; }},
         {"section.NAME.radius",
          wires("[contact]\n", "radius = 0.03\n"),
-         [](const Problem& p) {
-             return p.model.contact.radii == std::vector{0.03, 0.03};
+         [=](const Problem& p) {
+             return radii(p) == std::vector{0.03, 0.03};
          }},
-        shape_trip("plane", floor_keys, has_shape(Shape::plane)),
-        shape_trip(
-            "plane.point", floor_keys, [](const Obstacle& one) { return one.line[0] == Vec3(1, 2, -3); }),
-        shape_trip(
-            "plane.normal", floor_keys, [](const Obstacle& one) { return one.normal == Vec3(0, 0, 1); }),
-        shape_trip("sphere", sphere, has_shape(Shape::sphere)),
-        shape_trip(
-            "sphere.centre", sphere, [](const Obstacle& one) { return one.line[0] == Vec3(0, 0, -3); }),
-        shape_trip("sphere.radius", sphere, [](const Obstacle& one) { return one.radius == 0.5; }),
-        shape_trip("sphere.side", hollow, [](const Obstacle& one) { return one.is_hollow; }),
-        shape_trip("cylinder", cylinder, has_shape(Shape::cylinder)),
-        shape_trip(
-            "cylinder.from", cylinder, [](const Obstacle& one) { return one.line[0] == Vec3(0, 0, -3); }),
-        shape_trip(
-            "cylinder.to", cylinder, [](const Obstacle& one) { return one.line[1] == Vec3(1, 0, -3); }),
-        shape_trip("cylinder.radius", cylinder, [](const Obstacle& one) { return one.radius == 0.5; }),
-        shape_trip("cylinder.side", pipe, [](const Obstacle& one) { return one.is_hollow; }),
-        shape_trip("tube", arc, has_shape(Shape::tube)),
-        shape_trip("tube.arc",
-                   arc,
-                   [](const Obstacle& one) { return (one.line.back() - Vec3(-5, 0, -9)).norm() < 1e-12; }),
-        shape_trip("tube.helix",
-                   "tube = { helix = { centre = [0, 0, -9], axis = [0, 0, -1], from = [2, 0, -9], turns = 2, "
-                   "pitch = 3 }, "
-                   "radius = 0.5 }",
-                   [](const Obstacle& one) { return (one.line.back() - Vec3(2, 0, -15)).norm() < 1e-12; }),
-        shape_trip("tube.spline",
-                   "tube = { spline = [[0, 0, -9], [1, 1, -9], [2, 0, -9]], radius = 0.5 }",
-                   [](const Obstacle& one) { return (one.line.back() - Vec3(2, 0, -9)).norm() < 1e-12; }),
-        shape_trip("tube.radius", arc, [](const Obstacle& one) { return one.radius == 0.5; }),
-        shape_trip("tube.side",
-                   "tube = { spline = [[-9, 0, 0], [0, 0, 0], [9, 0, 0]], radius = 5, side = \"inside\" }",
-                   [](const Obstacle& one) { return one.is_hollow; }),
-        shape_trip("friction",
-                   floor_keys + "friction = 0.7",
-                   [](const Obstacle& one) { return one.friction == 0.7; }),
-        shape_trip("stiffness",
-                   floor_keys + "stiffness = 30",
-                   [](const Obstacle& one) { return one.stiffness == 30.0; }),
-        shape_trip("move",
-                   floor_keys + "move = { x = \"t\" }",
-                   [](const Obstacle& one) { return one.motion.has_value(); }),
-        move_trip("x", [](const ObstacleMotion& motion) { return motion.displacement(0.5).x(); }),
-        move_trip("y", [](const ObstacleMotion& motion) { return motion.displacement(0.5).y(); }),
-        move_trip("z", [](const ObstacleMotion& motion) { return motion.displacement(0.5).z(); }),
-        move_trip("rx", [](const ObstacleMotion& motion) { return motion.rotation(0.5).x(); }),
-        move_trip("ry", [](const ObstacleMotion& motion) { return motion.rotation(0.5).y(); }),
-        move_trip("rz", [](const ObstacleMotion& motion) { return motion.rotation(0.5).z(); }),
-        shape_trip("move.about",
-                   floor_keys + "move = { rx = \"t\", about = [4, 5, 6] }",
-                   [](const Obstacle& one) { return one.motion && one.motion->about == Vec3(4, 5, 6); }),
-    };
+        trip("friction",
+             floor_keys + "friction = 0.7",
+             [](const Obstacle& one) { return one.friction == 0.7; }),
+        trip("stiffness", floor_keys + "stiffness = 30", [](const Obstacle& one) {
+            return one.stiffness == 30.0;
+        })};
+    add_shape_trips(trips);
+    add_curve_trips(trips);
+    add_move_trips(trips);
+    return trips;
 }
 
 }  // namespace gxrod::test
