@@ -67,13 +67,15 @@ PlaceFriction advance_slip(const SurfaceTouch& touch,
                            const NormalForce& normal,
                            PlaceFriction friction) {
     if (friction.coefficient == 0.0) return friction;
+    const Vec3 pull = tangential(touch.normal) * compute_pull(touch, place, friction);
+    const double most = friction.coefficient * std::max(normal.force, 0.0);
+    const double size = pull.norm();
     if (!rubs(normal, friction)) {
-        friction.slip = Slip::sticks;
+        // If it comes to touch, it slides as it moves: it would be pulled back all the way otherwise.
+        friction.slip = size > 0.0 ? Slip::slides : Slip::sticks;
+        if (size > 0.0) friction.direction = pull / size;
         return friction;
     }
-    const Vec3 pull = tangential(touch.normal) * compute_pull(touch, place, friction);
-    const double most = friction.coefficient * normal.force;
-    const double size = pull.norm();
     const bool goes_on = friction.slip != Slip::slides || pull.dot(friction.direction) > 0.0;
     friction.slip = size > most && goes_on ? Slip::slides : Slip::sticks;
     if (friction.slip == Slip::slides) friction.direction = pull / size;

@@ -141,7 +141,7 @@ velocity = [2, 0, 0]
 [analysis]
 kind = "dynamic"
 end_time = 1.0
-time_step = 0.002
+time_step = 0.005
 )",
                    0.3));
     run.finish();
