@@ -26,7 +26,7 @@ struct LedgerMemory {
     double damping_power = 0.0;
     // Schemes of one stage: forces and moments per node that do work, at the end of the last step.
     std::vector<Vec6> forces;
-    std::vector<Vec6> fluid_forces;    // of water, air and ground per node, at the end of the last step
+    std::vector<Vec6> fluid_forces;  // of water, air and ground per node, at the end of the last step
     // In statics after the first step: the last one's changes of these forces, its movements, its length.
     std::vector<Vec6> force_change, movement;
     double load_step = 0.0;
