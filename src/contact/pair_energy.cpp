@@ -107,7 +107,7 @@ LineIntegral integrate_line(double w, double G, double z0, double z1) {
 // − R².
 struct PairShape {
     Real AA, AB, BB, Ar, Br, rr;
-    Real length, axial_A, axial_r, alpha, beta, gamma;
+    Real length, axial_a, axial_r, alpha, beta, gamma;
     double radii_squared, reach_squared;  // R², (R + ĝ)²
 
     PairShape(const Vec3& A, const Vec3& B, const Vec3& r, const PairLaw& pair) {
@@ -119,10 +119,10 @@ struct PairShape {
         rr = Real::make_variable(r.squaredNorm(), 5);
         length = sqrt(BB);
         const Real inverse = Real(1.0) / length;
-        axial_A = AB * inverse;
+        axial_a = AB * inverse;
         axial_r = Br * inverse;
-        alpha = AA - axial_A * axial_A;
-        beta = Ar - axial_A * axial_r;
+        alpha = AA - axial_a * axial_a;
+        beta = Ar - axial_a * axial_r;
         gamma = rr - axial_r * axial_r;
         radii_squared = pair.radii * pair.radii;
         reach_squared = (pair.radii + pair.law.skin) * (pair.radii + pair.law.skin);
@@ -158,7 +158,7 @@ bool find_range(const PairShape& shape, Real& first, Real& last) {
         if (k == 2 && shape.alpha.value < 1e-12 * shape.AA.value) continue;
         if (!quadratics[k].find_roots(roots[0], roots[1])) continue;
         for (const double s : roots) {
-            const double z = shape.axial_r.value + s * shape.axial_A.value;
+            const double z = shape.axial_r.value + s * shape.axial_a.value;
             if (k == 2 && (z < 0.0 || z > shape.length.value)) continue;
             if (s < low) low = s, low_from = k;
             if (s > high) high = s, high_from = k;
@@ -194,7 +194,7 @@ struct WeightedPlaces {
 // η, ds = width half cosh η dξ.
 class OuterSum {
   public:
-    enum Number { centre, width, middle, half, alpha, beta, gamma, axial_A, axial_r, length, numbers };
+    enum Number { centre, width, middle, half, alpha, beta, gamma, axial_a, axial_r, length, numbers };
 
     double value = 0.0;
     Eigen::Matrix<double, numbers, 1> gradient = Eigen::Matrix<double, numbers, 1>::Zero();
@@ -226,7 +226,7 @@ void OuterSum::add(const QuadraturePoint& point,
     const double sinh = std::sinh(eta), cosh = std::sqrt(1.0 + sinh * sinh);
     const double s = x[centre] + x[width] * sinh;
     const double G = (x[alpha] * s + 2.0 * x[beta]) * s + x[gamma] - radii_squared;
-    const double low = -(x[axial_r] + s * x[axial_A]);
+    const double low = -(x[axial_r] + s * x[axial_a]);
     const LineIntegral line = integrate_line(w, G, low, low + x[length]);
     if (line.value == 0.0) return;
     const double weight = point.weight * x[width] * x[half] * cosh;
@@ -234,11 +234,11 @@ void OuterSum::add(const QuadraturePoint& point,
     const double stretch = x[width] * cosh, G_by_s = 2.0 * (x[alpha] * s + x[beta]);
     const double s_by[4] = {1.0, sinh, stretch, xi * stretch};
     Row G_by = Row::Zero(), low_by = Row::Zero(), weight_by = Row::Zero();
-    for (int k = 0; k < 4; ++k) G_by[k] = G_by_s * s_by[k], low_by[k] = -x[axial_A] * s_by[k];
+    for (int k = 0; k < 4; ++k) G_by[k] = G_by_s * s_by[k], low_by[k] = -x[axial_a] * s_by[k];
     G_by[alpha] = s * s;
     G_by[beta] = 2.0 * s;
     G_by[gamma] = 1.0;
-    low_by[axial_A] = -s;
+    low_by[axial_a] = -s;
     low_by[axial_r] = -1.0;
     weight_by[width] = point.weight * x[half] * cosh;
     weight_by[middle] = point.weight * x[width] * x[half] * sinh;
@@ -260,11 +260,11 @@ void OuterSum::add(const QuadraturePoint& point,
         const double share = weight * s_by[k];
         half_hessian(k, alpha) += share * line.by_G * 2.0 * s;
         half_hessian(k, beta) += share * line.by_G * 2.0;
-        half_hessian(k, axial_A) -= share * by_low;
+        half_hessian(k, axial_a) -= share * by_low;
         for (int l = 0; l < 4; ++l) half_hessian(k, l) += share * line.by_G * x[alpha] * s_by[l];
     }
     add_curvatures_of_places(
-        weight * (line.by_G * G_by_s - by_low * x[axial_A]), line.value, point, x, sinh, cosh);
+        weight * (line.by_G * G_by_s - by_low * x[axial_a]), line.value, point, x, sinh, cosh);
     // The force is −2 Φ′ times the distance: −∫Φ′ dz, and ∫Φ′ z dz is half the change of Φ.
     const double pressure = -line.by_G * weight;
     places.weight += pressure;
@@ -303,7 +303,7 @@ Real integrate_pair(const PairShape& shape, double w, WeightedPlaces& places) {
                                               &shape.alpha,
                                               &shape.beta,
                                               &shape.gamma,
-                                              &shape.axial_A,
+                                              &shape.axial_a,
                                               &shape.axial_r,
                                               &shape.length};
     std::array<double, OuterSum::numbers> values;

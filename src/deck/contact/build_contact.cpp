@@ -121,7 +121,7 @@ TimeFunction continue_motion(const CheckedTimeFunction& given, const BuildContex
         const StagePlan& stage = context.stages[i];
         if (has_steps(stage.analysis)) earlier.emplace_back(given.function, stage.end);
     }
-    const TimeFunction own = find_acting(context).apply(given.function);
+    TimeFunction own = find_acting(context).apply(given.function);
     if (earlier.empty()) return own;
     return TimeFunction([own, earlier](double t) {
         double sum = own(t);
