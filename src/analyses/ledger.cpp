@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "assembly/contact_assembly.hpp"
+#include "assembly/contact/contact_assembly.hpp"
 #include "state/energy_jump.hpp"
 
 namespace gxrod {

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "assembly/contact_assembly.hpp"
+#include "assembly/contact/contact_assembly.hpp"
 #include "assembly/frame_columns.hpp"
 #include "check/direction_words.hpp"
 #include "check/stiffness_contrast.hpp"

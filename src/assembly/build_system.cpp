@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "assembly/contact_assembly.hpp"
+#include "assembly/contact/contact_assembly.hpp"
 #include "assembly/element_geometry.hpp"
 #include "assembly/node_groups.hpp"
 #include "assembly/surroundings_assembly.hpp"

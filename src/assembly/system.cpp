@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "assembly/contact_assembly.hpp"
+#include "assembly/contact/contact_assembly.hpp"
 #include "assembly/surroundings_assembly.hpp"
 #include "loads/distributed_load.hpp"
 #include "loads/nodal_load.hpp"

@@ -72,7 +72,7 @@ class System {
     const SurroundingsAssembly* surroundings() const { return surroundings_.get(); }
     const EquationNumbers& equations() const { return equations_; }
     const SparsePattern& pattern() const { return pattern_; }
-    // The groups of nodes that elements and joints couple, of which the pattern is made.
+    // The groups of nodes that elements and joints couple; the pattern follows from them.
     std::vector<NodeGroup> list_node_groups() const;
     // The model's length for scaling: the largest of its extent and the bodies' own sizes; 1 if both are
     // zero.

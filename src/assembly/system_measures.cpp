@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "assembly/contact_assembly.hpp"
+#include "assembly/contact/contact_assembly.hpp"
 #include "assembly/surroundings_assembly.hpp"
 #include "assembly/system.hpp"
 

@@ -40,17 +40,13 @@ Advancement advance(const Measure& measure, const AdvancementLimits& limits = {}
     return result;
 }
 
-// The same for a gap that changes by no more than `speed` times the change of t.
-template <class Gap>
-Advancement advance_by_speed(const Gap& gap_at, double speed, const AdvancementLimits& limits = {}) {
-    struct Bound {
-        double gap, speed;
-        double find_free_motion(double floor) const {
-            return speed > 0.0 ? (gap - floor) / speed : std::numeric_limits<double>::infinity();
-        }
-    };
-    return advance([&](double t) { return Bound{gap_at(t), speed}; }, limits);
-}
+// What measure(t) can return of a gap that closes by no more than `speed` times the change of t.
+struct GapAndSpeed {
+    double gap, speed;
+    double find_free_motion(double floor) const {
+        return speed > 0.0 ? (gap - floor) / speed : std::numeric_limits<double>::infinity();
+    }
+};
 
 // Two capsules whose ends move on straight lines; `radii` is the sum of both radii. A segment without length
 // is a ball. How the capsules move together, and along each other, costs nothing: only what closes the gap

@@ -18,11 +18,6 @@ constexpr double least_sine_squared = 1e-14;
 
 }  // namespace
 
-double find_closest_place(const Segment& segment, const Vec3& point) {
-    const Vec3 A = segment.end - segment.start;
-    return clamp_quotient(A.dot(point - segment.start), A.squaredNorm());
-}
-
 ClosestPoints find_closest_points(const Segment& a, const Segment& b) {
     const Vec3 A = a.end - a.start, B = b.end - b.start, r = a.start - b.start;
     const double AA = A.squaredNorm(), AB = A.dot(B), BB = B.squaredNorm(), Ar = A.dot(r), Br = B.dot(r);

@@ -21,7 +21,4 @@ struct ClosestPoints {
 // Of parallel segments one of the closest pairs.
 ClosestPoints find_closest_points(const Segment& a, const Segment& b);
 
-// s of the point of a segment that is closest to a point; 0 of a segment without length.
-double find_closest_place(const Segment& segment, const Vec3& point);
-
 }  // namespace gxrod

@@ -19,24 +19,13 @@ double compute_contact_force(const ContactLaw& law, double gap);
 double compute_contact_force_slope(const ContactLaw& law, double gap);  // dλ/dg ≤ 0
 double compute_contact_energy(const ContactLaw& law, double gap);
 
-// The gap in (0, ĝ] whose energy is V ≥ 0, to rounding; ĝ for V = 0.
-double find_gap_of_contact_energy(const ContactLaw& law, double energy);
-
 struct ContactGraphPoint {
     double gap;        // ĝ x(ζ)
     double force;      // λ(ζ)
     double stiffness;  // D = (κ/ĝ)(1 + ζ)(3 + ζ), 0 below ζ = −1
 };
 
-double find_contact_parameter(const ContactLaw& law, double gap);  // ζ of the point of the curve at a gap > 0
-double find_parameter_of_force(const ContactLaw& law, double force);  // ζ ≥ −1 of the point at a force ≥ 0
+// The point of the curve with the parameter ζ.
 ContactGraphPoint find_contact_point(const ContactLaw& law, double zeta);
-
-// The force that the tangent of the curve at ζ gives for a gap: λ(ζ) − D (g − g(ζ)).
-double compute_tangent_force(const ContactLaw& law, double zeta, double gap);
-
-// ζ after Newton's full increment, which changes the gap by δg: λ_lin/κ − (g + δg)/ĝ, where λ_lin is on the
-// tangent at ζ.
-double advance_contact_parameter(const ContactLaw& law, double zeta, double gap, double gap_change);
 
 }  // namespace gxrod

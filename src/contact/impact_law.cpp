@@ -51,6 +51,9 @@ double find_gap_on_curve(const ImpactLaw& law, double force, double gap) {
         if (high > 0.0 && low > 0.0 && (next <= low || next >= high)) next = std::sqrt(low * high);
         if (next > 4.0 * found) next = 4.0 * found;
         if (next < 0.25 * found) next = 0.25 * found;
+        // A mean over a long way grows with the logarithm of the gap alone: iterates may ask for more than
+        // that.
+        next = std::max(next, 1e-12 * skin);
         if (next == found) break;
         found = next;
     }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "contact/advancement.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
@@ -192,25 +193,16 @@ ObstacleDistance find_obstacle_distance(const Obstacle& obstacle,
 FreeMotion find_free_motion(const Obstacle& obstacle, double radius, const Vec3& from, const Vec3& to) {
     const Vec3 motion = to - from;
     const double length = motion.norm();
-    ObstacleDistance at = find_obstacle_distance(obstacle, from);
-    const double gap = at.distance - radius;
-    constexpr double kept = 0.1;
-    if (0.9 * gap >= length) return {1.0, gap};
     // The distance from what bulges out is never below its tangent plane's: nothing bulges in but hollows and
     // the bends of tubes.
     const bool is_convex = !obstacle.is_hollow && obstacle.shape != Obstacle::Shape::tube;
-    constexpr int most_evaluations = 60;
-    double t = 0.0;
-    for (int evaluation = 0; evaluation < most_evaluations; ++evaluation) {
-        const double speed = is_convex ? -at.normal.dot(motion) : length;
-        const double room = at.distance - radius - kept * gap;
-        if (speed <= 0.0 || room >= (1.0 - t) * speed) return {1.0, gap};
-        const double step = room / speed;
-        t += step;
-        if (room <= 0.05 * kept * gap || step <= 1e-6) break;
-        at = find_obstacle_distance(obstacle, from + t * motion);
-    }
-    return {t, gap};
+    const auto measure = [&](double t) {
+        const ObstacleDistance at = find_obstacle_distance(obstacle, from + t * motion);
+        return GapAndSpeed{at.distance - radius, is_convex ? -at.normal.dot(motion) : length};
+    };
+    const double gap = measure(0.0).gap;
+    if (0.9 * gap >= length) return {1.0, gap};
+    return {advance(measure).fraction, gap};
 }
 
 }  // namespace gxrod

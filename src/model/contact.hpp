@@ -39,18 +39,12 @@ struct Obstacle {
     std::optional<ObstacleMotion> motion{};
 };
 
-// A part of a rod, by fractions of its length.
-struct RodPart {
-    int rod = 0;
-    double from = 0.0, to = 1.0;
-};
-
 struct Contact {
     std::vector<double> radii;       // of each rod; 0: it touches nothing
     std::vector<double> bend_radii;  // of each rod: the tightest bend to expect
     double skin = 0.02;              // below this gap contact acts, times the smaller radius
     double dissipation = 1.0;        // of impacts, 0 … 1
-    double friction = 0.0;           // between rods
+    double friction = 0.0;           // of obstacles, unless they have their own
     bool between_rods = false;
     bool within_rods = false;  // a rod touches itself
     std::vector<Obstacle> obstacles;

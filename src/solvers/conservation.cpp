@@ -69,8 +69,7 @@ double compute_work(const std::vector<Vec6>& before, const std::vector<Vec6>& af
     return work;
 }
 
-// The factor that takes a kinetic energy to the one that is due; `size` is that of the energies of which the
-// latter is a difference.
+// The factor that takes a kinetic energy to the one that is due, a difference of energies as large as `size`.
 std::optional<double> find_factor(double energy, double due, double size) {
     constexpr double round_off = 64.0 * std::numeric_limits<double>::epsilon();
     constexpr double most = 4.0;

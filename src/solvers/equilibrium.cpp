@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "assembly/contact_assembly.hpp"
+#include "assembly/contact/contact_assembly.hpp"
 #include "solvers/conservation.hpp"
 #include "solvers/coupled/coupled_step.hpp"
 #include "solvers/hidden_constraints.hpp"

@@ -1,6 +1,6 @@
 #include <cassert>
 
-#include "assembly/contact_assembly.hpp"
+#include "assembly/contact/contact_assembly.hpp"
 #include "assembly/frame_columns.hpp"
 #include "solvers/convergence_test.hpp"
 #include "solvers/difference_tangent.hpp"

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "assembly/contact_pairs.hpp"
+#include "assembly/contact/contact_pairs.hpp"
 #include "assembly/system.hpp"
 #include "linear/linear_solver.hpp"
 

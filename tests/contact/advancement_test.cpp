@@ -8,6 +8,11 @@
 namespace gxrod::test {
 namespace {
 
+template <class Gap>
+Advancement advance_by_speed(const Gap& gap_at, double speed, const AdvancementLimits& limits = {}) {
+    return advance([&](double t) { return GapAndSpeed{gap_at(t), speed}; }, limits);
+}
+
 Segment between(const Segment& from, const Segment& to, double t) {
     return {from.start + t * (to.start - from.start), from.end + t * (to.end - from.end)};
 }

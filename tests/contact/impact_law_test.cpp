@@ -56,3 +56,31 @@ TEST_CASE("impacts: a force and a gap belong to the curve's point with the same 
         CHECK(find_gap_on_curve(law, force, 0.05) == Approx(0.05).epsilon(1e-12));
     }
 }
+
+TEST_CASE("impacts: Newton's method by the curve finds the gap that a spring leaves", "[contact]") {
+    // A spring c pulls a point to the gap −a: c (g + a) = λ(g).
+    const double a = 0.1;
+    for (const double theta : {1.0, 0.3}) {
+        for (const double c : {1.0, 1e4, 1e9}) {
+            for (const double start : {0.5, 50.0}) {
+                INFO(theta << " " << c << " from " << start);
+                const ImpactLaw law{{0.02, 30.0}, theta, 0.015};
+                double gap = start * law.law.skin, on_curve = gap;
+                int iterations = 0;
+                for (; iterations < 60; ++iterations) {
+                    const NormalForce point = compute_impact_force(law, on_curve);
+                    const auto tangent = [&](double g) {
+                        return point.force - point.stiffness * (g - on_curve);
+                    };
+                    const double change = (tangent(gap) - c * (gap + a)) / (c + point.stiffness);
+                    on_curve = find_gap_on_curve(law, tangent(gap + change), gap + change);
+                    // As much of the way as leaves a tenth of the gap.
+                    gap += std::max(change, -0.9 * gap);
+                    if (std::abs(change) < 1e-13 * gap) break;
+                }
+                CHECK(iterations < 40);
+                CHECK(compute_impact_force(law, gap).force == Approx(c * (gap + a)).epsilon(1e-10));
+            }
+        }
+    }
+}

@@ -155,7 +155,7 @@ const TableSpec& contact_table() {
                   .dimension = "1",
                   .range = {.lower = 0.0, .upper = 1.0},
                   .default_value = 1.0,
-                  .sentence = "Of impacts: with 0 they keep their energy at every step size, with 1 contact "
+                  .sentence = "Of impacts on obstacles: with 0 they keep their energy at every step size, with 1 contact "
                               "gives back least."}},
         .example =
             "[contact]\n"

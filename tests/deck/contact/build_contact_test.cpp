@@ -54,7 +54,7 @@ TEST_CASE("Obstacles that cannot be are reported", "[deck][touch]") {
 
 TEST_CASE("Friction between rods is refused", "[deck][touch]") {
     CHECK_THAT(faults("[contact]\nfriction = 0.3\n"),
-               Contains("contact.friction: there is none between rods yet"));
+               Contains("contact.friction: rods have no friction with each other yet"));
     CHECK_THAT(faults("[contact]\neach_other = false\nself = false\n"),
                Contains("contact: nothing to touch"));
 }

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "assembly/contact_limits.hpp"
-#include "assembly/contact_lines.hpp"
+#include "assembly/contact/contact_limits.hpp"
+#include "assembly/contact/contact_lines.hpp"
 #include "assembly/node_groups.hpp"
 #include "assembly/residual.hpp"
 #include "assembly/scale_groups.hpp"

@@ -1,4 +1,4 @@
-#include "assembly/contact_places.hpp"
+#include "assembly/contact/contact_places.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "assembly/contact_pairs.hpp"
+#include "assembly/contact/contact_pairs.hpp"
 
 #include <fmt/format.h>
 
@@ -261,8 +261,7 @@ void ContactPairs::limit(const std::vector<Vec3>& displacements, State& state, C
     ContactTrial& contact = state.contact;
     double skin = 0.0;
     for (const ContactElement& element : lines_.places.elements) skin = std::max(skin, element.law.skin);
-    // Shape functions of up to five nodes sum up to less than 1.8, absolutely.
-    reach *= 1.8;
+    reach *= largest_shape_sum;
     if (contact.margin == 0.0 || skin + 2.0 * (contact.travelled + reach) > contact.margin)
         search(reach, state);
     double all = 1.0;

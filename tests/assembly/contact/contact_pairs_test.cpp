@@ -1,6 +1,6 @@
 // Rods that touch each other and themselves.
 
-#include "assembly/contact_assembly.hpp"
+#include "assembly/contact/contact_assembly.hpp"
 #include "deck/decks.hpp"
 #include "integrators/load_stepping.hpp"
 #include "solvers/paired_matrix.hpp"

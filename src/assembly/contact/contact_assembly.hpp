@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "assembly/contact_limits.hpp"
-#include "assembly/contact_pairs.hpp"
-#include "assembly/contact_places.hpp"
+#include "assembly/contact/contact_limits.hpp"
+#include "assembly/contact/contact_pairs.hpp"
+#include "assembly/contact/contact_places.hpp"
 #include "assembly/equation_numbers.hpp"
 #include "assembly/residual.hpp"
 #include "assembly/scale_groups.hpp"
@@ -61,12 +61,11 @@ class ContactAssembly {
     void advance(const std::vector<Vec6>& deltas, double time, State& state) const;
     // How far displacements of the trial may go; obstacles move with them to where they are at `time`.
     ContactLimits limit(const std::vector<Vec3>& displacements, State& state, double time) const;
-    bool has_moving_obstacles() const { return moves_; }
 
     void commit(State& state, double time) const;
 
-    // Whether anything touches, of the trial motions.
-    bool has_forces(const State& state, double time) const { return count(state, time).touching > 0; }
+    // Whether anything pushes, of the trial motions: in the step that leaves an obstacle too.
+    bool has_forces(const State& state, double time) const;
     // On each node, of the trial motions.
     std::vector<Vec6> compute_forces(const State& state, double time) const;
     // Stored between rods and obstacles, with what sticks.
@@ -82,7 +81,11 @@ class ContactAssembly {
     ContactCount count(const State& state, double time) const;
 
   private:
-    struct At;  // where obstacles are
+    // Where obstacles are, and where they were at the last accepted step.
+    struct At {
+        std::vector<ObstaclePlacement> now, before;
+        bool has_impacts = false;
+    };
     struct Touching {
         NormalForce normal;
         PlaceFriction friction;
@@ -98,6 +101,11 @@ class ContactAssembly {
                 const ContactElement& element,
                 const State& state,
                 double reach = 0.0) const;
+    bool is_far(const ObstaclePlacement& placement,
+                std::size_t obstacle,
+                const ContactElement& element,
+                const std::vector<NodeMotion>& motions,
+                double reach) const;
     SurfaceTouch touch(const At& at, std::size_t obstacle, std::size_t place, const Vec3& position) const;
     double gap_before(const At& at, std::size_t obstacle, std::size_t place, const State& state) const;
     PlaceFriction friction(std::size_t obstacle, std::size_t place, const State& state) const;

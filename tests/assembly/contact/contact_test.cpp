@@ -1,6 +1,6 @@
 // Obstacles around whole models.
 
-#include "assembly/contact_assembly.hpp"
+#include "assembly/contact/contact_assembly.hpp"
 #include "assembly/sample_model.hpp"
 #include "integrators/generalized_alpha.hpp"
 #include "integrators/load_stepping.hpp"

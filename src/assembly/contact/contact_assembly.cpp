@@ -1,6 +1,4 @@
-#include "assembly/contact_assembly.hpp"
-
-#include <fmt/format.h>
+#include "assembly/contact/contact_assembly.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -10,12 +8,6 @@
 #include "rotation/tangent_map.hpp"
 
 namespace gxrod {
-
-// Where obstacles are, and where they were at the last accepted step.
-struct ContactAssembly::At {
-    std::vector<ObstaclePlacement> now, before;
-    bool has_impacts = false;
-};
 
 ContactAssembly::ContactAssembly(const Model& model, const ThreadTeam& team, const ScaleGroups& groups)
     : model_(&model),
@@ -59,15 +51,25 @@ bool ContactAssembly::is_far(const At& at,
                              const ContactElement& element,
                              const State& state,
                              double reach) const {
+    // What an impact gives back acts in the step that leaves the obstacle too, however far that goes.
+    const bool gives_back = at.has_impacts && model_->contact.dissipation < 1.0;
+    return is_far(at.now[obstacle], obstacle, element, state.trial, reach) &&
+           (!gives_back || is_far(at.before[obstacle], obstacle, element, state.previous, reach));
+}
+
+bool ContactAssembly::is_far(const ObstaclePlacement& placement,
+                             std::size_t obstacle,
+                             const ContactElement& element,
+                             const std::vector<NodeMotion>& motions,
+                             double reach) const {
     const auto position = [&](int i) -> const Vec3& {
-        return state.trial[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])].r;
+        return motions[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])].r;
     };
     const Vec3 centre = 0.5 * (position(0) + position(element.count - 1));
     double extent = 0.0;
     for (int i = 0; i < element.count; ++i) extent = std::max(extent, (position(i) - centre).norm());
-    // The shape functions of up to five nodes sum up to less than 1.8, absolutely.
-    const double distance = find_obstacle_distance(obstacles_[obstacle], at.now[obstacle], centre).distance;
-    return distance - 1.8 * extent - element.radius > element.law.skin + reach;
+    const double distance = find_obstacle_distance(obstacles_[obstacle], placement, centre).distance;
+    return distance - largest_shape_sum * extent - element.radius > element.law.skin + reach;
 }
 
 SurfaceTouch ContactAssembly::touch(const At& at,
@@ -332,7 +334,11 @@ void ContactAssembly::advance(const std::vector<Vec6>& deltas, double time, Stat
     double reach = 0.0;
     for (const Vec6& delta : deltas) reach = std::max(reach, delta.head<3>().norm());
     for_each_near(
-        at, state, 1.8 * reach, state, [&](std::size_t obstacle, std::size_t p, const Vec3& position) {
+        at,
+        state,
+        largest_shape_sum * reach,
+        state,
+        [&](std::size_t obstacle, std::size_t p, const Vec3& position) {
             const ContactPlace& place = places_.places[p];
             const ContactElement& element = places_.elements[static_cast<std::size_t>(place.element)];
             Vec3 change = Vec3::Zero();
@@ -392,7 +398,8 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
                     displacements[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])]
                         .norm());
             const auto is_clear = [&](std::size_t obstacle) {
-                return !obstacles_[obstacle].motion && is_far(from, obstacle, element, state, 1.8 * reach);
+                return !obstacles_[obstacle].motion &&
+                       is_far(from, obstacle, element, state, largest_shape_sum * reach);
             };
             std::vector<std::size_t> near;
             for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
@@ -451,139 +458,16 @@ void ContactAssembly::commit(State& state, double time) const {
     });
 }
 
+bool ContactAssembly::has_forces(const State& state, double time) const {
+    return std::ranges::any_of(compute_forces(state, time),
+                               [](const Vec6& force) { return !force.isZero(0.0); });
+}
+
 std::vector<Vec6> ContactAssembly::compute_forces(const State& state, double time) const {
     Residual residual;
     residual.nodal.assign(state.trial.size(), Vec6::Zero());
     subtract_forces(state, time, -1.0, residual);
     return residual.nodal;
-}
-
-double ContactAssembly::compute_energy(const State& state, double time) const {
-    const At at = find_obstacles(state, time, 1.0);
-    double energy = pairs_.compute_energy(state);
-    for (std::size_t p = 0; p < places_.places.size(); ++p) {
-        const ContactPlace& place = places_.places[p];
-        const ContactLaw& law = places_.elements[static_cast<std::size_t>(place.element)].law;
-        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
-        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
-            const SurfaceTouch surface = touch(at, obstacle, p, position);
-            const PlaceFriction rubbing = friction(obstacle, p, state);
-            if (const std::optional<double>& stiffness = obstacles_[obstacle].stiffness) {
-                const double depth = std::max(-surface.gap, 0.0);
-                energy += 0.5 * place.weight * *stiffness * depth * depth;
-            } else if (surface.gap < law.skin) {
-                energy += place.weight * compute_contact_energy(law, surface.gap);
-            }
-            if (rubbing.stiffness > 0.0) {
-                const PlaceForce force = compute_place_force(surface,
-                                                             places_.motion_of(place, state),
-                                                             law_force(at, obstacle, p, surface.gap, state),
-                                                             rubbing);
-                energy += 0.5 * place.weight * force.traction.squaredNorm() / rubbing.stiffness;
-            }
-        }
-    }
-    return energy;
-}
-
-ContactWork ContactAssembly::compute_work(const State& state, double time, double energy_before) const {
-    const At at = find_obstacles(state, time, 1.0);
-    ContactWork work;
-    double on_rods = at.has_impacts ? pairs_.compute_work(state) : 0.0;
-    double slip_work = 0.0;
-    for (std::size_t p = 0; p < places_.places.size(); ++p) {
-        const ContactPlace& place = places_.places[p];
-        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
-        const PlaceMotion motion = places_.motion_of(place, state);
-        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
-            const SurfaceTouch surface = touch(at, obstacle, p, position);
-            const Touching touching = touch_by_law(at, obstacle, p, surface.gap, state);
-            const PlaceForce after = compute_place_force(surface, motion, touching.normal, touching.friction);
-            Vec3 force = after.force;
-            if (!at.has_impacts) {
-                const double gap = gap_before(at, obstacle, p, state);
-                const ObstacleDistance found = find_obstacle_distance(
-                    obstacles_[obstacle], at.before[obstacle], position - motion.displacement);
-                const Vec3 before =
-                    law_force(at, obstacle, p, gap, state).force * found.normal + touching.friction.traction;
-                force = 0.5 * (force + before);
-                const Vec3 slip = motion.displacement -
-                                  motion.radius * motion.rotation.cross(surface.normal) - surface.drift;
-                slip_work -= 0.5 * place.weight * (after.traction + touching.friction.traction).dot(slip);
-                const double k = touching.friction.stiffness;
-                if (k > 0.0)
-                    slip_work -= 0.5 * place.weight / k *
-                                 (after.traction.squaredNorm() - touching.friction.traction.squaredNorm());
-            }
-            on_rods += place.weight * (force.dot(motion.displacement) + after.moment.dot(motion.rotation));
-            work.by_obstacles += place.weight * force.dot(surface.drift);
-        }
-    }
-    work.loss = at.has_impacts ? energy_before - compute_energy(state, time) - on_rods + work.by_obstacles
-                               : slip_work;
-    return work;
-}
-
-std::vector<ObstacleValues> ContactAssembly::compute_obstacle_values(const State& state, double time) const {
-    const At at = find_obstacles(state, time, 1.0);
-    std::vector<ObstacleValues> values(obstacles_.size());
-    for (ObstacleValues& own : values) own.least_gap = std::numeric_limits<double>::infinity();
-    for (std::size_t p = 0; p < places_.places.size(); ++p) {
-        const ContactPlace& place = places_.places[p];
-        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
-        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
-            ObstacleValues& own = values[obstacle];
-            const SurfaceTouch surface = touch(at, obstacle, p, position);
-            own.least_gap = std::min(own.least_gap, surface.gap);
-            const NormalForce normal = law_force(at, obstacle, p, surface.gap, state);
-            if (normal.force == 0.0) continue;
-            const PlaceForce force = compute_place_force(
-                surface, places_.motion_of(place, state), normal, friction(obstacle, p, state));
-            own.force -= place.weight * force.force;
-            own.friction -= place.weight * force.traction;
-        }
-    }
-    return values;
-}
-
-std::string ContactAssembly::describe_overlap(const State& state, double time) const {
-    const At at = find_obstacles(state, time, 1.0);
-    double least = 0.0;
-    std::string text;
-    for (std::size_t p = 0; p < places_.places.size(); ++p) {
-        const ContactPlace& place = places_.places[p];
-        const ContactElement& element = places_.elements[static_cast<std::size_t>(place.element)];
-        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
-        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
-            const double gap = touch(at, obstacle, p, position).gap;
-            if (obstacles_[obstacle].stiffness || gap > least || (gap == 0.0 && !text.empty())) continue;
-            least = gap;
-            text = fmt::format("{}@{:.4g} is {} obstacle \"{}\"; expected a gap, as small as you like",
-                               model_->rods[static_cast<std::size_t>(element.rod)].name,
-                               place.fraction,
-                               gap == 0.0 ? "exactly on" : fmt::format("{:.4g} deep in", -gap),
-                               obstacles_[obstacle].name);
-        }
-    }
-    if (text.empty()) text = pairs_.describe_overlap(state);
-    return text;
-}
-
-ContactCount ContactAssembly::count(const State& state, double time) const {
-    const At at = find_obstacles(state, time, state.contact.progress);
-    ContactCount result{0, std::numeric_limits<double>::infinity()};
-    for (std::size_t p = 0; p < places_.places.size(); ++p) {
-        const ContactLaw& law = places_.elements[static_cast<std::size_t>(places_.places[p].element)].law;
-        const Vec3 position = places_.interpolate(places_.places[p], state.trial, &NodeMotion::r);
-        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
-            const double gap = touch(at, obstacle, p, position).gap;
-            const double range = obstacles_[obstacle].stiffness ? 0.0 : law.skin;
-            if (gap < range) ++result.touching;
-            result.least_gap = std::min(result.least_gap, gap);
-        }
-    }
-    pairs_.count(state, result);
-    return result;
 }
 
 }  // namespace gxrod

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "assembly/contact_places.hpp"
+#include "assembly/contact/contact_places.hpp"
 #include "contact/cells.hpp"
 
 namespace gxrod {

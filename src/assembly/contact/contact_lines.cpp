@@ -1,4 +1,4 @@
-#include "assembly/contact_lines.hpp"
+#include "assembly/contact/contact_lines.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -11,6 +11,10 @@
 
 namespace gxrod {
 
+// No place of an element moves by more than this times the largest motion of its nodes: the largest sum of
+// the absolute values of its shape functions, 1.64 for five nodes.
+inline constexpr double largest_shape_sum = 1.65;
+
 // A place of a rod that can touch obstacles, and the length that goes with it.
 struct ContactPlace {
     int element = 0;                                  // in the list of elements

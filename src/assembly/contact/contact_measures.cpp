@@ -1,0 +1,139 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "assembly/contact/contact_assembly.hpp"
+
+// Energies, work and counts of contact.
+namespace gxrod {
+
+double ContactAssembly::compute_energy(const State& state, double time) const {
+    const At at = find_obstacles(state, time, 1.0);
+    double energy = pairs_.compute_energy(state);
+    for (std::size_t p = 0; p < places_.places.size(); ++p) {
+        const ContactPlace& place = places_.places[p];
+        const ContactLaw& law = places_.elements[static_cast<std::size_t>(place.element)].law;
+        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+            const SurfaceTouch surface = touch(at, obstacle, p, position);
+            const PlaceFriction rubbing = friction(obstacle, p, state);
+            if (const std::optional<double>& stiffness = obstacles_[obstacle].stiffness) {
+                const double depth = std::max(-surface.gap, 0.0);
+                energy += 0.5 * place.weight * *stiffness * depth * depth;
+            } else if (surface.gap < law.skin) {
+                energy += place.weight * compute_contact_energy(law, surface.gap);
+            }
+            if (rubbing.stiffness > 0.0) {
+                const PlaceForce force = compute_place_force(surface,
+                                                             places_.motion_of(place, state),
+                                                             law_force(at, obstacle, p, surface.gap, state),
+                                                             rubbing);
+                energy += 0.5 * place.weight * force.traction.squaredNorm() / rubbing.stiffness;
+            }
+        }
+    }
+    return energy;
+}
+
+ContactWork ContactAssembly::compute_work(const State& state, double time, double energy_before) const {
+    const At at = find_obstacles(state, time, 1.0);
+    ContactWork work;
+    double on_rods = at.has_impacts ? pairs_.compute_work(state) : 0.0;
+    double slip_work = 0.0;
+    for (std::size_t p = 0; p < places_.places.size(); ++p) {
+        const ContactPlace& place = places_.places[p];
+        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+        const PlaceMotion motion = places_.motion_of(place, state);
+        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+            const SurfaceTouch surface = touch(at, obstacle, p, position);
+            const Touching touching = touch_by_law(at, obstacle, p, surface.gap, state);
+            const PlaceForce after = compute_place_force(surface, motion, touching.normal, touching.friction);
+            Vec3 force = after.force;
+            if (!at.has_impacts) {
+                const double gap = gap_before(at, obstacle, p, state);
+                const ObstacleDistance found = find_obstacle_distance(
+                    obstacles_[obstacle], at.before[obstacle], position - motion.displacement);
+                const Vec3 before =
+                    law_force(at, obstacle, p, gap, state).force * found.normal + touching.friction.traction;
+                force = 0.5 * (force + before);
+                const Vec3 slip = motion.displacement -
+                                  motion.radius * motion.rotation.cross(surface.normal) - surface.drift;
+                slip_work -= 0.5 * place.weight * (after.traction + touching.friction.traction).dot(slip);
+                const double k = touching.friction.stiffness;
+                if (k > 0.0)
+                    slip_work -= 0.5 * place.weight / k *
+                                 (after.traction.squaredNorm() - touching.friction.traction.squaredNorm());
+            }
+            on_rods += place.weight * (force.dot(motion.displacement) + after.moment.dot(motion.rotation));
+            work.by_obstacles += place.weight * force.dot(surface.drift);
+        }
+    }
+    work.loss = at.has_impacts ? energy_before - compute_energy(state, time) - on_rods + work.by_obstacles
+                               : slip_work;
+    return work;
+}
+
+std::vector<ObstacleValues> ContactAssembly::compute_obstacle_values(const State& state, double time) const {
+    const At at = find_obstacles(state, time, 1.0);
+    std::vector<ObstacleValues> values(obstacles_.size());
+    for (ObstacleValues& own : values) own.least_gap = std::numeric_limits<double>::infinity();
+    for (std::size_t p = 0; p < places_.places.size(); ++p) {
+        const ContactPlace& place = places_.places[p];
+        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+            ObstacleValues& own = values[obstacle];
+            const SurfaceTouch surface = touch(at, obstacle, p, position);
+            own.least_gap = std::min(own.least_gap, surface.gap);
+            const NormalForce normal = law_force(at, obstacle, p, surface.gap, state);
+            if (normal.force == 0.0) continue;
+            const PlaceForce force = compute_place_force(
+                surface, places_.motion_of(place, state), normal, friction(obstacle, p, state));
+            own.force -= place.weight * force.force;
+            own.friction -= place.weight * force.traction;
+        }
+    }
+    return values;
+}
+
+std::string ContactAssembly::describe_overlap(const State& state, double time) const {
+    const At at = find_obstacles(state, time, 1.0);
+    double least = 0.0;
+    std::string text;
+    for (std::size_t p = 0; p < places_.places.size(); ++p) {
+        const ContactPlace& place = places_.places[p];
+        const ContactElement& element = places_.elements[static_cast<std::size_t>(place.element)];
+        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+            const double gap = touch(at, obstacle, p, position).gap;
+            if (obstacles_[obstacle].stiffness || gap > least || (gap == 0.0 && !text.empty())) continue;
+            least = gap;
+            text = fmt::format("{}@{:.4g} is {} obstacle \"{}\"; expected a gap, as small as you like",
+                               model_->rods[static_cast<std::size_t>(element.rod)].name,
+                               place.fraction,
+                               gap == 0.0 ? "exactly on" : fmt::format("{:.4g} deep in", -gap),
+                               obstacles_[obstacle].name);
+        }
+    }
+    if (text.empty()) text = pairs_.describe_overlap(state);
+    return text;
+}
+
+ContactCount ContactAssembly::count(const State& state, double time) const {
+    const At at = find_obstacles(state, time, state.contact.progress);
+    ContactCount result{0, std::numeric_limits<double>::infinity()};
+    for (std::size_t p = 0; p < places_.places.size(); ++p) {
+        const ContactLaw& law = places_.elements[static_cast<std::size_t>(places_.places[p].element)].law;
+        const Vec3 position = places_.interpolate(places_.places[p], state.trial, &NodeMotion::r);
+        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+            const double gap = touch(at, obstacle, p, position).gap;
+            const double range = obstacles_[obstacle].stiffness ? 0.0 : law.skin;
+            if (gap < range) ++result.touching;
+            result.least_gap = std::min(result.least_gap, gap);
+        }
+    }
+    pairs_.count(state, result);
+    return result;
+}
+
+}  // namespace gxrod
