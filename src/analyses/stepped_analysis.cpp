@@ -115,7 +115,7 @@ EquilibriumReport SteppedAnalysis::start_after(const SteppedAnalysis& before) {
     state_.sections = before.state_.sections;
     state_.law_memory = before.state_.law_memory;
     state_.bed_contacts = before.state_.bed_contacts;
-    state_.contact_tractions = before.state_.contact_tractions;
+    state_.contact_memory = before.state_.contact_memory;
     state_.joints_trial = state_.joints_previous = before.state_.joints_previous;
     totals_before_ = before.ledger_->totals(before.state_);
     for (int i = 0; i < static_cast<int>(state_.trial.size()); ++i) system_.hold_rates(i, state_.trial[i]);
@@ -134,7 +134,7 @@ EquilibriumReport SteppedAnalysis::settle_after(const SteppedAnalysis& before, d
     state_.sections = before.state_.sections;
     state_.law_memory = before.state_.law_memory;
     state_.bed_contacts = before.state_.bed_contacts;
-    state_.contact_tractions = before.state_.contact_tractions;
+    state_.contact_memory = before.state_.contact_memory;
     state_.joints_trial = state_.joints_previous = before.state_.joints_previous;
     const EquilibriumReport report =
         solve_step(system_, *integrator_, newton_, {0, time, 0.0, time}, workspace_, state_);
@@ -199,7 +199,8 @@ RestartRecord SteppedAnalysis::restart_record() const {
     record.sections = state_.sections;
     record.law_memory = state_.law_memory;
     record.bed_contacts = state_.bed_contacts;
-    record.contact_tractions = state_.contact_tractions;
+    record.contact_tractions = state_.contact_memory.on_obstacles;
+    record.pair_tractions = pack(state_.contact_memory.of_pairs);
     record.joints = state_.joints_previous;
     record.algorithmic = state_.algorithmic_previous;
     record.ledger = ledger_->memory();
@@ -223,7 +224,7 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     if (record.nodes.size() != nodes || record.sections.size() != state_.sections.size() ||
         record.law_memory.size() != state_.law_memory.size() ||
         record.bed_contacts.size() != state_.bed_contacts.size() ||
-        record.contact_tractions.size() != state_.contact_tractions.size() ||
+        record.contact_tractions.size() != state_.contact_memory.on_obstacles.size() ||
         record.joints.size() != state_.joints_previous.size() || !has_forces || !has_algorithmic) {
         throw std::invalid_argument("the state to resume from belongs to another model");
     }
@@ -232,7 +233,7 @@ bool SteppedAnalysis::resume(const RestartRecord& record) {
     state_.sections = record.sections;
     state_.law_memory = record.law_memory;
     state_.bed_contacts = record.bed_contacts;
-    state_.contact_tractions = record.contact_tractions;
+    state_.contact_memory = {record.contact_tractions, unpack(record.pair_tractions)};
     state_.joints_previous = state_.joints_trial = record.joints;
     state_.algorithmic_previous = state_.algorithmic_trial = record.algorithmic;
     state_.time = state_.trial_time = steps_->time();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/traction.hpp"
 #include "rotation/types.hpp"
 
 // The force with which a place of a round rod and a surface touch, per unit weight
@@ -27,19 +28,6 @@ struct NormalForce {
     double stiffness = 0.0;
 };
 
-// Whether friction holds follows from the law; or an iteration takes it for granted, whatever the slip is
-// now.
-enum class Slip { by_law, sticks, slides };
-
-// Coulomb's friction that sticks elastically, and the traction of the last accepted step.
-struct PlaceFriction {
-    double coefficient = 0.0;
-    double stiffness = 0.0;  // of what sticks, per unit weight
-    Vec3 traction = Vec3::Zero();
-    Slip slip = Slip::by_law;
-    Vec3 direction = Vec3::Zero();  // of the traction of what is taken to slide, of length 1
-};
-
 struct PlaceForce {
     Vec3 force = Vec3::Zero();
     Vec3 moment = Vec3::Zero();    // about the line
@@ -49,14 +37,13 @@ struct PlaceForce {
 PlaceForce compute_place_force(const SurfaceTouch& touch,
                                const PlaceMotion& place,
                                const NormalForce& normal,
-                               const PlaceFriction& friction);
+                               const CoulombFriction& friction);
 
-// What an iteration is to take for granted next, when its increments lead to this motion and normal force,
-// both to first order: what sticks beyond the cone slides, what slides against its traction sticks.
-PlaceFriction advance_slip(const SurfaceTouch& touch,
-                           const PlaceMotion& place,
-                           const NormalForce& normal,
-                           PlaceFriction friction);
+// decide_slip() of a place.
+CoulombFriction advance_slip(const SurfaceTouch& touch,
+                             const PlaceMotion& place,
+                             const NormalForce& normal,
+                             const CoulombFriction& friction);
 
 // By the place's position and rotation vector.
 struct PlaceForceDerivative {
@@ -68,6 +55,6 @@ struct PlaceForceDerivative {
 PlaceForceDerivative compute_place_force_derivative(const SurfaceTouch& touch,
                                                     const PlaceMotion& place,
                                                     const NormalForce& normal,
-                                                    const PlaceFriction& friction);
+                                                    const CoulombFriction& friction);
 
 }  // namespace gxrod

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -10,6 +11,8 @@ namespace gxrod {
 // Two pieces of rods that are so near that they can touch, by their index among all of them.
 struct NearPieces {
     std::uint32_t first = 0, second = 0;  // first < second
+
+    auto operator<=>(const NearPieces&) const = default;
 };
 
 // What Newton's method knows of contact in addition to motions, found anew for each equilibrium.
@@ -27,6 +30,7 @@ struct ContactTrial {
     // Pieces that were nearer than `margin` where the trial was, sorted; since then it has moved by no more
     // than `travelled`. All that touch are among them.
     std::vector<NearPieces> pieces;
+    std::vector<Vec3> pieces_sliding;  // of each of these, as `sliding`
     double margin = 0.0;
     double travelled = 0.0;
 };

@@ -61,7 +61,8 @@ struct RestartRecord {
     std::vector<SectionHistory> sections;              // State::sections
     std::vector<double> law_memory;                    // State::law_memory
     std::vector<BedContact> bed_contacts;              // State::bed_contacts
-    std::vector<Vec3> contact_tractions;               // State::contact_tractions
+    std::vector<Vec3> contact_tractions;               // ContactMemory::on_obstacles
+    std::vector<PairTractionRow> pair_tractions;       // ContactMemory::of_pairs
     std::vector<JointState> joints;                    // State::joints_previous
     std::vector<AlgorithmicAcceleration> algorithmic;  // State::algorithmic_previous; can be empty
     LedgerMemory ledger;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "state/bed_contact.hpp"
+#include "state/contact_memory.hpp"
 #include "state/contact_trial.hpp"
 #include "state/joint_state.hpp"
 #include "state/motion.hpp"
@@ -41,9 +42,7 @@ struct State {
     // Per force point with a law, then the tensions of tendons with friction; of `previous`.
     std::vector<double> law_memory;
     std::vector<BedContact> bed_contacts;  // per piece that can touch, of `previous`
-    // Friction on obstacles per place and length, spatial, of `previous`: places of the first obstacle, then
-    // of the next one.
-    std::vector<Vec3> contact_tractions;
+    ContactMemory contact_memory;          // of `previous`
     std::vector<JointState> joints_previous, joints_trial;  // per joint
     // Resultants (N, M) per force point, material, that the mixed tangent is made of; empty with any other.
     std::vector<Vec6> resultants;

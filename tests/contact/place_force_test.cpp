@@ -17,7 +17,7 @@ struct Scene {
     Vec3 start = Vec3(0.69, 0.52, 0.91);
     Vec3 rotation = Vec3(0.02, -0.03, 0.04);
     double radius = 0.2;
-    PlaceFriction friction{0.4, 30.0, Vec3(0.1, -0.2, 0.05)};
+    CoulombFriction friction{0.4, 30.0, Vec3(0.1, -0.2, 0.05)};
 
     PlaceForce force() const { return compute_place_force(touch(), motion(), normal(), friction); }
     SurfaceTouch touch() const {

@@ -97,20 +97,20 @@ double ContactAssembly::gap_before(const At& at,
            places_.elements[static_cast<std::size_t>(own.element)].radius;
 }
 
-PlaceFriction ContactAssembly::friction(std::size_t obstacle, std::size_t place, const State& state) const {
+CoulombFriction ContactAssembly::friction(std::size_t obstacle, std::size_t place, const State& state) const {
     const double coefficient = obstacles_[obstacle].friction;
     if (coefficient == 0.0) return {};
     const ContactElement& element = places_.elements[static_cast<std::size_t>(places_.places[place].element)];
     return {coefficient,
             element.law.stiffness / element.law.skin,
-            state.contact_tractions[pair(obstacle, place)]};
+            state.contact_memory.on_obstacles[pair(obstacle, place)]};
 }
 
 // As the state's parameters take it for granted.
-PlaceFriction ContactAssembly::tangent_friction(std::size_t obstacle,
-                                                std::size_t place,
-                                                const State& state) const {
-    PlaceFriction taken = friction(obstacle, place, state);
+CoulombFriction ContactAssembly::tangent_friction(std::size_t obstacle,
+                                                  std::size_t place,
+                                                  const State& state) const {
+    CoulombFriction taken = friction(obstacle, place, state);
     if (taken.coefficient == 0.0) return taken;
     taken.direction = state.contact.sliding[pair(obstacle, place)];
     taken.slip = taken.direction.isZero(0.0) ? Slip::sticks : Slip::slides;
@@ -214,6 +214,7 @@ void ContactAssembly::replace_by_tangent_forces(const State& state,
                                                 double weight,
                                                 Residual& residual) const {
     if (weight == 0.0) return;
+    pairs_.replace_by_tangent_forces(state, weight, residual);
     const At now = find_obstacles(state, time, state.contact.progress);
     const At there = find_obstacles(state, time, 1.0);
     const auto true_force = [&](std::size_t obstacle, std::size_t place, double gap) {
@@ -314,6 +315,7 @@ void ContactAssembly::forget_place(std::size_t obstacle, std::size_t place, Stat
 }
 
 void ContactAssembly::start(State& state, double time) const {
+    pairs_.start(state);
     const At at = find_obstacles(state, time, state.contact.progress);
     state.contact.parameters.resize(pair_count());
     state.contact.sliding.assign(traction_count(), Vec3::Zero());
@@ -331,6 +333,7 @@ void ContactAssembly::start(State& state, double time) const {
 void ContactAssembly::advance(const std::vector<Vec6>& deltas, double time, State& state) const {
     const At at = find_obstacles(state, time, 1.0);
     const double theta = at.has_impacts ? model_->contact.dissipation : 1.0;
+    pairs_.advance(deltas, state);
     double reach = 0.0;
     for (const Vec6& delta : deltas) reach = std::max(reach, delta.head<3>().norm());
     for_each_near(
@@ -371,7 +374,7 @@ void ContactAssembly::advance(const std::vector<Vec6>& deltas, double time, Stat
         });
 }
 
-void ContactAssembly::keep_slip(const PlaceFriction& friction,
+void ContactAssembly::keep_slip(const CoulombFriction& friction,
                                 std::size_t obstacle,
                                 std::size_t place,
                                 State& state) const {
@@ -439,6 +442,7 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
 
 void ContactAssembly::commit(State& state, double time) const {
     state.contact.has_parameters = false;
+    pairs_.commit(state);
     if (!rubs_) return;
     const At at = find_obstacles(state, time, 1.0);
     team_->for_each_range(places_.places.size(), [&](std::size_t first, std::size_t last) {
@@ -447,7 +451,7 @@ void ContactAssembly::commit(State& state, double time) const {
             const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
             for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
                 const SurfaceTouch surface = touch(at, obstacle, p, position);
-                state.contact_tractions[pair(obstacle, p)] =
+                state.contact_memory.on_obstacles[pair(obstacle, p)] =
                     compute_place_force(surface,
                                         places_.motion_of(place, state),
                                         law_force(at, obstacle, p, surface.gap, state),

@@ -37,7 +37,7 @@ class ContactAssembly {
     bool empty() const { return (places_.places.empty() || obstacles_.empty()) && pairs_.empty(); }
     // Of rods with each other.
     const ContactPairs& pairs() const { return pairs_; }
-    // Of State::contact_tractions.
+    // Of ContactMemory::on_obstacles.
     std::size_t traction_count() const { return rubs_ ? pair_count() : 0; }
 
     // By a weight: of the schemes of time, see Integrator::contact_weight.
@@ -88,7 +88,7 @@ class ContactAssembly {
     };
     struct Touching {
         NormalForce normal;
-        PlaceFriction friction;
+        CoulombFriction friction;
     };
     std::size_t pair_count() const { return obstacles_.size() * places_.places.size(); }
     std::size_t pair(std::size_t obstacle, std::size_t place) const {
@@ -108,12 +108,12 @@ class ContactAssembly {
                 double reach) const;
     SurfaceTouch touch(const At& at, std::size_t obstacle, std::size_t place, const Vec3& position) const;
     double gap_before(const At& at, std::size_t obstacle, std::size_t place, const State& state) const;
-    PlaceFriction friction(std::size_t obstacle, std::size_t place, const State& state) const;
+    CoulombFriction friction(std::size_t obstacle, std::size_t place, const State& state) const;
     NormalForce law_force(
         const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const;
     NormalForce tangent_force(
         const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const;
-    PlaceFriction tangent_friction(std::size_t obstacle, std::size_t place, const State& state) const;
+    CoulombFriction tangent_friction(std::size_t obstacle, std::size_t place, const State& state) const;
     Touching touch_by_law(
         const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const;
     Touching touch_by_parameters(
@@ -121,7 +121,7 @@ class ContactAssembly {
     template <class Work>
     void for_each_near(const At& at, const State& state, double reach, State& kept, const Work& work) const;
     void forget_place(std::size_t obstacle, std::size_t place, State& state) const;
-    void keep_slip(const PlaceFriction& friction,
+    void keep_slip(const CoulombFriction& friction,
                    std::size_t obstacle,
                    std::size_t place,
                    State& state) const;

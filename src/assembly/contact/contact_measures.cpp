@@ -17,7 +17,7 @@ double ContactAssembly::compute_energy(const State& state, double time) const {
         const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
         for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
             const SurfaceTouch surface = touch(at, obstacle, p, position);
-            const PlaceFriction rubbing = friction(obstacle, p, state);
+            const CoulombFriction rubbing = friction(obstacle, p, state);
             if (const std::optional<double>& stiffness = obstacles_[obstacle].stiffness) {
                 const double depth = std::max(-surface.gap, 0.0);
                 energy += 0.5 * place.weight * *stiffness * depth * depth;
@@ -40,7 +40,7 @@ ContactWork ContactAssembly::compute_work(const State& state, double time, doubl
     const At at = find_obstacles(state, time, 1.0);
     ContactWork work;
     double on_rods = at.has_impacts ? pairs_.compute_work(state) : 0.0;
-    double slip_work = 0.0;
+    double slip_work = at.has_impacts ? 0.0 : pairs_.compute_slip_work(state);
     for (std::size_t p = 0; p < places_.places.size(); ++p) {
         const ContactPlace& place = places_.places[p];
         const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 
 #include "contact/advancement.hpp"
@@ -46,6 +45,7 @@ ContactPairs::ContactPairs(const Model& model, const ThreadTeam& team, const Sca
     : model_(&model), team_(&team), groups_(&groups) {
     if (model.contact.radii.empty()) return;
     lines_ = find_contact_lines(model);
+    friction_ = model.contact.friction;
     for (ContactElement& element : lines_.places.elements)
         element.part = groups.part_of_node(element.nodes[0]);
 }
@@ -99,20 +99,6 @@ PairEnergy ContactPairs::find_energy(const NearPieces& near, const std::vector<N
     return sum;
 }
 
-std::vector<std::size_t> ContactPairs::list_touching(const State& state) const {
-    const std::vector<NearPieces>& near = state.contact.pieces;
-    std::vector<char> touches(near.size(), 0);
-    team_->for_each_range(near.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
-            touches[i] = least_gap(near[i], state.trial) < law_of(near[i]).law.skin ? 1 : 0;
-    });
-    std::vector<std::size_t> listed;
-    for (std::size_t i = 0; i < near.size(); ++i) {
-        if (touches[i] != 0) listed.push_back(i);
-    }
-    return listed;
-}
-
 double ContactPairs::least_gap(const NearPieces& near, const std::vector<NodeMotion>& motions) const {
     return find_closest_points(segment_of(near.first, motions), segment_of(near.second, motions)).distance -
            law_of(near).radii;
@@ -135,9 +121,18 @@ void ContactPairs::search(double reach, State& state) const {
     const auto keep = [&](CapsulePair pair) {
         return lines_.can_touch(lines_.pieces[pair.first], lines_.pieces[pair.second]);
     };
+    const std::vector<NearPieces> before = std::move(contact.pieces);
     contact.pieces.clear();
     for (const CapsulePair pair : find_near_pairs(capsules, contact.margin, keep)) {
         contact.pieces.push_back({pair.first, pair.second});
+    }
+    if (!rub()) return;
+    const std::vector<Vec3> sliding = std::move(contact.pieces_sliding);
+    contact.pieces_sliding.assign(contact.pieces.size(), Vec3::Zero());
+    for (std::size_t i = 0; i < contact.pieces.size() && !sliding.empty(); ++i) {
+        const auto own = std::ranges::lower_bound(before, contact.pieces[i]);
+        if (own != before.end() && *own == contact.pieces[i])
+            contact.pieces_sliding[i] = sliding[static_cast<std::size_t>(own - before.begin())];
     }
 }
 
@@ -156,103 +151,12 @@ NodeGroup ContactPairs::list_nodes(int a, int b) const {
 std::vector<NodeGroup> ContactPairs::list_groups(const State& state) const {
     std::vector<std::pair<int, int>> elements;
     for (const NearPieces& near : state.contact.pieces)
-        elements.emplace_back(lines_.places.places[lines_.pieces[near.first].place].element,
-                              lines_.places.places[lines_.pieces[near.second].place].element);
+        elements.emplace_back(element_of(near.first), element_of(near.second));
     std::ranges::sort(elements);
     elements.erase(std::ranges::unique(elements).begin(), elements.end());
     std::vector<NodeGroup> groups;
     for (const auto& [a, b] : elements) groups.push_back(list_nodes(a, b));
     return groups;
-}
-
-// add(node, force), of both ends of both pieces.
-template <class Add>
-void ContactPairs::scatter(const NearPieces& near, const Vec12& of_ends, const Add& add) const {
-    int end = 0;
-    for (const std::uint32_t index : {near.first, near.second}) {
-        const ContactPiece& piece = lines_.pieces[index];
-        const ContactElement& element = lines_.element_of(piece);
-        for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
-            for (int i = 0; i < element.count; ++i)
-                add(element.nodes[static_cast<std::size_t>(i)],
-                    Vec3(lines_.places.places[p].shapes[static_cast<std::size_t>(i)] *
-                         of_ends.segment<3>(3 * end)));
-        }
-    }
-}
-
-void ContactPairs::subtract_forces(const State& state, double weight, Residual& residual) const {
-    if (weight == 0.0) return;
-    const std::vector<std::size_t> touching = list_touching(state);
-    std::vector<PairEnergy> energies(touching.size());
-    team_->for_each_range(touching.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
-            energies[i] = find_energy(state.contact.pieces[touching[i]], state.trial);
-    });
-    for (std::size_t i = 0; i < touching.size(); ++i) {
-        const NearPieces& near = state.contact.pieces[touching[i]];
-        scatter(near, -weight * energies[i].gradient, [&](int node, const Vec3& force) {
-            Vec6 both = Vec6::Zero();
-            both.head<3>() = force;
-            residual.raise_group(groups_->of_node(node), both);
-            residual.nodal[static_cast<std::size_t>(node)] -= both;
-        });
-    }
-}
-
-std::vector<PairBlock> ContactPairs::compute_tangents(
-    const State& state, double weight, const std::vector<NodeLinearization>& linearizations) const {
-    const std::vector<std::size_t> touching = list_touching(state);
-    std::vector<PairEnergy> energies(touching.size());
-    team_->for_each_range(touching.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
-            energies[i] = find_energy(state.contact.pieces[touching[i]], state.trial);
-    });
-    std::map<std::pair<int, int>, PairBlock> of_elements;
-    for (std::size_t i = 0; i < touching.size(); ++i) {
-        const NearPieces& near = state.contact.pieces[touching[i]];
-        const int first = lines_.places.places[lines_.pieces[near.first].place].element;
-        const int second = lines_.places.places[lines_.pieces[near.second].place].element;
-        PairBlock& block = of_elements[{first, second}];
-        if (block.nodes.empty()) {
-            block.nodes = list_nodes(first, second);
-            const auto size = static_cast<Eigen::Index>(6 * block.nodes.size());
-            block.matrix = Eigen::MatrixXd::Zero(size, size);
-        }
-        // Shape functions of the four ends by the group's nodes.
-        Eigen::Matrix<double, 4, Eigen::Dynamic> shapes =
-            Eigen::Matrix<double, 4, Eigen::Dynamic>::Zero(4, static_cast<Eigen::Index>(block.nodes.size()));
-        int end = 0;
-        for (const std::uint32_t index : {near.first, near.second}) {
-            const ContactPiece& piece = lines_.pieces[index];
-            const ContactElement& element = lines_.element_of(piece);
-            for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
-                for (int n = 0; n < element.count; ++n) {
-                    const auto at =
-                        std::ranges::find(block.nodes, element.nodes[static_cast<std::size_t>(n)]);
-                    shapes(end, at - block.nodes.begin()) +=
-                        lines_.places.places[p].shapes[static_cast<std::size_t>(n)];
-                }
-            }
-        }
-        for (Eigen::Index column = 0; column < shapes.cols(); ++column) {
-            const double placement =
-                linearizations[static_cast<std::size_t>(block.nodes[static_cast<std::size_t>(column)])]
-                    .placement;
-            for (Eigen::Index row = 0; row < shapes.cols(); ++row) {
-                Mat3 sum = Mat3::Zero();
-                for (int a = 0; a < 4; ++a) {
-                    for (int b = 0; b < 4; ++b)
-                        sum += (shapes(a, row) * shapes(b, column)) *
-                               energies[i].hessian.block<3, 3>(3 * a, 3 * b);
-                }
-                block.matrix.block<3, 3>(6 * row, 6 * column) += (weight * placement) * sum;
-            }
-        }
-    }
-    std::vector<PairBlock> blocks;
-    for (auto& [elements, block] : of_elements) blocks.push_back(std::move(block));
-    return blocks;
 }
 
 void ContactPairs::limit(const std::vector<Vec3>& displacements, State& state, ContactLimits& limits) const {
@@ -314,26 +218,6 @@ void ContactPairs::limit(const std::vector<Vec3>& displacements, State& state, C
         limits.least = std::min(limits.least, limits.of_parts[part]);
     }
     contact.travelled += std::min(reach, room);
-}
-
-double ContactPairs::compute_energy(const State& state) const {
-    double energy = 0.0;
-    for (const std::size_t i : list_touching(state))
-        energy += find_energy(state.contact.pieces[i], state.trial).energy;
-    return energy;
-}
-
-double ContactPairs::compute_work(const State& state) const {
-    double work = 0.0;
-    for (const std::size_t i : list_touching(state)) {
-        const NearPieces& near = state.contact.pieces[i];
-        const PairEnergy found = find_energy(near, state.trial);
-        scatter(near, -found.gradient, [&](int node, const Vec3& of_node) {
-            const auto index = static_cast<std::size_t>(node);
-            work += of_node.dot(state.trial[index].r - state.previous[index].r);
-        });
-    }
-    return work;
 }
 
 void ContactPairs::count(const State& state, ContactCount& result) const {

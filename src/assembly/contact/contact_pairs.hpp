@@ -11,7 +11,7 @@
 #include "assembly/node_groups.hpp"
 #include "assembly/residual.hpp"
 #include "assembly/scale_groups.hpp"
-#include "contact/pair_energy.hpp"
+#include "contact/pair_friction.hpp"
 #include "parallel/thread_team.hpp"
 
 namespace gxrod {
@@ -30,6 +30,7 @@ class ContactPairs {
     ContactPairs(const Model& model, const ThreadTeam& team, const ScaleGroups& groups);
 
     bool empty() const { return lines_.pieces.empty(); }
+    bool rub() const { return friction_ > 0.0; }
 
     // Finds what is near the trial, if nodes can move by this much from there.
     void search(double reach, State& state) const;
@@ -42,6 +43,12 @@ class ContactPairs {
     std::vector<PairBlock> compute_tangents(const State& state,
                                             double weight,
                                             const std::vector<NodeLinearization>& linearizations) const;
+    // As ContactAssembly's, of friction; where pieces rub.
+    void replace_by_tangent_forces(const State& state, double weight, Residual& residual) const;
+    void start(State& state) const;
+    void advance(const std::vector<Vec6>& deltas, State& state) const;
+    void commit(State& state) const;
+
     // Lowers the limits of parts of the model whose rods would meet; these then go equally far. Searches
     // first where it has to.
     void limit(const std::vector<Vec3>& displacements, State& state, ContactLimits& limits) const;
@@ -49,6 +56,8 @@ class ContactPairs {
     double compute_energy(const State& state) const;
     // Of the forces of impulses: Σ force · displacement over the step.
     double compute_work(const State& state) const;
+    // What friction lost in a step without impulses.
+    double compute_slip_work(const State& state) const;
     void count(const State& state, ContactCount& result) const;
     std::string describe_overlap(const State& state) const;
 
@@ -58,17 +67,33 @@ class ContactPairs {
     PairLaw law_of(const NearPieces& near) const;
     // With what the end of a rod adds, whose integral is finite where it touches.
     PairEnergy find_energy(const NearPieces& near, const std::vector<NodeMotion>& motions) const;
-    // Those of State::contact that are in reach of each other, by their index.
-    std::vector<std::size_t> list_touching(const State& state) const;
+    // Of State::contact.pieces, by index.
+    struct Touching {
+        std::size_t index = 0;
+        PairEnergy energy;
+    };
+    std::vector<Touching> find_touching(const State& state) const;
+    // Of nodes in the four ends.
+    using Shares = Eigen::Matrix<double, 4, Eigen::Dynamic>;
+    Shares find_shares(const NearPieces& near, const NodeGroup& nodes) const;
+    int element_of(std::uint32_t piece) const {
+        return lines_.places.places[lines_.pieces[piece].place].element;
+    }
+    PairMotion motion_of(const NearPieces& near, const State& state) const;
+    // As the law has it, or as an iteration takes it for granted.
+    CoulombFriction friction_of(std::size_t index, const State& state) const;
+    CoulombFriction taken_friction_of(std::size_t index, const State& state) const;
+    void keep_slip(std::size_t index, const CoulombFriction& friction, State& state) const;
     double least_gap(const NearPieces& near, const std::vector<NodeMotion>& motions) const;
-    // Adds a vector by the ends of two pieces to nodes.
+    // add(node, force and moment) for forces and moments at the ends of two pieces.
     template <class Add>
-    void scatter(const NearPieces& near, const Vec12& of_ends, const Add& add) const;
+    void scatter(const NearPieces& near, const Vec24& of_ends, const Add& add) const;
 
     const Model* model_;
     const ThreadTeam* team_;
     const ScaleGroups* groups_;
     ContactLines lines_;
+    double friction_ = 0.0;
 };
 
 }  // namespace gxrod

@@ -214,10 +214,6 @@ void build_contact(BuildContext& context) {
         set_motion(given, obstacle, context);
         contact.obstacles.push_back(std::move(obstacle));
     }
-    if (context.stage == 0 && obstacles.empty() && contact.friction > 0.0)
-        context.add_fault(*table,
-                          "friction",
-                          "rods have no friction with each other yet, and the deck has no [obstacle.NAME]");
     if (context.stage == 0 && contact.is_empty())
         context.faults.add(table->place, table->path, "nothing to touch: no rods, and no [obstacle.NAME]");
 }

@@ -14,7 +14,7 @@
 namespace gxrod {
 
 inline constexpr std::int64_t no_slot = -1;
-inline constexpr std::int64_t form_version = 14;  // of /restart; raise it with every change
+inline constexpr std::int64_t form_version = 15;  // of /restart; raise it with every change
 inline std::string slot_name(std::int64_t slot) { return slot == 0 ? "a" : "b"; }
 
 using Vec1 = Eigen::Matrix<double, 1, 1>;
@@ -49,7 +49,8 @@ void visit_vectors(Row& row, Visitor&& visit) {
     } else if constexpr (std::is_same_v<Kind, double>) {
         visit(Eigen::Map<std::conditional_t<std::is_const_v<Row>, const Vec1, Vec1>>(&row));
     } else {
-        static_assert(std::is_same_v<Kind, Vec6> || std::is_same_v<Kind, Vec3>);
+        static_assert(std::is_same_v<Kind, Vec6> || std::is_same_v<Kind, Vec3> ||
+                      std::is_same_v<Kind, PairTractionRow>);
         visit(row);
     }
 }
@@ -172,6 +173,16 @@ inline const DatasetLabel contact_tractions_label{
     "of each place that can touch, obstacle by obstacle: friction per length",
     "spatial",
     ""};
+// Of rows whose number changes within a stage: a dataset for each number, a power of two.
+inline const DatasetLabel pair_tractions_label{
+    "pair_tractions",
+    "of each pair of pieces of rods that touch: the pieces, friction on the first; then rows of zeros",
+    "spatial",
+    ""};
+inline DatasetLabel with_rows(DatasetLabel label, std::size_t rows) {
+    if (label.name == pair_tractions_label.name) label.name += "_" + std::to_string(rows);
+    return label;
+}
 inline const DatasetLabel algorithmic_label{
     "algorithmic", "of each node: algorithmic acceleration and angular acceleration", "spatial", ""};
 inline const DatasetLabel joints_label{
@@ -209,6 +220,7 @@ void visit_lists(Record& record, Visitor&& visit) {
     visit(law_memory_label, record.law_memory);
     visit(bed_contacts_label, record.bed_contacts);
     visit(contact_tractions_label, record.contact_tractions);
+    visit(pair_tractions_label, record.pair_tractions);
     visit(algorithmic_label, record.algorithmic);
     visit(joints_label, record.joints);
     visit(forces_label, record.ledger.forces);

@@ -62,7 +62,9 @@ std::optional<RestartPlace> read_restart(const Hdf5Reader& file) {
     visit_lists(place.record, [&](const DatasetLabel& label, auto& rows) {
         using Row = typename std::remove_reference_t<decltype(rows)>::value_type;
         const double count = single.values[next++];
-        if (count != 0.0) rows = rows_of<Row>(read(label, count, count_columns<Row>()));
+        if (count != 0.0)
+            rows = rows_of<Row>(
+                read(with_rows(label, static_cast<std::size_t>(count)), count, count_columns<Row>()));
     });
     if (static_cast<double>(sum_of(single, sum)) != written)
         throw std::runtime_error("its state does not have the checksum that was written with it");

@@ -45,7 +45,8 @@ void put(const Hdf5Handle& group, const DatasetLabel& label, std::span<const Row
     // What an earlier stage wrote stays: it does not count.
     if (rows.empty()) return;
     constexpr std::size_t piece = 4096;
-    const Hdf5Handle dataset = require_dataset(group, label, rows.size(), count_columns<Row>());
+    const Hdf5Handle dataset =
+        require_dataset(group, with_rows(label, rows.size()), rows.size(), count_columns<Row>());
     for (std::size_t first = 0; first < rows.size(); first += piece) {
         const Table table = table_of(rows.subspan(first, std::min(piece, rows.size() - first)));
         write_rows(dataset, first, table);

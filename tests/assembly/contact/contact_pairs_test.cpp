@@ -4,6 +4,7 @@
 #include "deck/decks.hpp"
 #include "integrators/load_stepping.hpp"
 #include "solvers/paired_matrix.hpp"
+#include "state/increment.hpp"
 #include "tools/catch.hpp"
 #include "tools/dense_algebra.hpp"
 #include "tools/difference.hpp"
@@ -58,14 +59,19 @@ time_step = 0.1
 }
 
 struct Scene {
-    Problem problem = test::read(tangle());
+    explicit Scene(const char* more = "") : problem(test::read(tangle(more))) {}
+
+    Problem problem;
     System system{problem.model};
     State state = make_state();
 
     State make_state() const {
         State start = system.initial_state();
         RandomValues random(3);
-        for (NodeMotion& motion : start.trial) motion.r += random.vector(2e-3);
+        for (NodeMotion& motion : start.trial) {
+            motion.r += random.vector(2e-3);
+            motion.theta = random.vector(0.02);
+        }
         system.contact()->search(start);
         return start;
     }
@@ -80,6 +86,41 @@ std::vector<Vec6> forces_of(const System& system, const State& state) {
 }
 
 std::string name_of(const Model& model, int node) { return model.nodes[static_cast<std::size_t>(node)].name; }
+
+// Of the tangent of all pairs, by spins, against differences of forces.
+double tangent_error(const Scene& scene) {
+    std::vector<NodeLinearization> linearizations(scene.state.trial.size());
+    LoadStepping().linearize(scene.state, stage, linearizations);
+    const std::vector<PairBlock> blocks = scene.pairs().compute_tangents(scene.state, 1.0, linearizations);
+    const auto size = static_cast<Eigen::Index>(6 * scene.state.trial.size());
+    Eigen::MatrixXd tangent = Eigen::MatrixXd::Zero(size, size);
+    for (const PairBlock& block : blocks) {
+        for (std::size_t i = 0; i < block.nodes.size(); ++i) {
+            for (std::size_t j = 0; j < block.nodes.size(); ++j)
+                tangent.block<6, 6>(6 * block.nodes[i], 6 * block.nodes[j]) += block.matrix.block<6, 6>(
+                    static_cast<Eigen::Index>(6 * i), static_cast<Eigen::Index>(6 * j));
+        }
+    }
+    Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(size, size);
+    for (std::size_t node = 0; node < scene.state.trial.size(); ++node) {
+        for (int k = 0; k < 6; ++k) {
+            expected.col(static_cast<Eigen::Index>(6 * node) + k) = differentiate(
+                [&](double amount) {
+                    State moved = scene.state;
+                    Vec6 delta = Vec6::Zero();
+                    delta[k] = amount;
+                    apply_spin(moved.previous[node], delta.head<3>(), delta.tail<3>(), moved.trial[node]);
+                    const std::vector<Vec6> forces = forces_of(scene.system, moved);
+                    Eigen::VectorXd stacked(size);
+                    for (std::size_t i = 0; i < forces.size(); ++i)
+                        stacked.segment<6>(static_cast<Eigen::Index>(6 * i)) = -forces[i];
+                    return stacked;
+                },
+                1e-5);
+        }
+    }
+    return relative_difference(tangent, expected);
+}
 
 }  // namespace
 
@@ -127,37 +168,21 @@ TEST_CASE("Pairs: all rods of the tangle touch, the hook itself", "[assembly][to
 }
 
 TEST_CASE("Pairs: the tangent is the derivative of the forces", "[assembly][touch]") {
-    const Scene scene;
-    std::vector<NodeLinearization> linearizations(scene.state.trial.size());
-    LoadStepping().linearize(scene.state, stage, linearizations);
-    std::vector<PairBlock> blocks = scene.pairs().compute_tangents(scene.state, 1.0, linearizations);
-    const auto size = static_cast<Eigen::Index>(6 * scene.state.trial.size());
-    Eigen::MatrixXd tangent = Eigen::MatrixXd::Zero(size, size);
-    for (const PairBlock& block : blocks) {
-        for (std::size_t i = 0; i < block.nodes.size(); ++i) {
-            for (std::size_t j = 0; j < block.nodes.size(); ++j)
-                tangent.block<6, 6>(6 * block.nodes[i], 6 * block.nodes[j]) += block.matrix.block<6, 6>(
-                    static_cast<Eigen::Index>(6 * i), static_cast<Eigen::Index>(6 * j));
-        }
+    SECTION("without friction") {
+        const Scene scene;
+        CHECK(tangent_error(scene) < 1e-5);
     }
-    Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(size, size);
-    for (std::size_t node = 0; node < scene.state.trial.size(); ++node) {
-        for (int k = 0; k < 3; ++k) {
-            expected.col(static_cast<Eigen::Index>(6 * node) + k) = differentiate(
-                [&](double amount) {
-                    State moved = scene.state;
-                    moved.trial[node].r[k] += amount;
-                    const std::vector<Vec6> forces = forces_of(scene.system, moved);
-                    Eigen::VectorXd stacked(size);
-                    for (std::size_t i = 0; i < forces.size(); ++i)
-                        stacked.segment<6>(static_cast<Eigen::Index>(6 * i)) = -forces[i];
-                    return stacked;
-                },
-                1e-5);
-        }
+    SECTION("where all slides") { CHECK(tangent_error(Scene("friction = 1e-3")) < 1e-5); }
+    SECTION("where all sticks") {
+        Scene scene("friction = 1e6");
+        CHECK(tangent_error(scene) < 1e-5);
     }
-    CHECK(relative_difference(tangent, expected) < 1e-5);
     SECTION("by parameters too, where they are on the law") {
+        const Scene scene;
+        std::vector<NodeLinearization> linearizations(scene.state.trial.size());
+        LoadStepping().linearize(scene.state, stage, linearizations);
+        const std::vector<PairBlock> blocks =
+            scene.pairs().compute_tangents(scene.state, 1.0, linearizations);
         State state = scene.state;
         scene.system.contact()->start(state, 1.0);
         CHECK(state.contact.has_parameters);
@@ -166,6 +191,36 @@ TEST_CASE("Pairs: the tangent is the derivative of the forces", "[assembly][touc
         for (std::size_t i = 0; i < mixed.size(); ++i)
             CHECK((mixed[i].matrix - blocks[i].matrix).norm() <= 1e-9 * (1.0 + blocks[i].matrix.norm()));
     }
+}
+
+TEST_CASE("Pairs: friction is remembered as it was, of what touches", "[assembly][touch]") {
+    const Scene scene("friction = 0.3");
+    State state = scene.state;
+    scene.system.contact()->commit(state, 1.0);
+    const std::vector<PairTraction>& pairs = state.contact_memory.of_pairs;
+    REQUIRE(pairs.size() > 10);
+    CHECK(std::ranges::is_sorted(pairs, {}, &PairTraction::pieces));
+    const std::vector<PairTractionRow> rows = pack(pairs);
+    CHECK(rows.size() >= pairs.size());
+    CHECK((rows.size() & (rows.size() - 1)) == 0);
+    const std::vector<PairTraction> again = unpack(rows);
+    REQUIRE(again.size() == pairs.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        CHECK(again[i].pieces == pairs[i].pieces);
+        CHECK(again[i].traction == pairs[i].traction);
+    }
+    // Without a further motion it stays.
+    state.previous = state.trial;
+    for (std::size_t i = 0; i < state.trial.size(); ++i) {
+        state.previous[i].theta.setZero();
+        state.trial[i].theta.setZero();
+    }
+    const std::vector<PairTraction> before = pairs;
+    scene.system.contact()->commit(state, 1.0);
+    REQUIRE(state.contact_memory.of_pairs.size() == before.size());
+    for (std::size_t i = 0; i < before.size(); ++i)
+        CHECK((state.contact_memory.of_pairs[i].traction - before[i].traction).norm() <
+              1e-9 * before[i].traction.norm());
 }
 
 TEST_CASE("Pairs: a limited increment lets no rods pass", "[assembly][touch]") {

@@ -52,13 +52,6 @@ TEST_CASE("Obstacles that cannot be are reported", "[deck][touch]") {
     CHECK_THAT(faults(floor + "move = { z = \"1 + t\" }\n"), Contains("obstacle.floor.move.z"));
 }
 
-TEST_CASE("Friction between rods is refused", "[deck][touch]") {
-    CHECK_THAT(faults("[contact]\nfriction = 0.3\n"),
-               Contains("contact.friction: rods have no friction with each other yet"));
-    CHECK_THAT(faults("[contact]\neach_other = false\nself = false\n"),
-               Contains("contact: nothing to touch"));
-}
-
 TEST_CASE("Analyses that contact does not go with are reported", "[deck][touch]") {
     const auto with = [&](const std::string& analysis) {
         return faults(floor, circle, "[analysis]\n" + analysis);

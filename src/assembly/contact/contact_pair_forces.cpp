@@ -1,0 +1,293 @@
+#include <algorithm>
+#include <map>
+
+#include "assembly/contact/contact_pairs.hpp"
+#include "rotation/tangent_map.hpp"
+
+// Forces of rods that touch each other, with their friction, and what follows from them.
+namespace gxrod {
+
+namespace {
+
+// From positions of ends to forces and moments.
+Vec24 with_moments(const Vec12& forces) {
+    Vec24 both = Vec24::Zero();
+    for (int end = 0; end < 4; ++end) both.segment<3>(6 * end) = forces.segment<3>(3 * end);
+    return both;
+}
+
+}  // namespace
+
+std::vector<ContactPairs::Touching> ContactPairs::find_touching(const State& state) const {
+    const std::vector<NearPieces>& near = state.contact.pieces;
+    std::vector<char> touches(near.size(), 0);
+    team_->for_each_range(near.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            touches[i] = least_gap(near[i], state.trial) < law_of(near[i]).law.skin ? 1 : 0;
+    });
+    std::vector<Touching> touching;
+    for (std::size_t i = 0; i < near.size(); ++i) {
+        if (touches[i] != 0) touching.push_back({i, {}});
+    }
+    team_->for_each_range(touching.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+            touching[i].energy = find_energy(near[touching[i].index], state.trial);
+    });
+    return touching;
+}
+
+PairMotion ContactPairs::motion_of(const NearPieces& near, const State& state) const {
+    const ContactPlaces& all = lines_.places;
+    PairMotion motion;
+    std::size_t end = 0;
+    for (const std::uint32_t index : {near.first, near.second}) {
+        const ContactPiece& piece = lines_.pieces[index];
+        (end == 0 ? motion.radius_a : motion.radius_b) = lines_.element_of(piece).radius;
+        for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
+            motion.positions[end] = all.interpolate(all.places[p], state.trial, &NodeMotion::r);
+            motion.positions_before[end] = all.interpolate(all.places[p], state.previous, &NodeMotion::r);
+            motion.rotations[end] = all.interpolate(all.places[p], state.trial, &NodeMotion::theta);
+        }
+    }
+    return motion;
+}
+
+CoulombFriction ContactPairs::friction_of(std::size_t index, const State& state) const {
+    const NearPieces& near = state.contact.pieces[index];
+    const PairLaw pair = law_of(near);
+    // What sticks is as stiff for parallel rods, however short their pieces are.
+    const double reach = std::sqrt(pair.law.skin * (2.0 * pair.radii + pair.law.skin));
+    const double length = std::min(lines_.pieces[near.first].length, lines_.pieces[near.second].length);
+    CoulombFriction friction{friction_, pair.law.stiffness / pair.law.skin * std::min(1.0, length / reach)};
+    const std::vector<PairTraction>& memory = state.contact_memory.of_pairs;
+    const auto own = std::ranges::lower_bound(memory, near, {}, &PairTraction::pieces);
+    if (own != memory.end() && own->pieces == near) friction.traction = own->traction;
+    return friction;
+}
+
+CoulombFriction ContactPairs::taken_friction_of(std::size_t index, const State& state) const {
+    CoulombFriction friction = friction_of(index, state);
+    friction.direction = state.contact.pieces_sliding[index];
+    friction.slip = friction.direction.isZero(0.0) ? Slip::sticks : Slip::slides;
+    return friction;
+}
+
+void ContactPairs::keep_slip(std::size_t index, const CoulombFriction& friction, State& state) const {
+    state.contact.pieces_sliding[index] =
+        friction.slip == Slip::slides ? friction.direction : Vec3(Vec3::Zero());
+}
+
+template <class Add>
+void ContactPairs::scatter(const NearPieces& near, const Vec24& of_ends, const Add& add) const {
+    int end = 0;
+    for (const std::uint32_t index : {near.first, near.second}) {
+        const ContactPiece& piece = lines_.pieces[index];
+        const ContactElement& element = lines_.element_of(piece);
+        for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
+            for (int i = 0; i < element.count; ++i)
+                add(element.nodes[static_cast<std::size_t>(i)],
+                    Vec6(lines_.places.places[p].shapes[static_cast<std::size_t>(i)] *
+                         of_ends.segment<6>(6 * end)));
+        }
+    }
+}
+
+void ContactPairs::subtract_forces(const State& state, double weight, Residual& residual) const {
+    if (weight == 0.0) return;
+    for (const Touching& touching : find_touching(state)) {
+        const NearPieces& near = state.contact.pieces[touching.index];
+        Vec24 forces = with_moments(-touching.energy.gradient);
+        if (rub())
+            forces += compute_pair_friction(
+                          touching.energy, motion_of(near, state), friction_of(touching.index, state))
+                          .forces;
+        scatter(near, weight * forces, [&](int node, const Vec6& force) {
+            residual.raise_group(groups_->of_node(node), force);
+            residual.nodal[static_cast<std::size_t>(node)] -= force;
+        });
+    }
+}
+
+void ContactPairs::replace_by_tangent_forces(const State& state, double weight, Residual& residual) const {
+    if (!rub() || weight == 0.0) return;
+    for (const Touching& touching : find_touching(state)) {
+        const NearPieces& near = state.contact.pieces[touching.index];
+        const PairMotion motion = motion_of(near, state);
+        const auto forces = [&](const CoulombFriction& friction) {
+            return compute_pair_friction(touching.energy, motion, friction).forces;
+        };
+        const Vec24 change =
+            forces(taken_friction_of(touching.index, state)) - forces(friction_of(touching.index, state));
+        scatter(near, weight * change, [&](int node, const Vec6& force) {
+            residual.nodal[static_cast<std::size_t>(node)] -= force;
+        });
+    }
+}
+
+ContactPairs::Shares ContactPairs::find_shares(const NearPieces& near, const NodeGroup& nodes) const {
+    Shares shares = Shares::Zero(4, static_cast<Eigen::Index>(nodes.size()));
+    int end = 0;
+    for (const std::uint32_t index : {near.first, near.second}) {
+        const ContactPiece& piece = lines_.pieces[index];
+        const ContactElement& element = lines_.element_of(piece);
+        for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
+            for (int n = 0; n < element.count; ++n) {
+                const auto at = std::ranges::find(nodes, element.nodes[static_cast<std::size_t>(n)]);
+                shares(end, at - nodes.begin()) +=
+                    lines_.places.places[p].shapes[static_cast<std::size_t>(n)];
+            }
+        }
+    }
+    return shares;
+}
+
+std::vector<PairBlock> ContactPairs::compute_tangents(
+    const State& state, double weight, const std::vector<NodeLinearization>& linearizations) const {
+    std::map<std::pair<int, int>, PairBlock> of_elements;
+    for (const Touching& touching : find_touching(state)) {
+        const NearPieces& near = state.contact.pieces[touching.index];
+        const int first = element_of(near.first), second = element_of(near.second);
+        PairBlock& block = of_elements[{first, second}];
+        if (block.nodes.empty()) {
+            block.nodes = list_nodes(first, second);
+            const auto size = static_cast<Eigen::Index>(6 * block.nodes.size());
+            block.matrix = Eigen::MatrixXd::Zero(size, size);
+        }
+        Mat24 rubbing;
+        if (rub())
+            rubbing = compute_pair_friction_derivative(touching.energy,
+                                                       motion_of(near, state),
+                                                       state.contact.has_parameters
+                                                           ? taken_friction_of(touching.index, state)
+                                                           : friction_of(touching.index, state));
+        const Shares shares = find_shares(near, block.nodes);
+        for (Eigen::Index column = 0; column < shares.cols(); ++column) {
+            const auto node = static_cast<std::size_t>(block.nodes[static_cast<std::size_t>(column)]);
+            const double part = weight * linearizations[node].placement;
+            const Mat3 turn = rub() ? tangent_map_inverse(state.trial[node].theta) : Mat3();
+            for (Eigen::Index row = 0; row < shares.cols(); ++row) {
+                Mat6 sum = Mat6::Zero();
+                for (int a = 0; a < 4; ++a) {
+                    for (int b = 0; b < 4; ++b) {
+                        const double share = shares(a, row) * shares(b, column);
+                        if (share == 0.0) continue;
+                        sum.topLeftCorner<3, 3>() +=
+                            share * touching.energy.hessian.block<3, 3>(3 * a, 3 * b);
+                        if (rub()) sum -= share * rubbing.block<6, 6>(6 * a, 6 * b);
+                    }
+                }
+                if (rub()) sum.rightCols<3>() = (sum.rightCols<3>() * turn).eval();
+                block.matrix.block<6, 6>(6 * row, 6 * column) += part * sum;
+            }
+        }
+    }
+    std::vector<PairBlock> blocks;
+    for (auto& [elements, block] : of_elements) blocks.push_back(std::move(block));
+    return blocks;
+}
+
+void ContactPairs::start(State& state) const {
+    if (!rub()) return;
+    state.contact.pieces_sliding.assign(state.contact.pieces.size(), Vec3::Zero());
+    for (const Touching& touching : find_touching(state)) {
+        const PairMotion motion = motion_of(state.contact.pieces[touching.index], state);
+        const std::array<Vec3, 4> none{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+        keep_slip(touching.index,
+                  advance_pair_slip(touching.energy, motion, none, none, friction_of(touching.index, state)),
+                  state);
+    }
+}
+
+void ContactPairs::advance(const std::vector<Vec6>& deltas, State& state) const {
+    if (!rub()) return;
+    const std::vector<Touching> touching = find_touching(state);
+    auto next = touching.begin();
+    for (std::size_t index = 0; index < state.contact.pieces.size(); ++index) {
+        const NearPieces& near = state.contact.pieces[index];
+        const bool touches = next != touching.end() && next->index == index;
+        std::array<Vec3, 4> displacements, turns;
+        std::size_t end = 0;
+        for (const std::uint32_t one : {near.first, near.second}) {
+            const ContactPiece& piece = lines_.pieces[one];
+            const ContactElement& element = lines_.element_of(piece);
+            for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
+                displacements[end].setZero();
+                turns[end].setZero();
+                for (int n = 0; n < element.count; ++n) {
+                    const auto node = static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(n)]);
+                    const double share = lines_.places.places[p].shapes[static_cast<std::size_t>(n)];
+                    displacements[end] += share * deltas[node].head<3>();
+                    turns[end] +=
+                        share * (tangent_map_inverse(state.trial[node].theta) * deltas[node].tail<3>());
+                }
+            }
+        }
+        keep_slip(index,
+                  advance_pair_slip(touches ? next->energy : PairEnergy(),
+                                    motion_of(near, state),
+                                    displacements,
+                                    turns,
+                                    taken_friction_of(index, state)),
+                  state);
+        if (touches) ++next;
+    }
+}
+
+void ContactPairs::commit(State& state) const {
+    if (!rub()) return;
+    std::vector<PairTraction> memory;
+    for (const Touching& touching : find_touching(state)) {
+        const NearPieces& near = state.contact.pieces[touching.index];
+        const PairFriction there = compute_pair_friction(
+            touching.energy, motion_of(near, state), friction_of(touching.index, state));
+        if (!there.traction.value.isZero(0.0)) memory.push_back({near, there.traction.value});
+    }
+    state.contact_memory.of_pairs = std::move(memory);
+}
+
+double ContactPairs::compute_energy(const State& state) const {
+    double energy = 0.0;
+    for (const Touching& touching : find_touching(state)) {
+        energy += touching.energy.energy;
+        if (!rub()) continue;
+        const CoulombFriction friction = friction_of(touching.index, state);
+        const PairFriction there = compute_pair_friction(
+            touching.energy, motion_of(state.contact.pieces[touching.index], state), friction);
+        energy += 0.5 * there.traction.value.squaredNorm() / friction.stiffness;
+    }
+    return energy;
+}
+
+double ContactPairs::compute_work(const State& state) const {
+    double work = 0.0;
+    for (const Touching& touching : find_touching(state)) {
+        const NearPieces& near = state.contact.pieces[touching.index];
+        const PairMotion motion = motion_of(near, state);
+        Vec24 forces = with_moments(-touching.energy.gradient);
+        if (rub())
+            forces +=
+                compute_pair_friction(touching.energy, motion, friction_of(touching.index, state)).forces;
+        for (int end = 0; end < 4; ++end) {
+            const auto at = static_cast<std::size_t>(end);
+            work += forces.segment<3>(6 * end).dot(motion.positions[at] - motion.positions_before[at]) +
+                    forces.segment<3>(6 * end + 3).dot(motion.rotations[at]);
+        }
+    }
+    return work;
+}
+
+double ContactPairs::compute_slip_work(const State& state) const {
+    double work = 0.0;
+    if (!rub()) return work;
+    for (const Touching& touching : find_touching(state)) {
+        const CoulombFriction friction = friction_of(touching.index, state);
+        const PairFriction there = compute_pair_friction(
+            touching.energy, motion_of(state.contact.pieces[touching.index], state), friction);
+        const Vec3& after = there.traction.value;
+        work -= 0.5 * (after + there.traction_before).dot(there.slip) +
+                0.5 * (after.squaredNorm() - friction.traction.squaredNorm()) / friction.stiffness;
+    }
+    return work;
+}
+
+}  // namespace gxrod
