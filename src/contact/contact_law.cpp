@@ -1,5 +1,6 @@
 #include "contact/contact_law.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -43,6 +44,22 @@ ContactGraphPoint find_contact_point(const ContactLaw& law, double zeta) {
     if (z <= 0.0) return {-zeta * law.skin, 0.0, 0.0};
     return {
         law.skin / (1.0 + z), law.stiffness * z * z / (1.0 + z), law.stiffness / law.skin * z * (2.0 + z)};
+}
+
+double find_predicted_share(double skin, double gap) {
+    return gap < skin ? 0.9 : std::max(0.5 * skin / gap, 0.1);
+}
+
+double find_kept_share(double skin, double gap) {
+    const auto force = [](double x) { return x < 1.0 ? (1.0 - x) * (1.0 - x) * (1.0 - x) / (x * x) : 0.0; };
+    const double most = std::max(10.0 * force(gap / skin), 1e-3);
+    double low = 0.1 * gap / skin, high = std::min(gap / skin, 1.0);
+    if (!(low < high)) return 0.1;
+    for (int halving = 0; halving < 12; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (force(middle) > most ? low : high) = middle;
+    }
+    return high * skin / gap;
 }
 
 }  // namespace gxrod

@@ -28,4 +28,11 @@ struct ContactGraphPoint {
 // The point of the curve with the parameter ζ.
 ContactGraphPoint find_contact_point(const ContactLaw& law, double zeta);
 
+// The part of a gap that motions leave. A prediction stops at half the skin; within the skin it goes on by no
+// more than a tenth, so that what touched starts with about the force it had.
+double find_predicted_share(double skin, double gap);
+// An increment within the skin may multiply the force of a pair of rods, about (1 − x)³/x², by ten: more
+// would throw them aside before iterations find how large it is.
+double find_kept_share(double skin, double gap);
+
 }  // namespace gxrod

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "contact/advancement.hpp"
+#include "contact/contact_law.hpp"
 #include "rotation/rotation_map.hpp"
 
 namespace gxrod {
@@ -190,7 +191,8 @@ ObstacleDistance find_obstacle_distance(const Obstacle& obstacle,
     return result;
 }
 
-FreeMotion find_free_motion(const Obstacle& obstacle, double radius, const Vec3& from, const Vec3& to) {
+FreeMotion find_free_motion(
+    const Obstacle& obstacle, double radius, const Vec3& from, const Vec3& to, double skin) {
     const Vec3 motion = to - from;
     const double length = motion.norm();
     // The distance from what bulges out is never below its tangent plane's: nothing bulges in but hollows and
@@ -201,8 +203,10 @@ FreeMotion find_free_motion(const Obstacle& obstacle, double radius, const Vec3&
         return GapAndSpeed{at.distance - radius, is_convex ? -at.normal.dot(motion) : length};
     };
     const double gap = measure(0.0).gap;
-    if (0.9 * gap >= length) return {1.0, gap};
-    return {advance(measure).fraction, gap};
+    AdvancementLimits kept;
+    if (skin > 0.0) kept.kept_share = find_predicted_share(skin, gap);
+    if ((1.0 - kept.kept_share) * gap >= length) return {1.0, gap};
+    return {advance(measure, kept).fraction, gap};
 }
 
 }  // namespace gxrod

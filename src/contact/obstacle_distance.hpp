@@ -34,11 +34,13 @@ ObstacleDistance find_obstacle_distance(const Obstacle& obstacle,
                                         const Vec3& point);
 
 // The largest part of the straight motion of a point, in the axes of the obstacle, that keeps its distance
-// above `radius` by a tenth of what it is at the start, or a little less; 1 if all of it does.
+// above `radius` by a tenth of what it is at the start, or a little less; 1 if all of it does. With a skin,
+// that of a prediction (find_predicted_share).
 struct FreeMotion {
     double fraction = 1.0;
     double gap = 0.0;  // at the start
 };
-FreeMotion find_free_motion(const Obstacle& obstacle, double radius, const Vec3& from, const Vec3& to);
+FreeMotion find_free_motion(
+    const Obstacle& obstacle, double radius, const Vec3& from, const Vec3& to, double skin = 0.0);
 
 }  // namespace gxrod

@@ -100,7 +100,7 @@ class Newton {
         state_.trial = state_.previous;
         state_.contact.progress = 0.0;
         state_.contact.margin = 0.0;
-        const ContactLimits limits = contact_->limit(displacements, state_, time_);
+        const ContactLimits limits = contact_->limit(displacements, state_, time_, Approach::prediction);
         state_.trial = std::move(predicted);
         state_.contact.progress = limits.least;
         if (limits.shorten()) {

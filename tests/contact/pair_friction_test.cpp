@@ -88,7 +88,7 @@ TEST_CASE("Friction of two pieces: its tangent is the derivative of its forces",
 TEST_CASE("Friction of two pieces: forces and moments are in balance, do work as the slip does",
           "[contact]") {
     Crossing crossing(1);
-    crossing.friction.stiffness = 2000.0;
+    crossing.friction.stiffness = 2e4;
     const PairFriction there = crossing.force();
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
     for (std::size_t i = 0; i < 4; ++i) {

@@ -384,7 +384,8 @@ void ContactAssembly::keep_slip(const CoulombFriction& friction,
 
 ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
                                      State& state,
-                                     double time) const {
+                                     double time,
+                                     Approach approach) const {
     const At from = find_obstacles(state, time, state.contact.progress);
     const At to = find_obstacles(state, time, 1.0);
     ContactLimits limits;
@@ -418,10 +419,12 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
                         place.shapes[static_cast<std::size_t>(i)] *
                         displacements[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])];
                 for (const std::size_t obstacle : near) {
-                    const FreeMotion free = find_free_motion(obstacles_[obstacle],
-                                                             element.radius,
-                                                             from.now[obstacle].to_start(position),
-                                                             to.now[obstacle].to_start(position + change));
+                    const FreeMotion free =
+                        find_free_motion(obstacles_[obstacle],
+                                         element.radius,
+                                         from.now[obstacle].to_start(position),
+                                         to.now[obstacle].to_start(position + change),
+                                         approach == Approach::prediction ? element.law.skin : 0.0);
                     of_elements[e] = std::min(of_elements[e], free.fraction);
                     gaps[e] = std::min(gaps[e], free.gap);
                 }
@@ -434,7 +437,7 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
         limits.least = std::min(limits.least, of_elements[e]);
         limits.least_gap = std::min(limits.least_gap, gaps[e]);
     }
-    if (!pairs_.empty()) pairs_.limit(displacements, state, limits);
+    if (!pairs_.empty()) pairs_.limit(displacements, state, approach, limits);
     // Obstacles that still have to move go as far as all.
     if (moves_ && state.contact.progress < 1.0) std::ranges::fill(limits.of_parts, limits.least);
     return limits;

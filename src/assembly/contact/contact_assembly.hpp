@@ -60,7 +60,10 @@ class ContactAssembly {
     // With the whole increments of a Newton iteration, before nodes move.
     void advance(const std::vector<Vec6>& deltas, double time, State& state) const;
     // How far displacements of the trial may go; obstacles move with them to where they are at `time`.
-    ContactLimits limit(const std::vector<Vec3>& displacements, State& state, double time) const;
+    ContactLimits limit(const std::vector<Vec3>& displacements,
+                        State& state,
+                        double time,
+                        Approach approach = Approach::increment) const;
 
     void commit(State& state, double time) const;
 

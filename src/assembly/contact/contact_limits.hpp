@@ -6,6 +6,10 @@
 
 namespace gxrod {
 
+// How near a motion may bring what touches: an increment leaves a tenth of each gap; a prediction stops early
+// in the skin, so that what touched starts with about the force it had.
+enum class Approach { increment, prediction };
+
 // The part of an increment that each part of the model may make (ScaleGroups).
 struct ContactLimits {
     std::vector<double> of_parts;  // 0 … 1

@@ -159,7 +159,10 @@ std::vector<NodeGroup> ContactPairs::list_groups(const State& state) const {
     return groups;
 }
 
-void ContactPairs::limit(const std::vector<Vec3>& displacements, State& state, ContactLimits& limits) const {
+void ContactPairs::limit(const std::vector<Vec3>& displacements,
+                         State& state,
+                         Approach approach,
+                         ContactLimits& limits) const {
     double reach = 0.0;
     for (const Vec3& one : displacements) reach = std::max(reach, one.norm());
     ContactTrial& contact = state.contact;
@@ -193,9 +196,14 @@ void ContactPairs::limit(const std::vector<Vec3>& displacements, State& state, C
             const Segment b = segment_of(near.second, state.trial);
             const Segment move_a = motion_of(near.first);
             const Segment move_b = motion_of(near.second);
-            if (0.9 * gaps[i] >= largest_motion(move_a) + largest_motion(move_b)) continue;
+            const PairLaw pair = law_of(near);
+            AdvancementLimits kept;
+            kept.kept_share = approach == Approach::prediction ? find_predicted_share(pair.law.skin, gaps[i])
+                                                               : find_kept_share(pair.law.skin, gaps[i]);
+            if ((1.0 - kept.kept_share) * gaps[i] >= largest_motion(move_a) + largest_motion(move_b))
+                continue;
             can_meet[i] = 1;
-            of_pairs[i] = advance_capsules(a, add(a, move_a), b, add(b, move_b), law_of(near).radii).fraction;
+            of_pairs[i] = advance_capsules(a, add(a, move_a), b, add(b, move_b), pair.radii, kept).fraction;
         }
     });
     Unions islands(limits.of_parts.size());

@@ -51,7 +51,10 @@ class ContactPairs {
 
     // Lowers the limits of parts of the model whose rods would meet; these then go equally far. Searches
     // first where it has to.
-    void limit(const std::vector<Vec3>& displacements, State& state, ContactLimits& limits) const;
+    void limit(const std::vector<Vec3>& displacements,
+               State& state,
+               Approach approach,
+               ContactLimits& limits) const;
 
     double compute_energy(const State& state) const;
     // Of the forces of impulses: Σ force · displacement over the step.
