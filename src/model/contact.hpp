@@ -43,6 +43,7 @@ struct Obstacle {
 struct ContactWatch {
     int rod = 0;
     std::optional<int> other{};  // a rod, itself too; −1 − j: obstacle j
+    bool wants_gap = false;      // which takes a search where nothing is near
 };
 
 struct Contact {
