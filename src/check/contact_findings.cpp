@@ -27,9 +27,9 @@ double find_kink(int order, double length, double radius) {
     double along = 0.0, across = 0.0;
     visit_node_count(order, [&](auto count) {
         const auto at = compute_node_positions<count>();
-        for (std::size_t i = 0; i < at.size(); ++i) {
-            along += shapes.slope[i] * std::sin(half * at[i]);
-            across += shapes.slope[i] * (1.0 - std::cos(half * at[i]));
+        for (int i = 0; i < count; ++i) {
+            along += shapes.slope[static_cast<std::size_t>(i)] * std::sin(half * at[i]);
+            across += shapes.slope[static_cast<std::size_t>(i)] * (1.0 - std::cos(half * at[i]));
         }
     });
     return 2.0 * std::abs(half - std::atan2(across, along));
