@@ -40,7 +40,7 @@ TEST_CASE("Check: rods that are clear of all call for no words", "[check][touch]
 TEST_CASE("Check: what overlaps is an error, the deepest named first", "[check][touch]") {
     const std::string heap = floor + "[contact]\n" + level + wire("b", "[0, 0.015, 1]", "[1, 0.016, 1]") +
                              wire("c", "[0, 5, 0.004]", "[1, 5, 0.008]") +
-                             wire("d", "[0, 7, 0.003]", "[1, 7, 0.003]");
+                             wire("d", "[0, 7, 0.003]", "[1, 7, 0.004]");
     const std::string errors = findings(heap, Severity::error);
     CHECK_THAT(
         errors,
@@ -76,7 +76,7 @@ TEST_CASE("Check: elements that are long for the bend of contact", "[check][touc
 TEST_CASE("Check: speeds of several radii a step", "[check][touch]") {
     const std::string fast = floor + level + "[[initial]]\non = \"a\"\nvelocity = [0, 0, -0.4]\n";
     CHECK_THAT(findings(fast), Contains("moves by 4 radii in a step at the start"));
-    CHECK_THAT(findings(fast), Contains("time_step = 0.02 moves it by 0.8"));
+    CHECK_THAT(findings(fast), Contains("time_step = 0.01 moves it by 0.4"));
     CHECK(findings(floor + level + "[[initial]]\non = \"a\"\nvelocity = [0, 0, -0.04]\n").empty());
 }
 

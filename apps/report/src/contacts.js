@@ -25,6 +25,17 @@ export class Contacts {
     this.group.add(...this.parts);
   }
 
+  // Whether arrows are mostly along an axis, so that a view along it would hide them.
+  areAlong(axis) {
+    let [along, all] = [0, 0];
+    for (let i = 0; i < this.count; i++) {
+      const force = this.forceOf(i);
+      along += Math.abs(force.getComponent(axis));
+      all += force.length();
+    }
+    return along > 0.5 * all;
+  }
+
   forceOf(i) {
     return new Vector3().fromArray(this.contacts, numbers * i + 3);
   }

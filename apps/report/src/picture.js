@@ -148,7 +148,7 @@ export class Picture {
   resetView() {
     const [least, largest] = this.isInState ? this.stateBounds : this.boundsOfPoints();
     const sides = least.map((x, i) => largest[i] - x);
-    const flat = sides.map((side) => side < 1e-3 * this.size);
+    const flat = sides.map((side, i) => side < 1e-3 * this.size && !this.parts.contacts.areAlong(i));
     const isBodyAlone = flat.every(Boolean); // or several about one point
     if (!isBodyAlone && flat[2]) this.stage.look([0, 0, -1], [0, 1, 0]);
     else if (!isBodyAlone && flat[1]) this.stage.look([0, 1, 0], [0, 0, 1]);

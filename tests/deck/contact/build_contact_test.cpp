@@ -120,7 +120,7 @@ TEST_CASE("Histories of what touches a rod", "[deck][touch]") {
         read(deck(history("at = \"a\"\nquantities = \"least_gap\"\n"))).output.histories[0].contact->other);
 
     CHECK_THAT(faults(history("at = \"a\"\nwith = \"flor\"\nquantities = \"least_gap\"\n")),
-               Contains("history[1].with: no obstacle and no rod \"flor\"; did you mean \"floor\"?"));
+               Contains("history[0].with: no obstacle and no rod \"flor\"; did you mean \"floor\"?"));
     CHECK_THAT(faults(history("at = \"a\"\nwith = \"a\"\nquantities = \"least_gap\"\n")),
                Contains("\"a\" does not touch itself: [contact] leaves it out"));
     CHECK_THAT(faults(history("at = \"a.end\"\nwith = \"floor\"\nquantities = \"position\"\n")),
@@ -132,7 +132,7 @@ TEST_CASE("Histories of what touches a rod", "[deck][touch]") {
                Contains("only obstacles have it, and rods as a whole"));
     // Without contact a rod is not a point.
     CHECK_THAT(faults("[[history]]\nname = \"h\"\nat = \"a\"\nquantities = \"contact_force\"\n"),
-               Contains("no point \"a\""));
+               Contains("history[0].at: \"a\" is a rod; expected a point of it"));
 }
 
 }  // namespace gxrod::test
