@@ -28,7 +28,7 @@ GROUPS = [
                     "([theory](theory/sensitivities.md)).", {"gradients": ["check_gradient"]}),
     ("Many runs", "", {"mapping": ["map"], "batches": ["batch", "read_batch"]}),
     ("Results of runs", "", {"results": ["open_results", "Results"], "results/records": ["Record", "History", "SampledHistory", "Quantity", "Named"],
-                     "results/frames": ["Frames", "Frame", "Fields", "Rod"], "results/tables": ["Table"],
+                     "results/frames": ["Frames", "Frame", "Fields", "Rod"], "results/contacts": ["Contacts", "ContactFrame"], "results/tables": ["Table"],
                      "results/stages": ["Stage", "ShapesStage", "Sweep", "Response", "Answers", "PathStage", "Shapes"], "plot": ["draw"], "page": ["Page"]}),
     ("Blades and sections of other programs", "", {"importers/formats": ["read_blade"], "importers/writing": ["write_deck"], "importers/blade": ["Blade"], "importers/sections": ["from_sectionproperties"]}),
     ("Mooring lines of other programs", "", {"importers/moordyn": ["read_moordyn"], "importers/mooring_deck": ["write_mooring"], "importers/mooring": ["Mooring", "Line", "LineType", "Place", "Body"],

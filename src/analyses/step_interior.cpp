@@ -15,6 +15,7 @@ void StepInterior::keep(const State& state, double end_time) {
     state_.resultants.clear();
     end_time_ = end_time;
     places_.assign(fractions_.size(), Place{});
+    has_contacts_ = has_frame_contacts_ = false;
     starts_at_rest_ = !system_.model().has_inertia && state.time == 0.0;
     if (starts_at_rest_) find_first_rates();
 }
@@ -70,6 +71,15 @@ void StepInterior::find_values(bool with_elements, const std::vector<RodPlace>& 
         place.reactions = system_.compute_reactions(residual);
         place.has_others = true;
     }
+}
+
+void StepInterior::find_contacts(bool is_for_frame, const std::vector<ContactWatch>& watched) {
+    if (!system_.contact() || has_frame_contacts_ || (has_contacts_ && !is_for_frame)) return;
+    State end = state_at(fractions_.size() - 1);
+    system_.commit(end, end_time_);
+    contact_record_ = record_contacts(system_, end, end_time_, watched, is_for_frame);
+    has_contacts_ = true;
+    has_frame_contacts_ = is_for_frame;
 }
 
 void StepInterior::mix_joints(const std::vector<double>& weights) {
@@ -131,7 +141,10 @@ void StepInterior::mix_reactions(const std::vector<double>& weights) {
     }
 }
 
-Snapshot StepInterior::snapshot(double time, bool with_elements, const std::vector<RodPlace>& watched) {
+Snapshot StepInterior::snapshot(double time,
+                                bool with_elements,
+                                const std::vector<RodPlace>& watched,
+                                const std::vector<ContactWatch>& watched_contacts) {
     const double time_step = end_time_ - state_.time;
     const double fraction = (time - state_.time) / time_step;
     const std::vector<double> weights = weights_at(fraction);
@@ -152,6 +165,8 @@ Snapshot StepInterior::snapshot(double time, bool with_elements, const std::vect
     snapshot.joints = joints_;
     snapshot.bodies = bodies_;
     snapshot.tendons = tendons_;
+    find_contacts(with_elements, watched_contacts);
+    contact_record_.show_in(snapshot);
     return snapshot;
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "analyses/contact_record.hpp"
 #include "assembly/system.hpp"
 #include "integrators/integrator.hpp"
 #include "state/step_record.hpp"
@@ -20,7 +21,10 @@ class StepInterior {
     // Of the trial that is accepted, at `end_time`.
     void keep(const State& state, double end_time);
     // At a time between; valid until the next call. With the sections of all elements only if asked for.
-    Snapshot snapshot(double time, bool with_elements, const std::vector<RodPlace>& watched);
+    Snapshot snapshot(double time,
+                      bool with_elements,
+                      const std::vector<RodPlace>& watched,
+                      const std::vector<ContactWatch>& watched_contacts = {});
 
   private:
     // Values at one of the places between which they are interpolated; found when they are asked for.
@@ -35,6 +39,7 @@ class StepInterior {
     // Of the places' values.
     std::vector<double> weights_at(double fraction) const;
     State state_at(std::size_t place) const;
+    void find_contacts(bool is_for_frame, const std::vector<ContactWatch>& watched);
     void find_values(bool with_elements, const std::vector<RodPlace>& watched);
     void mix_joints(const std::vector<double>& weights);
     void mix_sections(const std::vector<double>& weights);
@@ -50,6 +55,9 @@ class StepInterior {
     // its end.
     bool starts_at_rest_ = false;
     std::vector<Place> places_;
+    // Of the end of the step: contact is an impulse of it.
+    ContactRecord contact_record_;
+    bool has_contacts_ = false, has_frame_contacts_ = false;
 
     State between_;  // the same, with the trial at the time asked for
     std::vector<SectionValues> sections_;

@@ -447,8 +447,8 @@ Snapshot SteppedAnalysis::snapshot(bool with_elements) {
     snapshot.bodies = body_values_;
     if (!system_.model().tendons.empty()) tendon_values_ = system_.compute_tendon_values(state_, state_.time);
     snapshot.tendons = tendon_values_;
-    if (system_.contact()) obstacle_values_ = system_.contact()->compute_obstacle_values(state_, state_.time);
-    snapshot.obstacles = obstacle_values_;
+    contact_record_ = record_contacts(system_, state_, state_.time, watched_contacts_, with_elements);
+    contact_record_.show_in(snapshot);
     return snapshot;
 }
 

@@ -70,8 +70,11 @@ class SteppedAnalysis {
     // method was asked for.
     double largest_error() const { return largest_error_; }
     const NewtonSettings& newton() const { return newton_; }
-    // Points of rods that snapshots record; before the start.
-    void watch(std::vector<RodPlace> places) { watched_ = std::move(places); }
+    // Points of rods, and contacts of rods, that snapshots record; before the start.
+    void watch(std::vector<RodPlace> places, std::vector<ContactWatch> contacts = {}) {
+        watched_ = std::move(places);
+        watched_contacts_ = std::move(contacts);
+    }
     // Of snapshots: of the loads, or another axis that grows from step to step.
     virtual double axis_time() const { return state_.time; }
     // Of the last accepted state; valid until the next step. With the sections of all elements only if asked
@@ -83,7 +86,7 @@ class SteppedAnalysis {
     }
     // At a time within the last accepted step, which must have been kept; valid until the next call or step.
     Snapshot snapshot_within(double time, bool with_elements = true) {
-        return interior_->snapshot(time, with_elements, watched_);
+        return interior_->snapshot(time, with_elements, watched_, watched_contacts_);
     }
     // Where the last accepted step began.
     double step_start() const { return step_start_; }
@@ -168,11 +171,12 @@ class SteppedAnalysis {
     std::function<bool(double from, double to)> is_wanted_;
     std::unique_ptr<StepInterior> interior_;  // of the last step that was kept
     std::vector<RodPlace> watched_;
+    std::vector<ContactWatch> watched_contacts_;
     std::vector<PointValues> point_values_;
     std::vector<PointSurroundings> body_values_;
     std::vector<JointValues> joint_values_;
     std::vector<TendonValues> tendon_values_;
-    std::vector<ObstacleValues> obstacle_values_;
+    ContactRecord contact_record_;
     std::vector<SectionValues> section_values_;
     std::vector<Vec6> reactions_;
 };

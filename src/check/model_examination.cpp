@@ -1,4 +1,5 @@
 #include "check/model_examination.hpp"
+#include "check/contact_findings.hpp"
 
 #include <fmt/format.h>
 
@@ -302,7 +303,10 @@ std::vector<Finding> examine_model(const Model& model,
     if (const std::string push = find_push_out_of_plane(model); !push.empty())
         findings.push_back({Severity::warning, push});
     for (Finding& finding : examine_surroundings(model, analysis)) findings.push_back(std::move(finding));
-    if (begins_at_rest) find_missing_causes(model, analysis, findings);
+    if (begins_at_rest) {
+        for (Finding& finding : examine_contact(model, analysis)) findings.push_back(std::move(finding));
+        find_missing_causes(model, analysis, findings);
+    }
     describe_parts(model, parts, findings);
     return findings;
 }

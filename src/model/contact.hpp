@@ -39,6 +39,13 @@ struct Obstacle {
     std::optional<ObstacleMotion> motion{};
 };
 
+// What a history adds up: the contact of a rod with all others and all obstacles, or with one of them.
+struct ContactWatch {
+    int rod = 0;
+    std::optional<int> other{};  // a rod, itself too; −1 − j: obstacle j
+    bool wants_gap = false;      // which takes a search where nothing is near
+};
+
 struct Contact {
     std::vector<double> radii;       // of each rod; 0: it touches nothing
     std::vector<double> bend_radii;  // of each rod: the tightest bend to expect

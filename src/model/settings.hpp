@@ -218,6 +218,9 @@ struct HistoryRequest {
     std::optional<Vec3> about = {};
     int tendon = -1;    // index in Model::tendons if it is of a tendon, which has no node
     int obstacle = -1;  // index in Contact::obstacles if it is of an obstacle, likewise
+    // If it is of what a rod touches, likewise; and with what, as the deck has it.
+    std::optional<ContactWatch> contact = {};
+    std::string with = {};
 };
 
 // Of frames, in the file; lossless.

@@ -110,6 +110,9 @@ bool refine_cells(const Model& model, FrameTopology& topology) {
             return rod.has_varying_sections() ? rod.varying.at_nodes[entry] : model.sections[rod.section];
         };
         const auto order = static_cast<std::size_t>(rod.order);
+        // What touches is round.
+        const std::vector<double>& touching = model.contact.radii;
+        const double radius = touching.empty() ? 0.0 : touching[static_cast<std::size_t>(number)];
         for (std::size_t first = 0; first < rod.triads.size(); first += order + 1, ++cell) {
             const std::array<double, 2> of_file = cell->radii.front();
             cell->axes.clear();
@@ -120,7 +123,8 @@ bool refine_cells(const Model& model, FrameTopology& topology) {
                 const std::size_t entry = first + (i == 0 ? 0 : i == 1 ? order : i - 1);
                 cell->axes.push_back(rod.triads[entry]);
                 cell->arc_length.push_back(rod.arc_length[entry]);
-                cell->radii.push_back(find_radii(section_at(entry), of_file));
+                cell->radii.push_back(radius > 0.0 ? std::array{radius, radius}
+                                                   : find_radii(section_at(entry), of_file));
             }
             cell->rod = number;
             cell->middle = 0.5 * (rod.arc_length[first] + rod.arc_length[first + order]);

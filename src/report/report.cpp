@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "machine/file_error.hpp"
+#include "report/contact_blocks.hpp"
 #include "report/data_blocks.hpp"
 #include "report/findings/findings.hpp"
 #include "report/frame_blocks.hpp"
@@ -25,7 +26,7 @@ namespace gxrod {
 
 namespace {
 
-constexpr std::size_t most_blocks = 20;
+constexpr std::size_t most_blocks = 23;
 constexpr double bytes_in_megabyte = 1e6;
 
 // Frames that the file counts and has times of.
@@ -42,13 +43,16 @@ class Page {
         : file_(file),
           options_(options),
           story_(read_run_story(file)),
-          charts_(list_charts(file, story_.is_static)) {
+          charts_(list_charts(file, story_.is_static)),
+          contacts_(file, count_frames(file)) {
         content_.topology = &story_.topology;
         content_.marked_nodes = story_.marked_nodes;
         content_.frames = count_frames(file);
         content_.steps = file.size("/histories/time").at(0);
         for (const StepChart& chart : charts_) content_.columns += chart.columns();
         content_.arrows = story_.arrows.size();
+        content_.touches = contacts_.most_touches();
+        if (story_.problem) content_.moved_obstacles = count_moved_obstacles(story_.problem->model);
         content_.is_static = story_.is_static;
         const std::size_t room = options.most_bytes - std::min(options.most_bytes, shell_.size());
         findings_.emplace(file, options.results, charts_, content_, room);
@@ -62,6 +66,7 @@ class Page {
         out << shell_.before;
         write_description(out, describe());
         write_frame_blocks(file_, plan_, content_, story_.arrows, out);
+        write_contacts(out);
         write_step_blocks(file_, charts_, plan_.steps, content_.steps, out);
         findings_->write(plan_, out);
         out << shell_.after;
@@ -69,6 +74,16 @@ class Page {
     }
 
   private:
+    void write_contacts(std::ostream& out) {
+        const std::vector<std::size_t> frames = plan_.frames(content_.frames);
+        contacts_.write(frames, out);
+        if (!story_.problem) return;
+        const std::vector<double> all = file_.rows("/VTKHDF/Steps/Values", 0, content_.frames, 1);
+        std::vector<double> times;
+        for (const std::size_t frame : frames) times.push_back(all[frame]);
+        write_obstacle_motions(file_, *story_.problem, times, out);
+    }
+
     void plan(std::size_t shell_bytes) {
         // Sentences on what is left out come later.
         constexpr std::size_t sentences = 2000;
@@ -104,6 +119,7 @@ class Page {
         std::vector<std::string> sentences = plan_.left_out;
         for (const std::vector<std::string>& others : {findings_->left_out(), story_.left_out})
             sentences.insert(sentences.end(), others.begin(), others.end());
+        if (!contacts_.left_out().empty()) sentences.push_back(contacts_.left_out());
         return sentences;
     }
 
@@ -120,6 +136,7 @@ class Page {
     RunStory story_;
     std::vector<std::string> warnings_;
     std::vector<StepChart> charts_;
+    ContactBlocks contacts_;
     ReportContent content_;
     std::optional<Findings> findings_;
     ReportPlan plan_;

@@ -61,7 +61,8 @@ double frame_bytes(const ReportPlan& plan, const ReportContent& content) {
     const std::size_t bytes =
         vector_bytes * (plan.node_data.size() * plan.nodes.size() +
                         plan.cell_data.size() * plan.cells.size() + 2 * content.arrows) +
-        sizeof(double);
+        7 * sizeof(float) * (content.touches + content.moved_obstacles) +
+        (content.touches > 0 ? sizeof(std::int32_t) : 0) + sizeof(double);
     return static_cast<double>(bytes) * 4.0 / 3.0;
 }
 
@@ -108,7 +109,7 @@ class Planner {
 
     // Frames for which there is room next to the steps and what does not move.
     std::size_t frames_that_fit() const {
-        constexpr double blocks = 16.0;
+        constexpr double blocks = 19.0;
         const double room = bytes_ - static_cast<double>(step_bytes(plan_, content_)) -
                             static_cast<double>(still_bytes(plan_, content_)) - blocks * block_bytes;
         return room < 0.0 ? 0 : static_cast<std::size_t>(room / frame_bytes(plan_, content_));
@@ -167,6 +168,10 @@ std::size_t count_bytes(const ReportPlan& plan, const ReportContent& content) {
     std::size_t bytes = still_bytes(plan, content) + step_bytes(plan, content) +
                         base64_length(frames * sizeof(double)) +
                         base64_length(frames * 2 * content.arrows * vector_bytes);
+    if (content.touches > 0)
+        bytes += base64_length(frames * 7 * sizeof(float) * content.touches) +
+                 base64_length((frames + 1) * sizeof(std::int32_t));
+    bytes += base64_length(frames * 7 * sizeof(float) * content.moved_obstacles);
     bytes += plan.node_data.size() * base64_length(frames * plan.nodes.size() * vector_bytes);
     bytes += plan.cell_data.size() * base64_length(frames * plan.cells.size() * vector_bytes);
     return bytes;

@@ -17,6 +17,8 @@ struct ReportContent {
     std::size_t steps = 0;
     std::size_t columns = 0;  // of all histories and tables, one number a step each
     std::size_t arrows = 0;   // of loads
+    std::size_t touches = 0;  // of rods, at most in a frame
+    std::size_t moved_obstacles = 0;
     // Of shapes that stages have found, for each node: three numbers each.
     std::size_t shape_vectors = 0;
     bool is_static = false;  // no velocities

@@ -9,6 +9,7 @@
 
 #include "model/energy_round_off.hpp"
 #include "report/centres_json.hpp"
+#include "report/contact_blocks.hpp"
 #include "report/step_blocks.hpp"
 #include "results/energy_warning.hpp"
 #include "results/tables/deck_reading.hpp"
@@ -172,7 +173,8 @@ Json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbe
     json["arrows"] = describe_arrows(story, number);
     if (!story.problem) {
         json["bodies"] = bare_bodies(story, number);
-        for (const char* parts : {"supports", "joints", "springs", "bushings", "tables", "rods", "centres"}) {
+        for (const char* parts :
+             {"supports", "joints", "springs", "bushings", "tables", "rods", "centres", "obstacles"}) {
             json[parts] = Json::array();
         }
         return json;
@@ -180,6 +182,8 @@ Json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbe
     const Model& model = story.problem->model;
     json["unknowns"] = count_unknowns(model);
     json["surroundings"] = describe_surroundings(*story.problem);
+    json["obstacles"] = describe_obstacles(model);
+    json["has_contact"] = !model.contact.is_empty();
     json["bodies"] = describe_bodies(model, number, most_bodies);
     json["supports"] = describe_supports(model, number, most_supports);
     json["joints"] = describe_joints(model, number, most_joints);

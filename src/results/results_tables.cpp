@@ -46,6 +46,7 @@ ResultsTables::ResultsTables(const Hdf5Handle& root,
                     count_numbers(solver_columns, deck.has_statics)) {
     for (const Hdf5Handle* group : {&ledger_group_, &solver_group_})
         link_dataset(times_.id(), *group, "time");
+    if (!model.contact.is_empty()) contacts_.emplace(root, model, rows.frames);
     if (output.history_interval || has_link(root, samples_group_name))
         samples_.emplace(root, model, output.histories, rows.samples);
 }
@@ -67,6 +68,7 @@ void ResultsTables::append_sample(const Snapshot& snapshot) {
 
 void ResultsTables::append_frame(const Snapshot& snapshot) {
     frames_.append(snapshot);
+    if (contacts_) contacts_->append(snapshot);
     ++rows_.frames;
 }
 
@@ -82,6 +84,7 @@ void ResultsTables::flush_rows() {
     inputs_.flush();
     if (samples_) samples_->flush();
     frames_.flush_frames();
+    if (contacts_) contacts_->flush();
 }
 
 void ResultsTables::flush_frame_count() { frames_.flush_count(); }
@@ -109,11 +112,13 @@ void ResultsTables::trim() {
     inputs_.trim();
     if (samples_) samples_->trim();
     frames_.trim();
+    if (contacts_) contacts_->trim();
 }
 
 std::size_t ResultsTables::buffered_bytes() const {
     return times_.buffered_bytes() * static_cast<std::size_t>(step_numbers_) + histories_.buffered_bytes() +
-           frames_.buffered_bytes() + (samples_ ? samples_->buffered_bytes() : 0);
+           frames_.buffered_bytes() + (samples_ ? samples_->buffered_bytes() : 0) +
+           (contacts_ ? contacts_->buffered_bytes() : 0);
 }
 
 }  // namespace gxrod

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/deck_record.hpp"
+#include "results/tables/contact_table.hpp"
 #include "results/tables/frame_table.hpp"
 #include "results/tables/history_table.hpp"
 #include "results/tables/input_table.hpp"
@@ -64,7 +65,8 @@ class ResultsTables {
     StepTable<SolverRow> solver_;
     InputTable inputs_;
     FrameTable frames_;
-    std::optional<SampleTable> samples_;  // if the deck asks for samples, or the file has some
+    std::optional<ContactTable> contacts_;  // of models with contact
+    std::optional<SampleTable> samples_;    // if the deck asks for samples, or the file has some
     RestartTable restart_;
     Rows rows_;
     int step_numbers_;  // of a row of ledger, solver's record and time

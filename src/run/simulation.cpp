@@ -43,6 +43,7 @@ StageSequence::Plan Simulation::make_plan() const {
             request_.analysis,
             request_.stages,
             list_rod_places(request_.output.histories),
+            list_contact_watches(request_.output.histories),
             request_.threads};
 }
 

@@ -91,7 +91,7 @@ bool StageSequence::enter_next_branch(const std::string& cause) {
     }
     branch_start_ = here;
     branch_ = std::make_unique<PathAnalysis>(model(), std::get<PathSettings>(settings()), plan_.threads);
-    branch_->watch(plan_.watched);
+    branch_->watch(plan_.watched, plan_.watched_contacts);
     branch_->start(*start);
     return true;
 }
@@ -157,7 +157,7 @@ StageSequence::Current StageSequence::build() const {
         set_actions(plan_.stages[index_].actions, *current.model);
     }
     current.analysis = make_analysis(current.model ? *current.model : plan_.model, settings(), plan_.threads);
-    current.analysis->watch(plan_.watched);
+    current.analysis->watch(plan_.watched, plan_.watched_contacts);
     return current;
 }
 

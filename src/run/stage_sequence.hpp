@@ -27,6 +27,7 @@ class StageSequence {
         const AnalysisSettings& analysis;   // of the first stage
         std::span<const StagePlan> stages;  // all of them; empty if there is but the first
         std::vector<RodPlace> watched;      // as SteppedAnalysis::watch
+        std::vector<ContactWatch> watched_contacts = {};
         int threads = 1;
     };
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "state/contact_touch.hpp"
 #include "state/joint_values.hpp"
 #include "state/obstacle_values.hpp"
 #include "state/point_values.hpp"
@@ -63,7 +64,11 @@ struct Snapshot {
     // Of Model::bodies; empty where nothing is around.
     std::span<const PointSurroundings> bodies = {};
     std::span<const TendonValues> tendons = {};  // in the order of Model::tendons; empty if no history asks
-    std::span<const ObstacleValues> obstacles = {};  // of Contact::obstacles; empty without contact
+    std::span<const ObstacleValues> obstacles = {};         // of Contact::obstacles; empty without contact
+    std::span<const ObstacleValues> watched_contacts = {};  // on rods, as list_contact_watches orders them
+    // For frames of models with contact: all that touch, and the forces on the nodes.
+    std::span<const ContactTouch> touches = {};
+    std::span<const Vec6> contact_forces = {};
 };
 
 }  // namespace gxrod

@@ -15,8 +15,12 @@ namespace gxrod {
 DeckRun::DeckRun(const std::string& name, const std::string& text, const std::vector<std::string>& overrides)
     : name_(name),
       problem_(read_problem_text(text, name + ".toml", overrides)),
-      stages_(std::make_unique<StageSequence>(StageSequence::Plan{
-          problem_.model, problem_.analysis, problem_.stages, list_rod_places(problem_.output.histories)})) {}
+      stages_(std::make_unique<StageSequence>(
+          StageSequence::Plan{problem_.model,
+                              problem_.analysis,
+                              problem_.stages,
+                              list_rod_places(problem_.output.histories),
+                              list_contact_watches(problem_.output.histories)})) {}
 
 double DeckRun::limit_load_factor() const {
     return limit_load_factor_of(stages_->settings()).value_or(std::numeric_limits<double>::quiet_NaN());

@@ -78,7 +78,8 @@ class Tracer {
           momenta_(analysis_->system(), mass_),
           sampler_(request.sample_times, request.sample_times.back()),
           reader_(problem, request.series) {
-        analysis_->watch(list_rod_places(problem.output.histories));
+        analysis_->watch(list_rod_places(problem.output.histories),
+                         list_contact_watches(problem.output.histories));
     }
 
     MotionTrace trace() {

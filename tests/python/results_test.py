@@ -226,6 +226,40 @@ def truss(runs):
         pytest.skip("needs libgmsh")
 
 
+def test_contacts_are_rows_of_the_file(runs, plank):
+    results = gxrod.open_results(runs("sliding_rod"))
+    contacts = results.contacts
+    assert len(contacts) == len(results.frames) == len(list(contacts))
+    assert contacts.obstacles == ["floor"]
+    with h5py.File(runs("sliding_rod")) as file:
+        offsets = file["contacts/offsets"][()]
+        columns = {name: file["contacts"][name][()] for name in ("rods", "places", "point", "normal_force", "friction_force", "gap", "slides")}
+    np.testing.assert_array_equal(contacts.offsets, offsets)
+    for number in (0, 5, -1):
+        first, end = offsets[number], offsets[number + 1] if number >= 0 else offsets[-1]
+        if number < 0:
+            first = offsets[-2]
+        frame = contacts[number]
+        assert len(frame) == end - first > 0
+        for name, values in columns.items():
+            np.testing.assert_array_equal(frame[name], values[first:end])
+        np.testing.assert_array_equal(frame.force, frame.normal_force + frame.friction_force)
+        assert frame.time == results.frames[number].time
+        assert set(frame.names) == {("roller", "floor")}
+        np.testing.assert_allclose(frame.of("roller"), frame.force.sum(axis=0), atol=1e-12)
+        np.testing.assert_allclose(frame.of("floor", "roller"), -frame.force.sum(axis=0), atol=1e-12)
+        np.testing.assert_array_equal(frame.of("roller", "ceiling"), np.zeros(3))
+    assert contacts[-1].slides.dtype == bool
+    assert contacts.nearest(results.frames.time[3]).number == 3
+    assert [frame.number for frame in contacts[2:5]] == [2, 3, 4]
+    assert "places" in repr(contacts[-1])
+    with pytest.raises(IndexError):
+        contacts[len(contacts)]
+    # Of a deck without contact.
+    assert len(plank.contacts[0]) == 0
+    assert plank.contacts.obstacles == []
+
+
 def test_rods_that_branch_are_those_of_the_export(truss, runs):
     check_rod(runs, "truss", "truss")
 

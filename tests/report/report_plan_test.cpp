@@ -95,6 +95,19 @@ TEST_CASE("Bodies that are not drawn take no room", "[report]") {
     CHECK(plan_report(content, megabyte).nodes.size() == 22);
 }
 
+TEST_CASE("What touches, and obstacles that move, have their room", "[report][touch]") {
+    const FrameTopology line = make_line(20);
+    ReportContent content = make_content(line, 20000, 100);
+    const std::size_t without = plan_report(content, megabyte).frames(20000).size();
+    content.touches = 400;
+    content.moved_obstacles = 2;
+    const ReportPlan plan = plan_report(content, megabyte);
+    CHECK(count_bytes(plan, content) <= megabyte);
+    CHECK(plan.frames(20000).size() < without / 2);
+    // Of a frame: at most 400 rows, and 2 motions, of seven numbers.
+    CHECK(count_bytes(plan, content) > plan.frames(20000).size() * 402 * 7 * sizeof(float) * 4 / 3);
+}
+
 TEST_CASE("Shapes that stages have found have their room", "[report]") {
     const FrameTopology line = make_line(5000);
     ReportContent content = make_content(line, 20, 100);

@@ -30,7 +30,10 @@ function readSteps(charts) {
 }
 
 // { info, times, reference, connectivity, offsets, axes, radii, cellRods, middles, arcLengths, arrows,
+//   contacts, contactOffsets, obstacles,
 //   quantities: {name: {of, values}}, stepTimes }: vectors are three numbers each, frame after frame; `of` is "node" or "cell".
+// contacts has seven numbers of what touches: point, force, and 1 where it slides plus 2 between rods; contactOffsets is where
+// each frame starts in it. obstacles has displacement and quaternion of those that move, frame after frame.
 // Axes, radii and arcLengths are those of the entries of connectivity.
 export function readData() {
   const info = JSON.parse(document.getElementById("report").textContent);
@@ -50,6 +53,9 @@ export function readData() {
     middles: decode("middles", Float32Array),
     arcLengths: decode("arc-lengths", Float32Array),
     arrows: decode("arrows", Float32Array),
+    contacts: decode("contacts", Float32Array),
+    contactOffsets: decode("contact-offsets", Int32Array),
+    obstacles: decode("obstacles", Float32Array),
     stepTimes: readSteps(info.charts),
   };
 }

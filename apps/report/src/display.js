@@ -13,6 +13,8 @@ export function bindDisplay(data, picture, clock) {
     ["show-springs", [parts.springs.group], parts.springs.marks.length > 0],
     ["show-bodies", [parts.bodies.group, parts.bodies.paths], parts.bodies.bodies.length > 0],
     ["show-centres", [parts.centres.group], parts.centres.places.length > 0],
+    ["show-obstacles", [parts.obstacles.group], parts.obstacles.marks.length > 0],
+    ["show-contacts", [parts.contacts.group], parts.contacts.count > 0],
     ["show-reference", [reference], data.offsets.length > 1],
     ["show-shapes", [picture.shapes], data.offsets.length > 1 && data.times.length > 1],
     ["show-grid", [grid], true],
@@ -25,11 +27,8 @@ export function bindDisplay(data, picture, clock) {
       stage.draw();
     });
   }
-  const legend = find("centres-legend");
-  const showLegend = () => (legend.hidden = parts.centres.places.length === 0 || !find("show-centres").checked);
-  legend.append(...parts.centres.makeLegend());
-  find("show-centres").addEventListener("change", showLegend);
-  showLegend();
+  bindLegend("centres", parts.centres, parts.centres.places.length > 0);
+  bindLegend("contacts", parts.contacts, parts.contacts.count > 0);
   bindScale(picture, clock);
   bindThickness(data, picture);
   const views = { "view-x": [[-1, 0, 0], [0, 0, 1]], "view-y": [[0, 1, 0], [0, 0, 1]], "view-z": [[0, 0, -1], [0, 1, 0]] };
@@ -39,6 +38,16 @@ export function bindDisplay(data, picture, clock) {
     stage.direction = null;
     stage.fit();
   });
+}
+
+// What colours mean, while the marks are shown.
+function bindLegend(name, part, isThere) {
+  const legend = find(`${name}-legend`);
+  const box = find(`show-${name}`);
+  const show = () => (legend.hidden = !isThere || !box.checked);
+  if (isThere) legend.append(...part.makeLegend());
+  box.addEventListener("change", show);
+  show();
 }
 
 function bindScale(picture, clock) {

@@ -17,13 +17,14 @@ export class Names {
 
   // [words, place] of all that is drawn and has a name; of two at one place the first is named.
   list() {
-    const { joints, springs, bodies, supports } = this.picture.parts;
+    const { joints, springs, bodies, supports, obstacles } = this.picture.parts;
     const shown = (part, list) => (part.group.visible ? list : []);
     return [
       ...shown(joints, joints.marks.flatMap((mark) => mark.spots.map((x) => [`${mark.name}: ${mark.type}`, spotOf(mark, x)]))),
       ...shown(springs, springs.marks.map(({ name, type, place }) => [`${name}: ${type}`, place])),
       ...shown(supports, supports.marks.map(({ name, position }) => [`${name}: support`, position])),
       ...shown(bodies, bodies.bodies.map(({ name, centre, group }) => [`${name}: body`, group.localToWorld(centre.clone())])),
+      ...shown(obstacles, obstacles.marks.map(({ name, place, group }) => [`${name}: obstacle`, group.localToWorld(place.clone())])),
     ].filter(([words]) => !words.startsWith(":"));
   }
 

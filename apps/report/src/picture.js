@@ -4,9 +4,11 @@ import { Centres } from "./centres.js";
 import { makeReference, makeShapes, makeState } from "./centrelines.js";
 import { ColourScale } from "./colours.js";
 import { Bounds } from "./ends.js";
+import { Contacts } from "./contacts.js";
 import { makeGrid } from "./grid.js";
 import { Joints } from "./joints.js";
 import { rangeOf } from "./motion.js";
+import { Obstacles } from "./obstacles.js";
 import { Springs } from "./springs.js";
 import { FailMarks, Loads, Supports } from "./symbols.js";
 import { Stage } from "./stage.js";
@@ -30,6 +32,8 @@ export class Picture {
       supports: new Supports(data, motion, this.size),
       loads: new Loads(data, motion, this.size),
       failure: new FailMarks(data, motion, this.size),
+      obstacles: new Obstacles(data, motion, this.size),
+      contacts: new Contacts(data, motion, this.size),
       surroundings: new Surroundings(data, motion, this.size),
     };
     const { rods, bodies, ...marks } = this.parts;
@@ -120,7 +124,7 @@ export class Picture {
     this.parts.bodies.trace();
     replaceIn(this.shapes, makeShapes(this.data, this.motion));
     this.move(0);
-    this.box = this.parts.surroundings.lay(this.boxOfAll());
+    this.box = this.parts.surroundings.lay(this.parts.obstacles.lay(this.boxOfAll()));
     this.stage.setBox(this.box);
     const { lines, step } = makeGrid(this.stage.box);
     this.gridStep = step;
@@ -144,7 +148,7 @@ export class Picture {
   resetView() {
     const [least, largest] = this.isInState ? this.stateBounds : this.boundsOfPoints();
     const sides = least.map((x, i) => largest[i] - x);
-    const flat = sides.map((side) => side < 1e-3 * this.size);
+    const flat = sides.map((side, i) => side < 1e-3 * this.size && !this.parts.contacts.areAlong(i));
     const isBodyAlone = flat.every(Boolean); // or several about one point
     if (!isBodyAlone && flat[2]) this.stage.look([0, 0, -1], [0, 1, 0]);
     else if (!isBodyAlone && flat[1]) this.stage.look([0, 1, 0], [0, 0, 1]);
@@ -157,6 +161,7 @@ export class Picture {
     this.parts.rods.plain.set(theme.rod);
     this.parts.bodies.setColours(theme);
     this.parts.joints.setColours(theme);
+    this.parts.obstacles.setColours(theme);
     this.colourLines();
     this.paint();
   }

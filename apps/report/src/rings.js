@@ -1,8 +1,8 @@
 import { shapeFunctions } from "./lagrange.js";
 
 // Thin rods stay visible and thick ones slender, each enlarged as a whole, so that tapers stay; flat sections get a least
-// thickness. `factor` is what the first rod is multiplied by, 0 if it has no radii. They are two for each entry of connectivity.
-export function limitRadii({ radii, offsets, cellRods }, size) {
+// thickness. With contact thick ones are drawn as they are. `factor` is what the first rod is multiplied by, 0 if it has no radii. They are two for each entry of connectivity.
+export function limitRadii({ info, radii, offsets, cellRods }, size) {
   const largest = new Map();
   const visit = (apply) => {
     for (let cell = 0; cell + 1 < offsets.length; cell++) {
@@ -14,7 +14,7 @@ export function limitRadii({ radii, offsets, cellRods }, size) {
   const drawn = new Float32Array(radii.length);
   visit((i, larger, rod) => {
     const thickest = largest.get(rod);
-    const wanted = Math.max(0.0035 * size, Math.min(0.022 * size, thickest));
+    const wanted = Math.max(0.0035 * size, info.has_contact ? thickest : Math.min(0.022 * size, thickest));
     for (const k of [i, i + 1]) drawn[k] = thickest > 0 ? wanted * Math.max(radii[k] / thickest, 0.15 * (larger / thickest), 0.02) : wanted;
     drawn.factor = drawn.factor ?? (thickest > 0 ? wanted / thickest : 0);
   });

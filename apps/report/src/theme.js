@@ -14,6 +14,9 @@ export const symbolColours = {
   principal: "#8a6fd1",
 };
 
+// Blue and amber: their lightness tells them apart without colours, too.
+export const contactColours = { sticks: "#1f5fbf", slides: "#f0b000", force: "#1f5fbf" };
+
 // The names of the style sheet's colours that canvases need.
 export function readTheme() {
   const style = getComputedStyle(document.documentElement);

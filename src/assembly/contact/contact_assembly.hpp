@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "assembly/contact/contact_limits.hpp"
+#include "assembly/contact/contact_overlap.hpp"
 #include "assembly/contact/contact_pairs.hpp"
 #include "assembly/contact/contact_places.hpp"
 #include "assembly/equation_numbers.hpp"
@@ -15,6 +16,7 @@
 #include "linear/sparse_pattern.hpp"
 #include "loads/distributed_load.hpp"
 #include "parallel/thread_team.hpp"
+#include "state/contact_touch.hpp"
 #include "state/obstacle_values.hpp"
 
 namespace gxrod {
@@ -79,7 +81,18 @@ class ContactAssembly {
     ContactWork compute_work(const State& state, double time, double energy_before) const;
     // Of Contact::obstacles.
     std::vector<ObstacleValues> compute_obstacle_values(const State& state, double time) const;
-    // Of the trial motions: where a rod is in an obstacle or touches it without a gap, "" without one.
+    // Of the trial motions: all that touches, sorted by rods and places. One for each place at an obstacle,
+    // and one for two elements of rods.
+    std::vector<ContactTouch> list_touches(const State& state, double time) const;
+    // On a rod, by what touches; the least gap if it is wanted.
+    ObstacleValues compute_watched(const ContactWatch& watch,
+                                   const std::vector<ContactTouch>& touches,
+                                   const State& state,
+                                   double time) const;
+    // Of the trial motions: rods that are in obstacles, beds left out, or in rods, or touch them without a
+    // gap; the deepest first, each pair once.
+    std::vector<ContactOverlap> list_overlaps(const State& state, double time) const;
+    // These as a text, "" without one.
     std::string describe_overlap(const State& state, double time) const;
     ContactCount count(const State& state, double time) const;
 
@@ -123,6 +136,11 @@ class ContactAssembly {
         const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const;
     template <class Work>
     void for_each_near(const At& at, const State& state, double reach, State& kept, const Work& work) const;
+    void list_element_touches(std::size_t element,
+                              const At& at,
+                              const State& state,
+                              std::vector<ContactTouch>& touches) const;
+    double find_least_gap(const ContactWatch& watch, const State& state, double time) const;
     void forget_place(std::size_t obstacle, std::size_t place, State& state) const;
     void keep_slip(const CoulombFriction& friction,
                    std::size_t obstacle,

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 
@@ -94,29 +92,6 @@ std::vector<ObstacleValues> ContactAssembly::compute_obstacle_values(const State
         }
     }
     return values;
-}
-
-std::string ContactAssembly::describe_overlap(const State& state, double time) const {
-    const At at = find_obstacles(state, time, 1.0);
-    double least = 0.0;
-    std::string text;
-    for (std::size_t p = 0; p < places_.places.size(); ++p) {
-        const ContactPlace& place = places_.places[p];
-        const ContactElement& element = places_.elements[static_cast<std::size_t>(place.element)];
-        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
-        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
-            const double gap = touch(at, obstacle, p, position).gap;
-            if (obstacles_[obstacle].stiffness || gap > least || (gap == 0.0 && !text.empty())) continue;
-            least = gap;
-            text = fmt::format("{}@{:.4g} is {} obstacle \"{}\"; expected a gap, as small as you like",
-                               model_->rods[static_cast<std::size_t>(element.rod)].name,
-                               place.fraction,
-                               gap == 0.0 ? "exactly on" : fmt::format("{:.4g} deep in", -gap),
-                               obstacles_[obstacle].name);
-        }
-    }
-    if (text.empty()) text = pairs_.describe_overlap(state);
-    return text;
 }
 
 ContactCount ContactAssembly::count(const State& state, double time) const {

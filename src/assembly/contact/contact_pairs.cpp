@@ -1,7 +1,5 @@
 #include "assembly/contact/contact_pairs.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
 
@@ -234,33 +232,6 @@ void ContactPairs::count(const State& state, ContactCount& result) const {
         if (gap < law_of(near).law.skin) ++result.touching;
         result.least_gap = std::min(result.least_gap, gap);
     }
-}
-
-std::string ContactPairs::describe_overlap(const State& state) const {
-    double least = 0.0;
-    const NearPieces* worst = nullptr;
-    int count = 0;
-    for (const NearPieces& near : state.contact.pieces) {
-        const double gap = least_gap(near, state.trial);
-        if (gap > 0.0) continue;
-        ++count;
-        if (worst != nullptr && gap >= least) continue;
-        least = gap;
-        worst = &near;
-    }
-    if (worst == nullptr) return "";
-    const auto name = [&](std::size_t index) {
-        const ContactPiece& piece = lines_.pieces[index];
-        const Rod& rod = model_->rods[static_cast<std::size_t>(lines_.element_of(piece).rod)];
-        return fmt::format("{}@{:.4g}", rod.name, piece.middle / rod.length);
-    };
-    const double radii = law_of(*worst).radii;
-    return fmt::format("{} and {} overlap: they are {:.6g} apart, and their radii add up to {:.6g}{}",
-                       name(worst->first),
-                       name(worst->second),
-                       radii + least,
-                       radii,
-                       count > 1 ? fmt::format("; {} more pieces do, less", count - 1) : "");
 }
 
 }  // namespace gxrod

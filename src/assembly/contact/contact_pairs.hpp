@@ -8,11 +8,13 @@
 
 #include "assembly/contact/contact_limits.hpp"
 #include "assembly/contact/contact_lines.hpp"
+#include "assembly/contact/contact_overlap.hpp"
 #include "assembly/node_groups.hpp"
 #include "assembly/residual.hpp"
 #include "assembly/scale_groups.hpp"
 #include "contact/pair_friction.hpp"
 #include "parallel/thread_team.hpp"
+#include "state/contact_touch.hpp"
 
 namespace gxrod {
 
@@ -62,7 +64,11 @@ class ContactPairs {
     // What friction lost in a step without impulses.
     double compute_slip_work(const State& state) const;
     void count(const State& state, ContactCount& result) const;
-    std::string describe_overlap(const State& state) const;
+    // One for two elements that touch.
+    void add_touches(const State& state, std::vector<ContactTouch>& touches) const;
+    // Of the rod; infinite where nothing can touch it.
+    double find_least_gap(const ContactWatch& watch, const State& state) const;
+    void add_overlaps(const State& state, std::vector<ContactOverlap>& overlaps) const;
 
   private:
     Segment segment_of(std::size_t piece, const std::vector<NodeMotion>& motions) const;

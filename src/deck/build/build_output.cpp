@@ -11,6 +11,7 @@
 #include "deck/build/build_output_times.hpp"
 #include "deck/build/part.hpp"
 #include "deck/schema/choices.hpp"
+#include "deck/schema/suggestion.hpp"
 #include "deck/sections/section_axes.hpp"
 #include "mesh/rod_mesh.hpp"
 #include "model/frame_interval.hpp"
@@ -131,6 +132,7 @@ struct HistoryPlace {
     int sleeve = -1;
     int tendon = -1;
     int obstacle = -1;
+    int touching_rod = -1;
 };
 
 // The index of what has the name, as the model is built; nullopt without it.
@@ -232,6 +234,12 @@ std::optional<HistoryPlace> find_place(const std::string& text, const BuildConte
         place.obstacle = *obstacle;
         return place;
     }
+    const std::optional<int> whole = find_tie(context.model.rods, text);
+    if (whole && !context.model.contact.is_empty()) {
+        HistoryPlace place{-1, -1, std::nullopt};
+        place.touching_rod = *whole;
+        return place;
+    }
     const std::optional<PlacedPoint> placed = context.place(text);
     if (!placed) return std::nullopt;
     if (placed->body >= 0) return HistoryPlace{placed->node, placed->body, std::nullopt};
@@ -305,7 +313,11 @@ std::string explain_missing(Quantity quantity, const HistoryPlace& point, const 
         return is_of_obstacles(quantity)
                    ? ""
                    : "an obstacle has contact_force, contact_friction and least_gap only";
-    if (is_of_obstacles(quantity)) return "only obstacles have it";
+    if (point.touching_rod >= 0)
+        return is_of_obstacles(quantity) ? ""
+                                         : "a rod as a whole has contact_force, contact_friction and "
+                                           "least_gap only; expected a point of it, as in \"ROD@0.5\"";
+    if (is_of_obstacles(quantity)) return "only obstacles have it, and rods as a whole";
     if (point.gear >= 0) {
         const bool has_it = quantity == Quantity::drive || quantity == Quantity::gap;
         return has_it ? "" : "a gear has drive and gap only; its joints have the rest";
@@ -371,6 +383,53 @@ void set_about(const CheckedTable& table, HistoryRequest& request, const BuildCo
         context.add_fault(table, "about", "goes with reaction_moment, which is not among the quantities");
 }
 
+void set_contact(const CheckedTable& table,
+                 const HistoryPlace& point,
+                 HistoryRequest& request,
+                 const BuildContext& context) {
+    const Model& model = context.model;
+    if (point.touching_rod < 0) {
+        if (table.gives("with"))
+            context.add_fault(table, "with", "goes with a rod as a whole as `at`, in a deck with contact");
+        return;
+    }
+    const Rod& rod = model.rods[static_cast<std::size_t>(point.touching_rod)];
+    if (model.contact.radii[static_cast<std::size_t>(point.touching_rod)] == 0.0) {
+        context.add_fault(table,
+                          "at",
+                          fmt::format("\"{}\" touches nothing; expected a point of it, as in \"{}@0.5\", or "
+                                      "this rod among `rods` of [contact]",
+                                      rod.name,
+                                      rod.name));
+        return;
+    }
+    request.contact = ContactWatch{.rod = point.touching_rod};
+    request.contact->wants_gap =
+        std::ranges::find(request.quantities, Quantity::least_gap) != request.quantities.end();
+    if (!table.gives("with")) return;
+    request.with = table.get<std::string>("with");
+    if (const std::optional<int> obstacle = find_tie(model.contact.obstacles, request.with)) {
+        request.contact->other = -1 - *obstacle;
+    } else if (const std::optional<int> other = find_tie(model.rods, request.with)) {
+        request.contact->other = *other;
+        const bool is_itself = *other == point.touching_rod;
+        if (is_itself ? !model.contact.within_rods : !model.contact.between_rods)
+            context.add_fault(table,
+                              "with",
+                              fmt::format("\"{}\" does not touch {}: [contact] leaves it out",
+                                          rod.name,
+                                          is_itself ? "itself" : "other rods"));
+    } else {
+        std::vector<std::string> names;
+        for (const Obstacle& one : model.contact.obstacles) names.push_back(one.name);
+        for (const Rod& one : model.rods) names.push_back(one.name);
+        context.add_fault(
+            table,
+            "with",
+            fmt::format("no obstacle and no rod \"{}\"{}", request.with, did_you_mean(request.with, names)));
+    }
+}
+
 HistoryRequest build_history(const CheckedTable& table,
                              const HistoryPlace& point,
                              const BuildContext& context) {
@@ -399,8 +458,8 @@ HistoryRequest build_history(const CheckedTable& table,
             continue;
         }
         std::string reason = explain_missing(quantity, point, context.model);
-        if (table.gives("relative_to") &&
-            (point.bushing >= 0 || point.tendon >= 0 || point.obstacle >= 0 || !can_be_relative(quantity))) {
+        if (table.gives("relative_to") && (point.bushing >= 0 || point.tendon >= 0 || point.obstacle >= 0 ||
+                                           point.touching_rod >= 0 || !can_be_relative(quantity))) {
             reason = "cannot be relative to a point; write another history for it";
         }
         if (!reason.empty()) {
@@ -409,6 +468,7 @@ HistoryRequest build_history(const CheckedTable& table,
         request.quantities.push_back(quantity);
     }
     set_about(table, request, context);
+    set_contact(table, point, request, context);
     return request;
 }
 

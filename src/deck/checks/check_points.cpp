@@ -113,13 +113,15 @@ std::vector<RodPoint> check_points(const BuildContext& context) {
     for (const char* key : {"load", "support"}) {
         for (const CheckedTable& table : context.deck.tables(key)) points.check_key(table, "at");
     }
+    const bool has_contact =
+        !context.deck.tables("contact").empty() || !context.deck.tables("obstacle").empty();
     for (const CheckedTable& table : context.deck.tables("history")) {
         const std::string& at = table.get<std::string>("at");
         const auto is_tie = [&](const char* key) {
             return find_index(context.deck.tables(key), at).has_value();
         };
         if (!is_tie("spring") && !is_tie("bushing") && !is_tie("joint") && !is_tie("gear") &&
-            !is_tie("tendon") && !is_tie("obstacle"))
+            !is_tie("tendon") && !is_tie("obstacle") && !(has_contact && is_tie("rod")))
             points.check_place(table, "at");
         points.check_key(table, "relative_to");
     }

@@ -367,7 +367,9 @@ const TableSpec& history_table() {
         .path = "history",
         .heading = "[[history]]",
         .sentence =
-            "Quantities of a point, a spring, a bushing, a joint, a gear or a tendon, recorded at every "
+            "Quantities of a point, a spring, a bushing, a joint, a gear, a tendon, an obstacle or a rod "
+            "that "
+            "touches something, recorded at every "
             "step, and at times of their own if output.history_interval is given.",
         .keys =
             {{.name = "name",
@@ -377,8 +379,13 @@ const TableSpec& history_table() {
              {.name = "at",
               .type = ValueType::point,
               .presence = Presence::required,
-              .sentence = "A point of a rod, between nodes too, a body, a spring, a bushing, a joint, a gear "
-                          "or a tendon."},
+              .sentence =
+                  "A point of a rod, between nodes too, a body, a spring, a bushing, a joint, a gear, "
+                  "a tendon or an obstacle; a rod, for what touches it."},
+             {.name = "with",
+              .type = ValueType::text,
+              .default_text = "all that touches",
+              .sentence = "Of a rod: the obstacle or the rod (itself, too) whose contact alone counts."},
              {.name = "relative_to",
               .type = ValueType::point,
               .default_text = "the global axes and the origin",

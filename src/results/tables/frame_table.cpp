@@ -37,6 +37,9 @@ const DatasetLabel cell_radius_label{
 const DatasetLabel point_radius_label{
     "radius", "for drawing: radius of the first rod there; 0 where no rod is", "none", "length"};
 
+const DatasetLabel contact_force_label{
+    "contact_force", "force of all that touches on the node", "spatial", "force"};
+
 constexpr RowShape number_in_row{1, true};  // [S,1]
 
 // One frame a chunk if compressed; else about that, within limits: small chunks cost time, large ones space
@@ -118,6 +121,11 @@ void FrameTable::create_fields(const Hdf5Handle& root) {
         point_data, point_radius_label, scalar_row, point_rows, chunks(model_->nodes.size(), sizeof(double)));
     link_dataset(point_offsets_.id(), point_data_offsets, point_radius_label.name);
 
+    if (!model_->contact.is_empty()) {
+        points_.emplace_back(point_data, contact_force_label, vector_row, point_rows, point_chunks);
+        link_dataset(point_offsets_.id(), point_data_offsets, contact_force_label.name);
+    }
+
     const Hdf5Handle cell_data = require_group(group_, "CellData");
     const Hdf5Handle cell_data_offsets(
         H5Gopen2(steps_.id(), "CellDataOffsets", H5P_DEFAULT), H5Gclose, "opening a group");
@@ -160,6 +168,11 @@ void FrameTable::append_points(const Snapshot& snapshot) {
             points_[5 + axis].append({axes.col(static_cast<int>(axis)).data(), 3});
         }
         points_[8].append(mesh_.point_radius[i]);
+        if (points_.size() > 9) {
+            const Vec3 force = snapshot.contact_forces.empty() ? Vec3(Vec3::Zero())
+                                                               : Vec3(snapshot.contact_forces[i].head<3>());
+            points_[9].append(numbers(force));
+        }
         flush_if_much(points_);
     }
 }

@@ -46,7 +46,8 @@ class FrameTable {
     Hdf5Handle group_, steps_;
     AppendDataset<double> times_;
     AppendDataset<std::int64_t> part_offsets_, part_counts_, point_offsets_, cell_offsets_, topology_offsets_;
-    std::vector<AppendDataset<double>> points_;  // Points, PointData in the order of point_labels, radius
+    std::vector<AppendDataset<double>> points_;  // Points, PointData in the order of point_labels, radius;
+                                                 // with contact its force
     std::vector<AppendDataset<double>> cells_;   // CellData in the order of cell_labels, radius
     Hdf5Handle frame_count_;                     // Steps@NSteps
 };

@@ -48,6 +48,14 @@ std::vector<RodPlace> list_rod_places(const std::vector<HistoryRequest>& request
     return places;
 }
 
+std::vector<ContactWatch> list_contact_watches(const std::vector<HistoryRequest>& requests) {
+    std::vector<ContactWatch> watches;
+    for (const HistoryRequest& request : requests) {
+        if (request.contact) watches.push_back(*request.contact);
+    }
+    return watches;
+}
+
 HistoryPoint::HistoryPoint(const Model& model, const std::vector<HistoryRequest>& requests, std::size_t index)
     : node_(requests[index].node),
       relative_node_(requests[index].relative_node),
@@ -57,6 +65,10 @@ HistoryPoint::HistoryPoint(const Model& model, const std::vector<HistoryRequest>
       obstacle_(requests[index].obstacle) {
     const HistoryRequest& request = requests[index];
     for (std::size_t i = 0; i < index; ++i) point_ += requests[i].place ? 1 : 0;
+    if (request.contact) {
+        contact_ = 0;
+        for (std::size_t i = 0; i < index; ++i) contact_ += requests[i].contact ? 1 : 0;
+    }
     if (request.spring >= 0) spring_ = &model.springs[static_cast<std::size_t>(request.spring)];
     if (request.bushing >= 0) bushing_ = &model.bushings[static_cast<std::size_t>(request.bushing)];
     is_of_gear_ = request.gear >= 0;
@@ -174,6 +186,7 @@ void HistoryPoint::go_on_from(Quantity quantity, std::span<const double> row) {
 }
 
 PointKind HistoryPoint::kind() const {
+    if (contact_ >= 0) return PointKind::rod_in_contact;
     if (spring_) return PointKind::spring;
     if (bushing_) return PointKind::bushing;
     if (joint_ >= 0) return is_of_gear_ ? PointKind::gear : PointKind::joint;
@@ -248,10 +261,12 @@ HistoryPoint::Row HistoryPoint::compute(Quantity quantity, const Snapshot& snaps
         if (quantity == Quantity::tendon_length) return {tendon.length};
         return {quantity == Quantity::tendon_tension ? tendon.tension : tendon.end_tension};
     }
-    if (obstacle_ >= 0) {
-        const ObstacleValues& obstacle = snapshot.obstacles[static_cast<std::size_t>(obstacle_)];
-        if (quantity == Quantity::least_gap) return {obstacle.least_gap};
-        return row(quantity == Quantity::contact_force ? obstacle.force : obstacle.friction);
+    if (obstacle_ >= 0 || contact_ >= 0) {
+        const ObstacleValues& values = obstacle_ >= 0
+                                           ? snapshot.obstacles[static_cast<std::size_t>(obstacle_)]
+                                           : snapshot.watched_contacts[static_cast<std::size_t>(contact_)];
+        if (quantity == Quantity::least_gap) return {values.least_gap};
+        return row(quantity == Quantity::contact_force ? values.force : values.friction);
     }
     if (joint_ >= 0) return joint_value(quantity, snapshot.joints[static_cast<std::size_t>(joint_)]);
     const Seen seen = see_from_reference(snapshot);

@@ -12,6 +12,8 @@ namespace gxrod {
 
 // The points of rods that the requests are about, in their order: those of Snapshot::points.
 std::vector<RodPlace> list_rod_places(const std::vector<HistoryRequest>& requests);
+// What snapshots record of contacts of rods for these requests, in this order.
+std::vector<ContactWatch> list_contact_watches(const std::vector<HistoryRequest>& requests);
 
 // The values of one named point at a step, for the quantities of the deck's [[history]].
 class HistoryPoint {
@@ -68,6 +70,7 @@ class HistoryPoint {
     std::optional<Vec3> about_;  // of moments of reactions
     int tendon_ = -1;            // or a tendon, by index in Snapshot::tendons
     int obstacle_ = -1;          // or an obstacle, by index in Snapshot::obstacles
+    int contact_ = -1;           // or contacts of a rod, by index in Snapshot::watched_contacts
     Quat last_quaternion_ = Quat::Identity();
     Quat last_orientation_ = Quat::Identity();
 };

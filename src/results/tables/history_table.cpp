@@ -50,10 +50,11 @@ void label_group(const Hdf5Handle& group, const HistoryRequest& request) {
         write_attribute(group.id(), "at", request.at);
         if (!request.relative_to.empty()) write_attribute(group.id(), "relative_to", request.relative_to);
         if (!about.empty()) write_attribute(group.id(), "about", about);
+        if (!request.with.empty()) write_attribute(group.id(), "with", request.with);
         return;
     }
     if (read_label(group, "at") == request.at && read_label(group, "relative_to") == request.relative_to &&
-        read_label(group, "about") == about) {
+        read_label(group, "about") == about && read_label(group, "with") == request.with) {
         return;
     }
     throw std::runtime_error("its history " + request.name +

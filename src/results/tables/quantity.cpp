@@ -124,6 +124,21 @@ QuantityForm obstacle_form(Quantity quantity) {
             vector_row};
 }
 
+// Of a rod and what it touches.
+QuantityForm rod_contact_form(Quantity quantity) {
+    if (quantity == Quantity::least_gap)
+        return {{"least_gap",
+                 "least distance of the surface of the rod from what it can touch; infinite without that",
+                 "none",
+                 "length"},
+                scalar_row};
+    if (quantity == Quantity::contact_force)
+        return {{"contact_force", "force on the rod of what touches it", "spatial", "force"}, vector_row};
+    assert(quantity == Quantity::contact_friction);
+    return {{"contact_friction", "the part of contact_force along the surfaces", "spatial", "force"},
+            vector_row};
+}
+
 // Of a gear.
 QuantityForm gear_form(Quantity quantity) {
     if (quantity == Quantity::gap) {
@@ -169,6 +184,7 @@ QuantityForm quantity_form(Quantity quantity, PointKind kind) {
     if (kind == PointKind::bushing) return bushing_form(quantity);
     if (kind == PointKind::joint) return joint_form(quantity);
     if (kind == PointKind::gear) return gear_form(quantity);
+    if (kind == PointKind::rod_in_contact) return rod_contact_form(quantity);
     const std::string component_order = " (axial, shear y, shear z)";
     const std::string couple_order = " (about x, y, z)";
     switch (quantity) {

@@ -98,4 +98,34 @@ TEST_CASE("An obstacle goes on in later stages from where it is", "[deck][touch]
     CHECK(height(problem.stages.at(1).actions.contact, 0.5) == 1.5);
 }
 
+TEST_CASE("Histories of what touches a rod", "[deck][touch]") {
+    const auto history = [](const std::string& lines) {
+        return floor + "[contact]\nself = false\n[[history]]\nname = \"h\"\n" + lines;
+    };
+    const Problem problem = read(deck(
+        history("at = \"a\"\nwith = \"floor\"\nquantities = [\"contact_force\", \"contact_friction\"]\n")));
+    const HistoryRequest& request = problem.output.histories.at(0);
+    REQUIRE(request.contact);
+    CHECK(request.contact->other == -1);
+    CHECK_FALSE(request.contact->wants_gap);
+    CHECK(request.node == -1);
+    CHECK_FALSE(
+        read(deck(history("at = \"a\"\nquantities = \"least_gap\"\n"))).output.histories[0].contact->other);
+
+    CHECK_THAT(faults(history("at = \"a\"\nwith = \"flor\"\nquantities = \"least_gap\"\n")),
+               Contains("history[0].with: no obstacle and no rod \"flor\"; did you mean \"floor\"?"));
+    CHECK_THAT(faults(history("at = \"a\"\nwith = \"a\"\nquantities = \"least_gap\"\n")),
+               Contains("\"a\" does not touch itself: [contact] leaves it out"));
+    CHECK_THAT(faults(history("at = \"a.end\"\nwith = \"floor\"\nquantities = \"position\"\n")),
+               Contains("with: goes with a rod as a whole as `at`"));
+    CHECK_THAT(faults(history("at = \"a\"\nquantities = \"position\"\n")),
+               Contains("a rod as a whole has contact_force, contact_friction and least_gap only; expected a "
+                        "point of it, as in \"ROD@0.5\""));
+    CHECK_THAT(faults(history("at = \"a.end\"\nquantities = \"contact_force\"\n")),
+               Contains("only obstacles have it, and rods as a whole"));
+    // Without contact a rod is not a point.
+    CHECK_THAT(faults("[[history]]\nname = \"h\"\nat = \"a\"\nquantities = \"contact_force\"\n"),
+               Contains("history[0].at: \"a\" is a rod; expected a point of it"));
+}
+
 }  // namespace gxrod::test

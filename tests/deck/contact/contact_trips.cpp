@@ -154,6 +154,14 @@ std::vector<RoundTrip> contact_trips() {
          [=](const Problem& p) {
              return radii(p) == std::vector{0.03, 0.03};
          }},
+        {"history.with",
+         wires(
+             "[contact]\n[[history]]\nname = \"h\"\nat = \"a\"\nwith = \"b\"\nquantities = \"least_gap\"\n"),
+         [](const Problem& p) {
+             const HistoryRequest& request = p.output.histories[0];
+             return request.with == "b" && request.contact && request.contact->rod == 0 &&
+                    request.contact->other == 1 && request.contact->wants_gap;
+         }},
         trip("friction",
              floor_keys + "friction = 0.7",
              [](const Obstacle& one) { return one.friction == 0.7; }),

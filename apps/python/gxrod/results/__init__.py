@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from ..errors import FileError, UnknownNameError
 from ..typed import AnyPath, Array
 from . import frames
+from .contacts import Contacts
 from .display import Shown
 from .frames import STILL, Frames, Rod, find_rod, read_rod_table
 from .records import History, Named, Record, SampledHistory, attributes_of
@@ -201,6 +202,11 @@ class Results(Shown):
     def frames(self) -> Frames:
         """The motion: `r.frames.time` [F], `r.frames[-1].position` [N,3], `r.frames.nearest(2.5).elements.moment` [E,3]."""
         return Frames(self._source)
+
+    @property
+    def contacts(self) -> Contacts:
+        """What touches, frame by frame: `r.contacts[-1].force` [K,3] at `r.contacts[-1].point`, `r.contacts[-1].of("rope")` the sum [3]."""
+        return Contacts(self._source)
 
     @property
     def rods(self) -> Named[Rod]:

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "assembly/system.hpp"
+#include "state/step_record.hpp"
+
+namespace gxrod {
+
+// What snapshots say of contact; empty without it.
+struct ContactRecord {
+    std::vector<ObstacleValues> obstacles, watched;
+    std::vector<ContactTouch> touches;
+    std::vector<Vec6> forces;
+
+    void show_in(Snapshot& snapshot) const;
+};
+
+// Of an accepted state at this time; touches and forces if they are for a frame.
+ContactRecord record_contacts(const System& system,
+                              const State& state,
+                              double time,
+                              const std::vector<ContactWatch>& watched,
+                              bool is_for_frame);
+
+}  // namespace gxrod

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <array>
+
+namespace gxrod {
+
+// A rod that is in an obstacle or in another rod, where it is deepest.
+struct ContactOverlap {
+    std::array<int, 2> rods{};       // as ContactTouch has them
+    std::array<double, 2> places{};  // fractions of their lengths
+    double gap = 0.0;                // ≤ 0
+    double radii = 0.0;              // of rods: the sum of theirs
+};
+
+}  // namespace gxrod

@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "assembly/contact/contact_assembly.hpp"
+
+// What is in something else where a run starts.
+namespace gxrod {
+
+namespace {
+
+// Keeps the deepest of each pair.
+void keep_deepest(const ContactOverlap& one, std::map<std::array<int, 2>, ContactOverlap>& deepest) {
+    const auto [found, is_new] = deepest.emplace(one.rods, one);
+    if (!is_new && one.gap < found->second.gap) found->second = one;
+}
+
+// "b and c by 0.00012": a further pair of the list.
+std::string name_pair(const ContactOverlap& one, const Model& model) {
+    const auto name = [&](int index) -> const std::string& {
+        return index >= 0 ? model.rods[static_cast<std::size_t>(index)].name
+                          : model.contact.obstacles[static_cast<std::size_t>(-1 - index)].name;
+    };
+    return one.rods[0] == one.rods[1]
+               ? fmt::format("{} itself by {:.2g}", name(one.rods[0]), -one.gap)
+               : fmt::format("{} and {} by {:.2g}", name(one.rods[0]), name(one.rods[1]), -one.gap);
+}
+
+std::string describe_deepest(const ContactOverlap& one, const Model& model) {
+    const auto place = [&](std::size_t side) {
+        return fmt::format(
+            "{}@{:.4g}", model.rods[static_cast<std::size_t>(one.rods[side])].name, one.places[side]);
+    };
+    if (one.rods[1] >= 0)
+        return fmt::format("{} and {} overlap: they are {:.6g} apart, and their radii add up to {:.6g}",
+                           place(0),
+                           place(1),
+                           one.radii + one.gap,
+                           one.radii);
+    return fmt::format("{} is {} obstacle \"{}\"; expected a gap, as small as you like",
+                       place(0),
+                       one.gap == 0.0 ? "exactly on" : fmt::format("{:.4g} deep in", -one.gap),
+                       model.contact.obstacles[static_cast<std::size_t>(-1 - one.rods[1])].name);
+}
+
+}  // namespace
+
+void ContactPairs::add_overlaps(const State& state, std::vector<ContactOverlap>& overlaps) const {
+    for (const NearPieces& near : state.contact.pieces) {
+        const double gap = least_gap(near, state.trial);
+        if (gap > 0.0) continue;
+        const auto fraction = [&](std::uint32_t index) {
+            const ContactPiece& piece = lines_.pieces[index];
+            const int rod = lines_.element_of(piece).rod;
+            return piece.middle / model_->rods[static_cast<std::size_t>(rod)].length;
+        };
+        overlaps.push_back({{lines_.element_of(lines_.pieces[near.first]).rod,
+                             lines_.element_of(lines_.pieces[near.second]).rod},
+                            {fraction(near.first), fraction(near.second)},
+                            gap,
+                            law_of(near).radii});
+    }
+}
+
+std::vector<ContactOverlap> ContactAssembly::list_overlaps(const State& state, double time) const {
+    const At at = find_obstacles(state, time, 1.0);
+    std::map<std::array<int, 2>, ContactOverlap> deepest;
+    for (std::size_t p = 0; p < places_.places.size(); ++p) {
+        const ContactPlace& place = places_.places[p];
+        const ContactElement& element = places_.elements[static_cast<std::size_t>(place.element)];
+        const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+            if (obstacles_[obstacle].stiffness) continue;
+            const double gap = touch(at, obstacle, p, position).gap;
+            if (gap > 0.0) continue;
+            keep_deepest({{element.rod, -1 - static_cast<int>(obstacle)}, {place.fraction, 0.0}, gap, 0.0},
+                         deepest);
+        }
+    }
+    std::vector<ContactOverlap> of_rods;
+    pairs_.add_overlaps(state, of_rods);
+    for (const ContactOverlap& one : of_rods) keep_deepest(one, deepest);
+    std::vector<ContactOverlap> all;
+    for (const auto& [rods, one] : deepest) all.push_back(one);
+    std::ranges::stable_sort(all, {}, &ContactOverlap::gap);
+    return all;
+}
+
+std::string ContactAssembly::describe_overlap(const State& state, double time) const {
+    constexpr std::size_t most_named = 6;
+    const std::vector<ContactOverlap> all = list_overlaps(state, time);
+    if (all.empty()) return "";
+    std::string text = describe_deepest(all[0], *model_);
+    const std::size_t named = std::min(all.size(), most_named);
+    for (std::size_t i = 1; i < named; ++i) {
+        text += i > 1             ? ", "
+                : all.size() == 2 ? "; 1 more pair overlaps: "
+                                  : fmt::format("; {} more pairs overlap: ", all.size() - 1);
+        text += name_pair(all[i], *model_);
+    }
+    return all.size() > named ? text + fmt::format(" and {} that are less deep", all.size() - named) : text;
+}
+
+}  // namespace gxrod

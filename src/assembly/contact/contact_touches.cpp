@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <limits>
+
+#include "assembly/contact/contact_assembly.hpp"
+
+// What touches where, for results.
+namespace gxrod {
+
+namespace {
+
+bool comes_before(const ContactTouch& a, const ContactTouch& b) {
+    if (a.rods != b.rods) return a.rods < b.rods;
+    return a.places < b.places;
+}
+
+// Two elements have the node between them in common.
+bool is_same_place(const ContactTouch& a, const ContactTouch& b) {
+    constexpr double rounding = 1e-12;
+    return a.rods == b.rods && a.rods[1] < 0 && std::abs(a.places[0] - b.places[0]) < rounding;
+}
+
+void merge(const ContactTouch& more, ContactTouch& touch) {
+    touch.normal_force += more.normal_force;
+    touch.friction_force += more.friction_force;
+    touch.gap = std::min(touch.gap, more.gap);
+    touch.slides = touch.slides && more.slides;
+}
+
+}  // namespace
+
+void ContactAssembly::list_element_touches(std::size_t index,
+                                           const At& at,
+                                           const State& state,
+                                           std::vector<ContactTouch>& touches) const {
+    const ContactElement& element = places_.elements[index];
+    for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+        if (is_far(at, obstacle, element, state)) continue;
+        for (std::size_t p = element.first_place; p < element.end_place; ++p) {
+            const ContactPlace& place = places_.places[p];
+            const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+            const SurfaceTouch surface = touch(at, obstacle, p, position);
+            const Touching touching = touch_by_law(at, obstacle, p, surface.gap, state);
+            if (touching.normal.force == 0.0) continue;
+            const PlaceForce there = compute_place_force(
+                surface, places_.motion_of(place, state), touching.normal, touching.friction);
+            // What slides has a traction on the cone, as far as rounding lets it be.
+            constexpr double nearly = 1.0 - 1e-9;
+            const double most = touching.friction.coefficient * std::max(touching.normal.force, 0.0);
+            touches.push_back({{element.rod, -1 - static_cast<int>(obstacle)},
+                               {std::clamp(place.fraction, 0.0, 1.0), 0.0},
+                               position - (element.radius + 0.5 * surface.gap) * surface.normal,
+                               place.weight * (there.force - there.traction),
+                               place.weight * there.traction,
+                               surface.gap,
+                               there.traction.norm() >= nearly * most});
+        }
+    }
+}
+
+std::vector<ContactTouch> ContactAssembly::list_touches(const State& state, double time) const {
+    std::vector<ContactTouch> all;
+    if (!obstacles_.empty()) {
+        const At at = find_obstacles(state, time, 1.0);
+        std::vector<std::vector<ContactTouch>> of_elements(places_.elements.size());
+        team_->for_each_range(of_elements.size(), [&](std::size_t first, std::size_t last) {
+            for (std::size_t e = first; e < last; ++e) list_element_touches(e, at, state, of_elements[e]);
+        });
+        for (const std::vector<ContactTouch>& own : of_elements)
+            all.insert(all.end(), own.begin(), own.end());
+    }
+    if (!pairs_.empty()) pairs_.add_touches(state, all);
+    std::ranges::stable_sort(all, comes_before);
+    std::vector<ContactTouch> merged;
+    for (const ContactTouch& one : all) {
+        if (!merged.empty() && is_same_place(merged.back(), one)) {
+            merge(one, merged.back());
+        } else {
+            merged.push_back(one);
+        }
+    }
+    return merged;
+}
+
+double ContactAssembly::find_least_gap(const ContactWatch& watch, const State& state, double time) const {
+    double least = std::numeric_limits<double>::infinity();
+    if (!pairs_.empty() && watch.other.value_or(0) >= 0) least = pairs_.find_least_gap(watch, state);
+    const At at = find_obstacles(state, time, 1.0);
+    for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+        const int index = -1 - static_cast<int>(obstacle);
+        if (watch.other.value_or(index) != index) continue;
+        for (const ContactElement& element : places_.elements) {
+            if (element.rod != watch.rod) continue;
+            for (std::size_t p = element.first_place; p < element.end_place; ++p) {
+                const Vec3 position = places_.interpolate(places_.places[p], state.trial, &NodeMotion::r);
+                least = std::min(least, touch(at, obstacle, p, position).gap);
+            }
+        }
+    }
+    return least;
+}
+
+ObstacleValues ContactAssembly::compute_watched(const ContactWatch& watch,
+                                                const std::vector<ContactTouch>& touches,
+                                                const State& state,
+                                                double time) const {
+    ObstacleValues values;
+    values.least_gap = watch.wants_gap ? find_least_gap(watch, state, time) : 0.0;
+    for (const ContactTouch& one : touches) {
+        for (std::size_t side = 0; side < 2; ++side) {
+            const int other = one.rods[1 - side];
+            if (one.rods[side] != watch.rod || watch.other.value_or(other) != other) continue;
+            const double sign = side == 0 ? 1.0 : -1.0;
+            values.force += sign * (one.normal_force + one.friction_force);
+            values.friction += sign * one.friction_force;
+        }
+    }
+    return values;
+}
+
+}  // namespace gxrod
