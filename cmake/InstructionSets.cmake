@@ -16,8 +16,15 @@ function(gxrod_set_instruction_sets found)
     if(source MATCHES "/elements/lanes/")
       set(options ${inlining})
     endif()
-    if(source MATCHES "_avx2\\.cpp$" AND CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
-      list(APPEND options "-mavx2")
+    if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+      if(source MATCHES "_avx2\\.cpp$")
+        list(APPEND options "-mavx2")
+      elseif(source MATCHES "_avx512\\.cpp$")
+        # Eigen's headers ask for FMA; products and sums are not contracted all the same. What g++ 12 calls
+        # uninitialized are the undefined registers of its own headers.
+        list(APPEND options "-mavx512f" "-mavx512dq" "-mavx512vl" "-mfma" "-Wno-uninitialized"
+          "$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>")
+      endif()
     endif()
     set_source_files_properties("${source}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "${options}")
   endforeach()

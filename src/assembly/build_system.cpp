@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "assembly/contact/contact_assembly.hpp"
 #include "assembly/element_geometry.hpp"
@@ -206,6 +207,7 @@ void System::build_pattern() {
             block.places.push_back(find_places<node_count>(element.nodes, equations_, pattern_));
         }
     });
+    find_cleared();
     for (const NodalLoad& load : model_->loads) {
         load_places_.push_back(find_places<1>({load.node}, equations_, pattern_));
     }
@@ -214,6 +216,35 @@ void System::build_pattern() {
         loaded_element_slots_.emplace_back(size * size);
         find_slots(element.nodes, equations_, pattern_, loaded_element_slots_.back());
     }
+}
+
+// Zeros are written just before others are added to them, while they are in the cache.
+void System::find_cleared() {
+    const auto start_of = [&](std::int64_t column) {
+        if (column == pattern_.size()) return pattern_.nonzeros();
+        const SparsePattern::Block block = pattern_.block_of(column);
+        return block.first_entry + (column - block.first_column) * block.stride;
+    };
+    std::vector<char> is_cleared(model_->nodes.size(), 0);
+    const auto clear = [&](int node, std::vector<EntryRange>& ranges) {
+        if (std::exchange(is_cleared[node], 1) != 0) return;
+        const EntryRange own{start_of(equations_.first_of(node)), start_of(equations_.end_of(node))};
+        if (!ranges.empty() && ranges.back().last == own.first)
+            ranges.back().last = own.last;
+        else if (own.last > own.first)
+            ranges.push_back(own);
+    };
+    for_each_block(blocks_, [&](auto& block) {
+        block.cleared.resize(block.phases.part_count());
+        block.phases.run(ThreadTeam::alone(), [&](std::size_t part) {
+            std::vector<int> nodes;
+            for (std::size_t e = block.phases.first(part); e < block.phases.last(part); ++e)
+                nodes.insert(nodes.end(), block.elements[e].nodes.begin(), block.elements[e].nodes.end());
+            std::sort(nodes.begin(), nodes.end());
+            for (const int node : nodes) clear(node, block.cleared[part]);
+        });
+    });
+    for (int node = 0; node < static_cast<int>(is_cleared.size()); ++node) clear(node, cleared_alone_);
 }
 
 void System::build_batches() {

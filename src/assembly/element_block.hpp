@@ -45,6 +45,8 @@ struct ElementBlock {
     std::vector<int> groups;  // of each element in ScaleGroups, ascending
     bool is_damped = false;   // whether any element is
     WorkPhases phases;        // of the elements
+    // Of each part: the entries of the matrix that it is the first to add to, and so sets to zero.
+    std::vector<std::vector<EntryRange>> cleared;
 
     // The groups that a part's elements belong to, with those between: the first, and how many.
     int first_group(std::size_t part) const { return groups[phases.first(part)]; }

@@ -13,7 +13,8 @@ std::vector<PointValues> System::compute_point_values(const State& state,
                                                       const std::vector<RodPlace>& places) const {
     std::vector<PointValues> values;
     values.reserve(places.size());
-    for (const RodPlace& place : places) values.push_back(compute_point_value(state, time, place));
+    for (const RodPlace& place : places)
+        values.push_back(place.is_asked ? compute_point_value(state, time, place) : PointValues{});
     return values;
 }
 

@@ -9,17 +9,15 @@ namespace gxrod {
 
 namespace {
 
-// Adds the matrix of one lane of rows `width` wide to the values of the global one.
-template <int Nodes, int width>
-void add_lane(const double* tangents, const ElementPlaces<Nodes>& places, std::vector<double>& values) {
-    for (int pair = 0; pair < Nodes * Nodes; ++pair) {
-        const auto [first, stride] = places.blocks[pair];
-        const double* source = tangents + width * (36 * Nodes * (pair / Nodes) + 6 * (pair % Nodes));
-        for (int column = 0; column < 6; ++column) {
-            double* target = &values[first + column * stride];
-            for (int row = 0; row < 6; ++row) target[row] += source[width * (6 * Nodes * column + row)];
+// Whether a node of a lane is an earlier one of a lane behind it: what both add to it would change its order.
+template <int Nodes>
+bool is_in_order(const std::array<int, Nodes>& first, const std::array<int, Nodes>& second) {
+    for (int i = 0; i < Nodes; ++i) {
+        for (int j = i + 1; j < Nodes; ++j) {
+            if (first[i] == second[j]) return false;
         }
     }
+    return true;
 }
 
 }  // namespace
@@ -34,6 +32,23 @@ void RodBatches<Nodes>::build(const Block& block,
     first_batch_.push_back(batches_.size());
     write_sections();
     write_constants();
+    for (Batch& batch : batches_) find_blocks(batch);
+}
+
+template <int Nodes>
+void RodBatches<Nodes>::find_blocks(Batch& batch) const {
+    const auto has_blocks = [&](int lane) { return block_->places[batch.elements[lane]].slots.empty(); };
+    int first = 0, last = batch.count;
+    while (first < last && !has_blocks(first)) ++first;
+    while (last > first && !has_blocks(last - 1)) --last;
+    for (int lane = first; lane < last; ++lane) {
+        bool fits = has_blocks(lane);
+        for (int before = first; before < lane; ++before)
+            fits = fits && is_in_order<Nodes>(batch.nodes[before], batch.nodes[lane]);
+        if (!fits) last = first;
+    }
+    batch.first_block = first;
+    batch.last_block = last;
 }
 
 template <int Nodes>
@@ -63,6 +78,8 @@ void RodBatches<Nodes>::add_to_batches(int element, const DriveValues& drives) {
                             .is_damped = added.is_damped(),
                             .is_alone = is_alone(element, drives),
                             .count = 0,
+                            .first_block = 0,
+                            .last_block = 0,
                             .elements = {},
                             .nodes = {}});
     }
@@ -266,23 +283,38 @@ void RodBatches<Nodes>::add_tangents(std::size_t part,
             add_tangents_alone(batch, state, instant, gravity, linearizations, values);
             continue;
         }
-        for (int lane = 0; lane < batch.count; ++lane) {
-            add_tangent_of_lane(&tangents[lane], batch.elements[lane], values);
-        }
+        add_lanes(batch, tangents.data(), values);
     }
+}
+
+template <int Nodes>
+void RodBatches<Nodes>::add_lanes(const Batch& batch,
+                                  const double* tangents,
+                                  std::vector<double>& values) const {
+    for (int lane = 0; lane < batch.first_block; ++lane)
+        add_tangent_of_lane(tangents + lane, batch.elements[lane], values);
+    if (batch.last_block > batch.first_block) {
+        std::array<double, 36> spare{};  // where the other lanes go
+        std::array<LaneBlock, Nodes * Nodes * most_lanes> blocks;
+        for (int lane = 0; lane < width_; ++lane) {
+            const bool is_used = lane >= batch.first_block && lane < batch.last_block;
+            const auto& places = block_->places[batch.elements[lane]].blocks;
+            for (int pair = 0; pair < Nodes * Nodes; ++pair) {
+                blocks[pair * width_ + lane] =
+                    is_used ? LaneBlock{&values[places[pair].first], places[pair].stride}
+                            : LaneBlock{spare.data(), 6};
+            }
+        }
+        kernels_.add_tangents(tangents, blocks.data());
+    }
+    for (int lane = batch.last_block; lane < batch.count; ++lane)
+        add_tangent_of_lane(tangents + lane, batch.elements[lane], values);
 }
 
 template <int Nodes>
 void RodBatches<Nodes>::add_tangent_of_lane(const double* tangents,
                                             int element,
                                             std::vector<double>& values) const {
-    const ElementPlaces<Nodes>& places = block_->places[element];
-    if (places.slots.empty()) {
-        static_assert(most_lanes == 4);
-        width_ == 4 ? add_lane<Nodes, 4>(tangents, places, values)
-                    : add_lane<Nodes, 2>(tangents, places, values);
-        return;
-    }
     NodalMatrix<Nodes> tangent;
     for (int entry = 0; entry < Rows::tangent_rows; ++entry) tangent.data()[entry] = tangents[entry * width_];
     add_tangent(tangent, element, values);

@@ -50,6 +50,8 @@ class RodBatches {
         // Kernels know no masses off the axis that have no inertia, and no sections that are not linear.
         bool is_alone;
         int count;
+        // Lanes whose tangents go to whole blocks, and whose order does not change if they do so together.
+        int first_block, last_block;
         std::array<int, most_lanes> elements;
         std::array<std::array<int, Nodes>, most_lanes> nodes;
     };
@@ -59,6 +61,7 @@ class RodBatches {
     void add_to_batches(int element, const DriveValues& drives);
     void write_sections();
     void write_constants();
+    void find_blocks(Batch& batch) const;
     const double* constants(std::size_t batch) const {
         return &constants_[batch * Rows::constant_rows * width_];
     }
@@ -95,6 +98,7 @@ class RodBatches {
                             const Vec3& gravity,
                             const std::vector<NodeLinearization>& linearizations,
                             std::vector<double>& values) const;
+    void add_lanes(const Batch& batch, const double* tangents, std::vector<double>& values) const;
     void add_tangent_of_lane(const double* tangents, int element, std::vector<double>& values) const;
     void add_tangent(NodalMatrix<Nodes>& tangent, int element, std::vector<double>& values) const;
 

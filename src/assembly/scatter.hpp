@@ -21,6 +21,15 @@ void find_slots(std::span<const int> nodes,
                 const SparsePattern& pattern,
                 std::span<std::int64_t> slots);
 
+// Entries of the global matrix that follow each other.
+struct EntryRange {
+    std::int64_t first, last;  // last: the one behind
+
+    void clear(std::vector<double>& values) const {
+        std::fill(values.begin() + first, values.begin() + last, 0.0);
+    }
+};
+
 // Where an element's matrix goes among the values: a block for each pair of its nodes or, where a support
 // holds or turns some of their unknowns, entry by entry.
 template <int Nodes>

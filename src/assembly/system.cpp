@@ -188,6 +188,7 @@ void System::compute_residual(const State& state,
     const Instant now = instant(state, time);
     PartwiseScales scales;
     for_each_block(blocks_, [&](const auto& block) {
+        if (block.elements.empty()) return;
         const auto groups = [&](std::size_t part) { return block.group_count(part); };
         scales.start(block.phases.part_count(), groups);
         block.phases.run(*team_, [&](std::size_t part) {
@@ -199,6 +200,7 @@ void System::compute_residual(const State& state,
         });
     });
     for (const RotaryBatches* batches : {&rotary_batches_, &rotary_damping_batches_}) {
+        if (batches->part_count() == 0) continue;
         scales.start(batches->part_count(), [&](std::size_t part) { return batches->groups(part).size(); });
         team_->for_each(batches->part_count(), [&](std::size_t part) {
             batches->add_forces(part, state.trial, residual.nodal, scales.of(part));
@@ -284,13 +286,12 @@ void System::compute_tangent(const State& state,
                              std::vector<double>& values,
                              const ConstraintRequest& request) const {
     values.resize(static_cast<std::size_t>(pattern_.nonzeros()));
-    team_->for_each_range(values.size(), [&](std::size_t first, std::size_t last) {
-        std::fill(values.begin() + first, values.begin() + last, 0.0);
-    });
+    for (const EntryRange& range : cleared_alone_) range.clear(values);
     const Vec3 gravity = model_->gravity(time);
     const Instant now = instant(state, time);
     for_each_block(blocks_, [&](const auto& block) {
         block.phases.run(*team_, [&](std::size_t part) {
+            for (const EntryRange& range : block.cleared[part]) range.clear(values);
             add_tangents(block, part, state, now, gravity, linearizations, values);
         });
     });

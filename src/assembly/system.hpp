@@ -178,6 +178,7 @@ class System {
     Instant instant(const State& state, double time) const { return instant(state, time, state.trial); }
     Instant instant(const State& state) const { return instant(state, state.trial_time); }
     void build_pattern();
+    void find_cleared();
     void build_batches();
     void measure();
     // To those of the strains of these motions after the increments, to first order.
@@ -235,6 +236,7 @@ class System {
     std::unique_ptr<const ContactAssembly> contact_;            // nullptr where nothing can touch
     TendonLines tendon_lines_;
     SparsePattern pattern_;
+    std::vector<EntryRange> cleared_alone_;      // of nodes without elements
     std::vector<ElementPlaces<1>> load_places_;  // of each load's node
     std::vector<std::vector<std::int64_t>> loaded_element_slots_;
     double length_scale_ = 1.0;

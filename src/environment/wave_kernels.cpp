@@ -3,7 +3,7 @@
 namespace gxrod {
 
 WaveKernels find_wave_kernels(InstructionSet set) {
-    return set == InstructionSet::avx2 ? make_wave_kernels_avx2() : make_wave_kernels_baseline();
+    return set >= InstructionSet::avx2 ? make_wave_kernels_avx2() : make_wave_kernels_baseline();
 }
 
 }  // namespace gxrod

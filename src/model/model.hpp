@@ -109,6 +109,7 @@ struct RodPlace {
     int rod = 0;      // index in Model::rods
     int element = 0;  // of the rod
     double xi = 0.0;
+    bool is_asked = true;  // for more than its node says
 };
 
 // A rigid body fixed to a node.

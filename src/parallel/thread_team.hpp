@@ -56,14 +56,14 @@ class ThreadTeam {
     // The largest of 0 and number(i), i = 0 … count − 1.
     template <class Number>
     double find_largest(std::size_t count, const Number& number) const {
+        const auto find = [&](std::size_t first, std::size_t last) {
+            double in_range = 0.0;
+            for (std::size_t i = first; i < last; ++i) in_range = std::max(in_range, number(i));
+            return in_range;
+        };
+        if (size_ == 1) return find(0, count);
         double largest = 0.0;
-        for (const double of_range : collect<double>(count, [&](std::size_t first, std::size_t last) {
-                 double in_range = 0.0;
-                 for (std::size_t i = first; i < last; ++i) in_range = std::max(in_range, number(i));
-                 return in_range;
-             })) {
-            largest = std::max(largest, of_range);
-        }
+        for (const double of_range : collect<double>(count, find)) largest = std::max(largest, of_range);
         return largest;
     }
 

@@ -21,14 +21,20 @@ Worst find_worst(const System& system,
                  const NodeScales& scales,
                  std::size_t first,
                  std::size_t last) {
+    const Supports& supports = system.supports();
     Worst worst;
     for (int node = static_cast<int>(first); node < static_cast<int>(last); ++node) {
-        const Vec6 own = system.equations().to_own_axes(node, residual.nodal[node]);
-        const std::array<std::int64_t, 6> numbers = system.equations().of_node(node);
+        const Vec6 own = supports.has_own_axes(node)
+                             ? system.equations().to_own_axes(node, residual.nodal[node])
+                             : residual.nodal[node];
         const ResidualScales& scale = scales.of(node);
+        Vec6 all_scaled;
+        all_scaled << own.head<3>().cwiseAbs() / scale.force, own.tail<3>().cwiseAbs() / scale.moment;
+        if ((all_scaled.array() <= worst.residual).all()) continue;
+        const HeldComponents& held = supports.held(node);
         for (int component = 0; component < 6; ++component) {
             const double value = std::abs(own[component]);
-            if (value == 0.0 || numbers[component] < 0) continue;
+            if (value == 0.0 || held[component]) continue;
             const double scaled = value / scale.of(component);
             if (!std::isfinite(scaled)) return {scaled, node, component};
             if (scaled > worst.residual) worst = {scaled, node, component};

@@ -18,11 +18,11 @@ struct PointSurroundings {
 struct PointValues {
     // Between nodes interpolated as `objective` elements do; theta and alpha are left out.
     NodeMotion motion;
-    Vec3 start;  // where it was at t = 0
-    Quat triad;  // section axes at t = 0; now motion.Lambda * triad
+    Vec3 start = Vec3::Zero();      // where it was at t = 0
+    Quat triad = Quat::Identity();  // section axes at t = 0; now motion.Lambda * triad
     // In the section axes.
-    Vec3 force, moment;
-    Vec3 strain, curvature;
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+    Vec3 strain = Vec3::Zero(), curvature = Vec3::Zero();
     PointSurroundings surroundings;
 };
 

@@ -69,7 +69,7 @@ class Run(ProgramTest):
                               env={**os.environ, "GXROD_INSTRUCTION_SET": "avx9"})
         self.assertEqual(done.returncode, 2)
         self.assertEqual(done.stderr.splitlines()[0],
-                         'gxrod: GXROD_INSTRUCTION_SET: expected "baseline" or "avx2"')
+                         'gxrod: GXROD_INSTRUCTION_SET: expected "baseline", "avx2" or "avx512"')
 
     def test_threads_change_no_bit_of_the_results(self):
         # Long enough for every loop to be shared.

@@ -12,7 +12,7 @@ import subprocess
 import unittest
 
 LIBRARY = os.environ.get("GXROD_LIBRARY")
-OWN = {"avx2": "avx2"}  # what the names of a set's symbols hold
+OWN = {"avx2": "avx2", "avx512": "avx512"}  # what the names of a set's symbols hold
 
 
 @unittest.skipIf(os.environ.get("GXROD_SANITIZED") == "1", "without inlining there are too many such functions")

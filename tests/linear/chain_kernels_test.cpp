@@ -21,8 +21,9 @@ Eigen::MatrixXd make_random(int rows, int columns, unsigned seed) {
 
 std::vector<ChainKernels> all_kernels() {
     std::vector<ChainKernels> kernels{find_chain_kernels(InstructionSet::baseline)};
-    if (find_instruction_set() == InstructionSet::avx2)
-        kernels.push_back(find_chain_kernels(InstructionSet::avx2));
+    for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
+        if (set <= find_instruction_set()) kernels.push_back(find_chain_kernels(set));
+    }
     return kernels;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 std::vector<FrontKernels> kernels_of_sets() {
     std::vector<FrontKernels> kernels{find_front_kernels(InstructionSet::baseline)};
-    if (find_instruction_set() == InstructionSet::avx2)
+    if (find_instruction_set() >= InstructionSet::avx2)
         kernels.push_back(find_front_kernels(InstructionSet::avx2));
     return kernels;
 }

@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "tools/catch.hpp"
 
@@ -27,15 +29,17 @@ TEST_CASE("The instruction set is the machine's unless the environment names ano
         const Wanted wanted("baseline");
         CHECK(find_instruction_set() == InstructionSet::baseline);
     }
-    {
-        const Wanted wanted("avx2");
-        if (widest == InstructionSet::avx2) {
-            CHECK(find_instruction_set() == InstructionSet::avx2);
+    for (const auto& [name, set] :
+         {std::pair{"avx2", InstructionSet::avx2}, std::pair{"avx512", InstructionSet::avx512}}) {
+        const Wanted wanted(name);
+        if (set <= widest) {
+            CHECK(find_instruction_set() == set);
         } else {
             CHECK_THROWS_WITH(find_instruction_set(),
-                              "GXROD_INSTRUCTION_SET: this machine does not have avx2");
+                              std::string("GXROD_INSTRUCTION_SET: this machine does not have ") + name);
         }
     }
     const Wanted wanted("avx9");
-    CHECK_THROWS_WITH(find_instruction_set(), "GXROD_INSTRUCTION_SET: expected \"baseline\" or \"avx2\"");
+    CHECK_THROWS_WITH(find_instruction_set(),
+                      "GXROD_INSTRUCTION_SET: expected \"baseline\", \"avx2\" or \"avx512\"");
 }

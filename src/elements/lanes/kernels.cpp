@@ -5,9 +5,22 @@
 namespace gxrod {
 
 Kernels find_kernels(InstructionSet set) {
-    const bool is_wide = set == InstructionSet::avx2;
-    Kernels kernels = is_wide ? make_kernels_avx2() : make_kernels_baseline();
-    is_wide ? add_general_kernels_avx2(kernels) : add_general_kernels_baseline(kernels);
+    switch (set) {
+        case InstructionSet::avx512: {
+            Kernels kernels = make_kernels_avx512();
+            add_general_kernels_avx512(kernels);
+            return kernels;
+        }
+        case InstructionSet::avx2: {
+            Kernels kernels = make_kernels_avx2();
+            add_general_kernels_avx2(kernels);
+            return kernels;
+        }
+        case InstructionSet::baseline:
+            break;
+    }
+    Kernels kernels = make_kernels_baseline();
+    add_general_kernels_baseline(kernels);
     return kernels;
 }
 

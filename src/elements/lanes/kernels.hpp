@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <tuple>
 
 #include "machine/instruction_set.hpp"
@@ -9,7 +10,13 @@
 // column by column.
 namespace gxrod {
 
-constexpr int most_lanes = 4;
+constexpr int most_lanes = 8;
+
+// Where a block of 6 × 6 of one lane goes: its first entry, and from column to column.
+struct LaneBlock {
+    double* first;
+    std::int64_t stride;
+};
 
 // Elements `objective`, and the inertia and mass-proportional damping of their centres of mass. Kernels for
 // plain sections have no damping, and their centre of mass lies at the nodes. What is known of sections lies
@@ -52,6 +59,8 @@ struct RodKernels {
     OfSections plain, general;
     // From the motion and to the force rows of any section, of damping alone.
     Kernel compute_damping_forces;
+    // Adds the tangents to the blocks of each pair of nodes, column by column, of each lane.
+    void (*add_tangents)(const double* tangents, const LaneBlock* blocks);
 };
 
 // Rotary inertia of nodes (rotary_inertia.hpp), or its momentum in place of the inertial moment.

@@ -8,8 +8,10 @@ namespace gxrod {
 
 Kernels make_kernels_baseline();
 void add_general_kernels_baseline(Kernels& kernels);
-// Those of the baseline where the compiler has no such set.
+// Where the compiler has no such set, those of the next narrower one.
 Kernels make_kernels_avx2();
 void add_general_kernels_avx2(Kernels& kernels);
+Kernels make_kernels_avx512();
+void add_general_kernels_avx512(Kernels& kernels);
 
 }  // namespace gxrod

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "elements/lanes/add_lanes.hpp"
 #include "elements/lanes/objective_state.hpp"
 
 namespace gxrod {
@@ -9,7 +10,9 @@ template <int Nodes, class Real>
 class ObjectiveLanes {
   public:
     // Without those for general sections.
-    static RodKernels<Nodes> make_kernels() { return {{compute_forces, compute_tangents}, {}, {}}; }
+    static RodKernels<Nodes> make_kernels() {
+        return {{compute_forces, compute_tangents}, {}, {}, AddLanes<Nodes, Real>::add_tangents};
+    }
 
   private:
     using Vec3 = Eigen::Matrix<Real, 3, 1>;

@@ -31,17 +31,32 @@ struct TwoNodeElements {
     }
 };
 
+// Replaces what series say of lanes that are turned too far for them.
 template <class Real>
-void fill_lane_by_lane(const Eigen::Quaternion<Real>& q, HalfRotation<Real>& rotation) {
+void fill_large_lanes(const Eigen::Quaternion<Real>& q, const Real& square, HalfRotation<Real>& rotation) {
     constexpr int width = static_cast<int>(Real::size);
+    std::array<Real*, half_rotation_values> replaced{&rotation.Phi[0],
+                                                     &rotation.Phi[1],
+                                                     &rotation.Phi[2],
+                                                     &rotation.x,
+                                                     &rotation.y,
+                                                     &rotation.t,
+                                                     &rotation.x1,
+                                                     &rotation.y1,
+                                                     &rotation.t1};
+    double squares[width];
     double quaternions[4 * width];
     double values[half_rotation_values * width];
+    square.store_unaligned(squares);
     LaneWriter<Real>(quaternions).matrix(q.coeffs());
-    for (int lane = 0; lane < width; ++lane) fill_lane(quaternions + lane, width, values + lane);
+    LaneWriter<Real> write(values);
+    for (const Real* value : replaced) write.scalar(*value);
+    for (int lane = 0; lane < width; ++lane) {
+        if (!(squares[lane] < half_rotation::largest_square))
+            fill_lane(quaternions + lane, width, values + lane);
+    }
     LaneReader<Real> read(values);
-    rotation.Phi = read.vector();
-    for (Real* value : {&rotation.x, &rotation.y, &rotation.t, &rotation.x1, &rotation.y1, &rotation.t1})
-        *value = read.scalar();
+    for (Real* value : replaced) *value = read.scalar();
 }
 
 // The rotation from a to b, of quaternions of either sign.
@@ -51,11 +66,9 @@ HalfRotation<Real> split_lanes(Eigen::Quaternion<Real> q) {
     const Real sign = xsimd::select(q.w() < Real(0.0), Real(-1.0), Real(1.0));
     q.coeffs() *= sign;
     split_half(q, rotation);
-    if (xsimd::all(q.vec().squaredNorm() < Real(half_rotation::largest_square))) {
-        fill_small(q, rotation);
-    } else {
-        fill_lane_by_lane(q, rotation);
-    }
+    fill_small(q, rotation);
+    const Real square = q.vec().squaredNorm();
+    if (!xsimd::all(square < Real(half_rotation::largest_square))) fill_large_lanes(q, square, rotation);
     return rotation;
 }
 

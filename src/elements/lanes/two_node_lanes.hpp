@@ -1,5 +1,6 @@
 #pragma once
 
+#include "elements/lanes/add_lanes.hpp"
 #include "elements/lanes/two_node_elements.hpp"
 
 namespace gxrod {
@@ -9,7 +10,9 @@ template <class Real>
 class TwoNodeLanes {
   public:
     // Without those for general sections.
-    static RodKernels<2> make_kernels() { return {{compute_forces, compute_tangents}, {}, {}}; }
+    static RodKernels<2> make_kernels() {
+        return {{compute_forces, compute_tangents}, {}, {}, AddLanes<2, Real>::add_tangents};
+    }
 
   private:
     using Vec3 = Eigen::Matrix<Real, 3, 1>;

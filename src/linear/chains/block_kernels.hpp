@@ -19,6 +19,57 @@ struct BlockKernels {
     static constexpr int tile = 6;
 
     // A piece of a column.
+#ifdef __AVX512DQ__
+    template <int Rows>
+    struct Column {
+        static constexpr int eights = (Rows + 7) / 8;
+        __m512d eight[eights];
+
+        // A node's six are read and written as four and two: a load must lie within one store, or it waits
+        // until that is in the cache.
+        static constexpr __mmask8 mask(int count) { return static_cast<__mmask8>((1 << count) - 1); }
+        static __m512d read(const double* p, int count) {
+            if (count >= 8) return _mm512_loadu_pd(p);
+            if (count != tile) return _mm512_maskz_loadu_pd(mask(count), p);
+            return _mm512_insertf64x2(_mm512_zextpd256_pd512(_mm256_loadu_pd(p)), _mm_loadu_pd(p + 4), 2);
+        }
+        static void write(double* p, int count, const __m512d& numbers) {
+            if (count >= 8) return _mm512_storeu_pd(p, numbers);
+            if (count != tile) return _mm512_mask_storeu_pd(p, mask(count), numbers);
+            _mm256_storeu_pd(p, _mm512_castpd512_pd256(numbers));
+            _mm_storeu_pd(p + 4, _mm512_extractf64x2_pd(numbers, 2));
+        }
+        void load(const double* p) {
+            for (int i = 0; i < eights; ++i) eight[i] = read(p + 8 * i, Rows - 8 * i);
+        }
+        void store(double* p) const {
+            for (int i = 0; i < eights; ++i) write(p + 8 * i, Rows - 8 * i, eight[i]);
+        }
+        void set_product(const Column& a, double b) {
+            for (int i = 0; i < eights; ++i) eight[i] = a.eight[i] * b;
+        }
+        void add(const Column& a, double b) {
+            for (int i = 0; i < eights; ++i) eight[i] += a.eight[i] * b;
+        }
+        void subtract(const Column& a, double b) {
+            for (int i = 0; i < eights; ++i) eight[i] -= a.eight[i] * b;
+        }
+        template <int Row>
+        double get() const {
+            return eight[0][Row];
+        }
+        template <int K>
+        void eliminate(const Column& pivot, double reciprocal) {
+            const __m512d factor = _mm512_set1_pd(get<K>()) * reciprocal;
+            eight[0] = _mm512_mask_sub_pd(factor, 255 - (1 << K), eight[0], pivot.eight[0] * factor);
+        }
+        template <int K>
+        void scale(double reciprocal) {
+            eight[0] = _mm512_mask_mul_pd(
+                _mm512_set1_pd(reciprocal), 255 - (1 << K), eight[0], _mm512_set1_pd(-reciprocal));
+        }
+    };
+#else
     template <int Rows>
     struct Column {
         static constexpr int fours = Rows / 4;
@@ -73,7 +124,20 @@ struct BlockKernels {
                 two[Row - 4 * fours] = value;
             }
         }
+        // The pivot's column times what clears row K is taken away, and that kept there.
+        template <int K>
+        void eliminate(const Column& pivot, double reciprocal) {
+            const double factor = get<K>() * reciprocal;
+            subtract(pivot, factor);
+            set<K>(factor);
+        }
+        template <int K>
+        void scale(double reciprocal) {
+            set_product(*this, -reciprocal);
+            set<K>(reciprocal);
+        }
     };
+#endif
 
     // A block and the distance of its columns.
     struct View {
@@ -103,12 +167,9 @@ struct BlockKernels {
         const double reciprocal = 1.0 / pivot;
         for (int j = 0; j < Size; ++j) {
             if (j == K) continue;
-            const double factor = d[j].template get<K>() * reciprocal;
-            d[j].subtract(d[K], factor);
-            d[j].template set<K>(factor);
+            d[j].template eliminate<K>(d[K], reciprocal);
         }
-        d[K].set_product(d[K], -reciprocal);
-        d[K].template set<K>(reciprocal);
+        d[K].template scale<K>(reciprocal);
         return true;
     }
 

@@ -85,8 +85,9 @@ struct ChainKernels {
 
 ChainKernels find_chain_kernels(InstructionSet set);
 
-// By instruction set; those of the baseline where the compiler has no such set.
+// By instruction set; where the compiler has no such set, those of the next narrower one.
 ChainKernels make_chain_kernels_baseline();
 ChainKernels make_chain_kernels_avx2();
+ChainKernels make_chain_kernels_avx512();
 
 }  // namespace gxrod

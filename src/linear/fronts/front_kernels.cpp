@@ -3,7 +3,7 @@
 namespace gxrod {
 
 FrontKernels find_front_kernels(InstructionSet set) {
-    return set == InstructionSet::avx2 ? make_front_kernels_avx2() : make_front_kernels_baseline();
+    return set >= InstructionSet::avx2 ? make_front_kernels_avx2() : make_front_kernels_baseline();
 }
 
 }  // namespace gxrod

@@ -12,6 +12,26 @@ namespace {
 
 HistoryPoint::Row row(const Vec3& vector) { return {vector.x(), vector.y(), vector.z(), 0.0}; }
 
+// What a node says without its rod.
+bool is_of_motion_or_reaction(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::position:
+        case Quantity::displacement:
+        case Quantity::rotation_vector:
+        case Quantity::quaternion:
+        case Quantity::orientation:
+        case Quantity::velocity:
+        case Quantity::angular_velocity:
+        case Quantity::angular_velocity_material:
+        case Quantity::acceleration:
+        case Quantity::reaction_force:
+        case Quantity::reaction_moment:
+            return true;
+        default:
+            return false;
+    }
+}
+
 // The axes of the section at a node of an element, at t = 0.
 Quat section_axes(const Model& model, const RodPlace& place, int node) {
     const Rod& rod = model.rods[static_cast<std::size_t>(place.rod)];
@@ -43,7 +63,10 @@ const JointCoordinate& find_slide(const Model& model, std::size_t index) {
 std::vector<RodPlace> list_rod_places(const std::vector<HistoryRequest>& requests) {
     std::vector<RodPlace> places;
     for (const HistoryRequest& request : requests) {
-        if (request.place) places.push_back(*request.place);
+        if (!request.place) continue;
+        places.push_back(*request.place);
+        places.back().is_asked =
+            request.node < 0 || !std::ranges::all_of(request.quantities, is_of_motion_or_reaction);
     }
     return places;
 }
