@@ -31,7 +31,7 @@ Pull find_pull(const SurfaceTouch& touch,
                const PlaceFriction& friction) {
     Pull pull;
     pull.traction = tangential(touch.normal) * compute_pull(touch, place, friction);
-    pull.most = friction.coefficient * std::max(normal.force, 0.0);
+    pull.most = friction.coefficient * touch.slope * std::max(normal.force, 0.0);
     pull.size = pull.traction.norm();
     pull.slides = friction.slip == Slip::slides || (friction.slip == Slip::by_law && pull.size > pull.most);
     pull.turns = pull.slides && (friction.slip == Slip::by_law || pull.traction.dot(friction.direction) >
@@ -50,7 +50,7 @@ PlaceForce compute_place_force(const SurfaceTouch& touch,
                                const NormalForce& normal,
                                const PlaceFriction& friction) {
     PlaceForce result;
-    result.force = normal.force * touch.normal;
+    result.force = normal.force * touch.slope * touch.normal;
     if (!rubs(normal, friction)) return result;
     const Pull pull = find_pull(touch, place, normal, friction);
     result.slides = pull.slides;
@@ -68,7 +68,7 @@ PlaceFriction advance_slip(const SurfaceTouch& touch,
                            PlaceFriction friction) {
     if (friction.coefficient == 0.0) return friction;
     const Vec3 pull = tangential(touch.normal) * compute_pull(touch, place, friction);
-    const double most = friction.coefficient * std::max(normal.force, 0.0);
+    const double most = friction.coefficient * touch.slope * std::max(normal.force, 0.0);
     const double size = pull.norm();
     if (!rubs(normal, friction)) {
         // If it comes to touch, it slides as it moves: it would be pulled back all the way otherwise.
@@ -89,9 +89,11 @@ PlaceForceDerivative compute_place_force_derivative(const SurfaceTouch& touch,
     PlaceForceDerivative result;
     const Vec3& n = touch.normal;
     const Mat3& H = touch.curvature;
-    result.force_by_position = -normal.stiffness * n * n.transpose() + normal.force * H;
+    result.force_by_position =
+        -normal.stiffness * touch.slope * touch.slope * n * n.transpose() + normal.force * H;
     if (!rubs(normal, friction)) return result;
     const Mat3 P = tangential(n);
+    const Mat3 N = touch.slope == 1.0 ? H : Mat3(P * H / touch.slope);  // of the normal
     const double k = friction.stiffness;
     const double r = place.radius;
     const Pull pull = find_pull(touch, place, normal, friction);
@@ -100,8 +102,8 @@ PlaceForceDerivative compute_place_force_derivative(const SurfaceTouch& touch,
     if (!pull.slides || pull.turns) {
         // δ(P q) = P δq − (δn · q) n − (n · q) δn
         const Vec3 q = compute_pull(touch, place, friction);
-        by_position = P * (-k * Mat3::Identity() + (k * r) * spin(place.rotation) * H) -
-                      n * (H * q).transpose() - n.dot(q) * H;
+        by_position = P * (-k * Mat3::Identity() + (k * r) * spin(place.rotation) * N) -
+                      n * (N.transpose() * q).transpose() - n.dot(q) * N;
         by_rotation = (-k * r) * P * spin(n);
     }
     Vec3 t = pull.traction;
@@ -113,12 +115,14 @@ PlaceForceDerivative compute_place_force_derivative(const SurfaceTouch& touch,
             by_position = turning * by_position;
             by_rotation = turning * by_rotation;
         }
-        by_position -= (friction.coefficient * normal.stiffness) * direction * n.transpose();
+        // Of the force along the normal, λ |∇g|.
+        const Vec3 by_gap = normal.force * (H * n) - normal.stiffness * touch.slope * touch.slope * n;
+        by_position += friction.coefficient * direction * by_gap.transpose();
         t = pull.most * direction;
     }
     result.force_by_position += by_position;
     result.force_by_rotation = by_rotation;
-    result.moment_by_position = r * (spin(t) * H - spin(n) * by_position);
+    result.moment_by_position = r * (spin(t) * N - spin(n) * by_position);
     result.moment_by_rotation = -r * spin(n) * by_rotation;
     return result;
 }
