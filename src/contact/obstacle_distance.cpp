@@ -131,6 +131,8 @@ ClosestOnLine find_on_line(const Obstacle& obstacle, const Vec3& point) {
             return find_on_cylinder(obstacle, point);
         case Obstacle::Shape::tube:
             return find_on_tube(obstacle, point);
+        case Obstacle::Shape::mesh:
+            break;  // MeshSurface
     }
     return {};
 }

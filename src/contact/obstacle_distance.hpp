@@ -7,7 +7,8 @@ namespace gxrod {
 // How far a point is from the surface of an obstacle, positive where rods are.
 struct ObstacleDistance {
     double distance = 0.0;
-    Vec3 normal = Vec3::Zero();     // its gradient, of length 1
+    Vec3 normal = Vec3::Zero();     // along its gradient, of length 1
+    double slope = 1.0;             // the length of its gradient
     Mat3 curvature = Mat3::Zero();  // its second derivative, symmetric
     Vec3 position = Vec3::Zero();   // of the obstacle's line, closest to the point
 };

@@ -19,10 +19,11 @@ PlaceForce compute_place_force(const SurfaceTouch& touch,
                                const NormalForce& normal,
                                const CoulombFriction& friction) {
     PlaceForce result;
-    result.force = normal.force * touch.normal;
+    const double pressed = normal.force * touch.slope;
+    result.force = pressed * touch.normal;
     if (!friction.acts(normal.force)) return result;
     const Traction traction =
-        compute_traction(compute_pull(touch, place, friction), touch.normal, normal.force, friction);
+        compute_traction(compute_pull(touch, place, friction), touch.normal, pressed, friction);
     result.slides = traction.slides;
     result.traction = traction.value;
     result.force += result.traction;
@@ -34,7 +35,8 @@ CoulombFriction advance_slip(const SurfaceTouch& touch,
                              const PlaceMotion& place,
                              const NormalForce& normal,
                              const CoulombFriction& friction) {
-    return decide_slip(compute_pull(touch, place, friction), touch.normal, normal.force, friction);
+    return decide_slip(
+        compute_pull(touch, place, friction), touch.normal, normal.force * touch.slope, friction);
 }
 
 PlaceForceDerivative compute_place_force_derivative(const SurfaceTouch& touch,
@@ -44,19 +46,25 @@ PlaceForceDerivative compute_place_force_derivative(const SurfaceTouch& touch,
     PlaceForceDerivative result;
     const Vec3& n = touch.normal;
     const Mat3& H = touch.curvature;
-    result.force_by_position = -normal.stiffness * n * n.transpose() + normal.force * H;
+    // Of λ |∇g|, the force along the normal.
+    const Vec3 pressed_by = normal.force * (H * n) - normal.stiffness * touch.slope * touch.slope * n;
+    result.force_by_position =
+        -normal.stiffness * touch.slope * touch.slope * n * n.transpose() + normal.force * H;
     if (!friction.acts(normal.force)) return result;
+    const Mat3 N =
+        touch.slope == 1.0 ? H : Mat3((Mat3::Identity() - n * n.transpose()) * H / touch.slope);  // of n
+    const double pressed = normal.force * touch.slope;
     const double k = friction.stiffness;
     const double r = place.radius;
     const Vec3 pull = compute_pull(touch, place, friction);
-    const Vec3 t = compute_traction(pull, n, normal.force, friction).value;
-    const TractionDerivative there = compute_traction_derivative(pull, n, normal.force, friction);
-    const Mat3 by_position = there.by_pull * (-k * Mat3::Identity() + (k * r) * spin(place.rotation) * H) +
-                             there.by_normal * H - normal.stiffness * there.by_force * n.transpose();
+    const Vec3 t = compute_traction(pull, n, pressed, friction).value;
+    const TractionDerivative there = compute_traction_derivative(pull, n, pressed, friction);
+    const Mat3 by_position = there.by_pull * (-k * Mat3::Identity() + (k * r) * spin(place.rotation) * N) +
+                             there.by_normal * N + there.by_force * pressed_by.transpose();
     const Mat3 by_rotation = (-k * r) * there.by_pull * spin(n);
     result.force_by_position += by_position;
     result.force_by_rotation = by_rotation;
-    result.moment_by_position = r * (spin(t) * H - spin(n) * by_position);
+    result.moment_by_position = r * (spin(t) * N - spin(n) * by_position);
     result.moment_by_rotation = -r * spin(n) * by_rotation;
     return result;
 }

@@ -11,8 +11,9 @@ namespace gxrod {
 struct SurfaceTouch {
     double gap = 0.0;               // between the surfaces
     Vec3 normal = Vec3::Zero();     // from the surface to the place, of length 1
-    Mat3 curvature = Mat3::Zero();  // derivative of the normal by the place
+    Mat3 curvature = Mat3::Zero();  // second derivative of the gap by the place
     Vec3 drift = Vec3::Zero();      // how the surface moved there since the last accepted step
+    double slope = 1.0;             // length of the gap's gradient, which is along the normal
 };
 
 // A place on the line of a rod, and how it moved since the last accepted step.

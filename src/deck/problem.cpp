@@ -28,6 +28,7 @@
 #include "deck/checks/check_points.hpp"
 #include "deck/checks/check_velocities.hpp"
 #include "deck/contact/build_contact.hpp"
+#include "deck/contact/read_obstacle_meshes.hpp"
 #include "deck/drives/build_drives.hpp"
 #include "deck/expressions/function_files.hpp"
 #include "deck/joints/build_gears.hpp"
@@ -138,10 +139,13 @@ Problem build_problem(const CheckedTable& deck, const DeckFiles& files, FaultLis
     const SectionFiles section_files = read_section_files(deck, files.tables, faults, problem.record.meshes);
     const SurroundingsFiles surroundings =
         read_surroundings_files(deck, files.tables, faults, problem.record.meshes);
+    std::map<std::string, std::shared_ptr<const TriangleMesh>> obstacle_meshes =
+        read_obstacle_meshes(deck, files.meshes, faults, problem.record.meshes, problem.notes);
     check_memory(deck, nets, count_usable_bytes(), faults);
     faults.throw_if_any();
     const PointNames names(deck, points_of(nets));
     BuildContext context{deck, names, faults, problem.notes, problem.model};
+    context.obstacle_meshes = std::move(obstacle_meshes);
     check_names(deck, faults);
     context.stages = build_stages(context);
     check_stage_names(context);

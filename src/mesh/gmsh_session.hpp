@@ -58,13 +58,14 @@ class GmshSession {
     Nodes nodes() const;
     std::vector<std::size_t> nodes_of(const Group& group) const;
     std::vector<GmshElements> elements_of(const Group& group) const;
+    // Of an entity, or, with −1, of all of this dimension.
+    std::vector<GmshElements> elements_of_entity(int dimension, int entity) const;
 
   private:
     // Throws if there is an error or Gmsh has reported one.
     void check(int error, const std::string& failure) const;
     // The first errors that Gmsh has reported.
     std::string messages() const;
-    std::vector<GmshElements> elements_of_entity(int dimension, int entity) const;
 
     const GmshLibrary& gmsh_;
 };

@@ -6,6 +6,7 @@
 
 #include "machine/file_error.hpp"
 #include "machine/temporary_folder.hpp"
+#include "mesh/triangle_file.hpp"
 
 namespace gxrod {
 
@@ -45,7 +46,7 @@ void MeshFiles::remove() {
 // A geometry script can run commands; whose results these are is not known.
 fs::path MeshFiles::find(const std::string& file) const {
     if (!is_kept_) return folder_ / file;
-    if (fs::path(file).extension() != ".msh") {
+    if (fs::path(file).extension() != ".msh" && !is_stl(file)) {
         throw FileError(file,
                         "is a geometry script, which is not run from a results file",
                         "give the deck that it belongs to");

@@ -21,7 +21,8 @@ class MeshFiles {
     MeshFiles& operator=(const MeshFiles&) = delete;
 
     // The place of a file as the deck names it; whether there is one in a folder is not asked. Throws
-    // FileError if it is not kept, or kept but no .msh.
+    // FileError if it is not kept, or kept but neither .msh
+    // nor .stl.
     std::filesystem::path find(const std::string& file) const;
 
   private:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,13 +20,26 @@ struct ObstacleMotion {
     Vec3 about = Vec3::Zero();
 };
 
+// The triangles of a file, whichever side of them rods are on. What lies upon each other is merged.
+struct TriangleMesh {
+    std::string file;  // as the deck names it
+    std::vector<Vec3> positions;
+    std::vector<std::array<int, 3>> triangles;
+    std::vector<int> numbers;    // of the triangles, in the file, from 1
+    double feature_angle = 0.0;  // edges that turn by more are sharp
+    std::size_t left_out = 0;    // triangles without area
+    std::size_t repeated = 0;    // left out too, for another has the same corners
+    std::size_t open_edges = 0;  // with one triangle
+};
+
 // A body of a simple form, which does not deform. Where it is hollow rods are inside.
 struct Obstacle {
     enum class Shape {
         plane,     // a half space
         sphere,    // about the first point of the line
         cylinder,  // about the line from its first point to its last one; hollow, without ends
-        tube       // about the line through all points, a spline; hollow, its ends continue straight
+        tube,      // about the line through all points, a spline; hollow, its ends continue straight
+        mesh       // triangles
     };
     std::string name;
     Shape shape = Shape::plane;
@@ -34,6 +48,7 @@ struct Obstacle {
     std::vector<Vec3> line;       // of a plane a point of it
     std::vector<Vec3> tangents;   // of a tube, by arc length, at each point of the line
     double radius = 0.0;
+    std::shared_ptr<const TriangleMesh> mesh{};
     double friction = 0.0;              // Coulomb's coefficient
     std::optional<double> stiffness{};  // force per length and depth, of a bed that yields
     std::optional<ObstacleMotion> motion{};

@@ -13,12 +13,12 @@ ContactAssembly::ContactAssembly(const Model& model, const ThreadTeam& team, con
     : model_(&model),
       team_(&team),
       groups_(&groups),
-      obstacles_(model.contact.obstacles),
+      surfaces_(list_surfaces(model.contact.obstacles)),
       pairs_(model, team, groups) {
-    if (obstacles_.empty()) return;
+    if (surfaces_.empty()) return;
     places_ = find_contact_places(model);
     for (ContactElement& element : places_.elements) element.part = groups.part_of_node(element.nodes[0]);
-    for (const Obstacle& obstacle : obstacles_) {
+    for (const Obstacle& obstacle : model.contact.obstacles) {
         rubs_ = rubs_ || obstacle.friction > 0.0;
         moves_ = moves_ || obstacle.motion.has_value();
     }
@@ -36,12 +36,13 @@ void ContactAssembly::lay_out(const EquationNumbers& equations, const SparsePatt
 ContactAssembly::At ContactAssembly::find_obstacles(const State& state, double time, double progress) const {
     At at;
     at.has_impacts = model_->has_inertia && model_->has_time;
-    at.now.resize(obstacles_.size());
-    at.before.resize(obstacles_.size());
-    for (std::size_t i = 0; i < obstacles_.size(); ++i) {
-        if (!obstacles_[i].motion) continue;
-        at.before[i] = place_obstacle(obstacles_[i], state.time);
-        at.now[i] = between(at.before[i], place_obstacle(obstacles_[i], time), progress);
+    at.now.resize(surfaces_.size());
+    at.before.resize(surfaces_.size());
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        const Obstacle& body = *surfaces_[i].body;
+        if (!body.motion) continue;
+        at.before[i] = place_obstacle(body, state.time);
+        at.now[i] = between(at.before[i], place_obstacle(body, time), progress);
     }
     return at;
 }
@@ -68,19 +69,20 @@ bool ContactAssembly::is_far(const ObstaclePlacement& placement,
     const Vec3 centre = 0.5 * (position(0) + position(element.count - 1));
     double extent = 0.0;
     for (int i = 0; i < element.count; ++i) extent = std::max(extent, (position(i) - centre).norm());
-    const double distance = find_obstacle_distance(obstacles_[obstacle], placement, centre).distance;
-    return distance - largest_shape_sum * extent - element.radius > element.law.skin + reach;
+    return surfaces_[obstacle].is_further(
+        placement, centre, largest_shape_sum * extent + element.radius + element.law.skin + reach);
 }
 
 SurfaceTouch ContactAssembly::touch(const At& at,
                                     std::size_t obstacle,
                                     std::size_t place,
                                     const Vec3& position) const {
-    const Obstacle& body = obstacles_[obstacle];
     const ContactElement& element = places_.elements[static_cast<std::size_t>(places_.places[place].element)];
-    const ObstacleDistance found = find_obstacle_distance(body, at.now[obstacle], position);
-    SurfaceTouch result{found.distance - element.radius, found.normal, found.curvature};
-    if (body.motion) {
+    const ObstacleDistance found =
+        surfaces_[obstacle].find_distance(at.now[obstacle], position, element.radius, element.law.skin);
+    SurfaceTouch result{
+        found.distance - element.radius, found.normal, found.curvature, Vec3::Zero(), found.slope};
+    if (surfaces_[obstacle].body->motion) {
         const Vec3 surface = position - found.distance * found.normal;
         result.drift = surface - at.before[obstacle].from_start(at.now[obstacle].to_start(surface));
     }
@@ -93,12 +95,15 @@ double ContactAssembly::gap_before(const At& at,
                                    const State& state) const {
     const ContactPlace& own = places_.places[place];
     const Vec3 position = places_.interpolate(own, state.previous, &NodeMotion::r);
-    return find_obstacle_distance(obstacles_[obstacle], at.before[obstacle], position).distance -
-           places_.elements[static_cast<std::size_t>(own.element)].radius;
+    const ContactElement& element = places_.elements[static_cast<std::size_t>(own.element)];
+    return surfaces_[obstacle]
+               .find_distance(at.before[obstacle], position, element.radius, element.law.skin)
+               .distance -
+           element.radius;
 }
 
 CoulombFriction ContactAssembly::friction(std::size_t obstacle, std::size_t place, const State& state) const {
-    const double coefficient = obstacles_[obstacle].friction;
+    const double coefficient = surfaces_[obstacle].body->friction;
     if (coefficient == 0.0) return {};
     const ContactElement& element = places_.elements[static_cast<std::size_t>(places_.places[place].element)];
     return {coefficient,
@@ -119,7 +124,7 @@ CoulombFriction ContactAssembly::tangent_friction(std::size_t obstacle,
 
 NormalForce ContactAssembly::law_force(
     const At& at, std::size_t obstacle, std::size_t place, double gap, const State& state) const {
-    if (const std::optional<double>& stiffness = obstacles_[obstacle].stiffness)
+    if (const std::optional<double>& stiffness = surfaces_[obstacle].body->stiffness)
         return gap < 0.0 ? NormalForce{-*stiffness * gap, *stiffness} : NormalForce{};
     const ContactLaw& law = places_.elements[static_cast<std::size_t>(places_.places[place].element)].law;
     const double dissipation = at.has_impacts ? model_->contact.dissipation : 1.0;
@@ -154,7 +159,7 @@ template <class Find>
 void ContactAssembly::add_element_force(
     std::size_t index, const At& at, const State& state, const Find& find, LoadVector& force) const {
     const ContactElement& element = places_.elements[index];
-    for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+    for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
         if (is_far(at, obstacle, element, state)) continue;
         for (std::size_t p = element.first_place; p < element.end_place; ++p) {
             const ContactPlace& place = places_.places[p];
@@ -247,7 +252,7 @@ void ContactAssembly::add_tangents(const State& state,
     for (const ContactElement& element : places_.elements) {
         LoadMatrix tangent;
         std::array<Mat3, most_element_nodes> turns;
-        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+        for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
             if (is_far(at, obstacle, element, state)) continue;
             for (std::size_t p = element.first_place; p < element.end_place; ++p) {
                 const ContactPlace& place = places_.places[p];
@@ -293,7 +298,7 @@ void ContactAssembly::for_each_near(
     team_->for_each_range(places_.elements.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t e = first; e < last; ++e) {
             const ContactElement& element = places_.elements[e];
-            for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+            for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
                 const bool far = is_far(at, obstacle, element, state, reach);
                 for (std::size_t p = element.first_place; p < element.end_place; ++p) {
                     if (far) {
@@ -358,9 +363,9 @@ void ContactAssembly::advance(const std::vector<Vec6>& deltas, double time, Stat
             motion.displacement += change;
             double& parameter = state.contact.parameters[pair(obstacle, p)];
             const SurfaceTouch surface = touch(at, obstacle, p, position);
-            const double gap = surface.gap + surface.normal.dot(change);
+            const double gap = surface.gap + surface.slope * surface.normal.dot(change);
             const NormalForce normal = tangent_force(at, obstacle, p, gap, state);
-            if (obstacles_[obstacle].stiffness) {
+            if (surfaces_[obstacle].body->stiffness) {
                 parameter = gap;
             } else {
                 const double before = theta == 1.0 ? 0.0 : gap_before(at, obstacle, p, state);
@@ -402,12 +407,12 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
                     displacements[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])]
                         .norm());
             const auto is_clear = [&](std::size_t obstacle) {
-                return !obstacles_[obstacle].motion &&
+                return !surfaces_[obstacle].body->motion &&
                        is_far(from, obstacle, element, state, largest_shape_sum * reach);
             };
             std::vector<std::size_t> near;
-            for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
-                if (!obstacles_[obstacle].stiffness && !is_clear(obstacle)) near.push_back(obstacle);
+            for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
+                if (!surfaces_[obstacle].body->stiffness && !is_clear(obstacle)) near.push_back(obstacle);
             }
             if (near.empty()) continue;
             for (std::size_t p = element.first_place; p < element.end_place; ++p) {
@@ -419,12 +424,13 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
                         place.shapes[static_cast<std::size_t>(i)] *
                         displacements[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])];
                 for (const std::size_t obstacle : near) {
-                    const FreeMotion free =
-                        find_free_motion(obstacles_[obstacle],
-                                         element.radius,
-                                         from.now[obstacle].to_start(position),
-                                         to.now[obstacle].to_start(position + change),
-                                         approach == Approach::prediction ? element.law.skin : 0.0);
+                    const FreeMotion free = surfaces_[obstacle].find_free_motion(
+                        element.radius,
+                        from.now[obstacle],
+                        position,
+                        to.now[obstacle],
+                        position + change,
+                        approach == Approach::prediction ? element.law.skin : 0.0);
                     of_elements[e] = std::min(of_elements[e], free.fraction);
                     gaps[e] = std::min(gaps[e], free.gap);
                 }
@@ -452,7 +458,7 @@ void ContactAssembly::commit(State& state, double time) const {
         for (std::size_t p = first; p < last; ++p) {
             const ContactPlace& place = places_.places[p];
             const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
-            for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+            for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
                 const SurfaceTouch surface = touch(at, obstacle, p, position);
                 state.contact_memory.on_obstacles[pair(obstacle, p)] =
                     compute_place_force(surface,

@@ -12,7 +12,7 @@
 #include "assembly/equation_numbers.hpp"
 #include "assembly/residual.hpp"
 #include "assembly/scale_groups.hpp"
-#include "contact/obstacle_distance.hpp"
+#include "contact/obstacle_surface.hpp"
 #include "linear/sparse_pattern.hpp"
 #include "loads/distributed_load.hpp"
 #include "parallel/thread_team.hpp"
@@ -36,7 +36,7 @@ class ContactAssembly {
     ContactAssembly(const Model& model, const ThreadTeam& team, const ScaleGroups& groups);
     void lay_out(const EquationNumbers& equations, const SparsePattern& pattern);
 
-    bool empty() const { return (places_.places.empty() || obstacles_.empty()) && pairs_.empty(); }
+    bool empty() const { return (places_.places.empty() || surfaces_.empty()) && pairs_.empty(); }
     // Of rods with each other.
     const ContactPairs& pairs() const { return pairs_; }
     // Of ContactMemory::on_obstacles.
@@ -106,7 +106,7 @@ class ContactAssembly {
         NormalForce normal;
         CoulombFriction friction;
     };
-    std::size_t pair_count() const { return obstacles_.size() * places_.places.size(); }
+    std::size_t pair_count() const { return surfaces_.size() * places_.places.size(); }
     std::size_t pair(std::size_t obstacle, std::size_t place) const {
         return obstacle * places_.places.size() + place;
     }
@@ -156,7 +156,7 @@ class ContactAssembly {
     const ThreadTeam* team_;
     const ScaleGroups* groups_;
     const EquationNumbers* equations_ = nullptr;
-    const std::vector<Obstacle>& obstacles_;
+    std::vector<ObstacleSurface> surfaces_;
     ContactPlaces places_;
     ContactPairs pairs_;
     bool rubs_ = false;

@@ -13,10 +13,10 @@ double ContactAssembly::compute_energy(const State& state, double time) const {
         const ContactPlace& place = places_.places[p];
         const ContactLaw& law = places_.elements[static_cast<std::size_t>(place.element)].law;
         const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
-        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+        for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             const CoulombFriction rubbing = friction(obstacle, p, state);
-            if (const std::optional<double>& stiffness = obstacles_[obstacle].stiffness) {
+            if (const std::optional<double>& stiffness = surfaces_[obstacle].body->stiffness) {
                 const double depth = std::max(-surface.gap, 0.0);
                 energy += 0.5 * place.weight * *stiffness * depth * depth;
             } else if (surface.gap < law.skin) {
@@ -43,17 +43,19 @@ ContactWork ContactAssembly::compute_work(const State& state, double time, doubl
         const ContactPlace& place = places_.places[p];
         const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
         const PlaceMotion motion = places_.motion_of(place, state);
-        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+        for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             const Touching touching = touch_by_law(at, obstacle, p, surface.gap, state);
             const PlaceForce after = compute_place_force(surface, motion, touching.normal, touching.friction);
             Vec3 force = after.force;
             if (!at.has_impacts) {
                 const double gap = gap_before(at, obstacle, p, state);
-                const ObstacleDistance found = find_obstacle_distance(
-                    obstacles_[obstacle], at.before[obstacle], position - motion.displacement);
+                const ContactLaw& law = places_.elements[static_cast<std::size_t>(place.element)].law;
+                const ObstacleDistance found = surfaces_[obstacle].find_distance(
+                    at.before[obstacle], position - motion.displacement, motion.radius, law.skin);
                 const Vec3 before =
-                    law_force(at, obstacle, p, gap, state).force * found.normal + touching.friction.traction;
+                    law_force(at, obstacle, p, gap, state).force * found.slope * found.normal +
+                    touching.friction.traction;
                 force = 0.5 * (force + before);
                 const Vec3 slip = motion.displacement -
                                   motion.radius * motion.rotation.cross(surface.normal) - surface.drift;
@@ -74,13 +76,13 @@ ContactWork ContactAssembly::compute_work(const State& state, double time, doubl
 
 std::vector<ObstacleValues> ContactAssembly::compute_obstacle_values(const State& state, double time) const {
     const At at = find_obstacles(state, time, 1.0);
-    std::vector<ObstacleValues> values(obstacles_.size());
+    std::vector<ObstacleValues> values(model_->contact.obstacles.size());
     for (ObstacleValues& own : values) own.least_gap = std::numeric_limits<double>::infinity();
     for (std::size_t p = 0; p < places_.places.size(); ++p) {
         const ContactPlace& place = places_.places[p];
         const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
-        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
-            ObstacleValues& own = values[obstacle];
+        for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
+            ObstacleValues& own = values[surfaces_[obstacle].obstacle];
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             own.least_gap = std::min(own.least_gap, surface.gap);
             const NormalForce normal = law_force(at, obstacle, p, surface.gap, state);
@@ -100,9 +102,9 @@ ContactCount ContactAssembly::count(const State& state, double time) const {
     for (std::size_t p = 0; p < places_.places.size(); ++p) {
         const ContactLaw& law = places_.elements[static_cast<std::size_t>(places_.places[p].element)].law;
         const Vec3 position = places_.interpolate(places_.places[p], state.trial, &NodeMotion::r);
-        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+        for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
             const double gap = touch(at, obstacle, p, position).gap;
-            const double range = obstacles_[obstacle].stiffness ? 0.0 : law.skin;
+            const double range = surfaces_[obstacle].body->stiffness ? 0.0 : law.skin;
             if (gap < range) ++result.touching;
             result.least_gap = std::min(result.least_gap, gap);
         }

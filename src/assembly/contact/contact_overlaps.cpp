@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 
 #include "assembly/contact/contact_assembly.hpp"
@@ -22,6 +24,7 @@ std::string name_pair(const ContactOverlap& one, const Model& model) {
         return index >= 0 ? model.rods[static_cast<std::size_t>(index)].name
                           : model.contact.obstacles[static_cast<std::size_t>(-1 - index)].name;
     };
+    if (std::isinf(one.gap)) return fmt::format("{} crosses {}", name(one.rods[0]), name(one.rods[1]));
     return one.rods[0] == one.rods[1]
                ? fmt::format("{} itself by {:.2g}", name(one.rods[0]), -one.gap)
                : fmt::format("{} and {} by {:.2g}", name(one.rods[0]), name(one.rods[1]), -one.gap);
@@ -38,9 +41,15 @@ std::string describe_deepest(const ContactOverlap& one, const Model& model) {
                            place(1),
                            one.radii + one.gap,
                            one.radii);
-    return fmt::format("{} is {} obstacle \"{}\"; expected a gap, as small as you like",
+    if (std::isinf(one.gap))
+        return fmt::format("{} crosses {}obstacle \"{}\"; expected a gap, as small as you like",
+                           place(0),
+                           one.triangle,
+                           model.contact.obstacles[static_cast<std::size_t>(-1 - one.rods[1])].name);
+    return fmt::format("{} is {} {}obstacle \"{}\"; expected a gap, as small as you like",
                        place(0),
                        one.gap == 0.0 ? "exactly on" : fmt::format("{:.4g} deep in", -one.gap),
+                       one.triangle,
                        model.contact.obstacles[static_cast<std::size_t>(-1 - one.rods[1])].name);
 }
 
@@ -70,12 +79,22 @@ std::vector<ContactOverlap> ContactAssembly::list_overlaps(const State& state, d
         const ContactPlace& place = places_.places[p];
         const ContactElement& element = places_.elements[static_cast<std::size_t>(place.element)];
         const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
-        for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
-            if (obstacles_[obstacle].stiffness) continue;
-            const double gap = touch(at, obstacle, p, position).gap;
-            if (gap > 0.0) continue;
-            keep_deepest({{element.rod, -1 - static_cast<int>(obstacle)}, {place.fraction, 0.0}, gap, 0.0},
-                         deepest);
+        const Vec3 next = p + 1 < element.end_place
+                              ? places_.interpolate(places_.places[p + 1], state.trial, &NodeMotion::r)
+                              : position;
+        for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+            const ObstacleSurface& surface = surfaces_[s];
+            if (surface.body->stiffness) continue;
+            ContactOverlap own{{element.rod, -1 - static_cast<int>(surface.obstacle)}, {place.fraction, 0.0}};
+            if (const std::optional<int> crossed = surface.find_crossed(at.now[s], position, next)) {
+                own.gap = -std::numeric_limits<double>::infinity();
+                own.triangle = fmt::format("triangle {} of ", *crossed);
+            } else {
+                own.gap = touch(at, s, p, position).gap;
+                if (own.gap > 0.0) continue;
+                own.triangle = surface.name_triangle(at.now[s], position);
+            }
+            keep_deepest(own, deepest);
         }
     }
     std::vector<ContactOverlap> of_rods;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "assembly/element_geometry.hpp"
+#include "contact/mesh_surface.hpp"
 #include "loads/shape_functions.hpp"
 #include "numerics/gauss_legendre.hpp"
 #include "numerics/lagrange.hpp"
@@ -40,10 +42,16 @@ ContactLaw find_law(const Model& model, const Rod& rod, double radius) {
     return {model.contact.skin * radius, EA / (1000.0 * radius)};
 }
 
-// So close together that several of them are within the skin of a bulging obstacle where the rod touches it.
+// So close together that several of them are within the skin of a bulging obstacle where the rod touches it,
+// and that no edge of a mesh gets between them.
 double find_spacing(const Model& model, double radius) {
     double spacing = std::numeric_limits<double>::infinity();
     for (const Obstacle& obstacle : model.contact.obstacles) {
+        if (obstacle.mesh) {
+            spacing =
+                std::min(spacing, find_mesh_spacing(*obstacle.mesh, radius, model.contact.skin * radius));
+            continue;
+        }
         if (obstacle.shape == Obstacle::Shape::plane || obstacle.is_hollow) continue;
         spacing = std::min(spacing,
                            0.35 * std::sqrt(2.0 * (obstacle.radius + radius) * model.contact.skin * radius));
@@ -126,8 +134,12 @@ PlaceMotion ContactPlaces::motion_of(const ContactPlace& place, const State& sta
 }
 
 ContactPlaces find_contact_places(const Model& model) {
+    std::map<double, double> spacings;  // of radii
     return find_places(model, [&](int rod) {
-        return find_spacing(model, model.contact.radii[static_cast<std::size_t>(rod)]);
+        const double radius = model.contact.radii[static_cast<std::size_t>(rod)];
+        const auto [found, is_new] = spacings.emplace(radius, 0.0);
+        if (is_new) found->second = find_spacing(model, radius);
+        return found->second;
     });
 }
 

@@ -33,7 +33,7 @@ void ContactAssembly::list_element_touches(std::size_t index,
                                            const State& state,
                                            std::vector<ContactTouch>& touches) const {
     const ContactElement& element = places_.elements[index];
-    for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
+    for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
         if (is_far(at, obstacle, element, state)) continue;
         for (std::size_t p = element.first_place; p < element.end_place; ++p) {
             const ContactPlace& place = places_.places[p];
@@ -45,8 +45,9 @@ void ContactAssembly::list_element_touches(std::size_t index,
                 surface, places_.motion_of(place, state), touching.normal, touching.friction);
             // What slides has a traction on the cone, as far as rounding lets it be.
             constexpr double nearly = 1.0 - 1e-9;
-            const double most = touching.friction.coefficient * std::max(touching.normal.force, 0.0);
-            touches.push_back({{element.rod, -1 - static_cast<int>(obstacle)},
+            const double most =
+                touching.friction.coefficient * surface.slope * std::max(touching.normal.force, 0.0);
+            touches.push_back({{element.rod, -1 - static_cast<int>(surfaces_[obstacle].obstacle)},
                                {std::clamp(place.fraction, 0.0, 1.0), 0.0},
                                position - (element.radius + 0.5 * surface.gap) * surface.normal,
                                place.weight * (there.force - there.traction),
@@ -59,7 +60,7 @@ void ContactAssembly::list_element_touches(std::size_t index,
 
 std::vector<ContactTouch> ContactAssembly::list_touches(const State& state, double time) const {
     std::vector<ContactTouch> all;
-    if (!obstacles_.empty()) {
+    if (!surfaces_.empty()) {
         const At at = find_obstacles(state, time, 1.0);
         std::vector<std::vector<ContactTouch>> of_elements(places_.elements.size());
         team_->for_each_range(of_elements.size(), [&](std::size_t first, std::size_t last) {
@@ -85,8 +86,8 @@ double ContactAssembly::find_least_gap(const ContactWatch& watch, const State& s
     double least = std::numeric_limits<double>::infinity();
     if (!pairs_.empty() && watch.other.value_or(0) >= 0) least = pairs_.find_least_gap(watch, state);
     const At at = find_obstacles(state, time, 1.0);
-    for (std::size_t obstacle = 0; obstacle < obstacles_.size(); ++obstacle) {
-        const int index = -1 - static_cast<int>(obstacle);
+    for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
+        const int index = -1 - static_cast<int>(surfaces_[obstacle].obstacle);
         if (watch.other.value_or(index) != index) continue;
         for (const ContactElement& element : places_.elements) {
             if (element.rod != watch.rod) continue;

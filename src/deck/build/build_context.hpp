@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,6 +55,7 @@ struct BuildContext {
     std::vector<int> body_nodes = {};                     // of each body; -1 for one without
     // Of each node: of its velocity and of its angular velocity.
     std::vector<std::array<VelocitySetting, 2>> velocity_settings = {};
+    std::map<std::string, std::shared_ptr<const TriangleMesh>> obstacle_meshes = {};  // by obstacle
 
     const AnalysisSettings& analysis() const { return stages[stage].analysis; }
     // Whether any stage integrates accelerations; whether the first one does, which has the initial

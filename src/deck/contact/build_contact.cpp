@@ -80,6 +80,15 @@ void set_shape(const CheckedTable& table, Obstacle& obstacle, const BuildContext
         obstacle.normal = find_direction(plane, "normal", context).value_or(Vec3::UnitZ());
         return;
     }
+    if (table.gives("mesh")) {
+        obstacle.shape = Shape::mesh;
+        obstacle.mesh = context.obstacle_meshes.at(table.name);
+        if (table.gives("stiffness"))
+            context.add_fault(table,
+                              "stiffness",
+                              "a mesh does not yield, since neither side of it is inside; expected none");
+        return;
+    }
     const char* key = table.gives("sphere") ? "sphere" : table.gives("cylinder") ? "cylinder" : "tube";
     const CheckedTable& round = only(table, key);
     obstacle.radius = round.get<double>("radius");

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "deck/schema/choices.hpp"
 #include "deck/schema/schema_tables.hpp"
 
@@ -81,6 +83,31 @@ const TableSpec& tube_obstacle_table() {
     return table;
 }
 
+const TableSpec& mesh_obstacle_table() {
+    static const TableSpec table{
+        .path = "obstacle.NAME.mesh",
+        .heading = "mesh = { … }",
+        .sentence = "",
+        .keys = {
+            {.name = "file",
+             .type = ValueType::text,
+             .presence = Presence::required,
+             .sentence = "STL, as text or binary, or .msh of Gmsh. Relative to the deck's folder."},
+            {.name = "scale",
+             .type = ValueType::number,
+             .dimension = "1",
+             .range = positive,
+             .default_value = 1.0,
+             .sentence = "Times the coordinates of the file: 1e-3 for one in mm."},
+            {.name = "feature_angle",
+             .type = ValueType::number,
+             .dimension = "angle",
+             .range = {.lower = 0.0, .at_lower = Bound::open, .upper = M_PI},
+             .default_value = 0.1,
+             .sentence = "Edges that turn by more are sharp: what is next to them is touched on its own."}}};
+    return table;
+}
+
 const TableSpec& obstacle_move_table() {
     static const TableSpec table = [] {
         TableSpec move{.path = "obstacle.NAME.move", .heading = "move = { … }", .sentence = "", .keys = {}};
@@ -115,48 +142,48 @@ const TableSpec& contact_table() {
         .heading = "[contact]",
         .sentence =
             "Rods touch each other, themselves and every [obstacle.NAME]; without it obstacles alone.",
-        .keys = {{.name = "rods",
-                  .type = ValueType::names,
-                  .default_text = "all rods",
-                  .sentence = "Which rods touch; their sections have a radius.",
-                  .refers_to = {"rod"}},
-                 {.name = "each_other",
-                  .type = ValueType::flag,
-                  .default_text = "true",
-                  .sentence = "Whether different rods touch."},
-                 {.name = "self",
-                  .type = ValueType::flag,
-                  .default_text = "true",
-                  .sentence = "Whether a rod touches itself."},
-                 {.name = "bend_radius",
-                  .type = ValueType::number,
-                  .dimension = "length",
-                  .range = positive,
-                  .default_text = "10 radii",
-                  .sentence =
-                      "The tightest bend to expect of rods that touch each other: they touch as straight "
-                      "pieces, so short that their chords stay within a quarter of the skin."},
-                 {.name = "friction",
-                  .type = ValueType::number,
-                  .dimension = "1",
-                  .range = not_negative,
-                  .default_value = 0.0,
-                  .sentence =
-                      "Coulomb's coefficient of obstacles, on the surface. Rods have none with each other."},
-                 {.name = "skin",
-                  .type = ValueType::number,
-                  .dimension = "1",
-                  .range = {.lower = 0.0, .at_lower = Bound::open, .upper = 1.0},
-                  .default_value = 0.02,
-                  .sentence =
-                      "Contact acts below this gap, times the radius of the rod; no gap ever closes."},
-                 {.name = "dissipation",
-                  .type = ValueType::number,
-                  .dimension = "1",
-                  .range = {.lower = 0.0, .upper = 1.0},
-                  .default_value = 1.0,
-                  .sentence = "Of impacts on obstacles: with 0 they keep their energy at every step size, with 1 contact "
-                              "gives back least."}},
+        .keys =
+            {{.name = "rods",
+              .type = ValueType::names,
+              .default_text = "all rods",
+              .sentence = "Which rods touch; their sections have a radius.",
+              .refers_to = {"rod"}},
+             {.name = "each_other",
+              .type = ValueType::flag,
+              .default_text = "true",
+              .sentence = "Whether different rods touch."},
+             {.name = "self",
+              .type = ValueType::flag,
+              .default_text = "true",
+              .sentence = "Whether a rod touches itself."},
+             {.name = "bend_radius",
+              .type = ValueType::number,
+              .dimension = "length",
+              .range = positive,
+              .default_text = "10 radii",
+              .sentence = "The tightest bend to expect of rods that touch each other: they touch as straight "
+                          "pieces, so short that their chords stay within a quarter of the skin."},
+             {.name = "friction",
+              .type = ValueType::number,
+              .dimension = "1",
+              .range = not_negative,
+              .default_value = 0.0,
+              .sentence =
+                  "Coulomb's coefficient of obstacles, on the surface. Rods have none with each other."},
+             {.name = "skin",
+              .type = ValueType::number,
+              .dimension = "1",
+              .range = {.lower = 0.0, .at_lower = Bound::open, .upper = 1.0},
+              .default_value = 0.02,
+              .sentence = "Contact acts below this gap, times the radius of the rod; no gap ever closes."},
+             {.name = "dissipation",
+              .type = ValueType::number,
+              .dimension = "1",
+              .range = {.lower = 0.0, .upper = 1.0},
+              .default_value = 1.0,
+              .sentence =
+                  "Of impacts on obstacles: with 0 they keep their energy at every step size, with 1 contact "
+                  "gives back least."}},
         .example =
             "[contact]\n"
             "rods       = [\"spring\", \"bow\"]\n"
@@ -177,6 +204,8 @@ const TableSpec& obstacle_table() {
                      "tube",
                      tube_obstacle_table(),
                      "About a curve; its ends continue straight if it is hollow, else they are hemispheres."),
+                 table_key(
+                     "mesh", mesh_obstacle_table(), "Triangles of a file, which stop rods on both sides."),
                  {.name = "friction",
                   .type = ValueType::number,
                   .dimension = "1",
@@ -192,7 +221,7 @@ const TableSpec& obstacle_table() {
                            obstacle_move_table(),
                            "Where it goes: exp of (rx, ry, rz), of any size, is its rotation since t = 0. 0 "
                            "at t = 0.")},
-        .groups = {{GroupRule::exactly_one, {"plane", "sphere", "cylinder", "tube"}}},
+        .groups = {{GroupRule::exactly_one, {"plane", "sphere", "cylinder", "tube", "mesh"}}},
         .example =
             "[obstacle.floor]\n"
             "plane = { point = [0, 0, -5], normal = [0, 0, 1] }\n"};

@@ -14,6 +14,21 @@ const std::string constants =
     "inertia = { rhoA = 1, rhoIy = 1, rhoIz = 1 }\n";
 const std::string floor = "[obstacle.floor]\nplane = { point = [0, 0, -1], normal = [0, 0, 1] }\n";
 
+// Of a square below, with one that is a line and one that is there already.
+const std::string two_triangles = [] {
+    std::string text = "solid square\n";
+    for (const char* corners : {"0 0 -1/1 0 -1/1 1 -1",
+                                "0 0 -1/1 0 -1/0.5 0 -1",
+                                "1 0 -1/1 1 -1/0 0 -1",
+                                "0 0 -1/1 1 -1/0 1.0e0 -1"}) {
+        text += "facet normal 0 0 1\nouter loop\nvertex ";
+        for (const char* letter = corners; *letter != '\0'; ++letter)
+            text += *letter == '/' ? std::string("\nvertex ") : std::string(1, *letter);
+        text += "\nendloop\nendfacet\n";
+    }
+    return text + "endsolid\n";
+}();
+
 std::string deck(const std::string& more,
                  const std::string& section = circle,
                  const std::string& analysis = dynamic) {
@@ -50,6 +65,49 @@ TEST_CASE("Obstacles that cannot be are reported", "[deck][touch]") {
     CHECK_THAT(faults("[obstacle.a]\nplane = { point = [0, 0, -1], normal = [0, 0, 1] }\n"),
                Contains("has this name too"));
     CHECK_THAT(faults(floor + "move = { z = \"1 + t\" }\n"), Contains("obstacle.floor.move.z"));
+}
+
+TEST_CASE("Meshes that cannot be are reported", "[deck][touch][mesh]") {
+    const auto mesh = [](const std::string& file, const std::string& more = "") {
+        return "[obstacle.o]\nmesh = { file = \"" + file + "\"" + more + " }\n";
+    };
+    const auto fault = [&](const std::string& name, const std::string& text) {
+        const ScratchFile file(name, text);
+        return faults(mesh(file.path().string()));
+    };
+    CHECK_THAT(faults(mesh("none.stl")),
+               Contains("x.toml:9:17: obstacle.o.mesh.file: none.stl: cannot be read (No such file"));
+    CHECK_THAT(fault("a.obj", ""), Contains("has another ending than .stl and .msh"));
+    CHECK_THAT(fault("a.stl", "v 0 0 0\n"), Contains("is not STL: it neither starts with \"solid\" nor"));
+    CHECK_THAT(fault("a.msh", "v 0 0 0\n"), Contains("is no mesh; a .msh file starts with $MeshFormat"));
+    CHECK_THAT(fault("a.stl", "solid s\nendsolid s\n"), Contains("has no triangles"));
+    CHECK_THAT(fault("a.stl", "solid s\nvertex 0 0 x\n"),
+               Contains("line 2: expected three numbers after vertex, found \"x\""));
+    CHECK_THAT(fault("a.stl", "solid s\nvertex 0 0 0\nendloop\n"),
+               Contains("line 3: expected triangles, found 1 corners"));
+    const ScratchFile good("a.stl", two_triangles);
+    CHECK_THAT(faults(mesh(good.path().string(), ", scale = 0")), Contains("obstacle.o.mesh.scale"));
+    CHECK_THAT(faults(mesh(good.path().string()) + "stiffness = 1\n"),
+               Contains("obstacle.o.stiffness: a mesh does not yield"));
+}
+
+TEST_CASE("What is in a mesh is noted", "[deck][touch][mesh]") {
+    const ScratchFile file("a.stl", two_triangles);
+    const Problem problem = read(deck("[obstacle.o]\nmesh = { file = \"" + file.path().string() + "\" }\n"));
+    CHECK_THAT(problem.notes,
+               Catch::VectorContains(file.path().string() +
+                                     ": 2 triangles, 4 open edges, 1 without area left out, 1 "
+                                     "repeated ones left out; nothing is inside or outside: both "
+                                     "sides stop rods"));
+    const TriangleMesh& mesh = *problem.model.contact.obstacles.at(0).mesh;
+    CHECK(mesh.positions.size() == 5);  // one of them of the line
+    CHECK(mesh.numbers == std::vector{1, 4});
+    SECTION("and goes with the results") {
+        REQUIRE(problem.record.meshes.size() == 1);
+        CHECK(problem.record.meshes[0].bytes == two_triangles);
+        CHECK(rebuild_problem(problem.record).model.contact.obstacles.at(0).mesh->positions ==
+              mesh.positions);
+    }
 }
 
 TEST_CASE("Analyses that contact does not go with are reported", "[deck][touch]") {

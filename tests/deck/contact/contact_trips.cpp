@@ -1,3 +1,5 @@
+#include <memory>
+
 #include "deck/decks.hpp"
 #include "deck/round_trips.hpp"
 
@@ -119,6 +121,34 @@ void add_shape_trips(std::vector<RoundTrip>& trips) {
              is_hollow));
 }
 
+// A file with a triangle, as long as the program runs.
+std::string triangle_file(const char* name, const char* height) {
+    static std::vector<std::unique_ptr<ScratchFile>> files;
+    files.push_back(std::make_unique<ScratchFile>(
+        name,
+        std::string("solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 ") + height + "\nvertex 1 0 " +
+            height + "\nvertex 0 1 " + height + "\nendloop\nendfacet\nendsolid s\n"));
+    return files.back()->path().string();
+}
+
+void add_mesh_trips(std::vector<RoundTrip>& trips) {
+    const std::string low = triangle_file("low.stl", "-5"), lower = triangle_file("lower.STL", "-7");
+    const auto add = [&](const std::string& key, const std::string& keys, auto is_seen) {
+        trips.push_back(trip("mesh." + key, "mesh = { " + keys + " }", [is_seen](const Obstacle& one) {
+            return one.mesh && is_seen(*one.mesh);
+        }));
+    };
+    add("file", "file = \"" + lower + "\"", [](const TriangleMesh& mesh) {
+        return mesh.triangles.size() == 1 && mesh.positions.at(0) == Vec3(0, 0, -7);
+    });
+    add("scale", "file = \"" + low + "\", scale = 2", [](const TriangleMesh& mesh) {
+        return mesh.positions.at(0) == Vec3(0, 0, -10);
+    });
+    add("feature_angle", "file = \"" + low + "\", feature_angle = 0.6", [](const TriangleMesh& mesh) {
+        return mesh.feature_angle == 0.6;
+    });
+}
+
 }  // namespace
 
 std::vector<RoundTrip> contact_trips() {
@@ -171,6 +201,7 @@ std::vector<RoundTrip> contact_trips() {
     add_shape_trips(trips);
     add_curve_trips(trips);
     add_move_trips(trips);
+    add_mesh_trips(trips);
     return trips;
 }
 

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "rotation/types.hpp"
+
+namespace gxrod {
+
+// A box along the axes.
+struct Box {
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+    Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+
+    void include(const Vec3& point) {
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+    }
+    void include(const Box& other) {
+        low = low.cwiseMin(other.low);
+        high = high.cwiseMax(other.high);
+    }
+    Vec3 middle() const { return 0.5 * (low + high); }
+    // 0 within.
+    double squared_distance(const Vec3& point) const {
+        return (low - point).cwiseMax(point - high).cwiseMax(0.0).squaredNorm();
+    }
+    bool meets(const Box& other) const {
+        return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+    }
+};
+
+// Boxes of things that do not move, by a tree that is built once. Things are indices of the boxes.
+class BoxTree {
+  public:
+    explicit BoxTree(const std::vector<Box>& boxes);
+
+    // visit(thing) for each whose box meets this one.
+    template <class Visit>
+    void visit_meeting(const Box& box, const Visit& visit) const {
+        walk([&](const Box& of_node) { return of_node.meets(box); }, visit);
+    }
+
+    // measure(thing): how far a point is from it, no less than from its box. The nearest thing, the first of
+    // equal ones that is found; −1 if none is nearer than `within`, which becomes its distance.
+    template <class Measure>
+    int find_nearest(const Vec3& point, double& within, const Measure& measure) const {
+        int nearest = -1;
+        struct Entry {
+            int node;
+            double squared_distance;
+        };
+        std::array<Entry, most_depth> stack;
+        std::size_t size = 0;
+        const auto push = [&](int node) {
+            const double squared = nodes_[static_cast<std::size_t>(node)].box.squared_distance(point);
+            if (squared < within * within) stack[size++] = {node, squared};
+        };
+        if (!nodes_.empty()) push(0);
+        while (size > 0) {
+            const Entry entry = stack[--size];
+            if (entry.squared_distance >= within * within) continue;
+            const Node& node = nodes_[static_cast<std::size_t>(entry.node)];
+            if (node.count == 0) {
+                push(node.first);
+                push(node.first + 1);
+                if (size > 1 && stack[size - 2].squared_distance < stack[size - 1].squared_distance)
+                    std::swap(stack[size - 2], stack[size - 1]);
+                continue;
+            }
+            for (int i = node.first; i < node.first + node.count; ++i) {
+                const int thing = things_[static_cast<std::size_t>(i)];
+                const double distance = measure(thing);
+                if (distance >= within) continue;
+                within = distance;
+                nearest = thing;
+            }
+        }
+        return nearest;
+    }
+
+  private:
+    // Of two children, next to each other, or of some things.
+    struct Node {
+        Box box;
+        int first = 0;
+        int count = 0;  // of things; 0: children
+    };
+    static constexpr std::size_t most_depth = 128;  // more than twice what halving 2³¹ things can take
+
+    void split(int node, int first, int end, const std::vector<Box>& boxes);
+
+    template <class Enters, class Visit>
+    void walk(const Enters& enters, const Visit& visit) const {
+        std::array<int, most_depth> stack;
+        std::size_t size = 0;
+        if (!nodes_.empty()) stack[size++] = 0;
+        while (size > 0) {
+            const Node& node = nodes_[static_cast<std::size_t>(stack[--size])];
+            if (!enters(node.box)) continue;
+            if (node.count == 0) {
+                stack[size++] = node.first + 1;
+                stack[size++] = node.first;
+                continue;
+            }
+            for (int i = node.first; i < node.first + node.count; ++i)
+                visit(things_[static_cast<std::size_t>(i)]);
+        }
+    }
+
+    std::vector<Node> nodes_;
+    std::vector<int> things_;
+};
+
+}  // namespace gxrod

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/mesh_surface.hpp"
+#include "contact/obstacle_distance.hpp"
+
+namespace gxrod {
+
+// What of an obstacle a place touches once: all of it, or a surface of a mesh.
+struct ObstacleSurface {
+    const Obstacle* body = nullptr;
+    std::size_t obstacle = 0;  // its index
+    std::shared_ptr<const MeshSurface> mesh{};
+
+    // Of the centre of a ball, which feels the surface within a skin.
+    ObstacleDistance find_distance(const ObstaclePlacement& placement,
+                                   const Vec3& point,
+                                   double radius,
+                                   double skin) const;
+    bool is_further(const ObstaclePlacement& placement, const Vec3& point, double distance) const;
+    // Of a ball that moves straight while the obstacle goes from one placement to another: 1 if it meets
+    // nothing. With a skin, of a prediction.
+    FreeMotion find_free_motion(double radius,
+                                const ObstaclePlacement& from,
+                                const Vec3& start,
+                                const ObstaclePlacement& to,
+                                const Vec3& end,
+                                double skin = 0.0) const;
+    // The number in its file of a triangle that a straight line crosses.
+    std::optional<int> find_crossed(const ObstaclePlacement& placement,
+                                    const Vec3& start,
+                                    const Vec3& end) const;
+    // "triangle 17 of " of the one next to a point; "" if it is no mesh.
+    std::string name_triangle(const ObstaclePlacement& placement, const Vec3& point) const;
+};
+
+// Of all obstacles, which must outlive them.
+std::vector<ObstacleSurface> list_surfaces(const std::vector<Obstacle>& obstacles);
+
+}  // namespace gxrod

@@ -1,0 +1,53 @@
+#include "deck/contact/read_obstacle_meshes.hpp"
+
+#include <fmt/format.h>
+
+#include "deck/reading/table_files.hpp"
+#include "mesh/line_mesh.hpp"
+#include "mesh/triangle_file.hpp"
+
+namespace gxrod {
+namespace {
+
+std::string describe(const TriangleMesh& mesh) {
+    std::string text = fmt::format("{}: {} triangles, {} open edge{}",
+                                   mesh.file,
+                                   mesh.triangles.size(),
+                                   mesh.open_edges,
+                                   mesh.open_edges == 1 ? "" : "s");
+    if (mesh.left_out > 0) text += fmt::format(", {} without area left out", mesh.left_out);
+    if (mesh.repeated > 0) text += fmt::format(", {} repeated ones left out", mesh.repeated);
+    return text + "; nothing is inside or outside: both sides stop rods";
+}
+
+}  // namespace
+
+std::map<std::string, std::shared_ptr<const TriangleMesh>> read_obstacle_meshes(
+    const CheckedTable& deck,
+    const MeshFiles& files,
+    FaultList& faults,
+    std::vector<MeshRecord>& records,
+    std::vector<std::string>& notes) {
+    std::map<std::string, std::shared_ptr<const TriangleMesh>> meshes;
+    for (const CheckedTable& obstacle : deck.tables("obstacle")) {
+        if (!obstacle.gives("mesh")) continue;
+        const CheckedTable& table = obstacle.tables("mesh").front();
+        const std::string& file = table.get<std::string>("file");
+        const std::filesystem::path path = files.find(file);
+        try {
+            TriangleMesh mesh = read_triangle_mesh(path, table.get<double>("scale"));
+            mesh.file = file;
+            mesh.feature_angle = table.get<double>("feature_angle");
+            keep_file(file, read_mesh_file(path), records);
+            notes.push_back(describe(mesh));
+            meshes.emplace(obstacle.name, std::make_shared<const TriangleMesh>(std::move(mesh)));
+        } catch (const MeshError& error) {
+            faults.add(table.place_of("file"),
+                       table.path_of("file"),
+                       fmt::format("{}: {}", path.string(), error.what()));
+        }
+    }
+    return meshes;
+}
+
+}  // namespace gxrod

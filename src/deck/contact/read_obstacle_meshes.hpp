@@ -1,0 +1,23 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "deck/reading/checked_deck.hpp"
+#include "deck/reading/fault_list.hpp"
+#include "mesh/mesh_files.hpp"
+#include "model/contact.hpp"
+
+namespace gxrod {
+
+// The meshes of obstacles, by their names; their files are kept in the records, and what is in them noted.
+std::map<std::string, std::shared_ptr<const TriangleMesh>> read_obstacle_meshes(
+    const CheckedTable& deck,
+    const MeshFiles& files,
+    FaultList& faults,
+    std::vector<MeshRecord>& records,
+    std::vector<std::string>& notes);
+
+}  // namespace gxrod

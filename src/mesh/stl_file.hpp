@@ -1,0 +1,16 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "rotation/types.hpp"
+
+namespace gxrod {
+
+using Corners = std::array<Vec3, 3>;
+
+// The triangles of an STL file, as text or bytes. Throws MeshError.
+std::vector<Corners> read_stl(std::string_view bytes);
+
+}  // namespace gxrod
