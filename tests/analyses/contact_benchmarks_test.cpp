@@ -192,6 +192,66 @@ TEST_CASE("C5e: on an incline a rod holds below the cone, and slides beyond", "[
     }
 }
 
+TEST_CASE("A rod on two rods that lie on an incline holds below the cone, and slides beyond",
+          "[analyses][touch]") {
+    const double angle = 0.25, gravity = 9.81;
+    const auto deck = [&](double friction) {
+        std::string text = fmt::format(R"(
+gravity = [{}, 0, {}]
+[section.s]
+shape = {{ circle = {{ radius = 0.02 }} }}
+material = {{ E = 2e9, nu = 0.3, density = 1000 }}
+[rod.top]
+section = "s"
+line = {{ from = [-0.5, 0, 0.0403917], to = [0.5, 0, 0.0403917] }}
+elements = 4
+order = 2
+[contact]
+friction = {}
+[analysis]
+kind = "dynamic"
+end_time = 0.4
+time_step = 0.002
+)",
+                                       gravity * std::sin(angle),
+                                       -gravity * std::cos(angle),
+                                       friction);
+        for (const double x : {-0.25, 0.25})
+            text += fmt::format(R"(
+[rod.r{0}]
+section = "s"
+line = {{ from = [{1}, -0.1, 0], to = [{1}, 0.1, 0] }}
+elements = 2
+order = 2
+[[support]]
+at = "r{0}.start"
+fix = "all"
+[[support]]
+at = "r{0}.end"
+fix = "all"
+)",
+                                x < 0.0 ? 1 : 2,
+                                x);
+        return text;
+    };
+    SECTION("holds") {
+        Run run(deck(0.3));
+        run.finish();
+        // It settles first, for which friction allows about a skin.
+        CHECK(std::abs(run.at("top@0.5").r[0]) < 4e-4);
+        CHECK(std::abs(run.ledger().energy_error) < 1e-6);
+    }
+    SECTION("slides") {
+        Run run(deck(0.2));
+        run.finish();
+        const double acceleration = gravity * (std::sin(angle) - 0.2 * std::cos(angle));
+        const double way = 0.5 * acceleration * 0.16, mass = M_PI * 0.02 * 0.02 * 1000.0;
+        CHECK(run.at("top@0.5").r[0] == Approx(way).epsilon(0.005));
+        CHECK(run.ledger().contact_loss ==
+              Approx(0.2 * mass * gravity * std::cos(angle) * way).epsilon(0.05));
+    }
+}
+
 TEST_CASE("C5a: without dissipation a rod bounces as high as it fell from, at any step",
           "[analyses][touch]") {
     constexpr double fall = 0.5 * 9.81;  // per mass

@@ -80,4 +80,29 @@ TEST_CASE("The graph of the contact law lies on the law", "[contact]") {
     }
 }
 
+TEST_CASE("The contact law: predictions stop at half the skin, or where they touched", "[contact]") {
+    const double skin = 0.02;
+    CHECK(find_predicted_share(skin, 0.3 * skin) == 0.9);
+    CHECK(find_predicted_share(skin, 2.0 * skin) == Approx(0.25));
+    CHECK(find_predicted_share(skin, 100.0 * skin) == 0.1);
+}
+
+TEST_CASE("The contact law: an increment multiplies the force of a pair by ten at most", "[contact]") {
+    const double skin = 0.02;
+    const auto force = [](double x) { return std::pow(1.0 - x, 3) / (x * x); };
+    for (const double x : {0.05, 0.3, 0.6, 0.8, 0.95}) {
+        INFO(x);
+        const double share = find_kept_share(skin, x * skin);
+        CHECK(share >= 0.1);
+        CHECK(share < 1.0);
+        CHECK(force(share * x) <= std::max(10.0 * force(x), 1e-3) * 1.0001);
+        // And not much less, unless the gap is a tenth.
+        CHECK((share < 0.1001 || force(share * x) > 0.95 * std::max(10.0 * force(x), 1e-3)));
+    }
+    // From outside it goes into the skin, where forces are small.
+    const double x = find_kept_share(skin, 5.0 * skin) * 5.0;
+    CHECK(force(x) == Approx(1e-3).epsilon(0.02));
+    CHECK(find_kept_share(skin, 1e3 * skin) == 0.1);
+}
+
 }  // namespace gxrod::test
