@@ -79,13 +79,27 @@ std::string describe_load(const Model& model, const DistributedLoad& load) {
 std::string describe_velocities(const Model& model, const std::string& name, const std::vector<int>& nodes) {
     double velocity = 0.0;
     double spin = 0.0;
+    double strain_rate = 0.0;  // of extension and shear
+    const Node* before = nullptr;
     for (const int node : nodes) {
-        velocity = std::max(velocity, model.nodes[node].velocity.norm());
-        spin = std::max(spin, model.nodes[node].angular_velocity.norm());
+        const Node& here = model.nodes[node];
+        velocity = std::max(velocity, here.velocity.norm());
+        spin = std::max(spin, here.angular_velocity.norm());
+        if (before != nullptr) {
+            const Vec3 chord = here.position - before->position;
+            const Vec3 turning = 0.5 * (here.angular_velocity + before->angular_velocity).cross(chord);
+            strain_rate =
+                std::max(strain_rate, (here.velocity - before->velocity - turning).norm() / chord.norm());
+        }
+        before = &here;
     }
     if (velocity == 0.0 && spin == 0.0) return "";
-    return fmt::format(
-        "initial velocities of {}: up to {:.6g}, angular velocities up to {:.6g}\n", name, velocity, spin);
+    const bool is_rigid = strain_rate <= 1e-6 * spin;
+    return fmt::format("initial velocities of {}: up to {:.6g}, angular velocities up to {:.6g}{}\n",
+                       name,
+                       velocity,
+                       spin,
+                       is_rigid ? "" : fmt::format(", stretched and sheared at up to {:.3g}", strain_rate));
 }
 
 std::string describe_gravity(const Model& model) {
