@@ -21,6 +21,7 @@ DynamicAnalysis::DynamicAnalysis(const Model& model, const DynamicSettings& sett
 
 EquilibriumReport DynamicAnalysis::start() {
     if (!system_.model().has_inertia) return start_at_rest();  // what creeps at once has no rate yet
+    refuse_overlaps(0.0);
     const TimeSpan first_step{0.0, steps_->time_step()};
     fit_start_velocities(system_, 0.0, first_step, projects_start_, workspace_, state_);
     const EquilibriumReport report = solve_accelerations(system_, 0.0, first_step, workspace_, state_);

@@ -77,12 +77,15 @@ SteppedAnalysis::SteppedAnalysis(const Model& model,
       steps_(std::move(steps)),
       state_(system_.initial_state()) {}
 
+void SteppedAnalysis::refuse_overlaps(double time) {
+    if (!system_.contact()) return;
+    system_.contact()->search(state_);
+    const std::string overlap = system_.contact()->describe_overlap(state_, time);
+    if (!overlap.empty()) throw std::runtime_error("at the start " + overlap);
+}
+
 void SteppedAnalysis::accept_start(double time, bool is_loaded) {
-    if (system_.contact()) {
-        system_.contact()->search(state_);
-        const std::string overlap = system_.contact()->describe_overlap(state_, time);
-        if (!overlap.empty()) throw std::runtime_error("at the start " + overlap);
-    }
+    refuse_overlaps(time);
     integrator_->start(state_);
     point_values_ = system_.compute_point_values(state_, time, watched_);
     body_values_ = system_.compute_body_surroundings(state_, time);
@@ -105,6 +108,7 @@ EquilibriumReport SteppedAnalysis::start_at_rest() {
         motion.a.setZero();
         motion.alpha.setZero();
     }
+    refuse_overlaps(0.0);
     system_.compute_residual(state_, 0.0, workspace_.residual);
     accept_start();
     return {};

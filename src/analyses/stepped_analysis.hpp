@@ -106,6 +106,8 @@ class SteppedAnalysis {
     void accept_start(double time = 0.0, bool is_loaded = false);
     // The same at t = 0, without velocities and accelerations.
     EquilibriumReport start_at_rest();
+    // Throws std::runtime_error where rods are in what they touch; before any force is asked for.
+    void refuse_overlaps(double time);
     // Finds the trial motions at the end of the next step.
     virtual EquilibriumReport solve_trial();
     // Of the loads that act on them. On a path it is not the end of the step.

@@ -122,8 +122,7 @@ constexpr double weight = 1000.0 * M_PI * 0.05 * 0.05 * 10.0;
 
 }  // namespace
 
-TEST_CASE("C1c on a triangulated cylinder is that on a cylinder but for its sagitta",
-          "[analyses][touch][mesh]") {
+TEST_CASE("C1c on a triangulated cylinder is that on a cylinder but for its sagitta", "[analyses][touch]") {
     StlFiles files;
     constexpr double exact = 12.429723539;
     double before = 1.0;
@@ -141,7 +140,7 @@ TEST_CASE("C1c on a triangulated cylinder is that on a cylinder but for its sagi
     CHECK(before < 5e-3);
 }
 
-TEST_CASE("In a groove both faces bear and rub", "[analyses][touch][mesh]") {
+TEST_CASE("In a groove both faces bear and rub", "[analyses][touch]") {
     StlFiles files;
     const double height = std::sqrt(2.0) * (0.05 + 0.9e-3);
     const TriangleMesh groove = make_groove(1.0, 1.0, 6);
@@ -156,7 +155,7 @@ TEST_CASE("In a groove both faces bear and rub", "[analyses][touch][mesh]") {
     }
 }
 
-TEST_CASE("A rod drawn over a flat mesh is drawn over a plane", "[analyses][touch][mesh]") {
+TEST_CASE("A rod drawn over a flat mesh is drawn over a plane", "[analyses][touch]") {
     StlFiles files;
     const MeshRun run(drawn_rod(files.write(make_floor(1.0, 9)), 0.05095, 0.3));
     // With the same places, because of what is far below.
@@ -170,7 +169,7 @@ TEST_CASE("A rod drawn over a flat mesh is drawn over a plane", "[analyses][touc
     for (const char* node : {"a.start", "a.end"}) CHECK((run.at(node).r - plane.at(node).r).norm() < 1e-9);
 }
 
-TEST_CASE("A rod in a tube of triangles is pressed as in a tube", "[analyses][touch][mesh]") {
+TEST_CASE("A rod in a tube of triangles is pressed as in a tube", "[analyses][touch]") {
     const auto deck = [](const std::string& obstacle) {
         return R"(
 [section.s]
@@ -208,7 +207,7 @@ force = ["0.4*t", "0.15*t", 0]
     }
 }
 
-TEST_CASE("No rod passes through a mesh, however fast it is", "[analyses][touch][mesh]") {
+TEST_CASE("No rod passes through a mesh, however fast it is", "[analyses][touch]") {
     StlFiles files;
     const std::string mesh = files.write(make_floor(3.0, 7));
     for (const double speed : {3.0, 30.0}) {
@@ -239,6 +238,23 @@ time_step = {}
         INFO("speed " << speed);
         CHECK(run.least_gap > 0.0);
         for (const char* node : {"a.start", "a.end"}) CHECK(run.at(node).r.z() > 0.02);
+    }
+}
+
+TEST_CASE("A rod that starts in what it touches is refused, of any kind of analysis", "[analyses][touch]") {
+    StlFiles files;
+    const std::string mesh = files.write(make_floor(1.0, 3));
+    for (const std::string& obstacle :
+         {mesh, std::string("plane = { point = [0, 0, 0], normal = [0, 0, 1] }\n")}) {
+        for (const char* kind :
+             {"kind = \"static\"\n", "kind = \"dynamic\"\nend_time = 1\ntime_step = 0.1\n"}) {
+            const std::string deck = drawn_rod(obstacle, 0.04, 0.0);
+            const Problem problem = read(deck.substr(0, deck.find("[analysis]")) + "[analysis]\n" + kind);
+            const auto analysis = make_analysis(problem.model, problem.analysis, 1);
+            CHECK_THROWS_WITH(analysis->start(),
+                              Catch::StartsWith("at the start a@") && Catch::Contains(" is 0.01 deep in ") &&
+                                  Catch::Contains("obstacle \"o\"; expected a gap"));
+        }
     }
 }
 

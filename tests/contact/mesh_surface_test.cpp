@@ -82,7 +82,7 @@ Mat3 curvatures_of(const Nearness& value) {
 
 }  // namespace
 
-TEST_CASE("The nearness of a triangle is its integral", "[contact][mesh]") {
+TEST_CASE("The nearness of a triangle is its integral", "[contact]") {
     RandomValues random(1);
     for (int sample = 0; sample < 40; ++sample) {
         const auto [triangle, point] = find_pose(random, sample % 4);
@@ -94,7 +94,7 @@ TEST_CASE("The nearness of a triangle is its integral", "[contact][mesh]") {
     }
 }
 
-TEST_CASE("Slopes and curvatures of the nearness are its derivatives", "[contact][mesh]") {
+TEST_CASE("Slopes and curvatures of the nearness are its derivatives", "[contact]") {
     RandomValues random(2);
     for (int sample = 0; sample < 400; ++sample) {
         const auto [triangle, point] = find_pose(random, sample % 4);
@@ -116,7 +116,7 @@ TEST_CASE("Slopes and curvatures of the nearness are its derivatives", "[contact
     }
 }
 
-TEST_CASE("Triangles of a plane are the plane, over edges and corners too", "[contact][mesh]") {
+TEST_CASE("Triangles of a plane are the plane, over edges and corners too", "[contact]") {
     const TriangleMesh floor = make_floor(4.0, 13);
     const MeshSurface surface = surface_of(floor);
     RandomValues random(3);
@@ -133,7 +133,7 @@ TEST_CASE("Triangles of a plane are the plane, over edges and corners too", "[co
     }
 }
 
-TEST_CASE("The closest point of a mesh is that of all its triangles", "[contact][mesh]") {
+TEST_CASE("The closest point of a mesh is that of all its triangles", "[contact]") {
     const TriangleMesh soup = make_soup(300, 4);
     const MeshSurface surface = surface_of(soup);
     RandomValues random(5);
@@ -154,7 +154,7 @@ TEST_CASE("The closest point of a mesh is that of all its triangles", "[contact]
     }
 }
 
-TEST_CASE("No point of a triangle is closer than the closest one", "[contact][mesh]") {
+TEST_CASE("No point of a triangle is closer than the closest one", "[contact]") {
     RandomValues random(6);
     for (int sample = 0; sample < 200; ++sample) {
         const Triangle triangle = make_triangle(random.vector(), random.vector(), random.vector());
@@ -171,7 +171,7 @@ TEST_CASE("No point of a triangle is closer than the closest one", "[contact][me
     }
 }
 
-TEST_CASE("The normal and the curvature of a mesh are derivatives of its distance", "[contact][mesh]") {
+TEST_CASE("The normal and the curvature of a mesh are derivatives of its distance", "[contact]") {
     const TriangleMesh soup = make_soup(60, 7);
     const MeshSurface surface = surface_of(soup);
     RandomValues random(8);
@@ -206,7 +206,7 @@ TEST_CASE("The normal and the curvature of a mesh are derivatives of its distanc
     CHECK(beyond > 20);
 }
 
-TEST_CASE("Within the skin a gap goes to nothing only where the surface is met", "[contact][mesh]") {
+TEST_CASE("Within the skin a gap goes to nothing only where the surface is met", "[contact]") {
     // Off a face, an edge and a corner of a cube.
     const TriangleMesh cube = make_cube(2.0);
     for (const Vec3& away : {Vec3(0.0, 0.1, 1.0), Vec3(0.0, 1.0, 1.0), Vec3(1.0, 1.0, 1.0)}) {
@@ -227,7 +227,7 @@ TEST_CASE("Within the skin a gap goes to nothing only where the surface is met",
     }
 }
 
-TEST_CASE("A free motion against a mesh keeps a tenth of the gap all along", "[contact][mesh]") {
+TEST_CASE("A free motion against a mesh keeps a tenth of the gap all along", "[contact]") {
     const TriangleMesh soup = make_soup(40, 9);
     const MeshSurface surface = surface_of(soup);
     RandomValues random(10);
@@ -257,14 +257,14 @@ TEST_CASE("A free motion against a mesh keeps a tenth of the gap all along", "[c
     CHECK(stopped > 100);
 }
 
-TEST_CASE("A ball that slides along a mesh goes all the way", "[contact][mesh]") {
+TEST_CASE("A ball that slides along a mesh goes all the way", "[contact]") {
     const MeshSurface surface = surface_of(make_floor(4.0, 13));
     const FreeMotion free = surface.find_free_motion(0.5, Vec3(-1.5, 0.3, 0.5001), Vec3(1.5, 0.1, 0.5001));
     CHECK(free.fraction == 1.0);
     CHECK(free.gap == Approx(1e-4).epsilon(1e-9));
 }
 
-TEST_CASE("Sharp edges part a mesh into few surfaces", "[contact][mesh]") {
+TEST_CASE("Sharp edges part a mesh into few surfaces", "[contact]") {
     TriangleMesh cube = make_cube(1.0);
     CHECK(split_at_sharp_edges(cube).size() == 3);  // opposite sides are far from each other
     cube.feature_angle = 1.6;
@@ -278,7 +278,7 @@ TEST_CASE("Sharp edges part a mesh into few surfaces", "[contact][mesh]") {
     CHECK(split_at_sharp_edges(groove).size() == 2);
 }
 
-TEST_CASE("Places are close enough that no edge comes between them", "[contact][mesh]") {
+TEST_CASE("Places are close enough that no edge comes between them", "[contact]") {
     constexpr double r = 0.1, range = 0.002;
     for (const int facets : {4, 12, 40, 200}) {
         const TriangleMesh mesh = make_cylinder(0.5, -5.0, 5.0, facets, 1);

@@ -87,6 +87,8 @@ std::vector<ObstacleValues> ContactAssembly::compute_obstacle_values(const State
             ObstacleValues& own = values[surfaces_[obstacle].obstacle];
             const SurfaceTouch surface = touch(at, obstacle, p, position);
             own.least_gap = std::min(own.least_gap, surface.gap);
+            // A start that is refused is written too.
+            if (surface.gap <= 0.0 && !surfaces_[obstacle].body->stiffness) continue;
             const NormalForce normal = law_force(at, obstacle, p, surface.gap, state);
             if (normal.force == 0.0) continue;
             const PlaceForce force = compute_place_force(

@@ -90,7 +90,7 @@ void check_mesh_tangent(const System& system, const Integrator& integrator, Stat
 
 }  // namespace
 
-TEST_CASE("Tangents of models on a mesh are derivatives of the residual", "[assembly][touch][mesh]") {
+TEST_CASE("Tangents of models on a mesh are derivatives of the residual", "[assembly][touch]") {
     for (int order = 1; order <= 3; ++order) {
         for (const double angle : {0.1, 3.0}) {  // each triangle on its own; all of them together
             INFO("order " << order << ", feature angle " << angle);
@@ -104,7 +104,7 @@ TEST_CASE("Tangents of models on a mesh are derivatives of the residual", "[asse
     }
 }
 
-TEST_CASE("Without friction forces of a mesh are derivatives of its energy", "[assembly][touch][mesh]") {
+TEST_CASE("Without friction forces of a mesh are derivatives of its energy", "[assembly][touch]") {
     MeshScene scene = make_mesh_scene(3, 2, 0.1, 0.1, false);
     for (Obstacle& obstacle : scene.model.contact.obstacles) obstacle.friction = 0.0;
     const System system(scene.model);
@@ -135,7 +135,7 @@ TEST_CASE("Without friction forces of a mesh are derivatives of its energy", "[a
     CHECK((values[0].force + sum).norm() < 1e-12 * largest);
 }
 
-TEST_CASE("A flat mesh pushes and rubs as a plane does", "[assembly][touch][mesh]") {
+TEST_CASE("A flat mesh pushes and rubs as a plane does", "[assembly][touch]") {
     for (const bool is_moved : {false, true}) {
         MeshScene scene = make_mesh_scene(2, 3, 0.0, 0.35, is_moved);
         const System on_mesh(scene.model);
@@ -166,7 +166,7 @@ TEST_CASE("A flat mesh pushes and rubs as a plane does", "[assembly][touch][mesh
     }
 }
 
-TEST_CASE("A limited increment leaves a gap to a mesh that moves and turns", "[assembly][touch][mesh]") {
+TEST_CASE("A limited increment leaves a gap to a mesh that moves and turns", "[assembly][touch]") {
     for (const bool is_moved : {false, true}) {
         MeshScene scene = make_mesh_scene(2, 5, 0.2, 0.35, is_moved);
         if (is_moved)
@@ -196,7 +196,7 @@ TEST_CASE("A limited increment leaves a gap to a mesh that moves and turns", "[a
     }
 }
 
-TEST_CASE("What starts in a mesh, or through it, is named", "[assembly][touch][mesh]") {
+TEST_CASE("What starts in a mesh, or through it, is named", "[assembly][touch]") {
     MeshScene scene = make_mesh_scene(2, 6, 0.0, 0.35, false);
     const System system(scene.model);
     CHECK(system.contact()->describe_overlap(scene.state, mesh_now).empty());

@@ -67,7 +67,7 @@ TEST_CASE("Obstacles that cannot be are reported", "[deck][touch]") {
     CHECK_THAT(faults(floor + "move = { z = \"1 + t\" }\n"), Contains("obstacle.floor.move.z"));
 }
 
-TEST_CASE("Meshes that cannot be are reported", "[deck][touch][mesh]") {
+TEST_CASE("Meshes that cannot be are reported", "[deck][touch]") {
     const auto mesh = [](const std::string& file, const std::string& more = "") {
         return "[obstacle.o]\nmesh = { file = \"" + file + "\"" + more + " }\n";
     };
@@ -91,7 +91,7 @@ TEST_CASE("Meshes that cannot be are reported", "[deck][touch][mesh]") {
                Contains("obstacle.o.stiffness: a mesh does not yield"));
 }
 
-TEST_CASE("What is in a mesh is noted", "[deck][touch][mesh]") {
+TEST_CASE("What is in a mesh is noted", "[deck][touch]") {
     const ScratchFile file("a.stl", two_triangles);
     const Problem problem = read(deck("[obstacle.o]\nmesh = { file = \"" + file.path().string() + "\" }\n"));
     CHECK_THAT(problem.notes,
