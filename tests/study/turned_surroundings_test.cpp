@@ -9,7 +9,7 @@ namespace gxrod::test {
 namespace {
 
 const std::string around =
-    water +
+    water_deck +
     "current = { table = [[-10, 1], [0, 3]], direction = [3, 4, 0] }\n[[wave]]\nairy = { height = 2, period "
     "= 8 "
     "}\ndirection = [1, 2, 0]\n[air]\ndensity = 1\nwind = { velocity = [\"x\", \"y*z\", 3] }\n[seabed]\n"
@@ -52,7 +52,7 @@ TEST_CASE("a plane model turns in its plane, and by half a turn where up is know
     CHECK((about_y * Vec3::UnitY() - Vec3::UnitY()).norm() < 1e-15);
     CHECK(std::abs(about_y.y()) > 0.1);
     CHECK(*find_small_turn(model) == Vec3::UnitY());
-    model = read("plane = \"xz\"\n" + tube_deck() + water).model;
+    model = read("plane = \"xz\"\n" + tube_deck() + water_deck).model;
     CHECK((restrict_rotation(rotation, model) * Vec3(1, 2, 3) - Vec3(-1, -2, 3)).norm() < 1e-15);
     CHECK_FALSE(find_small_turn(model));
     model.plane->normal = 2;

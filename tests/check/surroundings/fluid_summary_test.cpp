@@ -43,16 +43,16 @@ TEST_CASE("A rod is weighed in water and laid on the ground", "[check]") {
     const auto weight = [](double density) {
         return 9.81 * M_PI * (density * (0.25 * 0.25 - 0.2 * 0.2) - 1000.0 * 0.25 * 0.25);
     };
-    CHECK(of_rod(tube_deck() + water) ==
+    CHECK(of_rod(tube_deck() + water_deck) ==
           fmt::format("  in water: displaced mass 1963.5, weight less buoyancy {:.6g} per length\n",
                       weight(7850.0)));
     const std::string light = replaced(tube_deck(), "density = 7850", "density = 785");
-    CHECK_THAT(of_rod(light + water),
+    CHECK_THAT(of_rod(light + water_deck),
                Contains(fmt::format("weight less buoyancy {:.6g} per length: it floats", weight(785.0))));
     const std::string tapered =
         replaced(tube_deck(), "outer_radius = 0.25", "outer_radius = \"0.205 + 0.01*s\"");
-    CHECK_THAT(of_rod(tapered + water), Contains(" … ") && Contains(": in parts it floats"));
-    CHECK_THAT(of_rod(tube_deck() + water + "[seabed]\nz = -10\nstiffness = 1e5\n"),
+    CHECK_THAT(of_rod(tapered + water_deck), Contains(" … ") && Contains(": in parts it floats"));
+    CHECK_THAT(of_rod(tube_deck() + water_deck + "[seabed]\nz = -10\nstiffness = 1e5\n"),
                Contains(fmt::format("  at rest on the ground: {:.6g} deep, 0.14 of the diameter\n",
                                     weight(7850.0) / (1e5 * 0.5))));
     CHECK(of_rod(tube_deck("")).empty());
@@ -61,7 +61,7 @@ TEST_CASE("A rod is weighed in water and laid on the ground", "[check]") {
 TEST_CASE("A body that floats is said to", "[check]") {
     const auto body = [](const std::string& keys) {
         const Model model = read(replaced(body_deck, "[analysis]", "fluid = { " + keys + " }\n[analysis]") +
-                                 water.substr(0, 23))
+                                 water_deck.substr(0, 23))
                                 .model;
         return describe_fluid(model, model.bodies.at(0));
     };
@@ -74,16 +74,16 @@ TEST_CASE("A body that floats is said to", "[check]") {
 
 TEST_CASE("Water, waves, wind and ground are listed", "[check]") {
     CHECK_THAT(
-        list(water + "current = { table = [[-10, 1], [0, 3]], direction = [0, 2, 0] }\n"),
+        list(water_deck + "current = { table = [[-10, 1], [0, 3]], direction = [0, 2, 0] }\n"),
         Contains("water: density 1000, surface at z = 0; current 1 at z = -10 to 3 at z = 0, along (0, 1, "
                  "0)\n"));
     CHECK_THAT(list("[fluid]\ndensity = 2\ncurrent = { velocity = [\"z\", 0, 0] }\n"),
                Contains("water: density 2, everywhere; current by place and time\n"));
     // Deep water: λ = g T²/(2 π).
-    CHECK_THAT(list(water + "[[wave]]\nairy = { height = 2, period = 8 }\ndirection = [0, 1, 0]\n"),
+    CHECK_THAT(list(water_deck + "[[wave]]\nairy = { height = 2, period = 8 }\ndirection = [0, 1, 0]\n"),
                Contains("wave: height 2, period 8, number 0.0628") && Contains("length 99.92") &&
                    Contains("steepness 0.02, towards 90° from x"));
-    CHECK_THAT(list(water + "depth = 30\n[[wave]]\njonswap = { Hs = 4, Tp = 10 }\n"),
+    CHECK_THAT(list(water_deck + "depth = 30\n[[wave]]\njonswap = { Hs = 4, Tp = 10 }\n"),
                Contains("30 deep for waves") &&
                    Contains("waves: 200 components, significant height 4, mean period"));
     CHECK_THAT(list("[air]\ndensity = 1.2\nwind = { velocity = [1, 0, 0] }\n"),

@@ -19,7 +19,7 @@ std::string findings_of(const std::string& deck) {
 
 // A wave in deep water; the rod is 10 long, with 4 elements, and the step 0.1.
 std::string with_wave(const std::string& keys, const std::string& more = "") {
-    return tube_deck() + water + more + "[[wave]]\nairy = { " + keys + " }\n";
+    return tube_deck() + water_deck + more + "[[wave]]\nairy = { " + keys + " }\n";
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ TEST_CASE("Steps and elements that do not resolve waves are findings", "[check]"
                Contains("2.5 elements of rod r; expected 17 elements or more"));
     CHECK(findings_of(replaced(with_wave("height = 0.1, period = 2"), "elements = 4", "elements = 17"))
               .empty());
-    CHECK_THAT(findings_of(tube_deck() + water + "[[wave]]\njonswap = { Hs = 1, Tp = 2 }\n"),
+    CHECK_THAT(findings_of(tube_deck() + water_deck + "[[wave]]\njonswap = { Hs = 1, Tp = 2 }\n"),
                Contains("the mean wave of the sea"));
 }
 
@@ -53,7 +53,7 @@ TEST_CASE("A depth that is not the ground's, and a soft ground, are findings", "
     CHECK_THAT(findings_of(with_wave("height = 1, period = 8", "depth = 30\n") + ground),
                Contains("waves feel the depth 30, and the ground is 12 below the surface"));
     // 3517.21/(5e4 × 0.25) of the diameter.
-    CHECK_THAT(findings_of(tube_deck() + water + "[seabed]\nz = -12\nstiffness = 5e4\n"),
+    CHECK_THAT(findings_of(tube_deck() + water_deck + "[seabed]\nz = -12\nstiffness = 5e4\n"),
                Contains("rod r lies 0.28 of its diameter deep") && Contains("of 1.4e+05 or more"));
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("What flows out of the plane of a deck is named", "[check]") {
         return find_push_out_of_plane(read("plane = \"xz\"\n" + tube_deck() + lines).model);
     };
     const auto current = [&](const std::string& keys) {
-        return push(water + "current = { " + keys + " }\n");
+        return push(water_deck + "current = { " + keys + " }\n");
     };
     CHECK(current("table = [[0, 1]], direction = [1, 0, 0]").empty());
     CHECK_THAT(current("table = [[0, 1]], direction = [1, 1, 0]"), Contains("fluid.current pushes out"));
@@ -71,8 +71,8 @@ TEST_CASE("What flows out of the plane of a deck is named", "[check]") {
     CHECK_THAT(push("[air]\ndensity = 1\nwind = { velocity = [1, \"t\", 0] }\n"),
                Contains("air.wind pushes out"));
     const std::string wave = "[[wave]]\nairy = { height = 1, period = 8 }\n";
-    CHECK(push(water + wave).empty());
-    CHECK_THAT(push(water + wave + "direction = [0, 1, 0]\n"), Contains("wave pushes out"));
+    CHECK(push(water_deck + wave).empty());
+    CHECK_THAT(push(water_deck + wave + "direction = [0, 1, 0]\n"), Contains("wave pushes out"));
     const std::string slope = "[seabed]\nstiffness = 1\nplane = { point = [0, 0, -9], normal = ";
     CHECK(push(slope + "[1, 0, 2] }\n").empty());
     CHECK_THAT(push(slope + "[0, 1, 2] }\n"), Contains("seabed pushes out"));

@@ -27,7 +27,7 @@ std::string faults(const std::string& lines) { return faults_of(tube_deck() + li
 }  // namespace
 
 TEST_CASE("Currents grow in a static stage and are whole afterwards", "[deck]") {
-    const Problem problem = read(staged_tube_deck() + water +
+    const Problem problem = read(staged_tube_deck() + water_deck +
                                  "current = { table = [[-10, 1], [0, 3]], direction = [0, 2, 0] }\n"
                                  "[air]\ndensity = 1.2\nwind = { velocity = [7, \"x\", \"5*t\"] }\n");
     REQUIRE(problem.stages.size() == 3);
@@ -42,7 +42,7 @@ TEST_CASE("Currents grow in a static stage and are whole afterwards", "[deck]") 
 }
 
 TEST_CASE("Waves act in stages with time and go on from one to the next", "[deck]") {
-    const Problem problem = read(staged_tube_deck() + water + "depth = 40\nramp = 3\n" + airy);
+    const Problem problem = read(staged_tube_deck() + water_deck + "depth = 40\nramp = 3\n" + airy);
     CHECK(around(problem, 0).water->waves.empty());
     const Water& storm = *around(problem, 1).water;
     const Water& calm = *around(problem, 2).water;
@@ -57,7 +57,7 @@ TEST_CASE("Waves act in stages with time and go on from one to the next", "[deck
 }
 
 TEST_CASE("t of waves begins in the first stage that has them", "[deck]") {
-    const Problem problem = read(staged_tube_deck() + water + airy + "stages = \"calm\"\n");
+    const Problem problem = read(staged_tube_deck() + water_deck + airy + "stages = \"calm\"\n");
     CHECK(around(problem, 1).water->waves.empty());
     const Water& calm = *around(problem, 2).water;
     CHECK(calm.ramp_start == 0.0);
@@ -66,13 +66,13 @@ TEST_CASE("t of waves begins in the first stage that has them", "[deck]") {
 
 TEST_CASE("Waves feel the ground below them", "[deck]") {
     const auto depth = [](const std::string& lines) {
-        return read(tube_deck() + water + lines + airy).model.surroundings.water->depth;
+        return read(tube_deck() + water_deck + lines + airy).model.surroundings.water->depth;
     };
     CHECK_FALSE(depth(""));
     CHECK(depth("[seabed]\nz = -12\nstiffness = 1\n") == 12.0);
     CHECK(depth("[seabed]\nplane = { point = [7, 8, -9], normal = [0, 0, 3] }\nstiffness = 1\n") == 9.0);
     CHECK(depth("depth = 30\n[seabed]\nz = -12\nstiffness = 1\n") == 30.0);
-    const Model model = read(tube_deck() + water + "[seabed]\nz = -12\nstiffness = 1\n" + airy).model;
+    const Model model = read(tube_deck() + water_deck + "[seabed]\nz = -12\nstiffness = 1\n" + airy).model;
     const WaveTrain& wave = model.surroundings.water->waves.at(0);
     CHECK(wave.frequency * wave.frequency ==
           Approx(9.81 * wave.number * std::tanh(12.0 * wave.number)).epsilon(1e-12));
@@ -80,7 +80,7 @@ TEST_CASE("Waves feel the ground below them", "[deck]") {
 
 TEST_CASE("A record gives back its surface where it was measured", "[deck]") {
     const std::string file = GXROD_SOURCE_DIR "/tests/deck/surroundings/eta.csv";
-    const Model model = read(tube_deck() + water + "[[wave]]\nelevation = { file = \"" + file +
+    const Model model = read(tube_deck() + water_deck + "[[wave]]\nelevation = { file = \"" + file +
                              "\", at = [100, 50, 0] }\ndirection = [3, 4, 0]\n")
                             .model;
     double height = 0.0;
@@ -102,12 +102,12 @@ TEST_CASE("What is wrong with water, wind and ground is said where it stands", "
     CHECK_THAT(faults_of(tube_deck()),
                Contains("x.toml:5") && Contains("section.s.fluid") &&
                    Contains("the deck has no [fluid], [air] or [seabed]"));
-    CHECK_THAT(faults_of(tube_deck("") + water),
+    CHECK_THAT(faults_of(tube_deck("") + water_deck),
                Contains("x.toml:14") && Contains("fluid: passes everything by") && Contains("fluid = {}"));
     CHECK_THAT(faults_of(tube_deck("") + "[seabed]\nz = 0\nstiffness = 1\n"),
                Contains("seabed: passes everything by"));
     const std::string ball =
-        down + replaced(body_deck, "[analysis]", "fluid = { volume = 0.002 }\n[analysis]") + water;
+        down + replaced(body_deck, "[analysis]", "fluid = { volume = 0.002 }\n[analysis]") + water_deck;
     const std::string ground = "[seabed]\nz = -5\nstiffness = 1\n";
     CHECK(faults_of(ball).empty());
     CHECK_THAT(faults_of(ball + ground), Contains("seabed: holds nothing up: it acts on rods"));
@@ -118,28 +118,28 @@ TEST_CASE("What is wrong with water, wind and ground is said where it stands", "
     CHECK_THAT(faults("[fluid]\ndensity = 1\ndepth = 5\n"),
                Contains("x.toml:16") && Contains("fluid.depth: goes with surface"));
     CHECK_THAT(faults("[fluid]\ndensity = 1\nramp = 5\n"), Contains("fluid.ramp: goes with surface"));
-    CHECK_THAT(faults(water + "stretching = \"whelr\"\n"), Contains("did you mean \"wheeler\"?"));
-    CHECK_THAT(faults(water + "current_stretching = true\n"),
+    CHECK_THAT(faults(water_deck + "stretching = \"whelr\"\n"), Contains("did you mean \"wheeler\"?"));
+    CHECK_THAT(faults(water_deck + "current_stretching = true\n"),
                Contains("fluid.current_stretching: goes with a table of the current"));
-    CHECK_THAT(faults(water + "velocity = [1, 0, 0]\n"), Contains("did you mean \"current.velocity\"?"));
+    CHECK_THAT(faults(water_deck + "velocity = [1, 0, 0]\n"), Contains("did you mean \"current.velocity\"?"));
 }
 
 TEST_CASE("Water with a surface needs gravity that acts down", "[deck]") {
     const std::string wanted = "expected gravity = [0, 0, -g]";
     for (const char* other : {"[0, 0, 9.81]", "[0, -9.81, 0]", "[1, 0, -9.81]", "[0, 0, 0]"}) {
-        CHECK_THAT(faults_of(replaced(tube_deck(), "[0, 0, -9.81]", other) + water),
+        CHECK_THAT(faults_of(replaced(tube_deck(), "[0, 0, -9.81]", other) + water_deck),
                    Contains("x.toml:16") && Contains("fluid.surface") && Contains(wanted));
     }
-    CHECK_THAT(faults_of(replaced(tube_deck(), down, "") + water), Contains(wanted));
+    CHECK_THAT(faults_of(replaced(tube_deck(), down, "") + water_deck), Contains(wanted));
     CHECK(faults_of(replaced(tube_deck(), down, "") + "[fluid]\ndensity = 1000\n").empty());
-    CHECK(faults_of(replaced(tube_deck(), "-9.81", "\"-9.81*t\"") + water).empty());
-    CHECK_THAT(faults_of(replaced(tube_deck(), "-9.81", "\"-9.81*t\"") + water + airy),
+    CHECK(faults_of(replaced(tube_deck(), "-9.81", "\"-9.81*t\"") + water_deck).empty());
+    CHECK_THAT(faults_of(replaced(tube_deck(), "-9.81", "\"-9.81*t\"") + water_deck + airy),
                Contains("x.toml:1:") && Contains("gravity[2]") && Contains("waves take a number"));
 }
 
 TEST_CASE("What is wrong with currents and winds is said where it stands", "[deck]") {
     const auto current = [](const std::string& keys) {
-        return faults(water + "current = { " + keys + " }\n");
+        return faults(water_deck + "current = { " + keys + " }\n");
     };
     CHECK_THAT(current("table = [[0, 1], [0, 2]], direction = [1, 0, 0]"),
                Contains("x.toml:17") && Contains("fluid.current.table[1]") &&
@@ -162,20 +162,21 @@ TEST_CASE("What is wrong with currents and winds is said where it stands", "[dec
 TEST_CASE("What is wrong with waves is said where it stands", "[deck]") {
     CHECK_THAT(faults(airy), Contains("x.toml:14") && Contains("wave[0]: waves need a surface"));
     CHECK_THAT(faults("[fluid]\ndensity = 1\n" + airy), Contains("wave[0]: waves need a surface"));
-    CHECK_THAT(faults(water + airy + "direction = [1, 0, 1]\n"),
+    CHECK_THAT(faults(water_deck + airy + "direction = [1, 0, 1]\n"),
                Contains("wave[0].direction: expected a horizontal direction"));
-    CHECK_THAT(faults(water + airy + "direction = [0, 0, 0]\n"), Contains("expected a horizontal direction"));
-    CHECK_THAT(faults(water + "[[wave]]\nairy = { height = 2, period = 0 }\n"),
+    CHECK_THAT(faults(water_deck + airy + "direction = [0, 0, 0]\n"),
+               Contains("expected a horizontal direction"));
+    CHECK_THAT(faults(water_deck + "[[wave]]\nairy = { height = 2, period = 0 }\n"),
                Contains("wave[0].airy.period") && Contains("greater than 0"));
-    CHECK_THAT(faults(water + "[[wave]]\n"), Contains("wave[0]: missing; expected airy = { … } or"));
-    CHECK_THAT(faults_of(staged_tube_deck() + water + airy + "stages = \"hang\"\n"),
+    CHECK_THAT(faults(water_deck + "[[wave]]\n"), Contains("wave[0]: missing; expected airy = { … } or"));
+    CHECK_THAT(faults_of(staged_tube_deck() + water_deck + airy + "stages = \"hang\"\n"),
                Contains("wave[0].stages: no stage with time among them"));
     const std::string statics =
         replaced(tube_deck(), "kind = \"dynamic\"\nend_time = 1.0\n", "kind = \"static\"\n");
-    CHECK_THAT(faults_of(statics + water + airy), Contains("wave[0]: acts in stages with time only"));
-    CHECK_THAT(faults(water + airy + "[seabed]\nz = 3\nstiffness = 1\n"),
+    CHECK_THAT(faults_of(statics + water_deck + airy), Contains("wave[0]: acts in stages with time only"));
+    CHECK_THAT(faults(water_deck + airy + "[seabed]\nz = 3\nstiffness = 1\n"),
                Contains("x.toml:19") && Contains("seabed: at z = 3, which is not below the surface"));
-    CHECK_THAT(faults(water + airy +
+    CHECK_THAT(faults(water_deck + airy +
                       "[seabed]\nplane = { point = [0, 0, -9], normal = [1, 0, 9] }\nstiffness = 1\n"),
                Contains("fluid.depth: missing; the ground is not horizontal"));
 }

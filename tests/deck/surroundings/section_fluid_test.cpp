@@ -144,7 +144,7 @@ TEST_CASE("Quantities of water and ground are for what takes part", "[deck]") {
     };
     CHECK(faults(tube_deck(""), "effective_tension").empty());
     for (const char* quantity : {"wall_tension", "water_velocity", "wet_fraction", "fluid_force"})
-        CHECK(faults(tube_deck() + water, quantity).empty());
+        CHECK(faults(tube_deck() + water_deck, quantity).empty());
     CHECK(faults(tube_deck() + "[seabed]\nz = 0\nstiffness = 1\n", "bed_force").empty());
     CHECK(faults(tube_deck() + air, "fluid_force").empty());
     for (const char* quantity : {"wall_tension", "water_velocity", "wet_fraction"})
@@ -155,7 +155,7 @@ TEST_CASE("Quantities of water and ground are for what takes part", "[deck]") {
         "[section.t]\nshape = { circle = { radius = 1 } }\nmaterial = { E = 1, nu = 0, "
         "density = 1 }\n[rod.q]\nsection = \"t\"\nline = { from = [0, 0, 1], to = [1, "
         "0, 1] }\nelements = 1\n";
-    CHECK_THAT(faults_of(tube_deck() + water + other +
+    CHECK_THAT(faults_of(tube_deck() + water_deck + other +
                          "[[history]]\nname = \"h\"\nat = \"q.end\"\nquantities = \"wet_fraction\"\n"),
                Contains("the section of this rod has no `fluid`"));
     const auto of_body = [](const std::string& fluid, const std::string& quantity) {

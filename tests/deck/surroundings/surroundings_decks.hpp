@@ -46,6 +46,6 @@ steps = 10
 )";
 }
 
-inline const std::string water = "[fluid]\ndensity = 1000\nsurface = 0\n";
+inline const std::string water_deck = "[fluid]\ndensity = 1000\nsurface = 0\n";
 
 }  // namespace gxrod::test

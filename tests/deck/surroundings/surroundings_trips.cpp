@@ -67,7 +67,7 @@ std::vector<RoundTrip> flow_trips(const std::string& key,
 }
 
 std::vector<RoundTrip> water_trips() {
-    const auto with = [](const std::string& line) { return tube_deck() + water + line; };
+    const auto with = [](const std::string& line) { return tube_deck() + water_deck + line; };
     const std::string airy = "[[wave]]\nairy = { height = 2, period = 8 }\n";
     std::vector<RoundTrip> trips{
         trip("fluid.density", with(""), [](const Problem& p) { return water_of(p).density == 1000.0; }),
@@ -86,14 +86,16 @@ std::vector<RoundTrip> water_trips() {
         trip("fluid.ramp", with("ramp = 7\n" + airy), [](const Problem& p) {
             return water_of(p).ramp == 7.0;
         })};
-    for (RoundTrip& one :
-         flow_trips("fluid.current", water + "current", [](const Problem& p) { return water_of(p).current; }))
+    for (RoundTrip& one : flow_trips(
+             "fluid.current", water_deck + "current", [](const Problem& p) { return water_of(p).current; }))
         trips.push_back(std::move(one));
     return trips;
 }
 
 std::vector<RoundTrip> wave_trips() {
-    const auto with = [](const std::string& lines) { return tube_deck() + water + "[[wave]]\n" + lines; };
+    const auto with = [](const std::string& lines) {
+        return tube_deck() + water_deck + "[[wave]]\n" + lines;
+    };
     const auto waves = [](const Problem& p) { return water_of(p).waves; };
     const auto first = [=](const Problem& p) { return waves(p).empty() ? WaveTrain{} : waves(p).front(); };
     const auto airy = [&](const std::string& keys) { return with("airy = { height = 2, period = 8" + keys); };
@@ -148,7 +150,8 @@ std::vector<RoundTrip> wave_trips() {
              with("airy = { height = 2, period = 8 }\ndirection = [0, 3, 0]\n"),
              [=](const Problem& p) { return is_near(first(p).direction, 0.5 * M_PI); }),
         trip("wave.stages",
-             staged_tube_deck() + water + "[[wave]]\nairy = { height = 2, period = 8 }\nstages = \"calm\"\n",
+             staged_tube_deck() + water_deck +
+                 "[[wave]]\nairy = { height = 2, period = 8 }\nstages = \"calm\"\n",
              [=](const Problem& p) {
                  if (p.stages.size() < 3 || !waves(p).empty()) return false;
                  const auto of = [&](std::size_t i) { return p.stages[i].actions.surroundings.water->waves; };
@@ -210,7 +213,7 @@ std::vector<RoundTrip> bed_trips() {
 std::vector<RoundTrip> coefficient_trips(const std::string& key,
                                          const std::function<Vec3(const Problem&)>& value) {
     const auto with = [=](const std::string& keys) {
-        return tube_deck("fluid = { " + key + " = " + keys + " }") + water;
+        return tube_deck("fluid = { " + key + " = " + keys + " }") + water_deck;
     };
     const std::string path = "section.NAME.fluid." + key;
     const double usual = key == "drag" ? 1.2 : 1.0;
@@ -231,7 +234,9 @@ std::vector<RoundTrip> coefficient_trips(const std::string& key,
 }
 
 std::vector<RoundTrip> section_trips() {
-    const auto with = [](const std::string& keys) { return tube_deck("fluid = { " + keys + " }") + water; };
+    const auto with = [](const std::string& keys) {
+        return tube_deck("fluid = { " + keys + " }") + water_deck;
+    };
     const std::string path = "section.NAME.fluid.";
     const std::string contents = "contents = { density = 900, pressure = 5, inner_diameter = 0.3 }";
     std::vector<RoundTrip> trips{
