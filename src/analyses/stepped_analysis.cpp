@@ -364,7 +364,8 @@ std::optional<PathPoint> SteppedAnalysis::find_equilibrium(const PathPoint& from
 // Where work and strain energy part, equilibria between both ends of a load step say why. They are discarded
 // afterwards; if none can be found, or there is no memory for them, the books stay as they are.
 void SteppedAnalysis::look_into_load_step() {
-    if (!looks_into_load_steps() || !ledger_->is_unclear()) return;
+    // Contact stores and loses energy as well, which points of a path do not have.
+    if (!looks_into_load_steps() || system_.contact() || !ledger_->is_unclear()) return;
     constexpr double tolerable = 0.25 * energy_worth_a_word;
     constexpr int halvings = 8;
     try {

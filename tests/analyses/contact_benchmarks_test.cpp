@@ -238,7 +238,7 @@ fix = "all"
         Run run(deck(0.3));
         run.finish();
         // It settles first, for which friction allows about a skin.
-        CHECK(std::abs(run.at("top@0.5").r[0]) < 4e-4);
+        CHECK(std::abs((run.at("top.start").r[0] + 0.5)) < 4e-4);
         CHECK(std::abs(run.ledger().energy_error) < 1e-6);
     }
     SECTION("slides") {
@@ -246,7 +246,7 @@ fix = "all"
         run.finish();
         const double acceleration = gravity * (std::sin(angle) - 0.2 * std::cos(angle));
         const double way = 0.5 * acceleration * 0.16, mass = M_PI * 0.02 * 0.02 * 1000.0;
-        CHECK(run.at("top@0.5").r[0] == Approx(way).epsilon(0.005));
+        CHECK((run.at("top.start").r[0] + 0.5) == Approx(way).epsilon(0.005));
         CHECK(run.ledger().contact_loss ==
               Approx(0.2 * mass * gravity * std::cos(angle) * way).epsilon(0.05));
     }

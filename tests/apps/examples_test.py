@@ -157,6 +157,22 @@ class Examples(Pages):
             spin = file["histories/nut/angular_velocity_material"][at]
         np.testing.assert_allclose(spin, [10.94623977013, 4.42844730509, 9.47985357634], atol=5e-6)
 
+    def test_guidewire(self):
+        """Its first 20 mm."""
+        deck = "docs/examples/guidewire/guidewire.toml"
+        self.run_command(f"gxrod run {deck} --quiet --set analysis.steps=20 --set support[0].move.x=0.02*t "
+                         "-o guidewire.vtkhdf")
+        with self.open("guidewire") as file:
+            hand, vessel = (file[f"histories/{name}"][:] for name in ("hand/reaction_force", "vessel/contact_force"))
+            self.assertGreater(hand[-1, 0], 0.1)
+            np.testing.assert_allclose(hand, vessel, atol=1e-5 * hand[-1, 0])
+            touching = file["solver/contacts"][:] > 0
+            self.assertGreater(touching.sum(), 3)
+            self.assertGreater(file["solver/least_gap"][:][touching].min(), 0.0)
+            tip = 1e3 * file["histories/tip/position"][-1]
+            # Of its first bend, from (0, 0) about (0, 30); the bore is 4, the wire 0.9.
+            self.assertLess(abs(np.hypot(tip[0], tip[1] - 30.0) - 30.0), 2.0 - 0.45)
+
     def test_rubin_convergence(self):
         self.run_page("rubin_convergence")
         rows = self.read_batch("rubin_convergence")

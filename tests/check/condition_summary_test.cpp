@@ -45,16 +45,17 @@ frame = "body"
 on = "q"
 force_per_length = [0, 0, "s"]
 )deck";
-    CHECK(describe_conditions(read(deck).model) ==
-          "connection: r.end is one node of rods r, q\n"
-          "support at r.start: fixes y rx ry, moves x rz\n"
-          "support at r@0.5: fixes x; x (0, 1, 0), y (-1, 0, 0), z (0, 0, 1)\n"
-          "initial velocities of rod r: up to 5, angular velocities up to 0\n"
-          "initial velocities of rod q: up to 5, angular velocities up to 2\n"
-          "initial velocities of body tip: up to 5, angular velocities up to 2\n"
-          "load[0] at q.end: moment, body\n"
-          "load[1] on rod q: force per length, spatial\n"
-          "gravity (0, 0, -9.81)\n");
+    CHECK(
+        describe_conditions(read(deck).model) ==
+        "connection: r.end is one node of rods r, q\n"
+        "support at r.start: fixes y rx ry, moves x rz\n"
+        "support at r@0.5: fixes x; x (0, 1, 0), y (-1, 0, 0), z (0, 0, 1)\n"
+        "initial velocities of rod r: up to 5, angular velocities up to 0, stretched and sheared at up to 5\n"
+        "initial velocities of rod q: up to 5, angular velocities up to 2, stretched and sheared at up to 1\n"
+        "initial velocities of body tip: up to 5, angular velocities up to 2\n"
+        "load[0] at q.end: moment, body\n"
+        "load[1] on rod q: force per length, spatial\n"
+        "gravity (0, 0, -9.81)\n");
     CHECK(describe_conditions(read("gravity = [0, 0, \"-2*t\"]\n" + rod_deck).model) ==
           "gravity changes with t; at t = 1 it is (0, 0, -2)\n");
     CHECK(describe_conditions(read(rod_deck).model).empty());

@@ -393,6 +393,8 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
                                      Approach approach) const {
     const At from = find_obstacles(state, time, state.contact.progress);
     const At to = find_obstacles(state, time, 1.0);
+    // Impacts that keep their energy leave the skin in one step.
+    const bool is_careful = approach == Approach::prediction && model_->contact.dissipation == 1.0;
     ContactLimits limits;
     limits.of_parts.assign(groups_->part_count(), 1.0);
     std::vector<double> of_elements(places_.elements.size(), 1.0);
@@ -424,13 +426,13 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
                         place.shapes[static_cast<std::size_t>(i)] *
                         displacements[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])];
                 for (const std::size_t obstacle : near) {
-                    const FreeMotion free = surfaces_[obstacle].find_free_motion(
-                        element.radius,
-                        from.now[obstacle],
-                        position,
-                        to.now[obstacle],
-                        position + change,
-                        approach == Approach::prediction ? element.law.skin : 0.0);
+                    const FreeMotion free =
+                        surfaces_[obstacle].find_free_motion(element.radius,
+                                                             from.now[obstacle],
+                                                             position,
+                                                             to.now[obstacle],
+                                                             position + change,
+                                                             is_careful ? element.law.skin : 0.0);
                     of_elements[e] = std::min(of_elements[e], free.fraction);
                     gaps[e] = std::min(gaps[e], free.gap);
                 }
