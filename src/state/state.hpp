@@ -41,8 +41,8 @@ struct State {
     std::vector<SectionHistory> sections;  // per force point, in element order
     // Per force point with a law, then the tensions of tendons with friction; of `previous`.
     std::vector<double> law_memory;
-    std::vector<BedContact> bed_contacts;  // per piece that can touch, of `previous`
-    ContactMemory contact_memory;          // of `previous`
+    std::vector<BedContact> bed_contacts;                   // per piece that can touch, of `previous`
+    ContactMemory contact_memory;                           // of `previous`
     std::vector<JointState> joints_previous, joints_trial;  // per joint
     // Resultants (N, M) per force point, material, that the mixed tangent is made of; empty with any other.
     std::vector<Vec6> resultants;
