@@ -35,4 +35,11 @@ double find_predicted_share(double skin, double gap);
 // would throw them aside before iterations find how large it is.
 double find_kept_share(double skin, double gap);
 
+// What a motion may go of the part that leaves some of a gap: nothing where the gap is so small that rounding
+// of positions would close it, if further parts were taken.
+inline double keep_from_rounding(double part, double skin, double gap) {
+    constexpr double least = 1e-6;
+    return part < 1.0 && gap < least * skin ? 0.0 : part;
+}
+
 }  // namespace gxrod

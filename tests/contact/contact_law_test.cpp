@@ -87,6 +87,12 @@ TEST_CASE("The contact law: predictions stop at half the skin, or where they tou
     CHECK(find_predicted_share(skin, 100.0 * skin) == 0.1);
 }
 
+TEST_CASE("The contact law: nothing comes nearer than rounding could close", "[contact]") {
+    CHECK(keep_from_rounding(0.3, 0.02, 1e-3) == 0.3);
+    CHECK(keep_from_rounding(0.3, 0.02, 1e-9) == 0.0);
+    CHECK(keep_from_rounding(1.0, 0.02, 1e-9) == 1.0);
+}
+
 TEST_CASE("The contact law: an increment multiplies the force of a pair by ten at most", "[contact]") {
     const double skin = 0.02;
     const auto force = [](double x) { return std::pow(1.0 - x, 3) / (x * x); };

@@ -433,7 +433,8 @@ ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
                                                              to.now[obstacle],
                                                              position + change,
                                                              is_careful ? element.law.skin : 0.0);
-                    of_elements[e] = std::min(of_elements[e], free.fraction);
+                    of_elements[e] = std::min(of_elements[e],
+                                              keep_from_rounding(free.fraction, element.law.skin, free.gap));
                     gaps[e] = std::min(gaps[e], free.gap);
                 }
             }

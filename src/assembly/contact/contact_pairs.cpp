@@ -202,6 +202,7 @@ void ContactPairs::limit(const std::vector<Vec3>& displacements,
                 continue;
             can_meet[i] = 1;
             of_pairs[i] = advance_capsules(a, add(a, move_a), b, add(b, move_b), pair.radii, kept).fraction;
+            of_pairs[i] = keep_from_rounding(of_pairs[i], pair.law.skin, gaps[i]);
         }
     });
     Unions islands(limits.of_parts.size());
