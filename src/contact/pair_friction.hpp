@@ -5,7 +5,7 @@
 #include "contact/pair_energy.hpp"
 #include "contact/traction.hpp"
 
-// Friction of two straight parts of round rods that touch (docs/theory/contact.md, (C10)). All that the pair
+// Friction of two straight parts of round rods that touch (docs/theory/contact.md, (C12)). All that the pair
 // exchanges is taken to act between one place on each line, x and y: the means of the normal forces. With d =
 // x − y, the radii r and r′, and the weighted rotation since the last accepted step Ω = (r θ + r′ θ′)/(r +
 // r′), the surfaces slip by d − exp(Ω) d_n, of the same two places then. So nothing slips where both rods

@@ -5,7 +5,7 @@
 #include "contact/second_order.hpp"
 #include "contact/triangle_distance.hpp"
 
-// How near a place is to triangles, in a number that sums over them (docs/theory/contact.md, (C10) to (C12)).
+// How near a place is to triangles, in a number that sums over them (docs/theory/contact.md, (C8) to (C10)).
 namespace gxrod {
 
 using Nearness = SecondOrder<3>;  // by the coordinates of the place
