@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "contact/mesh_surface.hpp"
+#include "numerics/disjoint_sets.hpp"
 
 // Edges of meshes: where they are sharp, and how close together places of a rod have to be.
 namespace gxrod {
@@ -74,26 +74,8 @@ Bend find_bend(const TriangleMesh& mesh, const MeshEdge& edge) {
     return {turn, 0.5 * (a.height + b.height)};
 }
 
-class Groups {
-  public:
-    explicit Groups(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0); }
-    int find(int one) {
-        while (parent(one) != one) one = parent(one) = parent(parent(one));
-        return one;
-    }
-    void join(int a, int b) {
-        a = find(a);
-        b = find(b);
-        parent(std::max(a, b)) = std::min(a, b);
-    }
-
-  private:
-    int& parent(int one) { return parents_[static_cast<std::size_t>(one)]; }
-    std::vector<int> parents_;
-};
-
 // Regions that share a corner get different colours, the first that is left.
-std::map<int, int> colour(const TriangleMesh& mesh, Groups& regions) {
+std::map<int, int> colour(const TriangleMesh& mesh, DisjointSets& regions) {
     std::vector<std::set<int>> at_corners(mesh.positions.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (const int corner : mesh.triangles[t])
@@ -117,7 +99,7 @@ std::map<int, int> colour(const TriangleMesh& mesh, Groups& regions) {
 }  // namespace
 
 std::vector<std::shared_ptr<const MeshSurface>> split_at_sharp_edges(const TriangleMesh& mesh) {
-    Groups regions(mesh.triangles.size());
+    DisjointSets regions(mesh.triangles.size());
     for (const MeshEdge& edge : find_edges(mesh))
         if (edge.second >= 0 && !edge.has_more && find_bend(mesh, edge).turn <= mesh.feature_angle)
             regions.join(edge.first, edge.second);

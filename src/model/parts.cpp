@@ -1,32 +1,14 @@
 #include "model/parts.hpp"
 
 #include <algorithm>
-#include <numeric>
+
+#include "numerics/disjoint_sets.hpp"
 
 namespace gxrod {
 
 namespace {
 
-// Disjoint sets of nodes, each known by its first one.
-class NodeSets {
-  public:
-    explicit NodeSets(std::size_t node_count) : parents_(node_count) {
-        std::iota(parents_.begin(), parents_.end(), 0);
-    }
-    int find(int node) {
-        while (parents_[node] != node) node = parents_[node] = parents_[parents_[node]];
-        return node;
-    }
-    void join(int a, int b) {
-        const auto [first, second] = std::minmax({find(a), find(b)});
-        parents_[second] = first;
-    }
-
-  private:
-    std::vector<int> parents_;
-};
-
-void join_rod(const Rod& rod, NodeSets& sets) {
+void join_rod(const Rod& rod, DisjointSets& sets) {
     const int stride = rod.order + 1;
     for (int e = 0; e < rod.element_count(); ++e) {
         for (int i = 1; i < stride; ++i) {
@@ -52,8 +34,8 @@ std::string list_names(const char* one, const char* several, const std::vector<s
 
 namespace {
 
-NodeSets tie_nodes(const Model& model, Ties ties) {
-    NodeSets sets(model.nodes.size());
+DisjointSets tie_nodes(const Model& model, Ties ties) {
+    DisjointSets sets(model.nodes.size());
     for (const Rod& rod : model.rods) join_rod(rod, sets);
     if (ties == Ties::rods) return sets;
     const auto join = [&](const Anchor& a, const Anchor& b) {
@@ -83,7 +65,7 @@ void add_tie(const Anchor& anchor,
 }  // namespace
 
 std::vector<ModelPart> find_parts(const Model& model, Ties ties) {
-    NodeSets sets = tie_nodes(model, ties);
+    DisjointSets sets = tie_nodes(model, ties);
     std::vector<ModelPart> parts;
     std::vector<int> part_of(model.nodes.size(), -1);
     for (int node = 0; node < static_cast<int>(model.nodes.size()); ++node) {

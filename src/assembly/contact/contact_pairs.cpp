@@ -1,35 +1,13 @@
 #include "assembly/contact/contact_pairs.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "contact/advancement.hpp"
+#include "numerics/disjoint_sets.hpp"
 
 namespace gxrod {
 
 namespace {
-
-using Ends = std::array<std::size_t, 2>;  // places
-
-// Of sets that are merged.
-class Unions {
-  public:
-    explicit Unions(std::size_t count) : parents_(count) {
-        std::iota(parents_.begin(), parents_.end(), std::size_t{0});
-    }
-    std::size_t find(std::size_t one) {
-        while (parents_[one] != one) one = parents_[one] = parents_[parents_[one]];
-        return one;
-    }
-    void merge(std::size_t one, std::size_t other) {
-        one = find(one);
-        other = find(other);
-        parents_[std::max(one, other)] = std::min(one, other);
-    }
-
-  private:
-    std::vector<std::size_t> parents_;
-};
 
 double largest_motion(const Segment& motion) { return std::max(motion.start.norm(), motion.end.norm()); }
 
@@ -205,23 +183,23 @@ void ContactPairs::limit(const std::vector<Vec3>& displacements,
             of_pairs[i] = keep_from_rounding(of_pairs[i], pair.law.skin, gaps[i]);
         }
     });
-    Unions islands(limits.of_parts.size());
+    DisjointSets islands(limits.of_parts.size());
     for (std::size_t i = 0; i < of_pairs.size(); ++i) {
         limits.least_gap = std::min(limits.least_gap, gaps[i]);
         if (can_meet[i] == 0) continue;
         const NearPieces& near = contact.pieces[i];
         const auto a = static_cast<std::size_t>(lines_.element_of(lines_.pieces[near.first]).part);
         const auto b = static_cast<std::size_t>(lines_.element_of(lines_.pieces[near.second]).part);
-        islands.merge(a, b);
+        islands.join(static_cast<int>(a), static_cast<int>(b));
         limits.of_parts[a] = std::min(limits.of_parts[a], of_pairs[i]);
     }
     std::vector<double> of_islands(limits.of_parts.size(), all);
     for (std::size_t part = 0; part < of_islands.size(); ++part) {
-        double& island = of_islands[islands.find(part)];
+        double& island = of_islands[static_cast<std::size_t>(islands.find(static_cast<int>(part)))];
         island = std::min(island, limits.of_parts[part]);
     }
     for (std::size_t part = 0; part < of_islands.size(); ++part) {
-        limits.of_parts[part] = of_islands[islands.find(part)];
+        limits.of_parts[part] = of_islands[static_cast<std::size_t>(islands.find(static_cast<int>(part)))];
         limits.least = std::min(limits.least, limits.of_parts[part]);
     }
     contact.travelled += std::min(reach, room);
