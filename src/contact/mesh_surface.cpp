@@ -74,26 +74,21 @@ MeshSurface::MeshSurface(const TriangleMesh& mesh, std::vector<int> indices)
 MeshSurface::Closest MeshSurface::find_closest(const Vec3& x, double within) const {
     Closest closest;
     closest.point.distance = within;
-    const int nearest = tree_.find_nearest(x, within, [&](int triangle) {
+    closest.own = tree_.find_nearest(x, within, [&](int triangle) {
         const ClosestOnTriangle found = find_on_triangle(triangles_[static_cast<std::size_t>(triangle)], x);
         if (found.distance < closest.point.distance) closest.point = found;
         return found.distance;
     });
-    if (nearest >= 0) closest.triangle = indices_[static_cast<std::size_t>(nearest)];
+    if (closest.own >= 0) closest.triangle = indices_[static_cast<std::size_t>(closest.own)];
     return closest;
 }
 
 ObstacleDistance MeshSurface::find_distance(const Vec3& x, double radius, double skin) const {
-    double within = std::numeric_limits<double>::infinity();
-    ClosestOnTriangle point;
-    point.distance = within;
-    const int nearest = tree_.find_nearest(x, within, [&](int triangle) {
-        const ClosestOnTriangle found = find_on_triangle(triangles_[static_cast<std::size_t>(triangle)], x);
-        if (found.distance < point.distance) point = found;
-        return found.distance;
-    });
-    if (nearest < 0) return {};
-    ObstacleDistance result = distance_from_point(x, triangles_[static_cast<std::size_t>(nearest)], point);
+    const Closest closest = find_closest(x);
+    if (closest.own < 0) return {};
+    const ClosestOnTriangle& point = closest.point;
+    ObstacleDistance result =
+        distance_from_point(x, triangles_[static_cast<std::size_t>(closest.own)], point);
     // Nearer than that, what is near is lost in round-off.
     constexpr double least = 1e-6;
     if (point.distance <= radius + least * skin || point.distance >= radius + skin) return result;

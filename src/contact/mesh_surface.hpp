@@ -19,6 +19,7 @@ class MeshSurface {
     struct Closest {
         ClosestOnTriangle point;
         int triangle = -1;  // index in the mesh
+        int own = -1;       // among those of this surface
     };
     Closest find_closest(const Vec3& x, double within = std::numeric_limits<double>::infinity()) const;
 

@@ -185,10 +185,6 @@ struct OuterMap {
     }
 };
 
-struct WeightedPlaces {
-    double weight = 0.0, s = 0.0, t = 0.0;
-};
-
 // Σ weight · ∫Φ dz over the points of the outer rule, and its derivatives by ten numbers: centre, width,
 // middle and half of η's range, α, β, γ, those of the ends of b. η = middle + ξ half, s = centre + width sinh
 // η, ds = width half cosh η dξ.
@@ -200,7 +196,6 @@ class OuterSum {
     Eigen::Matrix<double, numbers, 1> gradient = Eigen::Matrix<double, numbers, 1>::Zero();
     // Half of the Hessian: its sum with its transpose is the Hessian.
     Eigen::Matrix<double, numbers, numbers> half_hessian = Eigen::Matrix<double, numbers, numbers>::Zero();
-    WeightedPlaces places;
 
     void add(const QuadraturePoint& point,
              const std::array<double, numbers>& x,
@@ -265,11 +260,6 @@ void OuterSum::add(const QuadraturePoint& point,
     }
     add_curvatures_of_places(
         weight * (line.by_G * G_by_s - by_low * x[axial_a]), line.value, point, x, sinh, cosh);
-    // The force is −2 Φ′ times the distance: −∫Φ′ dz, and ∫Φ′ z dz is half the change of Φ.
-    const double pressure = -line.by_G * weight;
-    places.weight += pressure;
-    places.s += pressure * s;
-    places.t -= pressure * low + 0.5 * (line.by_high + line.by_low) * weight;
 }
 
 // Second derivatives of s and of the weight.
@@ -289,7 +279,7 @@ void OuterSum::add_curvatures_of_places(double by_s,
 }
 
 // The double integral over [0, 1]².
-Real integrate_pair(const PairShape& shape, double w, WeightedPlaces& places) {
+Real integrate_pair(const PairShape& shape, double w) {
     static const auto rule = compute_gauss_rule<outer_points>();
     Real first, last;
     if (!find_range(shape, first, last)) return {};
@@ -314,7 +304,6 @@ Real integrate_pair(const PairShape& shape, double w, WeightedPlaces& places) {
     }
     OuterSum sum;
     for (const QuadraturePoint& point : rule) sum.add(point, values, w, shape.radii_squared);
-    places = sum.places;
     Real energy(sum.value);
     const Mat6 half_curvatures = slopes.transpose() * sum.half_hessian * slopes;
     for (int i = 0, entry = 0; i < 6; ++i) {
@@ -376,31 +365,23 @@ void spread_to_ends(const Real& energy, const Vec3& A, const Vec3& B, const Vec3
 PairEnergy compute_pair_energy(
     const PairLaw& pair, const Segment& a, const Segment& b, double length_a, double length_b) {
     PairEnergy result;
-    result.distance = find_closest_points(a, b).distance;
-    if (result.distance >= pair.radii + pair.law.skin) return result;
-    assert(result.distance > pair.radii);
+    const double distance = find_closest_points(a, b).distance;
+    if (distance >= pair.radii + pair.law.skin) return result;
+    assert(distance > pair.radii);
     const Vec3 A = a.end - a.start, B = b.end - b.start, r = a.start - b.start;
     const double w = pair.law.skin * (2.0 * pair.radii + pair.law.skin);
     const PairShape shape(A, B, r, pair);
-    WeightedPlaces places;
     // Long lines that cross at a right angle have π ∫Φ du, hence the force 2 π d Φ, where 2 d is about w/ĝ.
     const double scale = pair.law.stiffness * pair.law.skin / (std::numbers::pi * w) * length_a * length_b;
-    const Real energy = integrate_pair(shape, w, places) * scale;
-    if (!(places.weight > 0.0)) return result;
+    const Real energy = integrate_pair(shape, w) * scale;
     result.energy = energy.value;
     spread_to_ends(energy, A, B, r, result);
-    result.s = places.s / places.weight;
-    result.t = places.t / (places.weight * shape.length.value);
-    result.force = -(result.gradient.segment<3>(0) + result.gradient.segment<3>(3));
     return result;
 }
 
 PairEnergy compute_closest_energy(const PairLaw& pair, const Segment& a, const Segment& b) {
     PairEnergy result;
     const ClosestPoints closest = find_closest_points(a, b);
-    result.s = closest.s;
-    result.t = closest.t;
-    result.distance = closest.distance;
     const double d = closest.distance, gap = d - pair.radii;
     if (gap >= pair.law.skin) return result;
     assert(gap > 0.0);
@@ -438,7 +419,6 @@ PairEnergy compute_closest_energy(const PairLaw& pair, const Segment& a, const S
     result.gradient = -force * slope;
     result.hessian =
         -compute_contact_force_slope(pair.law, gap) * slope * slope.transpose() - force * curvature;
-    result.force = force * n;
     return result;
 }
 

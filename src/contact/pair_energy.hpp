@@ -25,9 +25,9 @@ struct PairEnergy {
     double energy = 0.0;
     Vec12 gradient = Vec12::Zero();  // exactly that of `energy`; the forces on the ends are its negative
     Mat12 hessian = Mat12::Zero();   // exactly that of `energy`
-    double s = 0.5, t = 0.5;         // where the force acts on a and on b: the mean, weighted by the force
-    Vec3 force = Vec3::Zero();       // on a
-    double distance = 0.0;           // the least of the two lines; the gap is this less R
+
+    // On a.
+    Vec3 force() const { return -(gradient.segment<3>(0) + gradient.segment<3>(3)); }
 };
 
 // Lengths are those in the reference state, by which the integral counts. The distance must exceed R.

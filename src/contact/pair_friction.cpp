@@ -52,7 +52,7 @@ struct Slipping {
 PairPlace find_pair_place(const PairEnergy& energy, const PairMotion& motion) {
     PairPlace at;
     const Vec12& g = energy.gradient;
-    const Vec3 force = -(g.segment<3>(0) + g.segment<3>(3));
+    const Vec3 force = energy.force();
     at.force = force.norm();
     if (at.force > 0.0) {
         at.normal = force / at.force;
