@@ -6,8 +6,8 @@
 
 namespace gxrod {
 
-// How near a motion may bring what touches: an increment leaves a tenth of each gap; a prediction stops early
-// in the skin, so that what touched starts with about the force it had.
+// How near a motion may bring what touches: as increments (of pairs find_kept_share, else to a tenth of the
+// gap) or as predictions (find_predicted_share).
 enum class Approach { increment, prediction };
 
 // The part of an increment that each part of the model may make (ScaleGroups).

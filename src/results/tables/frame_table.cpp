@@ -168,10 +168,10 @@ void FrameTable::append_points(const Snapshot& snapshot) {
             points_[5 + axis].append({axes.col(static_cast<int>(axis)).data(), 3});
         }
         points_[8].append(mesh_.point_radius[i]);
-        if (points_.size() > 9) {
+        if (!model_->contact.is_empty()) {
             const Vec3 force = snapshot.contact_forces.empty() ? Vec3(Vec3::Zero())
                                                                : Vec3(snapshot.contact_forces[i].head<3>());
-            points_[9].append(numbers(force));
+            points_.back().append(numbers(force));
         }
         flush_if_much(points_);
     }

@@ -47,7 +47,7 @@ class FrameTable {
     AppendDataset<double> times_;
     AppendDataset<std::int64_t> part_offsets_, part_counts_, point_offsets_, cell_offsets_, topology_offsets_;
     std::vector<AppendDataset<double>> points_;  // Points, PointData in the order of point_labels, radius;
-                                                 // with contact its force
+                                                 // with contact its force, the last
     std::vector<AppendDataset<double>> cells_;   // CellData in the order of cell_labels, radius
     Hdf5Handle frame_count_;                     // Steps@NSteps
 };

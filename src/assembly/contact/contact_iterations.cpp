@@ -1,0 +1,194 @@
+#include <algorithm>
+#include <limits>
+
+#include "assembly/contact/contact_assembly.hpp"
+#include "contact/impact_law.hpp"
+#include "rotation/tangent_map.hpp"
+
+// What contact does in Newton's iterations: parameters, limits of increments, and what is remembered.
+namespace gxrod {
+
+// work(obstacle, place, position) for each place that is near; what others remember is forgotten.
+template <class Work>
+void ContactAssembly::for_each_near(
+    const At& at, const State& state, double reach, State& kept, const Work& work) const {
+    team_->for_each_range(places_.elements.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t e = first; e < last; ++e) {
+            const ContactElement& element = places_.elements[e];
+            for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
+                const bool far = is_far(at, obstacle, element, state, reach);
+                for (std::size_t p = element.first_place; p < element.end_place; ++p) {
+                    if (far) {
+                        forget_place(obstacle, p, kept);
+                    } else {
+                        work(
+                            obstacle, p, places_.interpolate(places_.places[p], state.trial, &NodeMotion::r));
+                    }
+                }
+            }
+        }
+    });
+}
+
+void ContactAssembly::forget_place(std::size_t obstacle, std::size_t place, State& state) const {
+    const ContactElement& element = places_.elements[static_cast<std::size_t>(places_.places[place].element)];
+    state.contact.parameters[pair(obstacle, place)] = element.law.skin;
+    if (rubs_) state.contact.sliding[pair(obstacle, place)].setZero();
+}
+
+void ContactAssembly::start(State& state, double time) const {
+    pairs_.start(state);
+    const At at = find_obstacles(state, time, state.contact.progress);
+    state.contact.parameters.resize(pair_count());
+    state.contact.sliding.assign(traction_count(), Vec3::Zero());
+    state.contact.has_parameters = true;
+    for_each_near(at, state, 0.0, state, [&](std::size_t obstacle, std::size_t p, const Vec3& position) {
+        const SurfaceTouch surface = touch(at, obstacle, p, position);
+        state.contact.parameters[pair(obstacle, p)] = surface.gap;
+        if (!rubs_) return;
+        const Touching touching = touch_by_law(at, obstacle, p, surface.gap, state);
+        const PlaceMotion motion = places_.motion_of(places_.places[p], state);
+        keep_slip(advance_slip(surface, motion, touching.normal, touching.friction), obstacle, p, state);
+    });
+}
+
+void ContactAssembly::advance(const std::vector<Vec6>& deltas, double time, State& state) const {
+    const At at = find_obstacles(state, time, 1.0);
+    const double theta = at.has_impacts ? model_->contact.dissipation : 1.0;
+    pairs_.advance(deltas, state);
+    double reach = 0.0;
+    for (const Vec6& delta : deltas) reach = std::max(reach, delta.head<3>().norm());
+    for_each_near(
+        at,
+        state,
+        largest_shape_sum * reach,
+        state,
+        [&](std::size_t obstacle, std::size_t p, const Vec3& position) {
+            const ContactPlace& place = places_.places[p];
+            const ContactElement& element = places_.elements[static_cast<std::size_t>(place.element)];
+            Vec3 change = Vec3::Zero();
+            PlaceMotion motion;
+            if (rubs_) motion = places_.motion_of(place, state);
+            for (int i = 0; i < element.count; ++i) {
+                const auto node = static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)]);
+                const double shape = place.shapes[static_cast<std::size_t>(i)];
+                change += shape * deltas[node].head<3>();
+                if (rubs_)
+                    motion.rotation +=
+                        shape * (tangent_map_inverse(state.trial[node].theta) * deltas[node].tail<3>());
+            }
+            motion.displacement += change;
+            double& parameter = state.contact.parameters[pair(obstacle, p)];
+            const SurfaceTouch surface = touch(at, obstacle, p, position);
+            const double gap = surface.gap + surface.slope * surface.normal.dot(change);
+            const NormalForce normal = tangent_force(at, obstacle, p, gap, state);
+            if (surfaces_[obstacle].body->stiffness) {
+                parameter = gap;
+            } else {
+                const double before = theta == 1.0 ? 0.0 : gap_before(at, obstacle, p, state);
+                parameter = find_gap_on_curve({element.law, theta, before}, normal.force, gap);
+            }
+            if (rubs_)
+                keep_slip(advance_slip(surface, motion, normal, tangent_friction(obstacle, p, state)),
+                          obstacle,
+                          p,
+                          state);
+        });
+}
+
+void ContactAssembly::keep_slip(const CoulombFriction& friction,
+                                std::size_t obstacle,
+                                std::size_t place,
+                                State& state) const {
+    state.contact.sliding[pair(obstacle, place)] =
+        friction.slip == Slip::slides ? friction.direction : Vec3(Vec3::Zero());
+}
+
+ContactLimits ContactAssembly::limit(const std::vector<Vec3>& displacements,
+                                     State& state,
+                                     double time,
+                                     Approach approach) const {
+    const At from = find_obstacles(state, time, state.contact.progress);
+    const At to = find_obstacles(state, time, 1.0);
+    // Impacts that keep their energy leave the skin in one step.
+    const bool is_careful = approach == Approach::prediction && model_->contact.dissipation == 1.0;
+    ContactLimits limits;
+    limits.of_parts.assign(groups_->part_count(), 1.0);
+    std::vector<double> of_elements(places_.elements.size(), 1.0);
+    std::vector<double> gaps(places_.elements.size(), std::numeric_limits<double>::infinity());
+    team_->for_each_range(of_elements.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t e = first; e < last; ++e) {
+            const ContactElement& element = places_.elements[e];
+            double reach = 0.0;
+            for (int i = 0; i < element.count; ++i)
+                reach = std::max(
+                    reach,
+                    displacements[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])]
+                        .norm());
+            const auto is_clear = [&](std::size_t obstacle) {
+                return !surfaces_[obstacle].body->motion &&
+                       is_far(from, obstacle, element, state, largest_shape_sum * reach);
+            };
+            std::vector<std::size_t> near;
+            for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
+                if (!surfaces_[obstacle].body->stiffness && !is_clear(obstacle)) near.push_back(obstacle);
+            }
+            if (near.empty()) continue;
+            for (std::size_t p = element.first_place; p < element.end_place; ++p) {
+                const ContactPlace& place = places_.places[p];
+                const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+                Vec3 change = Vec3::Zero();
+                for (int i = 0; i < element.count; ++i)
+                    change +=
+                        place.shapes[static_cast<std::size_t>(i)] *
+                        displacements[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(i)])];
+                for (const std::size_t obstacle : near) {
+                    const FreeMotion free =
+                        surfaces_[obstacle].find_free_motion(element.radius,
+                                                             from.now[obstacle],
+                                                             position,
+                                                             to.now[obstacle],
+                                                             position + change,
+                                                             is_careful ? element.law.skin : 0.0);
+                    of_elements[e] = std::min(of_elements[e],
+                                              keep_from_rounding(free.fraction, element.law.skin, free.gap));
+                    gaps[e] = std::min(gaps[e], free.gap);
+                }
+            }
+        }
+    });
+    for (std::size_t e = 0; e < of_elements.size(); ++e) {
+        double& part = limits.of_parts[static_cast<std::size_t>(places_.elements[e].part)];
+        part = std::min(part, of_elements[e]);
+        limits.least = std::min(limits.least, of_elements[e]);
+        limits.least_gap = std::min(limits.least_gap, gaps[e]);
+    }
+    if (!pairs_.empty()) pairs_.limit(displacements, state, approach, limits);
+    // Obstacles that still have to move go as far as all.
+    if (moves_ && state.contact.progress < 1.0) std::ranges::fill(limits.of_parts, limits.least);
+    return limits;
+}
+
+void ContactAssembly::commit(State& state, double time) const {
+    state.contact.has_parameters = false;
+    pairs_.commit(state);
+    if (!rubs_) return;
+    const At at = find_obstacles(state, time, 1.0);
+    team_->for_each_range(places_.places.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t p = first; p < last; ++p) {
+            const ContactPlace& place = places_.places[p];
+            const Vec3 position = places_.interpolate(place, state.trial, &NodeMotion::r);
+            for (std::size_t obstacle = 0; obstacle < surfaces_.size(); ++obstacle) {
+                const SurfaceTouch surface = touch(at, obstacle, p, position);
+                state.contact_memory.on_obstacles[pair(obstacle, p)] =
+                    compute_place_force(surface,
+                                        places_.motion_of(place, state),
+                                        law_force(at, obstacle, p, surface.gap, state),
+                                        friction(obstacle, p, state))
+                        .traction;
+            }
+        }
+    });
+}
+
+}  // namespace gxrod
