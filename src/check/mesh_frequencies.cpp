@@ -101,7 +101,7 @@ std::string describe_frequencies(const Model& model, const DynamicSettings& sett
                         compute_damping_ratio(section, found->lowest),
                         compute_damping_ratio(section, found->highest));
     }
-    return text + describe_steps(*found, largest_ratio, settings);
+    return text + describe_steps(*found, largest_ratio, settings, !model.contact.is_empty());
 }
 
 }  // namespace gxrod

@@ -66,15 +66,19 @@ std::string describe_part(double part) {
 }
 
 // What suits, of a deck whose steps are too long for its scheme.
-std::string advise_step(double longest, const DynamicSettings& settings) {
+std::string advise_step(double longest, const DynamicSettings& settings, bool has_contact) {
     const std::string step = fmt::format("expected time_step = {:.2g}", longest);
+    if (has_contact) return step;  // which radau-5 does not take
     if (settings.scheme == Scheme::radau_5) return step + ", or accuracy = 1e-3 in its place";
     return step + ", or accuracy = 1e-3 in its place, which takes radau-5";
 }
 
 }  // namespace
 
-std::string describe_steps(const MeshFrequencies& found, double damping, const DynamicSettings& settings) {
+std::string describe_steps(const MeshFrequencies& found,
+                           double damping,
+                           const DynamicSettings& settings,
+                           bool has_contact) {
     const double step = settings.time_step();
     const double longest_period = cycle / found.lowest;
     std::string text;
@@ -89,7 +93,7 @@ std::string describe_steps(const MeshFrequencies& found, double damping, const D
         text += fmt::format("  {} needs some {} steps in a period that matters: {}\n",
                             name_of(settings.scheme),
                             needed,
-                            advise_step(longest_period / needed, settings));
+                            advise_step(longest_period / needed, settings, has_contact));
     }
     const bool is_stiff = step * found.highest > resolved;
     if (settings.scheme == Scheme::sdirk_4 && is_stiff) {
@@ -123,7 +127,7 @@ std::string describe_turning(const Model& model, const DynamicSettings& settings
                        fastest.name,
                        turn,
                        cycle / turn,
-                       advise_step(tolerable / rate_of(fastest), settings));
+                       advise_step(tolerable / rate_of(fastest), settings, !model.contact.is_empty()));
 }
 
 }  // namespace gxrod

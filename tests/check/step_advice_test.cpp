@@ -36,6 +36,13 @@ TEST_CASE("A step is compared with the longest and the shortest period", "[check
                Contains("1/4000 of the longest") && Contains("1/4 of the shortest"));
 }
 
+TEST_CASE("With contact no scheme is recommended that does not take it", "[check]") {
+    const DynamicSettings settings = make_settings(Scheme::newmark_simplified, 10);
+    CHECK_THAT(describe_steps(found, 0.0, settings), Contains("which takes radau-5"));
+    CHECK_THAT(describe_steps(found, 0.0, settings, true),
+               Contains("expected time_step = 0.05\n") && !Contains("radau"));
+}
+
 TEST_CASE("Steps too long for the longest period are reported by what each scheme needs", "[check]") {
     const std::string newmark = describe(Scheme::newmark_simplified, 19);
     CHECK_THAT(
