@@ -31,9 +31,10 @@ const char* name_of(Obstacle::Shape shape) {
             return "cylinder";
         case Obstacle::Shape::tube:
             return "tube";
-        default:
-            return "";
+        case Obstacle::Shape::mesh:
+            return "mesh";
     }
+    return "";
 }
 
 // The rows of a table between two, as rows of `width` numbers.
@@ -152,11 +153,16 @@ Json describe_obstacles(const Model& model) {
                         {"radius", obstacle.radius},
                         {"normal", to_json(obstacle.normal)},
                         {"line", line},
-                        {"friction", obstacle.friction},
                         {"about", to_json(obstacle.motion ? obstacle.motion->about : Vec3(Vec3::Zero()))},
                         {"moved", obstacle.motion ? moved++ : -1}});
     }
     return list;
+}
+
+bool rubs(const Contact& contact) {
+    const bool has_rods = contact.between_rods || contact.within_rods;
+    return (has_rods && contact.friction > 0.0) ||
+           std::ranges::any_of(contact.obstacles, [](const Obstacle& one) { return one.friction > 0.0; });
 }
 
 std::size_t count_moved_obstacles(const Model& model) {
@@ -178,6 +184,32 @@ void write_obstacle_motions(const Hdf5Reader& file,
         }
     }
     write_block(out, "obstacles", values);
+}
+
+std::size_t count_mesh_bytes(const Model& model) {
+    std::size_t bytes = 0;
+    for (const Obstacle& obstacle : model.contact.obstacles) {
+        if (!obstacle.mesh) continue;
+        bytes += 2 * block_frame_bytes + base64_length(obstacle.mesh->positions.size() * 3 * sizeof(float)) +
+                 base64_length(obstacle.mesh->triangles.size() * 3 * sizeof(std::int32_t));
+    }
+    return bytes;
+}
+
+void write_obstacle_meshes(const Model& model, std::ostream& out) {
+    int number = -1;
+    for (const Obstacle& obstacle : model.contact.obstacles) {
+        ++number;
+        if (!obstacle.mesh) continue;
+        std::vector<float> corners;
+        for (const Vec3& corner : obstacle.mesh->positions)
+            for (const double value : corner) corners.push_back(static_cast<float>(value));
+        std::vector<std::int32_t> triangles;
+        for (const std::array<int, 3>& triangle : obstacle.mesh->triangles)
+            triangles.insert(triangles.end(), triangle.begin(), triangle.end());
+        write_block(out, fmt::format("mesh-corners-{}", number), corners);
+        write_block(out, fmt::format("mesh-triangles-{}", number), triangles);
+    }
 }
 
 }  // namespace gxrod

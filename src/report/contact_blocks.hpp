@@ -36,6 +36,8 @@ class ContactBlocks {
 // Name, shape, place at t = 0: points, tangents left out; `moved` is its number among those that move, or −1.
 nlohmann::ordered_json describe_obstacles(const Model& model);
 
+bool rubs(const Contact& contact);
+
 std::size_t count_moved_obstacles(const Model& model);
 
 // "obstacles": of each frame, for each obstacle that moves, displacement and rotation (quaternion w x y z)
@@ -44,5 +46,10 @@ void write_obstacle_motions(const Hdf5Reader& file,
                             const Problem& problem,
                             const std::vector<double>& times,
                             std::ostream& out);
+
+// Of meshes of obstacles, in a page.
+std::size_t count_mesh_bytes(const Model& model);
+// "mesh-corners-I" and "mesh-triangles-I" of the obstacle I: three numbers each.
+void write_obstacle_meshes(const Model& model, std::ostream& out);
 
 }  // namespace gxrod

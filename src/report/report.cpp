@@ -52,7 +52,11 @@ class Page {
         for (const StepChart& chart : charts_) content_.columns += chart.columns();
         content_.arrows = story_.arrows.size();
         content_.touches = contacts_.most_touches();
-        if (story_.problem) content_.moved_obstacles = count_moved_obstacles(story_.problem->model);
+        if (story_.problem) {
+            content_.moved_obstacles = count_moved_obstacles(story_.problem->model);
+            mesh_bytes_ = count_mesh_bytes(story_.problem->model);
+            draws_meshes_ = mesh_bytes_ <= options.most_bytes / 4;
+        }
         content_.is_static = story_.is_static;
         const std::size_t room = options.most_bytes - std::min(options.most_bytes, shell_.size());
         findings_.emplace(file, options.results, charts_, content_, room);
@@ -78,6 +82,7 @@ class Page {
         const std::vector<std::size_t> frames = plan_.frames(content_.frames);
         contacts_.write(frames, out);
         if (!story_.problem) return;
+        if (draws_meshes_) write_obstacle_meshes(story_.problem->model, out);
         const std::vector<double> all = file_.rows("/VTKHDF/Steps/Values", 0, content_.frames, 1);
         std::vector<double> times;
         for (const std::size_t frame : frames) times.push_back(all[frame]);
@@ -88,7 +93,8 @@ class Page {
         // Sentences on what is left out come later.
         constexpr std::size_t sentences = 2000;
         const std::size_t fixed = shell_bytes + write_script_json(describe()).size() + sentences +
-                                  most_blocks * block_frame_bytes + findings_->count_bytes();
+                                  most_blocks * block_frame_bytes + findings_->count_bytes() +
+                                  (draws_meshes_ ? mesh_bytes_ : 0);
         try {
             if (fixed >= options_.most_bytes) throw std::length_error("no room for data");
             plan_ = plan_report(content_, options_.most_bytes - fixed);
@@ -120,6 +126,9 @@ class Page {
         for (const std::vector<std::string>& others : {findings_->left_out(), story_.left_out})
             sentences.insert(sentences.end(), others.begin(), others.end());
         if (!contacts_.left_out().empty()) sentences.push_back(contacts_.left_out());
+        if (!draws_meshes_)
+            sentences.push_back(fmt::format("Meshes of obstacles are not drawn: they would take {:.1f} MB.",
+                                            static_cast<double>(mesh_bytes_) / bytes_in_megabyte));
         return sentences;
     }
 
@@ -137,6 +146,8 @@ class Page {
     std::vector<std::string> warnings_;
     std::vector<StepChart> charts_;
     ContactBlocks contacts_;
+    std::size_t mesh_bytes_ = 0;
+    bool draws_meshes_ = true;
     ReportContent content_;
     std::optional<Findings> findings_;
     ReportPlan plan_;

@@ -184,6 +184,7 @@ Json describe_run(const Hdf5Reader& file, const RunStory& story, const NodeNumbe
     json["surroundings"] = describe_surroundings(*story.problem);
     json["obstacles"] = describe_obstacles(model);
     json["has_contact"] = !model.contact.is_empty();
+    json["has_contact_friction"] = rubs(model.contact);
     json["bodies"] = describe_bodies(model, number, most_bodies);
     json["supports"] = describe_supports(model, number, most_supports);
     json["joints"] = describe_joints(model, number, most_joints);

@@ -1,5 +1,7 @@
 """What results say of contact: /contacts, histories of rods, what the check says; as a user sees it."""
 
+import base64
+import re
 import unittest
 
 import h5py
@@ -109,6 +111,48 @@ with = "lower"
 quantities = ["contact_force", "least_gap"]
 """
 
+# A rod lies on two that are held, on an incline: in part it sticks, in part it slides.
+RUB = """gravity = [2.427, 0, -9.505]
+[section.s]
+shape = { circle = { radius = 0.02 } }
+material = { E = 2e9, nu = 0.3, density = 1000 }
+[rod.top]
+section = "s"
+line = { from = [-0.5, 0, 0.0403917], to = [0.5, 0, 0.0403917] }
+elements = 4
+order = 2
+[rod.left]
+section = "s"
+line = { from = [-0.25, -0.1, 0], to = [-0.25, 0.1, 0] }
+elements = 2
+[rod.right]
+section = "s"
+line = { from = [0.25, -0.1, 0], to = [0.25, 0.1, 0] }
+elements = 2
+[[support]]
+at = "left.start"
+fix = "all"
+[[support]]
+at = "left.end"
+fix = "all"
+[[support]]
+at = "right.start"
+fix = "all"
+[[support]]
+at = "right.end"
+fix = "all"
+[contact]
+friction = 0.3
+[analysis]
+kind = "dynamic"
+end_time = 0.4
+time_step = 2e-3
+[[history]]
+name = "top"
+at = "top"
+quantities = ["contact_force", "contact_friction", "least_gap"]
+"""
+
 
 class ContactResults(ProgramTest):
     def simulate(self, deck, *options, name="deck"):
@@ -190,14 +234,46 @@ class ContactResults(ProgramTest):
                 if not name.startswith(("restart", "deck", "solver")) and a[name].dtype.kind != "O":
                     self.assertEqual(a[name][()].tobytes(), b[name][()].tobytes(), name)
 
+    def test_rods_on_rods_hold_and_slide(self):
+        with h5py.File(self.simulate(RUB)) as file:
+            offsets, slides = file["contacts/offsets"][()], file["contacts/slides"][()]
+            held = [not slides[first:end].all() for first, end in zip(offsets[:-1], offsets[1:]) if end > first]
+            self.assertGreater(sum(held), 10)  # and all slide at times
+            self.assertLess(sum(held), len(held))
+            normal, friction = self.sums(file, "normal_force"), self.sums(file, "friction_force")
+            # Of pieces exactly; here normals that differ a little add up to less.
+            np.testing.assert_array_less(np.linalg.norm(friction, axis=1), 0.3003 * np.linalg.norm(normal, axis=1) + 1e-9)
+            np.testing.assert_allclose(file["histories/top/contact_friction"][-1], friction[-1], rtol=1e-9, atol=1e-12)
+            self.assertLess(friction[-1, 0], -1.0)  # it is held
+
+    def test_reports_have_meshes_and_know_of_friction(self):
+        corners = ("0 0 0", "2 0 0", "0 2 0")
+        self.write("floor.stl", "solid s\nfacet\nouter loop\n" + "".join(f"vertex {corner}\n" for corner in corners) +
+                   "endloop\nendfacet\nendsolid s\n")
+        meshed = SLIDE.replace("plane = { point = [0, 0, 0], normal = [0, 0, 1] }\nfriction = 0.3",
+                               'mesh = { file = "floor.stl" }').replace("from = [0, 0", "from = [0.2, 0.2").replace(
+                                   "to = [1, 0", "to = [0.6, 0.2").replace("end_time = 0.4", "end_time = 0.02")
+        for deck, friction, blocks in ((RUB, True, 0), (meshed, False, 1)):
+            self.simulate(deck, "--force")
+            self.gxrod("report", "deck.vtkhdf", "--force", "-o", "page.html")
+            page = (self.folder / "page.html").read_text(encoding="utf-8")
+            self.assertIn(f'"has_contact_friction":{str(friction).lower()}', page)
+            self.assertEqual(page.count('id="data-mesh-corners-0"'), blocks)
+            triangles = re.findall(r'id="data-mesh-triangles-0">([^<]*)<', page)
+            self.assertEqual([list(np.frombuffer(base64.b64decode(text), "<i4")) for text in triangles], blocks * [[0, 1, 2]])
+
     def test_threads_make_no_difference(self):
-        for deck in (SLIDE, CROSS):
+        for deck in (SLIDE, CROSS, RUB):
             self.check_equal(self.simulate(deck, "--threads", "1", "--force", name="one"),
                              self.simulate(deck, "--threads", "3", "--force", name="three"))
 
     def test_a_run_that_is_resumed_has_the_same_contacts(self):
-        whole = self.simulate(SLIDE, name="whole")
-        part = self.simulate(SLIDE.replace("end_time = 0.4", "end_time = 0.2"), name="part")
+        for deck in (SLIDE, RUB):
+            self.check_resumed(deck)
+
+    def check_resumed(self, deck):
+        whole = self.simulate(deck, "--force", name="whole")
+        part = self.simulate(deck.replace("end_time = 0.4", "end_time = 0.2"), "--force", name="part")
         self.gxrod("resume", "part.vtkhdf", "--set", "analysis.end_time=0.4")
         with h5py.File(whole) as a, h5py.File(part) as b:
             times, resumed = a["VTKHDF/Steps/Values"][()], b["VTKHDF/Steps/Values"][()]

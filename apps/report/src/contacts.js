@@ -12,7 +12,7 @@ export class Contacts {
     Object.assign(this, { motion, size, contacts, offsets: contactOffsets });
     this.group = new Group();
     this.count = contacts.length / numbers;
-    this.hasFriction = (info.obstacles ?? []).some(({ friction }) => friction > 0);
+    this.hasFriction = info.has_contact_friction ?? false;
     this.largest = 0;
     this.most = 0;
     for (let i = 0; i < this.count; i++) this.largest = Math.max(this.largest, this.forceOf(i).length());

@@ -1,7 +1,8 @@
 import {
-  BufferGeometry, CapsuleGeometry, CatmullRomCurve3, CylinderGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial,
+  BufferAttribute, BufferGeometry, CapsuleGeometry, CatmullRomCurve3, CylinderGeometry, DoubleSide, EdgesGeometry, Group, LineBasicMaterial,
   LineSegments, Mesh, MeshLambertMaterial, PlaneGeometry, Quaternion, SphereGeometry, TubeGeometry, Vector3,
 } from "three";
+import { decode } from "./data.js";
 import { Bounds, toQuaternion } from "./ends.js";
 
 const nearby = 0.6; // of the model's size: a patch that is farther from it does not widen the view
@@ -18,7 +19,7 @@ export class Obstacles {
     this.edges = new LineBasicMaterial({ transparent: true, opacity: 0.5 });
     const list = info.obstacles ?? [];
     this.movedCount = list.filter(({ moved }) => moved >= 0).length;
-    this.marks = list.map((obstacle) => ({ ...obstacle, about: new Vector3(...obstacle.about), place: new Vector3(), group: new Group() }));
+    this.marks = list.map((obstacle, number) => ({ ...obstacle, number, about: new Vector3(...obstacle.about), place: new Vector3(), group: new Group() }));
     for (const mark of this.marks) this.group.add(mark.group);
   }
 
@@ -33,7 +34,7 @@ export class Obstacles {
       mark.group.clear();
       const geometry = this.shape(mark, centre, reach);
       if (!geometry) continue;
-      const mesh = new Mesh(geometry, mark.hollow ? this.hollow : this.solid);
+      const mesh = new Mesh(geometry, mark.hollow || mark.shape === "mesh" ? this.hollow : this.solid);
       mesh.renderOrder = 2;
       mark.group.add(mesh, new LineSegments(outline(mark, geometry), this.edges));
       geometry.computeBoundingBox();
@@ -63,6 +64,7 @@ export class Obstacles {
     if (mark.shape === "sphere") return new SphereGeometry(mark.radius, 48, 32).translate(...points[0].toArray());
     if (mark.shape === "cylinder") return shapeCylinder(mark, points, centre, reach);
     if (mark.shape === "tube") return shapeTube(mark, points);
+    if (mark.shape === "mesh") return shapeMesh(mark);
     return null;
   }
 
@@ -119,8 +121,20 @@ function shapeTube({ radius }, points) {
   return new TubeGeometry(new CatmullRomCurve3(points), 4 * points.length, radius, 32, false);
 }
 
-// The border of a patch, the ends of what is hollow.
+// None where the page has no room for it.
+function shapeMesh(mark) {
+  mark.corners ??= decode(`mesh-corners-${mark.number}`, Float32Array);
+  mark.triangles ??= decode(`mesh-triangles-${mark.number}`, Int32Array);
+  if (mark.triangles.length === 0) return null;
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(mark.corners, 3));
+  geometry.setIndex(new BufferAttribute(new Uint32Array(mark.triangles), 1));
+  geometry.computeVertexNormals();
+  return geometry;
+}
+
+// The border of a patch, the ends of what is hollow, the edges of a mesh.
 function outline({ shape, hollow }, geometry) {
-  const isOpen = shape === "plane" || (hollow && shape !== "sphere");
+  const isOpen = shape === "plane" || shape === "mesh" || (hollow && shape !== "sphere");
   return isOpen ? new EdgesGeometry(geometry, 60) : new BufferGeometry();
 }
