@@ -67,7 +67,7 @@ std::string describe_part(double part) {
 
 // What suits, of a deck whose steps are too long for its scheme.
 std::string advise_step(double longest, const DynamicSettings& settings, bool has_contact) {
-    const std::string step = fmt::format("expected time_step = {:.2g}", longest);
+    std::string step = fmt::format("expected time_step = {:.2g}", longest);
     if (has_contact) return step;  // which radau-5 does not take
     if (settings.scheme == Scheme::radau_5) return step + ", or accuracy = 1e-3 in its place";
     return step + ", or accuracy = 1e-3 in its place, which takes radau-5";
