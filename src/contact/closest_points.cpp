@@ -49,4 +49,10 @@ ClosestPoints find_closest_points(const Segment& a, const Segment& b) {
     return make(sides[best][0], sides[best][1]);
 }
 
+bool are_within(const Segment& a, const Segment& b, double distance) {
+    const double reach = distance + 0.5 * ((a.end - a.start).norm() + (b.end - b.start).norm());
+    const Vec3 between = 0.5 * (a.start + a.end - b.start - b.end);
+    return between.squaredNorm() < reach * reach && find_closest_points(a, b).distance < distance;
+}
+
 }  // namespace gxrod

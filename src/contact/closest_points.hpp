@@ -21,4 +21,7 @@ struct ClosestPoints {
 // Of parallel segments one of the closest pairs.
 ClosestPoints find_closest_points(const Segment& a, const Segment& b);
 
+// Whether they are nearer than this; quick where they are far apart.
+bool are_within(const Segment& a, const Segment& b, double distance);
+
 }  // namespace gxrod

@@ -46,6 +46,19 @@ ContactGraphPoint find_contact_point(const ContactLaw& law, double zeta) {
         law.skin / (1.0 + z), law.stiffness * z * z / (1.0 + z), law.stiffness / law.skin * z * (2.0 + z)};
 }
 
+ContactGraphPoint continue_contact(const ContactLaw& law, double zeta, double gap) {
+    ContactGraphPoint point = find_contact_point(law, zeta);
+    point.force -= point.stiffness * (gap - point.gap);
+    point.gap = gap;
+    return point;
+}
+
+double advance_contact(const ContactLaw& law, double zeta, double gap, double change) {
+    const double reached = gap + change;
+    return std::max(continue_contact(law, zeta, reached).force / law.stiffness - reached / law.skin,
+                    no_contact);
+}
+
 double find_predicted_share(double skin, double gap) {
     return gap < skin ? 0.9 : std::max(0.5 * skin / gap, 0.1);
 }

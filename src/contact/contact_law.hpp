@@ -28,6 +28,15 @@ struct ContactGraphPoint {
 // The point of the curve with the parameter ζ.
 ContactGraphPoint find_contact_point(const ContactLaw& law, double zeta);
 
+// Of ζ: no force.
+inline constexpr double no_contact = -1.0;
+
+// Force and stiffness at a gap as a linear solution sees them that starts at the point ζ: the force is
+// continued with the stiffness there, and may pull.
+ContactGraphPoint continue_contact(const ContactLaw& law, double zeta, double gap);
+// The point that such a solution leads to if it changes the gap by this much; no_contact without a force.
+double advance_contact(const ContactLaw& law, double zeta, double gap, double change);
+
 // The part of a gap that motions leave. A prediction stops at half the skin; within the skin it goes on by no
 // more than a tenth, so that what touched starts with about the force it had.
 double find_predicted_share(double skin, double gap);

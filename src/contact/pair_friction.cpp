@@ -147,16 +147,15 @@ Mat24 compute_pair_friction_derivative(const PairEnergy& energy,
 
 CoulombFriction advance_pair_slip(const PairEnergy& energy,
                                   const PairMotion& motion,
-                                  const std::array<Vec3, 4>& displacements,
-                                  const std::array<Vec3, 4>& turns,
+                                  const PairIncrement& increment,
                                   const CoulombFriction& friction) {
     const PairPlace at = find_pair_place(energy, motion);
     PairMotion moved = motion;
     Vec12 move;
     for (std::size_t i = 0; i < 4; ++i) {
-        moved.positions[i] += displacements[i];
-        moved.rotations[i] += turns[i];
-        move.segment<3>(3 * static_cast<Eigen::Index>(i)) = displacements[i];
+        moved.positions[i] += increment.displacements[i];
+        moved.rotations[i] += increment.turns[i];
+        move.segment<3>(3 * static_cast<Eigen::Index>(i)) = increment.displacements[i];
     }
     const Vec3 change = -(energy.hessian.middleRows<3>(0) + energy.hessian.middleRows<3>(3)) * move;
     const Slipping slipping(at, moved, friction);

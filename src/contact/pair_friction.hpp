@@ -48,11 +48,16 @@ Mat24 compute_pair_friction_derivative(const PairEnergy& energy,
                                        const PairMotion& motion,
                                        const CoulombFriction& friction);
 
-// decide_slip() after these increments of positions and rotation vectors.
+// Of positions and rotation vectors of the ends.
+struct PairIncrement {
+    std::array<Vec3, 4> displacements{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    std::array<Vec3, 4> turns = displacements;
+};
+
+// decide_slip() after this increment.
 CoulombFriction advance_pair_slip(const PairEnergy& energy,
                                   const PairMotion& motion,
-                                  const std::array<Vec3, 4>& displacements,
-                                  const std::array<Vec3, 4>& turns,
+                                  const PairIncrement& increment,
                                   const CoulombFriction& friction);
 
 }  // namespace gxrod

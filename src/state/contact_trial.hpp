@@ -31,6 +31,9 @@ struct ContactTrial {
     // than `travelled`. All that touch are among them.
     std::vector<NearPieces> pieces;
     std::vector<Vec3> pieces_sliding;  // of each of these, as `sliding`
+    // Of each of these, that increments have taken into touch before it touches: the parameter ζ of its force
+    // (contact/contact_law.hpp), no_contact of others.
+    std::vector<double> pieces_expected;
     double margin = 0.0;
     double travelled = 0.0;
 };

@@ -73,4 +73,22 @@ TEST_CASE("Closest points of parallel, collinear and vanishing segments", "[cont
     CHECK(crossing.offset == Vec3(0, 0, -0.25));
 }
 
+TEST_CASE("Segments are within a distance or not", "[contact]") {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    const auto vector = [&] { return Vec3(uniform(random), uniform(random), uniform(random)); };
+    int within = 0;
+    for (int k = 0; k < 2000; ++k) {
+        const Vec3 p = vector(), q = 2.0 * vector();
+        const Segment a{p, p + 0.5 * vector()}, b{q, q + 0.5 * vector()};
+        const double distance = find_closest_points(a, b).distance;
+        CHECK(are_within(a, b, 1.0) == (distance < 1.0));
+        CHECK(are_within(a, b, distance * (1.0 + 1e-12)));
+        CHECK_FALSE(are_within(a, b, distance));
+        within += distance < 1.0 ? 1 : 0;
+    }
+    CHECK(within > 200);
+    CHECK(within < 1800);
+}
+
 }  // namespace gxrod::test

@@ -80,6 +80,30 @@ TEST_CASE("The graph of the contact law lies on the law", "[contact]") {
     }
 }
 
+TEST_CASE("The contact law: a linear solution moves along the graph", "[contact]") {
+    const double zeta = 0.7;
+    const ContactGraphPoint point = find_contact_point(law, zeta);
+    // Far from its gap the force is on the tangent of the graph, and pulls.
+    const ContactGraphPoint far = continue_contact(law, zeta, 5.0 * law.skin);
+    CHECK(far.stiffness == point.stiffness);
+    CHECK(far.force == Approx(point.force - point.stiffness * (5.0 * law.skin - point.gap)).epsilon(1e-14));
+    CHECK(far.force < 0.0);
+    // A solution that leads to the point itself stays there, one that leads away from contact leaves it.
+    CHECK(advance_contact(law, zeta, 5.0 * law.skin, point.gap - 5.0 * law.skin) ==
+          Approx(zeta).epsilon(1e-12));
+    CHECK(advance_contact(law, zeta, 5.0 * law.skin, 0.0) == no_contact);
+    // A plane that a weight w presses on: the linear solution has the force w, and from then on the graph's
+    // point is that of w, whatever it was before.
+    const double weight = 20.0;
+    double found = 9.0, gap = 5.0 * law.skin;
+    for (int k = 0; k < 12; ++k) {
+        const ContactGraphPoint at = continue_contact(law, found, gap);
+        const double change = (at.force - weight) / at.stiffness;
+        found = advance_contact(law, found, gap, change);
+    }
+    CHECK(find_contact_point(law, found).force == Approx(weight).epsilon(1e-12));
+}
+
 TEST_CASE("The contact law: predictions stop at half the skin, or where they touched", "[contact]") {
     const double skin = 0.02;
     CHECK(find_predicted_share(skin, 0.3 * skin) == 0.9);

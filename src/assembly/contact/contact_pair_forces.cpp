@@ -20,10 +20,14 @@ Vec24 with_moments(const Vec12& forces) {
 
 std::vector<ContactPairs::Touching> ContactPairs::find_touching(const State& state) const {
     const std::vector<NearPieces>& near = state.contact.pieces;
+    const std::vector<Segment> segments = find_segments(state.trial);
     std::vector<char> touches(near.size(), 0);
     team_->for_each_range(near.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i)
-            touches[i] = least_gap(near[i], state.trial) < law_of(near[i]).law.skin ? 1 : 0;
+        for (std::size_t i = first; i < last; ++i) {
+            const PairLaw pair = law_of(near[i]);
+            touches[i] =
+                are_within(segments[near[i].first], segments[near[i].second], pair.radii + pair.law.skin);
+        }
     });
     std::vector<Touching> touching;
     for (std::size_t i = 0; i < near.size(); ++i) {
@@ -56,9 +60,7 @@ CoulombFriction ContactPairs::friction_of(std::size_t index, const State& state)
     const NearPieces& near = state.contact.pieces[index];
     const PairLaw pair = law_of(near);
     // What sticks is as stiff for parallel rods, however short their pieces are.
-    const double reach = std::sqrt(pair.law.skin * (2.0 * pair.radii + pair.law.skin));
-    const double length = std::min(lines_.pieces[near.first].length, lines_.pieces[near.second].length);
-    CoulombFriction friction{friction_, pair.law.stiffness / pair.law.skin * std::min(1.0, length / reach)};
+    CoulombFriction friction{friction_, pair.law.stiffness / pair.law.skin * find_share_of_crossing(near)};
     const std::vector<PairTraction>& memory = state.contact_memory.of_pairs;
     const auto own = std::ranges::lower_bound(memory, near, {}, &PairTraction::pieces);
     if (own != memory.end() && own->pieces == near) friction.traction = own->traction;
@@ -108,19 +110,44 @@ void ContactPairs::subtract_forces(const State& state, double weight, Residual& 
     }
 }
 
+std::optional<ContactPairs::Expected> ContactPairs::find_expected(std::size_t index,
+                                                                  const State& state) const {
+    const double zeta = state.contact.pieces_expected[index];
+    if (zeta <= no_contact) return std::nullopt;
+    const NearPieces& near = state.contact.pieces[index];
+    const ClosestPoints closest =
+        find_closest_points(segment_of(near.first, state.trial), segment_of(near.second, state.trial));
+    const ContactGraphPoint point =
+        continue_contact(expected_law_of(near), zeta, closest.distance - law_of(near).radii);
+    const Vec3 n = closest.offset / closest.distance;
+    Expected result{point.force, point.stiffness, {}};
+    result.slope << (1.0 - closest.s) * n, closest.s * n, (closest.t - 1.0) * n, -closest.t * n;
+    return result;
+}
+
 void ContactPairs::replace_by_tangent_forces(const State& state, double weight, Residual& residual) const {
-    if (!rub() || weight == 0.0) return;
+    if (weight == 0.0) return;
+    const auto subtract = [&](const NearPieces& near, const Vec24& forces) {
+        scatter(near, weight * forces, [&](int node, const Vec6& force) {
+            residual.nodal[static_cast<std::size_t>(node)] -= force;
+        });
+    };
+    for (std::size_t index = 0; index < state.contact.pieces.size(); ++index) {
+        if (const std::optional<Expected> expected = find_expected(index, state))
+            subtract(state.contact.pieces[index], with_moments(expected->force * expected->slope));
+    }
     for (const Touching& touching : find_touching(state)) {
         const NearPieces& near = state.contact.pieces[touching.index];
+        const bool is_expected = state.contact.pieces_expected[touching.index] > no_contact;
+        if (is_expected) subtract(near, with_moments(touching.energy.gradient));
+        if (!rub()) continue;
         const PairMotion motion = motion_of(near, state);
         const auto forces = [&](const CoulombFriction& friction) {
             return compute_pair_friction(touching.energy, motion, friction).forces;
         };
-        const Vec24 change =
-            forces(taken_friction_of(touching.index, state)) - forces(friction_of(touching.index, state));
-        scatter(near, weight * change, [&](int node, const Vec6& force) {
-            residual.nodal[static_cast<std::size_t>(node)] -= force;
-        });
+        Vec24 change = -forces(friction_of(touching.index, state));
+        if (!is_expected) change += forces(taken_friction_of(touching.index, state));
+        subtract(near, change);
     }
 }
 
@@ -141,11 +168,49 @@ ContactPairs::Shares ContactPairs::find_shares(const NearPieces& near, const Nod
     return shares;
 }
 
+std::vector<ContactPairs::EndTangent> ContactPairs::find_end_tangents(const State& state) const {
+    const std::vector<Touching> touching = find_touching(state);
+    const std::vector<NearPieces>& pieces = state.contact.pieces;
+    std::vector<EndTangent> tangents;
+    std::vector<const PairEnergy*> energies;
+    auto next = touching.begin();
+    for (std::size_t index = 0; index < pieces.size(); ++index) {
+        const bool touches = next != touching.end() && next->index == index;
+        if (touches || state.contact.pieces_expected[index] > no_contact) {
+            tangents.push_back({index, Mat24::Zero()});
+            energies.push_back(touches ? &next->energy : nullptr);
+        }
+        if (touches) ++next;
+    }
+    team_->for_each_range(tangents.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const std::size_t index = tangents[i].index;
+            const auto add_by_positions = [&](const Mat12& matrix) {
+                for (int a = 0; a < 4; ++a)
+                    for (int b = 0; b < 4; ++b)
+                        tangents[i].matrix.block<3, 3>(6 * a, 6 * b) += matrix.block<3, 3>(3 * a, 3 * b);
+            };
+            if (const std::optional<Expected> expected = find_expected(index, state)) {
+                add_by_positions(expected->stiffness * expected->slope * expected->slope.transpose());
+                continue;
+            }
+            if (rub())
+                tangents[i].matrix = -compute_pair_friction_derivative(*energies[i],
+                                                                       motion_of(pieces[index], state),
+                                                                       state.contact.has_parameters
+                                                                           ? taken_friction_of(index, state)
+                                                                           : friction_of(index, state));
+            add_by_positions(energies[i]->hessian);
+        }
+    });
+    return tangents;
+}
+
 std::vector<PairBlock> ContactPairs::compute_tangents(
     const State& state, double weight, const std::vector<NodeLinearization>& linearizations) const {
     std::map<std::pair<int, int>, PairBlock> of_elements;
-    for (const Touching& touching : find_touching(state)) {
-        const NearPieces& near = state.contact.pieces[touching.index];
+    for (const EndTangent& tangent : find_end_tangents(state)) {
+        const NearPieces& near = state.contact.pieces[tangent.index];
         const int first = element_of(near.first), second = element_of(near.second);
         PairBlock& block = of_elements[{first, second}];
         if (block.nodes.empty()) {
@@ -153,30 +218,20 @@ std::vector<PairBlock> ContactPairs::compute_tangents(
             const auto size = static_cast<Eigen::Index>(6 * block.nodes.size());
             block.matrix = Eigen::MatrixXd::Zero(size, size);
         }
-        Mat24 rubbing;
-        if (rub())
-            rubbing = compute_pair_friction_derivative(touching.energy,
-                                                       motion_of(near, state),
-                                                       state.contact.has_parameters
-                                                           ? taken_friction_of(touching.index, state)
-                                                           : friction_of(touching.index, state));
         const Shares shares = find_shares(near, block.nodes);
         for (Eigen::Index column = 0; column < shares.cols(); ++column) {
             const auto node = static_cast<std::size_t>(block.nodes[static_cast<std::size_t>(column)]);
             const double part = weight * linearizations[node].placement;
-            const Mat3 turn = rub() ? tangent_map_inverse(state.trial[node].theta) : Mat3();
+            const Mat3 turn = rub() ? tangent_map_inverse(state.trial[node].theta) : Mat3(Mat3::Identity());
             for (Eigen::Index row = 0; row < shares.cols(); ++row) {
                 Mat6 sum = Mat6::Zero();
                 for (int a = 0; a < 4; ++a) {
                     for (int b = 0; b < 4; ++b) {
                         const double share = shares(a, row) * shares(b, column);
-                        if (share == 0.0) continue;
-                        sum.topLeftCorner<3, 3>() +=
-                            share * touching.energy.hessian.block<3, 3>(3 * a, 3 * b);
-                        if (rub()) sum -= share * rubbing.block<6, 6>(6 * a, 6 * b);
+                        if (share != 0.0) sum += share * tangent.matrix.block<6, 6>(6 * a, 6 * b);
                     }
                 }
-                if (rub()) sum.rightCols<3>() = (sum.rightCols<3>() * turn).eval();
+                sum.rightCols<3>() = (sum.rightCols<3>() * turn).eval();
                 block.matrix.block<6, 6>(6 * row, 6 * column) += part * sum;
             }
         }
@@ -191,9 +246,8 @@ void ContactPairs::start(State& state) const {
     state.contact.pieces_sliding.assign(state.contact.pieces.size(), Vec3::Zero());
     for (const Touching& touching : find_touching(state)) {
         const PairMotion motion = motion_of(state.contact.pieces[touching.index], state);
-        const std::array<Vec3, 4> none{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
         keep_slip(touching.index,
-                  advance_pair_slip(touching.energy, motion, none, none, friction_of(touching.index, state)),
+                  advance_pair_slip(touching.energy, motion, {}, friction_of(touching.index, state)),
                   state);
     }
 }
@@ -201,36 +255,56 @@ void ContactPairs::start(State& state) const {
 void ContactPairs::advance(const std::vector<Vec6>& deltas, State& state) const {
     if (!rub()) return;
     const std::vector<Touching> touching = find_touching(state);
-    auto next = touching.begin();
-    for (std::size_t index = 0; index < state.contact.pieces.size(); ++index) {
-        const NearPieces& near = state.contact.pieces[index];
-        const bool touches = next != touching.end() && next->index == index;
-        std::array<Vec3, 4> displacements, turns;
-        std::size_t end = 0;
-        for (const std::uint32_t one : {near.first, near.second}) {
-            const ContactPiece& piece = lines_.pieces[one];
-            const ContactElement& element = lines_.element_of(piece);
-            for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
-                displacements[end].setZero();
-                turns[end].setZero();
-                for (int n = 0; n < element.count; ++n) {
-                    const auto node = static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(n)]);
-                    const double share = lines_.places.places[p].shapes[static_cast<std::size_t>(n)];
-                    displacements[end] += share * deltas[node].head<3>();
-                    turns[end] +=
-                        share * (tangent_map_inverse(state.trial[node].theta) * deltas[node].tail<3>());
-                }
+    const std::vector<NearPieces>& pieces = state.contact.pieces;
+    const std::vector<Segment> segments = find_segments(state.trial);
+    double reach = 0.0;
+    for (const Vec6& delta : deltas) reach = std::max(reach, delta.head<3>().norm());
+    reach *= 2.0 * largest_shape_sum;
+    team_->for_each_range(pieces.size(), [&](std::size_t first, std::size_t last) {
+        auto next = std::ranges::lower_bound(touching, first, {}, &Touching::index);
+        for (std::size_t index = first; index < last; ++index) {
+            const bool touches = next != touching.end() && next->index == index;
+            const PairEnergy energy = touches ? next->energy : PairEnergy();
+            if (touches) ++next;
+            const NearPieces& near = pieces[index];
+            const PairLaw pair = law_of(near);
+            // What cannot come to touch now.
+            if (!touches &&
+                !are_within(
+                    segments[near.first], segments[near.second], pair.radii + pair.law.skin + reach)) {
+                state.contact.pieces_sliding[index].setZero();
+                continue;
+            }
+            keep_slip(index,
+                      advance_pair_slip(energy,
+                                        motion_of(near, state),
+                                        find_increment(near, deltas, state),
+                                        taken_friction_of(index, state)),
+                      state);
+        }
+    });
+}
+
+PairIncrement ContactPairs::find_increment(const NearPieces& near,
+                                           const std::vector<Vec6>& deltas,
+                                           const State& state) const {
+    PairIncrement increment;
+    std::size_t end = 0;
+    for (const std::uint32_t one : {near.first, near.second}) {
+        const ContactPiece& piece = lines_.pieces[one];
+        const ContactElement& element = lines_.element_of(piece);
+        for (std::size_t p = piece.place; p < piece.place + 2; ++p, ++end) {
+            for (std::size_t n = 0; n < static_cast<std::size_t>(element.count); ++n) {
+                const auto node = static_cast<std::size_t>(element.nodes[n]);
+                const double share = lines_.places.places[p].shapes[n];
+                if (share == 0.0) continue;
+                increment.displacements[end] += share * deltas[node].head<3>();
+                increment.turns[end] +=
+                    share * (tangent_map_inverse(state.trial[node].theta) * deltas[node].tail<3>());
             }
         }
-        keep_slip(index,
-                  advance_pair_slip(touches ? next->energy : PairEnergy(),
-                                    motion_of(near, state),
-                                    displacements,
-                                    turns,
-                                    taken_friction_of(index, state)),
-                  state);
-        if (touches) ++next;
     }
+    return increment;
 }
 
 void ContactPairs::commit(State& state) const {

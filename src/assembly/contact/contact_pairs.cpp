@@ -2,17 +2,24 @@
 
 #include <algorithm>
 
-#include "contact/advancement.hpp"
-#include "numerics/disjoint_sets.hpp"
-
 namespace gxrod {
 
 namespace {
 
-double largest_motion(const Segment& motion) { return std::max(motion.start.norm(), motion.end.norm()); }
-
-Segment add(const Segment& segment, const Segment& motion) {
-    return {segment.start + motion.start, segment.end + motion.end};
+// What is kept of each piece, from one list of near pieces to the next.
+template <class Value>
+std::vector<Value> carry_over(const std::vector<NearPieces>& before,
+                              const std::vector<Value>& values,
+                              const std::vector<NearPieces>& after,
+                              const Value& none) {
+    std::vector<Value> carried(after.size(), none);
+    if (values.size() != before.size()) return carried;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        const auto own = std::ranges::lower_bound(before, after[i]);
+        if (own != before.end() && *own == after[i])
+            carried[i] = values[static_cast<std::size_t>(own - before.begin())];
+    }
+    return carried;
 }
 
 }  // namespace
@@ -31,6 +38,14 @@ Segment ContactPairs::segment_of(std::size_t piece, const std::vector<NodeMotion
     const std::size_t place = lines_.pieces[piece].place;
     return {all.interpolate(all.places[place], motions, &NodeMotion::r),
             all.interpolate(all.places[place + 1], motions, &NodeMotion::r)};
+}
+
+std::vector<Segment> ContactPairs::find_segments(const std::vector<NodeMotion>& motions) const {
+    std::vector<Segment> segments(lines_.pieces.size());
+    team_->for_each_range(segments.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) segments[i] = segment_of(i, motions);
+    });
+    return segments;
 }
 
 PairLaw ContactPairs::law_of(const NearPieces& near) const {
@@ -75,24 +90,36 @@ PairEnergy ContactPairs::find_energy(const NearPieces& near, const std::vector<N
     return sum;
 }
 
+double ContactPairs::find_share_of_crossing(const NearPieces& near) const {
+    const PairLaw pair = law_of(near);
+    const double reach = std::sqrt(pair.law.skin * (2.0 * pair.radii + pair.law.skin));
+    const double length = std::min(lines_.pieces[near.first].length, lines_.pieces[near.second].length);
+    return std::min(1.0, length / reach);
+}
+
+double ContactPairs::largest_skin() const {
+    double skin = 0.0;
+    for (const ContactElement& element : lines_.places.elements) skin = std::max(skin, element.law.skin);
+    return skin;
+}
+
 double ContactPairs::least_gap(const NearPieces& near, const std::vector<NodeMotion>& motions) const {
     return find_closest_points(segment_of(near.first, motions), segment_of(near.second, motions)).distance -
            law_of(near).radii;
 }
 
 void ContactPairs::search(double reach, State& state) const {
-    double skin = 0.0, thickest = 0.0;
+    double thickest = 0.0;
     std::vector<Capsule> capsules(lines_.pieces.size());
+    const std::vector<Segment> segments = find_segments(state.trial);
     for (std::size_t i = 0; i < capsules.size(); ++i) {
-        const ContactElement& element = lines_.element_of(lines_.pieces[i]);
-        const Segment segment = segment_of(i, state.trial);
-        capsules[i] = {segment.start, segment.end, element.radius};
-        skin = std::max(skin, element.law.skin);
-        thickest = std::max(thickest, element.radius);
+        const double radius = lines_.element_of(lines_.pieces[i]).radius;
+        capsules[i] = {segments[i].start, segments[i].end, radius};
+        thickest = std::max(thickest, radius);
     }
     ContactTrial& contact = state.contact;
     // Motions beyond that are shortened.
-    contact.margin = skin + 2.0 * std::clamp(reach, 0.25 * thickest, 4.0 * thickest);
+    contact.margin = largest_skin() + 2.0 * std::clamp(reach, 0.25 * thickest, 4.0 * thickest);
     contact.travelled = 0.0;
     const auto keep = [&](CapsulePair pair) {
         return lines_.can_touch(lines_.pieces[pair.first], lines_.pieces[pair.second]);
@@ -102,14 +129,10 @@ void ContactPairs::search(double reach, State& state) const {
     for (const CapsulePair pair : find_near_pairs(capsules, contact.margin, keep)) {
         contact.pieces.push_back({pair.first, pair.second});
     }
-    if (!rub()) return;
-    const std::vector<Vec3> sliding = std::move(contact.pieces_sliding);
-    contact.pieces_sliding.assign(contact.pieces.size(), Vec3::Zero());
-    for (std::size_t i = 0; i < contact.pieces.size() && !sliding.empty(); ++i) {
-        const auto own = std::ranges::lower_bound(before, contact.pieces[i]);
-        if (own != before.end() && *own == contact.pieces[i])
-            contact.pieces_sliding[i] = sliding[static_cast<std::size_t>(own - before.begin())];
-    }
+    contact.pieces_expected = carry_over(before, contact.pieces_expected, contact.pieces, no_contact);
+    if (rub())
+        contact.pieces_sliding =
+            carry_over(before, contact.pieces_sliding, contact.pieces, Vec3(Vec3::Zero()));
 }
 
 NodeGroup ContactPairs::list_nodes(int a, int b) const {
@@ -126,8 +149,15 @@ NodeGroup ContactPairs::list_nodes(int a, int b) const {
 
 std::vector<NodeGroup> ContactPairs::list_groups(const State& state) const {
     std::vector<std::pair<int, int>> elements;
-    for (const NearPieces& near : state.contact.pieces)
-        elements.emplace_back(element_of(near.first), element_of(near.second));
+    const std::vector<Segment> segments = find_segments(state.trial);
+    for (std::size_t i = 0; i < state.contact.pieces.size(); ++i) {
+        const NearPieces& near = state.contact.pieces[i];
+        // Others that come to touch within the step are added then.
+        const PairLaw pair = law_of(near);
+        if (state.contact.pieces_expected[i] > no_contact ||
+            are_within(segments[near.first], segments[near.second], pair.radii + 2.0 * pair.law.skin))
+            elements.emplace_back(element_of(near.first), element_of(near.second));
+    }
     std::ranges::sort(elements);
     elements.erase(std::ranges::unique(elements).begin(), elements.end());
     std::vector<NodeGroup> groups;
@@ -135,79 +165,11 @@ std::vector<NodeGroup> ContactPairs::list_groups(const State& state) const {
     return groups;
 }
 
-void ContactPairs::limit(const std::vector<Vec3>& displacements,
-                         State& state,
-                         Approach approach,
-                         ContactLimits& limits) const {
-    double reach = 0.0;
-    for (const Vec3& one : displacements) reach = std::max(reach, one.norm());
-    ContactTrial& contact = state.contact;
-    double skin = 0.0;
-    for (const ContactElement& element : lines_.places.elements) skin = std::max(skin, element.law.skin);
-    reach *= largest_shape_sum;
-    if (contact.margin == 0.0 || skin + 2.0 * (contact.travelled + reach) > contact.margin)
-        search(reach, state);
-    double all = 1.0;
-    const double room = 0.5 * (contact.margin - skin) - contact.travelled;
-    if (reach > room) all = room / reach;
-    const auto motion_of = [&](std::size_t piece) -> Segment {
-        const ContactElement& element = lines_.element_of(lines_.pieces[piece]);
-        Segment motion{Vec3::Zero(), Vec3::Zero()};
-        for (int n = 0; n < element.count; ++n) {
-            const Vec3& displacement =
-                displacements[static_cast<std::size_t>(element.nodes[static_cast<std::size_t>(n)])];
-            const auto shape = static_cast<std::size_t>(n);
-            motion.start += lines_.places.places[lines_.pieces[piece].place].shapes[shape] * displacement;
-            motion.end += lines_.places.places[lines_.pieces[piece].place + 1].shapes[shape] * displacement;
-        }
-        return motion;
-    };
-    std::vector<double> of_pairs(contact.pieces.size(), 1.0), gaps(contact.pieces.size());
-    std::vector<char> can_meet(contact.pieces.size(), 0);
-    team_->for_each_range(of_pairs.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const NearPieces& near = contact.pieces[i];
-            gaps[i] = least_gap(near, state.trial);
-            const Segment a = segment_of(near.first, state.trial);
-            const Segment b = segment_of(near.second, state.trial);
-            const Segment move_a = motion_of(near.first);
-            const Segment move_b = motion_of(near.second);
-            const PairLaw pair = law_of(near);
-            AdvancementLimits kept;
-            kept.kept_share = approach == Approach::prediction ? find_predicted_share(pair.law.skin, gaps[i])
-                                                               : find_kept_share(pair.law.skin, gaps[i]);
-            if ((1.0 - kept.kept_share) * gaps[i] >= largest_motion(move_a) + largest_motion(move_b))
-                continue;
-            can_meet[i] = 1;
-            of_pairs[i] = advance_capsules(a, add(a, move_a), b, add(b, move_b), pair.radii, kept).fraction;
-            of_pairs[i] = keep_from_rounding(of_pairs[i], pair.law.skin, gaps[i]);
-        }
-    });
-    DisjointSets islands(limits.of_parts.size());
-    for (std::size_t i = 0; i < of_pairs.size(); ++i) {
-        limits.least_gap = std::min(limits.least_gap, gaps[i]);
-        if (can_meet[i] == 0) continue;
-        const NearPieces& near = contact.pieces[i];
-        const auto a = static_cast<std::size_t>(lines_.element_of(lines_.pieces[near.first]).part);
-        const auto b = static_cast<std::size_t>(lines_.element_of(lines_.pieces[near.second]).part);
-        islands.join(static_cast<int>(a), static_cast<int>(b));
-        limits.of_parts[a] = std::min(limits.of_parts[a], of_pairs[i]);
-    }
-    std::vector<double> of_islands(limits.of_parts.size(), all);
-    for (std::size_t part = 0; part < of_islands.size(); ++part) {
-        double& island = of_islands[static_cast<std::size_t>(islands.find(static_cast<int>(part)))];
-        island = std::min(island, limits.of_parts[part]);
-    }
-    for (std::size_t part = 0; part < of_islands.size(); ++part) {
-        limits.of_parts[part] = of_islands[static_cast<std::size_t>(islands.find(static_cast<int>(part)))];
-        limits.least = std::min(limits.least, limits.of_parts[part]);
-    }
-    contact.travelled += std::min(reach, room);
-}
-
 void ContactPairs::count(const State& state, ContactCount& result) const {
+    const std::vector<Segment> segments = find_segments(state.trial);
     for (const NearPieces& near : state.contact.pieces) {
-        const double gap = least_gap(near, state.trial);
+        const double gap =
+            find_closest_points(segments[near.first], segments[near.second]).distance - law_of(near).radii;
         if (gap < law_of(near).law.skin) ++result.touching;
         result.least_gap = std::min(result.least_gap, gap);
     }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,23 +37,25 @@ class ContactPairs {
 
     // Finds what is near the trial, if nodes can move by this much from there.
     void search(double reach, State& state) const;
-    // The groups of nodes that the tangent couples: sorted, each once.
+    // The groups of nodes that the tangent couples or is likely to: sorted, each once.
     std::vector<NodeGroup> list_groups(const State& state) const;
 
     // Of the trial motions, by a weight (ContactAssembly).
     void subtract_forces(const State& state, double weight, Residual& residual) const;
-    // One block for each of list_groups in which something touches, in their order.
+    // One block for each two elements in which something touches or is expected to, in the order of elements.
     std::vector<PairBlock> compute_tangents(const State& state,
                                             double weight,
                                             const std::vector<NodeLinearization>& linearizations) const;
-    // As ContactAssembly's, of friction; where pieces rub.
+    // As ContactAssembly's, of friction and of what is expected to touch.
     void replace_by_tangent_forces(const State& state, double weight, Residual& residual) const;
     void start(State& state) const;
     void advance(const std::vector<Vec6>& deltas, State& state) const;
     void commit(State& state) const;
 
     // Lowers the limits of parts of the model whose rods would meet; these then go equally far. Searches
-    // first where it has to.
+    // first where it has to. Pieces that the whole motion would take into touch are expected to touch from
+    // then on: their forces are unknowns of the next linear solution, so that all of them come to touch at
+    // once, and not one after another.
     void limit(const std::vector<Vec3>& displacements,
                State& state,
                Approach approach,
@@ -72,8 +75,37 @@ class ContactPairs {
 
   private:
     Segment segment_of(std::size_t piece, const std::vector<NodeMotion>& motions) const;
+    std::vector<Segment> find_segments(const std::vector<NodeMotion>& motions) const;  // of all pieces
+    // How all pieces move with the nodes.
+    std::vector<Segment> find_motions(const std::vector<Vec3>& displacements) const;
     NodeGroup list_nodes(int a, int b) const;  // of two elements
     PairLaw law_of(const NearPieces& near) const;
+    double largest_skin() const;
+    // How far what reaches so far from its axes may be moved before the next search, as a part of the motion.
+    double find_room(double reach, State& state) const;
+    struct PairLimit {
+        double fraction = 1.0;
+        double gap = 0.0;
+        bool can_meet = false;
+    };
+    PairLimit limit_pair(const NearPieces& near,
+                         const std::vector<Segment>& at,
+                         const std::vector<Segment>& motions,
+                         Approach approach,
+                         double& expected) const;
+    void join_limits(const std::vector<PairLimit>& of_pairs,
+                     double all,
+                     const State& state,
+                     ContactLimits& limits) const;
+    // Of a piece that is expected to touch: force and stiffness by the gap, and its derivatives by the ends.
+    struct Expected {
+        double force = 0.0, stiffness = 0.0;
+        Vec12 slope;
+    };
+    std::optional<Expected> find_expected(std::size_t index, const State& state) const;
+    ContactLaw expected_law_of(const NearPieces& near) const;
+    // Relative to a crossing.
+    double find_share_of_crossing(const NearPieces& near) const;
     // With what the end of a rod adds, whose integral is finite where it touches.
     PairEnergy find_energy(const NearPieces& near, const std::vector<NodeMotion>& motions) const;
     // Of State::contact.pieces, by index.
@@ -82,6 +114,16 @@ class ContactPairs {
         PairEnergy energy;
     };
     std::vector<Touching> find_touching(const State& state) const;
+    // Of what touches and what is expected to: derivatives of minus forces and moments at the ends by
+    // positions and rotations there.
+    struct EndTangent {
+        std::size_t index = 0;
+        Mat24 matrix;
+    };
+    std::vector<EndTangent> find_end_tangents(const State& state) const;
+    PairIncrement find_increment(const NearPieces& near,
+                                 const std::vector<Vec6>& deltas,
+                                 const State& state) const;
     // Of nodes in the four ends.
     using Shares = Eigen::Matrix<double, 4, Eigen::Dynamic>;
     Shares find_shares(const NearPieces& near, const NodeGroup& nodes) const;

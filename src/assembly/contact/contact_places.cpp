@@ -146,6 +146,8 @@ ContactPlaces find_contact_places(const Model& model) {
 ContactPlaces find_chord_places(const Model& model) {
     return find_places(model, [&](int rod) {
         const auto index = static_cast<std::size_t>(rod);
+        // Elements of two nodes are chords themselves.
+        if (model.rods[index].order == 1) return std::numeric_limits<double>::infinity();
         // The sagitta of a chord is h²/8 over the radius of the bend.
         return std::sqrt(2.0 * model.contact.skin * model.contact.radii[index] *
                          model.contact.bend_radii[index]);

@@ -250,6 +250,64 @@ TEST_CASE("Pairs: a limited increment lets no rods pass", "[assembly][touch]") {
     CHECK(shortened > 10);
 }
 
+TEST_CASE("Pairs: what an increment takes into touch is expected to touch", "[assembly][touch]") {
+    const Problem problem = test::read(R"(
+[section.s]
+shape = { circle = { radius = 0.01 } }
+material = { E = 1e9, nu = 0.3, density = 1000 }
+[rod.a]
+section = "s"
+line = { from = [0, 0, 0], to = [1, 0, 0] }
+elements = 1
+[rod.b]
+section = "s"
+line = { from = [0.25, -0.5, 0.021], to = [0.25, 0.5, 0.021] }
+elements = 1
+[contact]
+[analysis]
+kind = "static"
+)");
+    const System system(problem.model);
+    const ContactPairs& pairs = system.contact()->pairs();
+    State state = system.initial_state();
+    // b goes down by three times the gap, of 5 skins.
+    const double gap = 1e-3, skin = 2e-4;
+    const std::vector<Vec3> down{Vec3::Zero(), Vec3::Zero(), Vec3(0, 0, -3.0 * gap), Vec3(0, 0, -3.0 * gap)};
+    ContactLimits limits = system.contact()->limit(down, state, 1.0);
+    CHECK(limits.least < 1.0 / 3.0);
+    REQUIRE(state.contact.pieces.size() == 1);
+    CHECK(state.contact.pieces_expected[0] == Approx(2.0 * gap / skin));
+    CHECK(pairs.list_groups(state).size() == 1);
+    const auto taken_force = [&](const State& at) {
+        Residual residual;
+        residual.nodal.assign(at.trial.size(), Vec6::Zero());
+        pairs.replace_by_tangent_forces(at, -1.0, residual);
+        return residual.nodal;
+    };
+    // Nothing touches, so the true force is zero; that of the linear solution pulls both together, on the
+    // arms of the crossing, and has the tangent's stiffness.
+    const std::vector<Vec6> before = taken_force(state);
+    CHECK(before[0][2] == Approx(3.0 * before[1][2]));
+    CHECK(before[2][2] == Approx(before[3][2]));
+    CHECK((before[0] + before[1] + before[2] + before[3]).norm() < 1e-12 * before[0].norm());
+    CHECK(before[2][2] < 0.0);
+    std::vector<NodeLinearization> linearizations(4);
+    LoadStepping().linearize(state, stage, linearizations);
+    const std::vector<PairBlock> blocks = pairs.compute_tangents(state, 1.0, linearizations);
+    REQUIRE(blocks.size() == 1);
+    State moved = state;
+    for (const std::size_t node : {2, 3}) moved.trial[node].r.z() -= 0.1 * skin;
+    const std::vector<Vec6> after = taken_force(moved);
+    const Eigen::MatrixXd& K = blocks[0].matrix;
+    CHECK(after[2][2] - before[2][2] == Approx(0.1 * skin * (K(14, 14) + K(14, 20))).epsilon(1e-9));
+    CHECK(after[0][2] - before[0][2] == Approx(0.1 * skin * (K(2, 14) + K(2, 20))).epsilon(1e-9));
+    // Where the solution leads away it is forgotten.
+    const std::vector<Vec3> up{Vec3::Zero(), Vec3::Zero(), Vec3(0, 0, gap), Vec3(0, 0, gap)};
+    limits = system.contact()->limit(up, state, 1.0);
+    CHECK(limits.least == 1.0);
+    CHECK(state.contact.pieces_expected[0] == no_contact);
+}
+
 TEST_CASE("Pairs: the number of threads changes nothing", "[assembly][touch]") {
     const Scene scene;
     const ThreadTeam team(3);
